@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tool_state.h"
+
+#include <array>
+#include <cstdint>
+
+namespace chiron::core {
+
+namespace sample_status {
+inline constexpr std::uint32_t kMeasuredForce = 1u << 0; ///< `measured` is valid
+inline constexpr std::uint32_t kSaturated = 1u << 1;     ///< a motor ran at its limit
+inline constexpr std::uint32_t kHomed = 1u << 2;
+inline constexpr std::uint32_t kDeviceFault = 1u << 3; ///< the device itself reports a fault
+inline constexpr std::uint32_t kInvalid = 1u << 4;     ///< driver could not decode a usable pose (non-finite)
+} // namespace sample_status
+
+/// One packet of one tool, in integers on the device's declared grid (DeviceDescriptor::axes), as recorded:
+/// everything a replay needs. Trivially copyable.
+struct DeviceSample {
+    std::array<std::int32_t, kMaxCoordinates> counts{};
+    std::int32_t jawCounts = 0;
+    std::uint32_t buttons = 0;
+    std::uint32_t packet = 0;       ///< increases by one a packet; re-reading the same packet is age, not a repeat
+    std::uint32_t status = 0;       ///< sample_status bits
+    std::uint64_t deviceTime_us = 0; ///< the device's own clock, monotonic
+    std::int64_t arrival_ns = 0;    ///< when the host received this packet, in the clock of HapticTick::now_ns
+    Array6 measured{};              ///< wrench on the tool in W as the device measured it (N, N·m)
+};
+
+} // namespace chiron::core

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <utility>
+
+namespace chiron::core {
+
+/// What kind of failure it was. The command line maps it to its exit status (cli.md), the desktop to words.
+enum class ErrorCode {
+    wrongUse,      ///< command line or call used wrongly (exit 2)
+    notAllowed,    ///< the actor's roles do not permit it (exit 2)
+    badInput,      ///< a file, packet or value is malformed (exit 3)
+    notFound,      ///< the thing asked for does not exist (exit 3)
+    storage,       ///< database, file system, disk full (exit 4)
+    locked,        ///< another program holds the writer's lock (exit 4)
+    device,        ///< device missing, refused or faulted (exit 5)
+    doesNotHold,   ///< the thing checked does not hold (exit 1)
+    cancelled,     ///< stopped by the person
+};
+
+/// An expected failure: a code for programs and a message for people that names the place (file, line, JSON path,
+/// table), the value found and what was expected.
+struct Error {
+    ErrorCode code = ErrorCode::badInput;
+    std::string message;
+};
+
+/// Either a value or an Error; never thrown. Programmer mistakes are asserts instead.
+template <class T>
+using Result = tl::expected<T, Error>;
+
+inline tl::unexpected<Error> fail(ErrorCode code, std::string message) {
+    return tl::unexpected<Error>(Error{code, std::move(message)});
+}
+
+} // namespace chiron::core

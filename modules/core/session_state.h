@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace chiron::core {
+
+/// Where a trial stands. Stored in every frame: numbers are part of the recording's format.
+enum class TrialPhase : std::uint8_t {
+    idle = 0,     ///< before the start command
+    ready = 1,    ///< scene is there, waiting until force is armed
+    running = 2,  ///< the person works; scored
+    between = 3,  ///< marked or timed out; next scene comes
+    finished = 4, ///< the last trial is over
+};
+
+/// What the supervisor does with force. Stored in every frame.
+enum class ForceState : std::uint8_t {
+    off = 0,      ///< never armed yet
+    arming = 1,   ///< waits for small requested force or a confirmation
+    ramping = 2,  ///< 2 s ramp to full
+    on = 3,
+    pausing = 4,  ///< ramp to zero in 0.5 s
+    paused = 5,
+    stopped = 6,  ///< stop pressed; needs re-arm
+    fault = 7,    ///< latched
+    heldByWatchdog = 8, ///< ramped down or zero because samples are late, not yet latched
+    heldByHeartbeat = 9, ///< GUI silent: ramped to zero, resumes by arming
+};
+
+/// Why the supervisor acts, one bit each, in every frame (`TickHeader::guards`).
+namespace guard_bits {
+inline constexpr std::uint32_t kCap = 1u << 0;
+inline constexpr std::uint32_t kSlew = 1u << 1;
+inline constexpr std::uint32_t kArming = 1u << 2;
+inline constexpr std::uint32_t kOverVelocity = 1u << 3;
+inline constexpr std::uint32_t kBadSample = 1u << 4;
+inline constexpr std::uint32_t kSampleFault = 1u << 5;
+inline constexpr std::uint32_t kWatchdog = 1u << 6;
+inline constexpr std::uint32_t kWatchdogFault = 1u << 7;
+inline constexpr std::uint32_t kStop = 1u << 8;
+inline constexpr std::uint32_t kHeartbeat = 1u << 9;
+inline constexpr std::uint32_t kPassivity = 1u << 10;
+inline constexpr std::uint32_t kNotFinite = 1u << 11;
+inline constexpr std::uint32_t kDeviceFault = 1u << 12;
+inline constexpr std::uint32_t kPause = 1u << 13;
+} // namespace guard_bits
+
+/// What happened in the scene at this tick, one bit each, in every frame (`TickHeader::events`).
+namespace event_bits {
+inline constexpr std::uint32_t kSceneChanged = 1u << 0;  ///< geometry moved: the supervisor arms again
+inline constexpr std::uint32_t kTrialStarted = 1u << 1;  ///< ready -> running
+inline constexpr std::uint32_t kMarked = 1u << 2;        ///< the tool's position at this tick is the answer
+inline constexpr std::uint32_t kTimedOut = 1u << 3;
+inline constexpr std::uint32_t kContactBegan = 1u << 4;
+inline constexpr std::uint32_t kContactEnded = 1u << 5;
+inline constexpr std::uint32_t kFinished = 1u << 6;      ///< the last trial ended
+} // namespace event_bits
+
+} // namespace chiron::core

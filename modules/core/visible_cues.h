@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+#include "core/session_state.h"
+
+#include <cstdint>
+
+namespace chiron::core {
+
+/// What a person in front of the screen can see at this tick. A level lists its cues: what is off is off here too, so
+/// neither a window nor a scripted operator can learn more than the level allows.
+struct VisibleCues {
+    std::uint16_t trial = 0;
+    TrialPhase phase = TrialPhase::idle;
+    ForceState force = ForceState::off;
+    double timeLeft_s = 0.0;
+    bool objectShown = false;      ///< cue "object"
+    Vec3 p_WObject = Vec3::Zero(); ///< m; zero unless objectShown
+    double objectRadius_m = 0.0;   ///< zero unless objectShown
+};
+
+} // namespace chiron::core

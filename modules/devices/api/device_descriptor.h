@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tool_state.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace chiron::devices {
+
+enum class AxisUnit { metre, radian };
+
+/// One generalised coordinate of a tool.
+struct AxisDescriptor {
+    std::string id;               ///< snake_case, e.g. "heading", "x"
+    AxisUnit unit = AxisUnit::metre;
+    double resolution = 1e-6;     ///< m or rad a count
+    double minimum = 0.0;         ///< m or rad
+    double maximum = 0.0;
+    double continuousRating = 0.0; ///< N or N·m that the axis gives for ever; 0 = not actuated
+};
+
+/// How scores of a device are grouped: what can be felt is never compared with what is only shown.
+enum class DeviceClass { felt, shown };
+
+/// What a device is and can do, stored with each session; the kinematics can be made again from it.
+struct DeviceDescriptor {
+    std::string driver;     ///< catalogue id: simulated, keyboard_mouse, replay
+    std::string model;      ///< for people
+    std::string kinematics; ///< id: "cartesian" or "gimbal_hprd"
+    std::vector<double> kinematicsParameters; ///< meaning fixed by the kinematics id
+    std::vector<AxisDescriptor> axes;         ///< 1..kMaxCoordinates
+    double jawResolution_rad = 0.0;
+    bool rendersForce = false;
+    bool measuresForce = false;
+    bool inProcess = false;        ///< stepped in the tick, age 0
+    std::uint32_t period_us = 1000; ///< P: declared time between packets
+    double maximumForce_N = 0.0;   ///< continuous, any direction; 0 = none
+    double maximumTorque_Nm = 0.0;
+    double maximumDamping_Ns_per_m = 50.0; ///< b_max (models.md §0)
+    DeviceClass deviceClass() const { return rendersForce ? DeviceClass::felt : DeviceClass::shown; }
+};
+
+/// From D to W: p_WT = origin + scale · H · p_DT, H = diag(-1,1,1) for a left-handed workspace, else 1. Forces go
+/// back through Hᵀ unscaled. Stored with each session.
+struct WorkspaceMapping {
+    std::array<double, 3> origin_m{};
+    double scale = 1.0;
+    bool leftHanded = false;
+};
+
+} // namespace chiron::devices

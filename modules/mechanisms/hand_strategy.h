@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+#include "core/visible_cues.h"
+
+#include <cstdint>
+
+namespace chiron::mechanisms {
+
+/// What a hand feels and sees at one tick, *before* its own perceptual noise (the strategy adds it).
+struct HandPerception {
+    double time_s = 0.0;              ///< executed ticks · 1 ms since the device was opened
+    core::Vec3 p_DT = core::Vec3::Zero(); ///< where the hand really is, D
+    core::Vec3 v_DT = core::Vec3::Zero();
+    core::Vec3 f_T_D = core::Vec3::Zero(); ///< force that the plant really puts on the hand, D
+    core::VisibleCues cues;           ///< what the screen shows (object in W; see `mapping` of the device for D)
+};
+
+/// What a hand wants: where to be, and which buttons to hold.
+struct HandIntention {
+    core::Vec3 p_DDesired = core::Vec3::Zero();
+    core::Vec3 v_DDesired = core::Vec3::Zero();
+    std::uint32_t buttons = 0;
+    double jaw_rad = 0.0;
+};
+
+/// A scripted trainee's mind for one exercise: called once a tick inside the simulated device, so noexcept and free of
+/// allocation. Seeded and reproducible: the same perceptions give the same intentions.
+class HandStrategy {
+public:
+    virtual ~HandStrategy() = default;
+    virtual HandIntention decide(const HandPerception& seen) noexcept = 0;
+};
+
+} // namespace chiron::mechanisms

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace chiron::realtime {
+
+class TickSource;
+
+/// Proof of being inside the 1 kHz loop: only a TickSource (owned by the runner) can make one, so a function that takes
+/// `const HapticTick&` can be called from a tick alone. Such functions are noexcept and neither allocate, lock, log,
+/// throw nor touch Qt.
+class HapticTick {
+public:
+    std::uint64_t index() const noexcept { return m_index; } ///< executed ticks; the model step is 1 ms each
+    std::int64_t now_ns() const noexcept { return m_now_ns; } ///< monotonic; the only place where a missed deadline shows
+
+private:
+    friend class TickSource;
+    HapticTick(std::uint64_t index, std::int64_t now_ns) noexcept : m_index(index), m_now_ns(now_ns) {}
+    std::uint64_t m_index;
+    std::int64_t m_now_ns;
+};
+
+/// Makes the ticks of one run, in order. Runners own one; nobody else should.
+class TickSource {
+public:
+    HapticTick next(std::int64_t now_ns) noexcept { return HapticTick(m_next++, now_ns); }
+    std::uint64_t executed() const noexcept { return m_next; }
+
+private:
+    std::uint64_t m_next = 0;
+};
+
+} // namespace chiron::realtime
