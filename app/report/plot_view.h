@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "report/plot_theme.h"
+#include "report/report_data.h"
+
+#include <QWidget>
+#include <memory>
+#include <span>
+#include <vector>
+
+class QPainter;
+
+namespace chiron::report {
+
+/// An axis: label with unit ("Force (N)") and, where wanted, a fixed range; otherwise the data choose it.
+struct PlotAxis {
+    QString label;
+    std::optional<double> minimum;
+    std::optional<double> maximum;
+};
+
+/// How a series is told apart: by its line (or marker) as well as by its colour.
+enum class PlotStyle { solidA, dashedB, dottedC };
+
+struct PlotPoint {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+/// The one way to draw plots, over QCustomPlot, which stays hidden. A widget on screen, a picture or vectors on paper.
+/// All calls on the GUI thread. Not copyable.
+class PlotView : public QWidget {
+public:
+    explicit PlotView(const PlotTheme& theme, QWidget* parent = nullptr);
+    ~PlotView() override;
+    PlotView(const PlotView&) = delete;
+    PlotView& operator=(const PlotView&) = delete;
+
+    void setTitle(const QString& title);
+    void setXAxis(const PlotAxis& axis);
+    void setYAxis(const PlotAxis& axis);
+    /// Names instead of numbers under the x axis, at 0, 1, 2 ...
+    void setXCategories(const std::vector<QString>& names);
+    /// The same scale on both axes (the shorter range is widened).
+    void setEqualScale(bool equal);
+
+    /// A line; long series are reduced to first, minimum, maximum, last of each pixel column, so that every peak stays.
+    void addLine(const QString& name, std::span<const double> x, std::span<const double> y, PlotStyle style);
+    void addMarkers(const QString& name, const std::vector<PlotPoint>& points, PlotStyle style, bool crosses = false);
+    /// A marker with a vertical bar from y - spread to y + spread.
+    void addMeans(const QString& name, const std::vector<PlotPoint>& means, const std::vector<double>& spreads);
+    /// Bars of one of `count` groups side by side around each x.
+    void addBars(const QString& name, const std::vector<PlotPoint>& tops, PlotStyle style, int index, int count);
+    /// A horizontal line with its name in the legend.
+    void addLimit(const QString& name, double value);
+    /// Fills between `limit` and the line where the line is above it.
+    void shadeAbove(const QString& name, std::span<const double> x, std::span<const double> y, double limit);
+    void addHatchedSpans(const QString& name, const std::vector<TimeSpan>& spans);
+    void addEvents(const std::vector<TimedEvent>& events);
+    void addCircle(const QString& name, double radius);
+    /// A note in the middle of an empty plot.
+    void setNote(const QString& text);
+
+    /// Draws the plot into `area` of any paint device whose logical unit is 1/96 inch (vectors on a PDF).
+    void paintTo(QPainter& painter, const QRectF& area);
+    /// Writes a PNG of `size` logical pixels at `scale` device pixels each. Fails with storage.
+    core::Result<void> savePng(const QString& path, QSize size, double scale = 2.0);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace chiron::report

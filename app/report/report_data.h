@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace chiron::report {
+
+/// One line of the metrics table; numbers in the metric's own unit, as people read them.
+struct MetricRow {
+    QString id;   ///< snake_case, stored token
+    QString name; ///< display name; the id where empty
+    QString unit; ///< "%", "mm", "N"; empty for none
+    std::optional<double> value;
+    QString reason; ///< why there is no value
+    std::optional<double> gateMinimum; ///< pass mark, inclusive
+    std::optional<double> gateMaximum;
+    std::optional<bool> passed; ///< only where gated
+    bool headline = false;      ///< shown large on the first page; at most three are
+    std::optional<double> bandLow; ///< benchmark band, e.g. a published mean ± SD
+    std::optional<double> bandHigh;
+    QString bandSource; ///< where the band is from, e.g. "published, 5 subjects × 10"
+};
+
+/// Signed error of one mark, in % of the sphere's radius (models.md §2.3).
+struct ApexError {
+    int trial = 0; ///< 0-based; people see it 1-based
+    double x_percent = 0.0;
+    double y_percent = 0.0;
+    bool miss = false; ///< marked out of contact or farther than R: kept, drawn differently
+    bool timedOut = false;
+};
+
+struct TimeSpan {
+    double begin_s = 0.0;
+    double end_s = 0.0;
+};
+
+struct TimedEvent {
+    double t_s = 0.0;
+    QString label; ///< short: "trial 3", "mark"
+};
+
+/// One tool's samples of a session (or of one trial) for plots. All vectors have t_s's length, except that
+/// `measured_N`, `commanded_N` and `speed_mm_per_s` may be empty (not measured, not stored). Positions in W, forces as
+/// norms. Values that are not finite leave a gap.
+struct SampleSeries {
+    std::vector<double> t_s; ///< ascending
+    std::vector<double> x_mm, y_mm, z_mm;
+    std::vector<double> tissue_N;    ///< what the scene answered: assessed
+    std::vector<double> commanded_N; ///< after the supervisor
+    std::vector<double> measured_N;  ///< by the device
+    std::vector<double> speed_mm_per_s;
+    std::vector<TimeSpan> paused;    ///< hatched; left out of every metric
+    std::vector<TimedEvent> events;
+};
+
+/// What the loop did, as stored with the session.
+struct LoopFacts {
+    std::uint64_t ticks = 0;
+    std::uint64_t late = 0;
+    double p50_us = 0.0;
+    double p99_us = 0.0;
+    double max_us = 0.0;
+};
+
+/// What makes the report traceable to its recording.
+struct IntegrityFacts {
+    QString sessionId;
+    std::uint64_t frames = 0;
+    std::uint64_t dropped = 0;
+    std::uint64_t bytes = 0;
+    QString buildId;
+    QString contentSha256;   ///< of the resolved content, hex
+    QString recordingDigest; ///< BLAKE2b over the recording, hex
+    QString resultDigest;    ///< of the score row, hex; empty if none
+};
+
+/// Everything a session report shows. Values only: whoever fills it reads the database, never this module.
+struct ReportData {
+    QString person;         ///< display name, or the operator's ("expert, seed 7")
+    bool simulated = false; ///< a scripted hand, not a person
+    bool demonstration = false; ///< the permanent banner of a demonstration database
+    QString exerciseTitle;
+    QString levelTitle;
+    QString exerciseId;
+    int level = 1;
+    QDateTime startedUtc; ///< UTC
+    int offsetMinutes = 0; ///< local time's offset from UTC when it was recorded
+    double duration_s = 0.0;
+    QString device;
+    bool felt = true;          ///< false: force was shown, not felt
+    QString state;             ///< completed, stopped, interrupted, incomplete, faulted, voided
+    std::optional<bool> passed; ///< absent where nothing is gated
+    std::vector<MetricRow> metrics;
+    std::vector<ApexError> apexErrors;
+    SampleSeries series;
+    double forceLimit_N = 4.0;
+    LoopFacts loop;
+    IntegrityFacts integrity;
+};
+
+/// One operator or group in a comparison: a value per session (e.g. mean apex error in %).
+struct ComparisonGroup {
+    QString name;
+    std::vector<double> values;
+};
+
+struct ComparisonData {
+    QString title;
+    QString metricName;
+    QString unit;
+    std::vector<ComparisonGroup> groups;
+    std::optional<double> reference; ///< e.g. 14.2 (P2's mean), drawn as a line
+    QString referenceLabel;
+};
+
+} // namespace chiron::report

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/plot_view.h"
+#include "report/report_data.h"
+
+#include <memory>
+#include <vector>
+
+namespace chiron::report {
+
+/// The plots of a session. Each makes a new view (GUI thread); empty data give an empty plot with a note, never a crash.
+std::unique_ptr<PlotView> positionPlot(const SampleSeries& series, const PlotTheme& theme);
+/// Tissue, commanded and measured force with the limit line; shaded where tissue force is over it.
+std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme);
+std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme& theme);
+/// P2's figure 4, "% Error In Locating Virtual Spheres": where the marks lie within the sphere's outline ...
+std::unique_ptr<PlotView> apexScatterPlot(const std::vector<ApexError>& errors, const PlotTheme& theme);
+/// ... and the signed error in x and y of each trial.
+std::unique_ptr<PlotView> apexTrialPlot(const std::vector<ApexError>& errors, const PlotTheme& theme);
+/// One column an operator: its sessions as points, mean ± SD beside them, the reference as a line.
+std::unique_ptr<PlotView> comparisonPlot(const ComparisonData& data, const PlotTheme& theme);
+
+} // namespace chiron::report
