@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+#include "core/result.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace chiron::catalogue {
+
+/// Everything in curriculum/content, checked against its schema and against what the code knows.
+///
+/// Failure (badInput): `file:line:column: $.json.path: value: expected ...`, one line for each fault found.
+/// Thread: load on any thread; afterwards read-only.
+class Catalogue {
+public:
+    /// Reads `directory` (with exercises/ and schema/ in it).
+    static core::Result<Catalogue> load(const std::string& directory);
+
+    const std::vector<Exercise>& exercises() const { return m_exercises; }
+    const Exercise* find(std::string_view exercise) const;
+    const ExerciseLevel* find(std::string_view exercise, int level) const;
+    const std::string& directory() const { return m_directory; }
+
+private:
+    std::string m_directory;
+    std::vector<Exercise> m_exercises;
+};
+
+/// The content folder: `explicitDirectory` if not empty, else the environment's CHIRON_CONTENT, else the installed
+/// share folder, else the source tree. Failure: notFound, naming every place looked at.
+core::Result<std::string> findContentDirectory(const std::string& explicitDirectory = {});
+
+/// A level from the canonical JSON that a session stored. Reads no file: editing a level later changes no old score
+/// and no old replay. The result's resolvedJson and resolvedSha256 are those of the bytes given.
+/// Failure (badInput): not JSON, or a key missing or of the wrong type, with its path.
+core::Result<ExerciseLevel> fromResolvedJson(std::string_view json);
+
+} // namespace chiron::catalogue

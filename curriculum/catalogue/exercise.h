@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scoring/score_card.h"
+#include "simulation/exercises/sphere_apex/sphere_apex_parameters.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace chiron::catalogue {
+
+/// A text in the languages the content has ("en" always), UTF-8.
+using Translated = std::map<std::string, std::string>;
+
+/// The text in `language` ("de", "el", ...), else in English.
+const std::string& textIn(const Translated& text, const std::string& language);
+
+/// What a kind of exercise is set up with; each kind adds its struct here and a line in exercise_kinds.cpp.
+using ExerciseParameters = std::variant<simulation::SphereApexParameters>;
+
+struct MetricChoice {
+    std::string id;
+    int version = 1;
+};
+
+/// How a level that needs a device with force is offered on one without: the force is shown, not felt, by these cues,
+/// and its scores are a series of their own.
+struct ShownForceVariant {
+    std::vector<std::string> cues;
+    Translated note;
+};
+
+struct ExerciseLevel {
+    std::string id; ///< file name without .json
+    int number = 1; ///< --level N, from 1
+    Translated title;
+    Translated objective;
+    Translated measured; ///< what is measured, in words
+    std::vector<std::string> cues; ///< object, tool, arrow, bars, numbers, plots, sound, coverage: all else is off
+    bool needsForce = false;       ///< no visible object: needs a device that renders force
+    std::optional<ShownForceVariant> shownForce;
+    ExerciseParameters parameters;
+    std::vector<MetricChoice> metrics; ///< in the order shown
+    std::vector<scoring::Gate> gates;
+    std::string exercise;       ///< id of the exercise
+    int exerciseVersion = 1;
+    std::string resolvedJson;   ///< canonical JSON of the level with every default filled in: what a session stores
+    std::string resolvedSha256; ///< of those bytes, lower-case hex
+};
+
+struct Exercise {
+    std::string id;
+    int version = 1;
+    Translated title;
+    Translated objective;
+    std::vector<ExerciseLevel> levels; ///< by number, 1..n without a gap
+};
+
+} // namespace chiron::catalogue

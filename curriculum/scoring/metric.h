@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace chiron::scoring {
+
+struct PreparedTrial;
+
+enum class Direction { lowerIsBetter, higherIsBetter, neutral };
+
+/// Which wrench a metric reads (data.md: three wrenches, distinct everywhere).
+enum class MetricWrench { none, tissue, commanded, measured };
+
+/// How a session's value comes from its trials. `pooled`: computed once over all trials' samples or answers.
+enum class Aggregate { sum, mean, median, maximum, pooled };
+
+/// Which tools a metric reads; shown with its description.
+enum class MetricTools { first, all };
+
+/// A metric's outcome: a value, or none and the reason.
+struct Measurement {
+    std::optional<double> value;
+    std::string reason;
+
+    static Measurement of(double v) { return {v, {}}; }
+    static Measurement undefined(std::string why) { return {std::nullopt, std::move(why)}; }
+};
+
+/// One metric in one version (models.md §6). Filter, rate and thresholds belong to the version: changing any of them
+/// is a new entry beside the old one, so that stored scores stay explicable and can be recomputed under either.
+struct MetricDefinition {
+    std::string_view id; ///< snake_case
+    int version = 1;
+    std::string_view unit; ///< "" where it has none
+    Direction direction = Direction::lowerIsBetter;
+    MetricWrench wrench = MetricWrench::none;
+    Aggregate aggregate = Aggregate::mean;
+    MetricTools tools = MetricTools::first;
+    std::string_view definition; ///< one sentence with the equation
+    std::string_view source;     ///< paper and equation, or models.md §
+    /// The value over these trials: called with one trial for `trials[]`, with all of them where aggregate is pooled.
+    Measurement (*measure)(std::span<const PreparedTrial> trials) = nullptr;
+};
+
+std::string_view toString(Direction direction);
+std::string_view toString(MetricWrench wrench);
+std::string_view toString(Aggregate aggregate);
+
+} // namespace chiron::scoring

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+#include "core/session_state.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chiron::scoring {
+
+/// Which optional columns of a trace file are there (cli.md, Trace files).
+struct TraceColumns {
+    bool orientation = false; ///< qw,qx,qy,qz
+    bool jaw = false;         ///< jaw_deg
+    bool buttons = false;
+    bool tool = false;
+    bool tissue = false;    ///< fx_N,fy_N,fz_N
+    bool commanded = false; ///< commanded_fx_N ...
+    bool measured = false;  ///< measured_fx_N ...
+    bool trial = false;
+    bool phase = false;
+    bool paused = false;
+    bool mark = false;       ///< marked, timed_out, mark_in_contact, mark_x_mm, mark_y_mm, mark_z_mm
+    bool target = false;     ///< target_x_mm, target_y_mm, target_radius_mm
+    bool forceLimit = false; ///< force_limit_N
+};
+
+/// One row: frame W, tool tip. SI here; the file has mm and degrees. Absent columns leave the defaults.
+struct TraceRow {
+    double t_s = 0.0; ///< whole µs, strictly increasing per tool
+    core::Vec3 p_WT_m = core::Vec3::Zero();
+    core::Quat q_WT = core::Quat::Identity(); ///< unit to 1e-3 in the file, normalised here
+    double jaw_rad = 0.0;
+    std::uint32_t buttons = 0; ///< bit 0 = mark
+    std::uint8_t tool = 0;     ///< 0..3
+    core::Vec3 tissue_N = core::Vec3::Zero();
+    core::Vec3 commanded_N = core::Vec3::Zero();
+    core::Vec3 measured_N = core::Vec3::Zero();
+    std::int32_t trial = 0; ///< 0-based; the file counts from 1
+    core::TrialPhase phase = core::TrialPhase::running;
+    bool paused = false;
+    bool marked = false;   ///< of the trial, on its last row
+    bool timedOut = false; ///< of the trial, on its last row
+    bool markInContact = false;
+    core::Vec3 p_WMark_m = core::Vec3::Zero();
+    core::Vec3 target_m = core::Vec3::Zero(); ///< x, y of the apex (z unused)
+    double targetRadius_m = 0.0;
+    double forceLimit_N = 0.0;
+};
+
+/// A trace file's content, also what drives the replay of a recorded trace.
+struct TraceRows {
+    TraceColumns columns;
+    std::vector<TraceRow> rows; ///< in file order
+    std::string source;         ///< file name for messages
+};
+
+} // namespace chiron::scoring
