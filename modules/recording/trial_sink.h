@@ -16,7 +16,7 @@ using Digest = std::array<std::uint8_t, 32>; ///< BLAKE2b-256 (libsodium crypto_
 struct SecondSummary {
     std::uint32_t second = 0; ///< floor(device time since the first frame / 1 s)
     std::uint8_t tool = 0;
-    std::uint32_t frames = 0;
+    std::uint32_t frames = 0; ///< not paused
     double pathLength_m = 0.0;
     double maximumForce_N = 0.0;  ///< tissue
     double meanForce_N = 0.0;     ///< tissue, over frames
@@ -25,22 +25,29 @@ struct SecondSummary {
     std::uint32_t events = 0;     ///< OR of event bits
 };
 
-/// A closed chunk: consecutive executed ticks, encoded (chunk_codec.h).
+/// A closed chunk: consecutive executed ticks, encoded (chunk_encoder.h).
 struct Chunk {
     std::uint32_t sequence = 0; ///< 0, 1, 2 ... in one session
     std::uint64_t firstTick = 0;
     std::uint32_t frames = 0;
     std::vector<std::uint8_t> payload;
-    Digest payloadDigest{}; ///< over header fields and payload
-    Digest forceHash{};     ///< over the unrounded doubles of tissue and commanded, all tools, in tick order
+    Digest payloadDigest{}; ///< payloadDigestOf (digest.h)
+    Digest forceHash{};     ///< forceHashOf (digest.h)
 };
 
 /// Where chunks go; implemented by the database. Called on the writer thread only.
 class TrialSink {
 public:
     virtual ~TrialSink() = default;
-    /// Stores a batch in one transaction: all or nothing.
+    /// Stores a batch in one transaction: all or nothing. A (tool, second) comes once in a session's life.
     virtual core::Result<void> write(std::span<const Chunk> chunks, std::span<const SecondSummary> summaries) = 0;
+};
+
+/// What is known of a chunk without its payload.
+struct ChunkInfo {
+    std::uint32_t sequence = 0;
+    std::uint64_t firstTick = 0;
+    std::uint32_t frames = 0;
 };
 
 /// Where chunks come from: a stored session, a bundle, memory.
@@ -50,6 +57,17 @@ public:
     virtual core::Result<std::vector<std::uint8_t>> channelTable() = 0; ///< encoded (channel_table.h)
     virtual std::size_t chunkCount() const = 0;
     virtual core::Result<Chunk> chunk(std::size_t sequence) = 0; ///< digest is checked by the reader, not here
+    /// All chunks in sequence order, without payloads. The default reads every chunk: sources that can, do better.
+    virtual core::Result<std::vector<ChunkInfo>> index() {
+        std::vector<ChunkInfo> infos;
+        for (std::size_t i = 0; i < chunkCount(); ++i) {
+            const auto one = chunk(i);
+            if (!one)
+                return tl::make_unexpected(one.error());
+            infos.push_back({one->sequence, one->firstTick, one->frames});
+        }
+        return infos;
+    }
 };
 
 } // namespace chiron::recording

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+#include "recording/channel_table.h"
+#include "recording/column_codec.h"
+#include "recording/frame_fields.h"
+#include "recording/trial_sink.h"
+
+#include <memory>
+#include <vector>
+
+namespace chiron::recording {
+
+/// Chunk -> frames or single columns. Every length is checked: any bytes give a value or an Error (badInput naming the
+/// chunk, the byte offset in its payload, what was found and expected), never a crash or an allocation beyond the caps.
+/// Digests are the reader's business. One thread at a time.
+class ChunkDecoder {
+public:
+    explicit ChunkDecoder(ChannelTable table);
+    ChunkDecoder(const ChunkDecoder&) = delete;
+    ChunkDecoder& operator=(const ChunkDecoder&) = delete;
+    ChunkDecoder(ChunkDecoder&&) noexcept;
+    ChunkDecoder& operator=(ChunkDecoder&&) noexcept;
+    ~ChunkDecoder();
+
+    const ChannelTable& table() const noexcept { return m_table; }
+    /// Appends all frames of the chunk; fields without a channel are zero.
+    core::Result<void> decode(const Chunk& chunk, std::vector<core::HapticFrame>& frames);
+    /// The one frame with this executed tick. Error: notFound.
+    core::Result<core::HapticFrame> decodeTick(const Chunk& chunk, std::uint64_t tick);
+    /// Appends the counts of one channel (index in the table) without decoding the rest.
+    core::Result<void> decodeChannel(const Chunk& chunk, std::size_t channel, std::vector<std::int64_t>& counts);
+
+private:
+    core::Result<void> openPayload(const Chunk& chunk);
+    core::Result<void> decodeColumn(const Chunk& chunk, std::size_t channel, std::int64_t* values);
+    core::Result<void> decodeAll(const Chunk& chunk);
+    core::HapticFrame frameAt(std::size_t row) const;
+
+    ChannelTable m_table;
+    std::vector<FrameField> m_fields;
+    std::vector<std::size_t> m_offsets; ///< of each column in the payload, one more than channels
+    std::vector<std::int64_t> m_values; ///< channels × frames
+    std::vector<std::int64_t> m_reference;
+    std::unique_ptr<ColumnDecoder> m_decoder;
+};
+
+} // namespace chiron::recording

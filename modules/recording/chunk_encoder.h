@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+#include "recording/channel_table.h"
+#include "recording/column_codec.h"
+#include "recording/frame_fields.h"
+#include "recording/trial_sink.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace chiron::recording {
+
+inline constexpr std::uint32_t kMaximumFramesPerChunk = 4096;
+
+/// HapticFrames -> Chunk: one column a channel, each as constant, line, offset, difference or second difference,
+/// bit-packed, then zstd if smaller. Payload: version byte, varint frames, varint channels, varint length of each column,
+/// columns. Not copied (owns a compression context); one thread at a time; may allocate.
+class ChunkEncoder {
+public:
+    explicit ChunkEncoder(ChannelTable table);
+    ChunkEncoder(const ChunkEncoder&) = delete;
+    ChunkEncoder& operator=(const ChunkEncoder&) = delete;
+    ChunkEncoder(ChunkEncoder&&) noexcept;
+    ChunkEncoder& operator=(ChunkEncoder&&) noexcept;
+    ~ChunkEncoder();
+
+    const ChannelTable& table() const noexcept { return m_table; }
+    /// Error: wrongUse if there are no frames, too many, or a frame has another number of tools than the table.
+    core::Result<Chunk> encode(std::uint32_t sequence, std::span<const core::HapticFrame> frames);
+
+private:
+    ChannelTable m_table;
+    std::vector<FrameField> m_fields;
+    std::vector<std::vector<std::int64_t>> m_columns;
+    std::vector<std::int64_t> m_residual;
+    std::unique_ptr<ColumnEncoder> m_encoder;
+};
+
+} // namespace chiron::recording

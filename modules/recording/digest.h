@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+#include "recording/trial_sink.h"
+
+#include <span>
+#include <string>
+
+namespace chiron::recording {
+
+/// BLAKE2b-256 over the little-endian sequence, firstTick, frames, then forceHash and payload of a chunk: guards
+/// against accidents (data.md, Proof). `payloadDigest` itself is not read.
+Digest payloadDigestOf(const Chunk& chunk);
+
+/// BLAKE2b-256 over the unrounded doubles (bits, little-endian) of tissue then commanded of every used tool, frame after
+/// frame: what a replay of the same ticks must reproduce. Equal hashes <=> equal bits.
+Digest forceHashOf(std::span<const core::HapticFrame> frames);
+
+/// Lower-case hexadecimal, for messages.
+std::string toHex(const Digest& digest);
+
+} // namespace chiron::recording

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+#include "recording/channel_table.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace chiron::recording {
+
+/// Where a channel lives in a HapticFrame; `unknown` for channels of another version, which readers skip.
+struct FrameField {
+    enum class Type : std::uint8_t { unknown, u8, u16, u32, i32, u64, i64, real };
+    Type type = Type::unknown;
+    std::size_t offset = 0;     ///< bytes from the start of the frame
+    double stepsPerUnit = 1.0;  ///< for real
+};
+
+/// The field of a channel, by its tool and id (and slot, for an axis).
+FrameField fieldOf(const Channel& channel) noexcept;
+
+/// Column of counts of one field over frames. values.size() == frames.size().
+void gather(const FrameField& field, std::span<const core::HapticFrame> frames, std::span<std::int64_t> values) noexcept;
+/// Puts one count into a frame. False if it does not fit the field (the recording is damaged).
+bool put(const FrameField& field, std::int64_t count, core::HapticFrame& frame) noexcept;
+
+} // namespace chiron::recording

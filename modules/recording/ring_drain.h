@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+#include "recording/crash_ring.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace chiron::recording {
+
+/// Reader's side of a live ring, in the same process: writer thread. Reading does not free slots; commit() does, so that
+/// what was read but not yet stored survives a crash. The ring must outlive it.
+class RingDrain {
+public:
+    explicit RingDrain(CrashRing& ring) noexcept : m_ring(ring) {}
+
+    /// Appends up to `maximum` frames that were not read yet, in order; returns how many. Stops at a slot whose
+    /// checksum disagrees (memory damage): that slot is skipped and counted in damaged().
+    std::size_t read(std::vector<core::HapticFrame>& frames, std::size_t maximum);
+    /// The first `frames` frames of the ring's life are stored for good: their slots may be used again.
+    void commit(std::uint64_t frames) noexcept;
+
+    std::uint64_t position() const noexcept { return m_next; } ///< slots read so far, damaged ones included
+    std::uint64_t dropped() const noexcept { return m_ring.dropped(); }
+    std::uint64_t damaged() const noexcept { return m_damaged; }
+
+private:
+    CrashRing& m_ring;
+    std::uint64_t m_next = 0;
+    std::uint64_t m_damaged = 0;
+};
+
+} // namespace chiron::recording

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace chiron::recording {
+
+using DatabaseId = std::array<std::uint8_t, 16>; ///< UUID of the database, bytes as printed
+
+inline constexpr std::uint64_t kRingMagic = 0x31474e4952484321ULL; ///< "!CHRING1" little-endian
+inline constexpr std::uint32_t kRingVersion = 1;
+inline constexpr std::size_t kCacheLine = 64;
+
+/// First page of a ring file. The first line is written once; the other two have one writer each.
+struct RingHeader {
+    std::uint64_t magic = kRingMagic;
+    std::uint32_t version = kRingVersion;
+    std::uint32_t frameLayout = core::kFrameLayoutVersion;
+    std::uint32_t tools = 0;
+    std::uint32_t slots = 0;
+    std::uint32_t slotBytes = 0;
+    std::uint32_t checksum = 0; ///< CRC-32C of the identity part with this field zero
+    DatabaseId database{};
+    std::int64_t session = 0;
+    std::int64_t pid = 0;
+    std::array<char, 40> bootId{};
+    alignas(kCacheLine) std::uint64_t committed = 0; ///< written by the drain (atomic)
+    alignas(kCacheLine) std::uint64_t dropped = 0;   ///< written by the haptic thread (atomic)
+};
+
+/// Start of each slot; the frame's used bytes follow. `number` is written last: n + 1 for the ring's n-th frame.
+struct SlotHeader {
+    std::uint64_t number = 0;
+    std::uint32_t checksum = 0; ///< slotChecksum() over number and the used bytes
+    std::uint32_t reserved = 0;
+};
+
+inline constexpr std::size_t kRingHeaderBytes = 4096;
+static_assert(sizeof(RingHeader) <= kRingHeaderBytes);
+
+/// Bytes of a frame that count: everything up to its last used tool.
+constexpr std::size_t usedFrameBytes(std::uint32_t tools) noexcept {
+    return offsetof(core::HapticFrame, tool) + tools * sizeof(core::ToolFrame);
+}
+static_assert(usedFrameBytes(1) % 8 == 0 && usedFrameBytes(core::kMaxTools) == sizeof(core::HapticFrame));
+
+constexpr std::size_t slotBytesFor(std::uint32_t tools) noexcept {
+    return (sizeof(SlotHeader) + usedFrameBytes(tools) + kCacheLine - 1) / kCacheLine * kCacheLine;
+}
+
+} // namespace chiron::recording

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+#include "core/result.h"
+#include "recording/ring_layout.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace chiron::recording {
+
+/// What a dead ring still held. Keeps the file's lock, so that two programs never recover one ring; move-only.
+class RecoveredRing {
+public:
+    RecoveredRing(const RecoveredRing&) = delete;
+    RecoveredRing& operator=(const RecoveredRing&) = delete;
+    RecoveredRing(RecoveredRing&& other) noexcept;
+    RecoveredRing& operator=(RecoveredRing&& other) noexcept;
+    ~RecoveredRing();
+
+    const DatabaseId& database() const noexcept { return m_database; }
+    std::int64_t session() const noexcept { return m_session; }
+    std::int64_t pid() const noexcept { return m_pid; } ///< of the program that died
+    bool sameBoot() const noexcept { return m_sameBoot; }
+    int tools() const noexcept { return m_tools; }
+    std::uint64_t committed() const noexcept { return m_committed; } ///< frames that the drain had marked as stored
+    std::uint64_t dropped() const noexcept { return m_dropped; }
+    /// Frames after the committed ones, in order, up to the first slot that is missing or damaged. The mark may lag
+    /// behind the database by one batch: leave out ticks that are stored already (Recorder::addRecovered does).
+    const std::vector<core::HapticFrame>& frames() const noexcept { return m_frames; }
+    /// Deletes the file, once the frames are stored.
+    core::Result<void> remove();
+
+private:
+    friend core::Result<RecoveredRing> recoverRing(const std::filesystem::path& path);
+    RecoveredRing() = default;
+    std::filesystem::path m_path;
+    int m_descriptor = -1;
+    DatabaseId m_database{};
+    std::int64_t m_session = 0;
+    std::int64_t m_pid = 0;
+    bool m_sameBoot = false;
+    int m_tools = 0;
+    std::uint64_t m_committed = 0;
+    std::uint64_t m_dropped = 0;
+    std::vector<core::HapticFrame> m_frames;
+};
+
+/// Reads a ring whose program has died. The caller holds the database lock. Errors: locked if its program still
+/// lives, badInput if it is no ring of this layout (naming offset and expectation), storage if it cannot be read.
+core::Result<RecoveredRing> recoverRing(const std::filesystem::path& path);
+
+/// Rings of one database in a folder, dead or alive, by file name; a missing folder has none.
+std::vector<std::filesystem::path> listRings(const std::filesystem::path& folder, const DatabaseId& database);
+
+/// Removes half-made rings of the database (their program died while creating them). Returns how many.
+int removeUnfinishedRings(const std::filesystem::path& folder, const DatabaseId& database);
+
+} // namespace chiron::recording

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+#include "recording/position_of.h"
+#include "recording/trial_sink.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace chiron::recording {
+
+/// Adds frames up to one SecondSummary a second and tool. t is device time since the tool's first frame; a frame belongs
+/// to second floor(t), never to an earlier one than the frame before (a device clock set back reorders nothing). Force is
+/// the rounded tissue force (roundedWrench), so that live and later sums are the same doubles. Between consecutive
+/// unpaused frames k−1, k: path += ‖p_k − p_{k−1}‖, impulse += ½(F_{k−1} + F_k) Δt, time over limit += Δt if F_k > limit;
+/// all credited to the second of k. Paused frames count in no number but `events`; non-finite forces are left out of
+/// maximum, mean and impulse. Copyable.
+class SecondSummaries {
+public:
+    SecondSummaries(const IPositionOf& positionOf, double forceLimit_N) noexcept;
+
+    /// Takes the next frame; appends the summaries that it completes to `done`.
+    void add(const core::HapticFrame& frame, std::vector<SecondSummary>& done);
+    /// Appends the unfinished seconds, if any: at the end of a recording.
+    void finish(std::vector<SecondSummary>& done);
+    /// After a crash: device time zero of each tool, from the recording's first frame, before adding later ones.
+    void startAt(const core::HapticFrame& first) noexcept;
+    /// The second that the tool's latest frame belongs to.
+    std::uint32_t second(int tool) const noexcept { return m_tools[static_cast<std::size_t>(tool)].sum.second; }
+
+private:
+    struct Tool {
+        bool started = false;  ///< device time zero is known
+        bool open = false;     ///< `sum` holds frames
+        bool hasLast = false;  ///< the last frame was not paused
+        std::uint64_t zero_us = 0;
+        std::uint64_t last_us = 0;
+        double lastForce_N = 0.0;
+        double forceSum_N = 0.0;
+        std::uint32_t forces = 0;
+        core::Vec3 p_WT = core::Vec3::Zero();
+        SecondSummary sum;
+    };
+    void addTool(int tool, const core::HapticFrame& frame, std::vector<SecondSummary>& done);
+    void addMoving(Tool& state, const core::ToolFrame& frame, const core::Vec3& p_WT) const noexcept;
+    static void close(Tool& state, std::vector<SecondSummary>& done);
+
+    const IPositionOf* m_positionOf;
+    double m_forceLimit_N;
+    std::array<Tool, core::kMaxTools> m_tools{};
+};
+
+} // namespace chiron::recording

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+
+#include <cstdint>
+
+namespace chiron::recording {
+
+inline constexpr double kForceResolution_N = 1e-3;   ///< 1 mN
+inline constexpr double kTorqueResolution_Nm = 1e-5; ///< 0.01 mN·m
+inline constexpr double kAngleResolution_rad = 1e-5; ///< display pose
+
+/// Largest count a finite value is stored as (about 1 MN at 1 mN): beyond it the value saturates.
+inline constexpr std::int64_t kMaximumQuantum = std::int64_t{1} << 30;
+inline constexpr std::int64_t kNaNQuantum = kMaximumQuantum + 2;      ///< stands for NaN
+inline constexpr std::int64_t kInfinityQuantum = kMaximumQuantum + 1; ///< ± stands for ± infinity
+
+/// Steps per unit of a quantised channel: 1/resolution to the nearest whole number (1e-3 -> 1000) if that is one,
+/// so that a stored value equals the double nearest to its decimal text.
+double stepsPerUnit(double resolution) noexcept;
+
+/// Nearest step, ties away from zero; finite values saturate at ±kMaximumQuantum, NaN and infinities get their codes.
+/// Defined for every double.
+std::int64_t quantise(double value, double stepsPerUnit) noexcept;
+/// The double that a stored count stands for: count / stepsPerUnit; codes give NaN and ± infinity back.
+double dequantise(std::int64_t count, double stepsPerUnit) noexcept;
+
+/// Force parts at 1 mN, torque parts at 0.01 mN·m: exactly what a reader of the recording gets.
+core::Array6 roundedWrench(const core::Array6& wrench) noexcept;
+/// The frame with its wrenches and display pose as they will be read back, and its reserved and unused parts zero: live
+/// scoring from rounded frames equals later scoring from the file.
+core::HapticFrame roundedFrame(const core::HapticFrame& frame) noexcept;
+
+} // namespace chiron::recording
