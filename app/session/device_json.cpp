@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/device_json.h"
+
+#include "session/json_reader.h"
+
+namespace chiron::session {
+
+namespace {
+
+QJsonObject axisToJson(const devices::AxisDescriptor& axis) {
+    return {{"id", QString::fromStdString(axis.id)},
+            {"unit", axis.unit == devices::AxisUnit::metre ? "m" : "rad"},
+            {"resolution", axis.resolution},
+            {"minimum", axis.minimum},
+            {"maximum", axis.maximum},
+            {"continuous_rating", axis.continuousRating}};
+}
+
+core::Result<devices::AxisDescriptor> axisFromJson(const QJsonObject& json) {
+    JsonReader in(json, QStringLiteral("device.axes[]"));
+    devices::AxisDescriptor axis;
+    axis.id = in.text("id");
+    axis.unit = in.string("unit") == QLatin1String("rad") ? devices::AxisUnit::radian : devices::AxisUnit::metre;
+    axis.resolution = in.number("resolution");
+    axis.minimum = in.number("minimum");
+    axis.maximum = in.number("maximum");
+    axis.continuousRating = in.number("continuous_rating");
+    if (!in.ok())
+        return tl::unexpected(in.error());
+    return axis;
+}
+
+} // namespace
+
+QJsonObject toJson(const devices::DeviceDescriptor& d) {
+    QJsonArray axes;
+    for (const auto& axis : d.axes)
+        axes.append(axisToJson(axis));
+    QJsonArray parameters;
+    for (const double p : d.kinematicsParameters)
+        parameters.append(p);
+    return {{"driver", QString::fromStdString(d.driver)},
+            {"model", QString::fromStdString(d.model)},
+            {"kinematics", QString::fromStdString(d.kinematics)},
+            {"kinematics_parameters", parameters},
+            {"axes", axes},
+            {"jaw_resolution_rad", d.jawResolution_rad},
+            {"renders_force", d.rendersForce},
+            {"measures_force", d.measuresForce},
+            {"in_process", d.inProcess},
+            {"period_us", static_cast<double>(d.period_us)},
+            {"maximum_force_N", d.maximumForce_N},
+            {"maximum_torque_Nm", d.maximumTorque_Nm},
+            {"maximum_damping_Ns_per_m", d.maximumDamping_Ns_per_m}};
+}
+
+core::Result<devices::DeviceDescriptor> descriptorFromJson(const QJsonObject& json) {
+    JsonReader in(json, QStringLiteral("device"));
+    devices::DeviceDescriptor d;
+    d.driver = in.text("driver");
+    d.model = in.text("model");
+    d.kinematics = in.text("kinematics");
+    for (const QJsonValue& p : in.array("kinematics_parameters"))
+        d.kinematicsParameters.push_back(p.toDouble());
+    for (const QJsonValue& value : in.array("axes")) {
+        auto axis = axisFromJson(value.toObject());
+        if (!axis)
+            return tl::unexpected(axis.error());
+        d.axes.push_back(std::move(*axis));
+    }
+    d.jawResolution_rad = in.number("jaw_resolution_rad");
+    d.rendersForce = in.boolean("renders_force");
+    d.measuresForce = in.boolean("measures_force");
+    d.inProcess = in.boolean("in_process");
+    d.period_us = static_cast<std::uint32_t>(in.integer("period_us", 1, 10'000'000));
+    d.maximumForce_N = in.number("maximum_force_N");
+    d.maximumTorque_Nm = in.number("maximum_torque_Nm");
+    d.maximumDamping_Ns_per_m = in.number("maximum_damping_Ns_per_m");
+    if (!in.ok())
+        return tl::unexpected(in.error());
+    if (d.axes.empty() || d.axes.size() > core::kMaxCoordinates)
+        return core::fail(core::ErrorCode::badInput, "device.axes: expected 1 to 8 axes");
+    return d;
+}
+
+QJsonObject toJson(const devices::WorkspaceMapping& m) {
+    return {{"origin_m", QJsonArray{m.origin_m[0], m.origin_m[1], m.origin_m[2]}},
+            {"scale", m.scale},
+            {"left_handed", m.leftHanded}};
+}
+
+core::Result<devices::WorkspaceMapping> mappingFromJson(const QJsonObject& json) {
+    JsonReader in(json, QStringLiteral("mapping"));
+    devices::WorkspaceMapping m;
+    const QJsonArray origin = in.array("origin_m");
+    m.scale = in.number("scale");
+    m.leftHanded = in.boolean("left_handed");
+    if (!in.ok())
+        return tl::unexpected(in.error());
+    if (origin.size() != 3 || !(m.scale > 0.0))
+        return core::fail(core::ErrorCode::badInput, "mapping: expected three origin coordinates and a positive scale");
+    for (int i = 0; i < 3; ++i)
+        m.origin_m[static_cast<std::size_t>(i)] = origin[i].toDouble();
+    return m;
+}
+
+} // namespace chiron::session
