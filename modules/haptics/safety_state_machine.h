@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session_state.h"
+#include "haptics/safety_guard_mask.h"
+#include "haptics/safety_io.h"
+#include "haptics/safety_settings.h"
+
+#include <cstdint>
+
+namespace chiron::haptics {
+
+/// What the state machine looks at in one tick, over all tools that render force.
+struct SafetyConditions {
+    std::array<core::Command, core::kMaxCommandsPerTick> commands{};
+    std::uint32_t faults = 0;      ///< guard_bits of causes that hold now; any of them latches a fault
+    double watchdogScale = 1.0;    ///< 1 fresh .. 0 late
+    std::uint16_t heartbeatAge_ms = 0;
+    bool stopButton = false;
+    bool deadMan = false;
+    bool allGood = false;          ///< every tool has sent a good packet
+    bool sceneChanged = false;
+    bool requestSmall = false;     ///< below the arming thresholds
+    bool still = false;            ///< slower than the still speed
+    bool tooFast = false;          ///< faster than the over-velocity limit
+};
+
+/// Decides the one gain (0..1) that every requested force is multiplied by (models.md §5: arming, pause, stop, frozen
+/// window, watchdog's ramp, faults). One step a tick; ramps are counted in executed ticks.
+class SafetyStateMachine {
+public:
+    void reset(const SafetySettings& settings, GuardMask mask) noexcept;
+    void step(const SafetyConditions& in) noexcept;
+
+    core::ForceState state() const noexcept { return m_state; }
+    double gain() const noexcept { return m_gain; }
+    /// Over-velocity is latched: only damping, with this gain, may be shown. 0 otherwise.
+    double dampingGain() const noexcept { return m_dampingGain; }
+    std::uint32_t latchedFaults() const noexcept { return m_latched; }
+    std::uint32_t guards() const noexcept { return m_guards; } ///< of the last step
+    ArmingWait waitsFor() const noexcept { return m_waitsFor; }
+    bool paused() const noexcept { return m_paused; }
+    bool rearmedThisStep() const noexcept { return m_rearmed; }
+
+private:
+    void applyCommands(const SafetyConditions& in) noexcept;
+    void rearm(const SafetyConditions& in) noexcept;
+    void latchFaults(const SafetyConditions& in) noexcept;
+    void latchOverVelocity(const SafetyConditions& in) noexcept;
+    void stop() noexcept;
+    void startArming() noexcept;
+    void stepArming(const SafetyConditions& in) noexcept;
+    void stepForce(const SafetyConditions& in) noexcept;
+    void stepHeartbeat(const SafetyConditions& in) noexcept;
+    void stepWatchdog(const SafetyConditions& in) noexcept;
+    void lowerGain(std::uint32_t ramp_ms) noexcept;
+    bool forceIsLive() const noexcept;
+    bool windowFrozen(const SafetyConditions& in) const noexcept;
+    ArmingWait wait(const SafetyConditions& in) const noexcept;
+
+    SafetySettings m_settings;
+    GuardMask m_mask;
+    core::ForceState m_state = core::ForceState::off;
+    ArmingWait m_waitsFor = ArmingWait::firstPacket;
+    std::uint32_t m_latched = 0;
+    std::uint32_t m_guards = 0;
+    std::uint32_t m_quietTicks = 0;
+    std::uint32_t m_stillTicks = 0;
+    double m_gain = 0.0;
+    double m_dampingGain = 0.0;
+    bool m_confirmed = false;
+    bool m_paused = false;
+    bool m_rearmed = false;
+};
+
+} // namespace chiron::haptics

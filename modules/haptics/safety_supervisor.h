@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "haptics/passivity_observer.h"
+#include "haptics/safety_guard_mask.h"
+#include "haptics/safety_io.h"
+#include "haptics/safety_sample_sanity.h"
+#include "haptics/safety_settings.h"
+#include "haptics/safety_state_machine.h"
+#include "haptics/safety_tool.h"
+#include "realtime/haptic_tick.h"
+
+#include <array>
+#include <span>
+
+namespace chiron::haptics {
+
+/// The last stage before any device, in every mode (models.md §5). Its order: sanity (admit), then in limit(): state
+/// machine, arming gain, passivity and over-velocity damping, caps, slew, caps once more, finite check. After limit()
+/// the caps hold always: per device axis in the device's frame through IToolKinematics::efforts, then the norm of force
+/// and of torque, each wrench scaled as a whole so that its direction is kept.
+///
+/// Use, once a tick and in this order: admit() for every tool, the scene, limit(). Record the sample *as read* (dropped
+/// ones too) with its age, so that a replay comes to the same verdicts. Time enters through age_us, heartbeatAge_ms,
+/// the tick's index and, for the age of a packet older than the one just refused, now_ns: all recorded; same inputs,
+/// same bits.
+///
+/// A device that renders no force (or whose period is too long to) gets zero and is always ready; its bad packets are
+/// dropped but never latch a fault. Not copyable: one supervisor guards one set of devices.
+/// Thread: configure() anywhere before the loop runs; the rest in the haptic thread. Never blocks or allocates there.
+class SafetySupervisor {
+public:
+    SafetySupervisor() = default;
+    SafetySupervisor(const SafetySupervisor&) = delete;
+    SafetySupervisor& operator=(const SafetySupervisor&) = delete;
+
+    /// Not in the tick. Fails (badInput) on no or too many tools, settings out of range, a device without period,
+    /// axes or a sound scale. The supervisor starts at `off` with no packet seen.
+    core::Result<void> configure(const SafetySettings& settings, std::span<const SafetyTool> tools);
+
+    /// Sanity stage of one tool, before the scene. pose_D = kinematics.pose(sample). See SafetySampleSanity::admit.
+    /// Anything but `fresh`: go on with the last good state. 0 <= tool < the configured count.
+    Admission admit(const realtime::HapticTick& now, int tool, const core::DeviceSample& sample,
+                    const core::ToolState& pose_D, std::uint32_t age_us) noexcept;
+
+    /// Everything else, after the scene. Fills `out` completely.
+    void limit(const realtime::HapticTick& now, const SafetyInput& in, SafetyOutput& out) noexcept;
+
+    const SafetySettings& settings() const noexcept { return m_settings; }
+    bool rendersForce(int tool) const noexcept; ///< whether this tool may ever get force
+    bool anyRendersForce() const noexcept;
+
+    /// Tests only: switches rows of the table off. Call before configure().
+    void setGuardMaskForTests(GuardMask mask) noexcept { m_mask = mask; }
+
+private:
+    using Wrenches = std::array<core::Wrench, core::kMaxTools>;
+
+    SafetyConditions observe(const SafetyInput& in, const Wrenches& requested) const noexcept;
+    Wrenches requestedWrenches(const SafetyInput& in, std::uint32_t& guards) const noexcept;
+    void applyPassivity(const SafetyInput& in, const Wrenches& requested, Wrenches& wrenches,
+                        std::uint32_t& guards) noexcept;
+    void applyDamping(const SafetyInput& in, Wrenches& wrenches) const noexcept;
+    void applyCapsAndSlew(Wrenches& wrenches, std::uint32_t& guards) noexcept;
+    bool applyFiniteCheck(Wrenches& wrenches) const noexcept;
+    void publish(const SafetyInput& in, const Wrenches& wrenches, std::uint32_t guards, SafetyOutput& out) noexcept;
+
+    SafetySettings m_settings;
+    GuardMask m_mask;
+    int m_count = 0;
+    std::array<SafetyToolLimits, core::kMaxTools> m_limits{};
+    std::array<SafetySampleSanity, core::kMaxTools> m_sanity{};
+    SafetyStateMachine m_machine;
+    PassivityObserver m_observer;
+    Wrenches m_last{};      ///< commanded in the tick before
+    double m_lastGain = 0.0;
+    bool m_notFinite = false; ///< found at the end of the tick before: latched as a fault in this one
+};
+
+} // namespace chiron::haptics

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tool_state.h"
+#include "devices/api/device_descriptor.h"
+#include "devices/api/kinematics.h"
+
+#include <array>
+#include <cstdint>
+
+namespace chiron::haptics {
+
+/// One tool as the supervisor is told of it. The kinematics must outlive the supervisor's use of it.
+struct SafetyTool {
+    const devices::DeviceDescriptor& device;
+    const devices::IToolKinematics& kinematics;
+    devices::WorkspaceMapping mapping;
+};
+
+/// The same, boiled down at configure time to what a tick needs: no strings, no vectors.
+struct SafetyToolLimits {
+    const devices::IToolKinematics* kinematics = nullptr;
+    bool renders = false;   ///< renders force and is fast enough to be allowed to
+    bool inProcess = false; ///< age is 0 by definition
+    bool leftHanded = false;
+    double scale = 1.0; ///< W per D
+    std::uint32_t period_us = 1000;
+    std::uint32_t watchdogStart_us = 0;
+    std::uint32_t watchdogZero_us = 0;
+    std::uint32_t watchdogFault_us = 0;
+    int axes = 0;
+    std::array<double, core::kMaxCoordinates> axisCap{}; ///< N or N·m; 0: not actuated, left out
+    double forceCap_N = 0.0;  ///< 0: the device gives no force
+    double torqueCap_Nm = 0.0; ///< 0: the device gives no torque
+    double damping_Ns_per_m = 0.0; ///< b_max of the device
+};
+
+} // namespace chiron::haptics
