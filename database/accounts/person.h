@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/actor.h"
+
+#include <string>
+
+namespace chiron::database {
+
+/// A person as the accounts show them.
+struct Person {
+    PersonId id = 0;
+    std::string name;        ///< login name, unique after case folding
+    std::string displayName;
+    std::string code;        ///< pseudonym used in studies and for readers who may not see names
+    RoleSet roles;
+    bool enabled = true;
+    bool mustChangePassword = false;
+    std::string createdUtc;
+};
+
+/// A person to be created; the password is already hashed (PasswordHasher), so that no writer job waits for Argon2id.
+struct NewPerson {
+    std::string name;
+    std::string displayName;
+    RoleSet roles;
+    std::string passwordHash;
+    bool mustChangePassword = false;
+};
+
+/// One stored attempt to log in, between beginLogin and finishLogin.
+struct LoginAttempt {
+    PersonId person = 0;       ///< 0: no such account; verify against the decoy all the same
+    std::string passwordHash;  ///< what to verify against (a decoy where there is no account)
+};
+
+} // namespace chiron::database

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/role.h"
+
+#include <cstdint>
+#include <string>
+
+namespace chiron::database {
+
+using PersonId = std::int64_t;
+using SessionId = std::int64_t;
+
+enum class ActorKind : std::uint8_t {
+    anonymous,   ///< nobody logged in: may log in, and read simulated sessions
+    simulated,   ///< the built-in account of scripted operators
+    maintenance, ///< the program itself: recovers sessions that a crash left open, nothing else
+    person,      ///< somebody who logged in
+};
+
+/// On whose behalf something is done. A person's actor can only come from a login; what it may do is looked up in the
+/// database at every call (roles, enabled, password to be changed), so a disabled account stops at once. A value.
+class Actor {
+public:
+    static Actor anonymous() { return Actor(ActorKind::anonymous, 0, {}, {}, false); }
+    static Actor simulated() { return Actor(ActorKind::simulated, kSimulatedPerson, "simulated", {}, false); }
+    static Actor maintenance() { return Actor(ActorKind::maintenance, 0, {}, {}, false); }
+
+    ActorKind kind() const noexcept { return m_kind; }
+    PersonId personId() const noexcept { return m_person; } ///< 0 for anonymous and maintenance
+    const std::string& name() const noexcept { return m_name; }
+    const RoleSet& roles() const noexcept { return m_roles; } ///< as they were at login; for display only
+    bool mustChangePassword() const noexcept { return m_mustChange; } ///< until then only changePassword is permitted
+
+    static constexpr PersonId kSimulatedPerson = 1; ///< the row that every database is created with
+
+private:
+    friend class AccountRepository;
+    Actor(ActorKind kind, PersonId person, std::string name, RoleSet roles, bool mustChange)
+        : m_kind(kind), m_person(person), m_name(std::move(name)), m_roles(roles), m_mustChange(mustChange) {}
+
+    ActorKind m_kind;
+    PersonId m_person;
+    std::string m_name;
+    RoleSet m_roles;
+    bool m_mustChange;
+};
+
+} // namespace chiron::database

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "database/accounts/person.h"
+#include "database/connection.h"
+
+#include <string>
+#include <vector>
+
+namespace chiron::database {
+
+/// People, their roles and credentials. Functions that change something need the writer's connection; each checks the
+/// actor first. Callers use accounts/account_service.h, which hashes outside the writer.
+class AccountRepository {
+public:
+    AccountRepository(Connection& connection, Actor actor) : m_connection(connection), m_actor(std::move(actor)) {}
+
+    /// Failure: notAllowed when there is an administrator already.
+    core::Result<PersonId> createFirstAdministrator(const NewPerson& person, const std::string& recoveryCodeHash);
+    /// Counts the attempt as failed until finishLogin says otherwise. Failure: notAllowed while the account must wait.
+    core::Result<LoginAttempt> beginLogin(const std::string& name);
+    /// After the password was found right. Failure: notAllowed when the account is disabled.
+    core::Result<Actor> finishLogin(const LoginAttempt& attempt);
+    core::Result<LoginAttempt> beginRecovery(const std::string& name);
+    core::Result<void> finishRecovery(const LoginAttempt& attempt, const std::string& newPasswordHash,
+                                      const std::string& newRecoveryCodeHash);
+
+    core::Result<PersonId> createPerson(const NewPerson& person);
+    core::Result<std::vector<PersonId>> importPeople(const std::vector<NewPerson>& people); ///< all or nothing
+    core::Result<std::vector<Person>> listPeople(); ///< never the simulated account, never the erased
+    core::Result<Person> person(PersonId id);
+    core::Result<Person> personByName(const std::string& name);
+    core::Result<void> setEnabled(PersonId id, bool enabled);      ///< not the last enabled administrator
+    core::Result<void> setRoles(PersonId id, const RoleSet& roles); ///< not the last enabled administrator
+    core::Result<void> changePassword(PersonId id, const std::string& newHash);
+    core::Result<void> resetPassword(PersonId id, const std::string& newHash);
+
+private:
+    core::Result<PersonId> insertPerson(const NewPerson& person);
+    core::Result<void> keepsAnAdministrator();
+    core::Result<void> storePassword(PersonId id, const std::string& hash, bool mustChange);
+    core::Result<Actor> actorFor(PersonId id);
+    core::Result<LoginAttempt> beginAttempt(const std::string& name, bool recovery);
+
+    Connection& m_connection;
+    Actor m_actor;
+};
+
+} // namespace chiron::database

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "database/accounts/person.h"
+#include "database/connection.h"
+#include "database/repositories/audit_repository.h"
+#include "database/repositories/session_types.h"
+#include "scoring/score_card.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chiron::database {
+
+/// Everything held about one person in one session.
+struct PersonSession {
+    SessionRecord record;
+    std::vector<TrialRecord> trials;
+    std::vector<EventRecord> events;
+    std::vector<SessionComment> comments;
+    std::optional<scoring::ScoreCard> scores;
+};
+
+/// Everything held about one person. Samples are exported per session (recording reader); credentials are secrets, only
+/// their presence is told.
+struct PersonExport {
+    Person person;
+    std::vector<PersonSession> sessions;
+    std::vector<SessionComment> commentsWritten; ///< on anybody's sessions
+    std::vector<AuditEntry> audit;               ///< by or about them
+    bool hasPassword = false;
+    int failedLogins = 0;
+};
+
+/// What is left of an erased person.
+struct Erasure {
+    PersonId person = 0;
+    std::string utc;
+    std::string reason;
+    PersonId administrator = 0;
+    bool recordingsWithdrawn = false;
+    std::string digestsJson; ///< digests of what was overwritten
+};
+
+/// What the law gives a person: a copy, and oblivion.
+class PrivacyRepository {
+public:
+    PrivacyRepository(Connection& connection, Actor actor) : m_connection(connection), m_actor(std::move(actor)) {}
+
+    core::Result<PersonExport> exportPerson(PersonId person);
+    /// Overwrites identity, code, credentials and free texts (and recordings if asked) and leaves a tombstone. The
+    /// caller confirms the password and VACUUMs afterwards (AccountService::erasePerson). Failure: wrongUse for the
+    /// simulated account, oneself, the last administrator or a running session.
+    core::Result<Erasure> erasePerson(PersonId person, const std::string& reason, bool withdrawRecordings);
+    core::Result<std::vector<Erasure>> listErasures();
+
+private:
+    Connection& m_connection;
+    Actor m_actor;
+};
+
+} // namespace chiron::database

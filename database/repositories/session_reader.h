@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "database/connection.h"
+#include "database/repositories/session_types.h"
+#include "recording/trial_sink.h"
+
+#include <memory>
+#include <vector>
+
+namespace chiron::database {
+
+/// Reads sessions, on any connection. Trainees see their own and simulated ones; nobody logged in sees simulated ones.
+class SessionReader {
+public:
+    SessionReader(Connection& connection, Actor actor) : m_connection(connection), m_actor(std::move(actor)) {}
+
+    core::Result<std::vector<SessionSummary>> listSessions(const SessionFilter& filter = {});
+    /// Sessions still marked running: live ones, and those to recover (setup.ringFile says where the ring lies).
+    core::Result<std::vector<SessionRecord>> listUnfinished();
+    core::Result<SessionRecord> session(SessionId id);
+    core::Result<std::vector<TrialRecord>> trials(SessionId id);
+    core::Result<std::vector<EventRecord>> events(SessionId id);
+    core::Result<std::vector<recording::SecondSummary>> secondSummaries(SessionId id);
+    core::Result<std::vector<SessionComment>> comments(SessionId id);
+    /// Chunks of a session; works on this connection, so on its thread and not beyond it. Failure: notFound also where
+    /// the recording was erased.
+    core::Result<std::unique_ptr<recording::ChunkSource>> openChunks(SessionId id);
+
+private:
+    Connection& m_connection;
+    Actor m_actor;
+};
+
+} // namespace chiron::database

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "database/actor.h"
+#include "database/database.h"
+
+#include <string>
+
+namespace chiron::database {
+
+/// What a backup or an export says about itself (manifest.json in its folder).
+struct SnapshotInfo {
+    std::string folder;
+    std::string databaseFile; ///< inside the folder
+    std::string blake2b;      ///< of that file, 64 hex digits
+    std::int64_t auditCount = 0;
+    std::string auditHash;
+    std::uint64_t bytes = 0;
+};
+
+struct RestoreRequest {
+    std::string backupFolder;
+    std::string targetFile;
+    std::string name;         ///< an administrator of the backup
+    std::string password;
+    std::string siteKeyFile;  ///< copied where the target has no site key yet; empty: there must be one
+};
+
+struct RestoreInfo {
+    std::string keptOldFile;  ///< where the file that stood there is now; empty if there was none
+    int erasuresApplied = 0;
+};
+
+/// Storage upkeep, each verified after writing. Blocking and long: a worker's task, on connections of its own.
+class Upkeep {
+public:
+    /// A consistent snapshot beside the running writer, with manifest, audit head and list of erasures, in a new folder
+    /// (badInput if it exists). Complete or not there: it is written under another name and renamed.
+    static core::Result<SnapshotInfo> backup(Database& database, const Actor& actor, const std::string& folder);
+
+    /// Puts a verified backup in place, erases again what was erased since, keeps the old file aside. Needs the target's writer lock.
+    static core::Result<RestoreInfo> restore(const RestoreRequest& request, const DatabaseOptions& options = {});
+
+    /// A backup and every table as JSON Lines (blobs as hex; no credentials), with a manifest of digests.
+    static core::Result<SnapshotInfo> exportSite(Database& database, const Actor& actor, const std::string& folder);
+};
+
+} // namespace chiron::database
