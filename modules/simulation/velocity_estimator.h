@@ -8,19 +8,21 @@
 
 namespace chiron::simulation {
 
-/// The one velocity estimator of the house (models.md §0): first-order adaptive windowing, FOAW (Janabi-Sharifi,
-/// Hayward & Chen 2000, "Discrete-time adaptive windowing for velocity estimation", IEEE Trans. Control Syst. Technol.
-/// 8(6)), on the integer counts of one tool, axis by axis, against device time.
+/// The one velocity estimator of the house (models.md §0): first-order adaptive windowing, FOAW
+/// (Janabi-Sharifi, Hayward & Chen 2000, "Discrete-time adaptive windowing for velocity estimation", IEEE
+/// Trans. Control Syst. Technol. 8(6)), on the integer counts of one tool, axis by axis, against device time.
 ///
-/// The window is the longest run of samples, newest last and at most 15 ms of device time, in which every sample lies
-/// within one count of the straight line through the run's two ends (the paper's end-fit test; for a steady motion
-/// rounded to whole counts it holds whatever the window, so slow motion always gets all 15 ms). Over that window the
-/// velocity is the least-squares slope (the paper's best fit), so a single count passing through the window raises and
-/// lowers the estimate smoothly where the end-fit slope would jump by one count per 15 ms.
+/// The window grows backwards from the newest sample, up to 15 ms of device time, as long as every sample in
+/// it lies within one count of the straight line through its two ends (the paper's end-fit test; for a steady
+/// motion rounded to whole counts it holds whatever the window, so slow motion always gets all 15 ms). Over
+/// that window the velocity is the least-squares slope (the paper's best fit), so a single count passing
+/// through the window raises and lowers the estimate smoothly where the end-fit slope would jump by one count
+/// per 15 ms.
 ///
-/// Unit: counts/s of the device's grid. Delay: half the window, at most 7.5 ms for steady acceleration; a step of
-/// velocity is followed completely within 15 ms. A still tool gives exactly 0. Sums are integers, so the result is the
-/// same on every machine. Thread: haptic; no allocation. Copyable (fixed storage); one instance a tool.
+/// Unit: counts/s of the device's grid. Delay: half the window, at most 7.5 ms for steady acceleration; a
+/// step of velocity is followed completely within 15 ms. A still tool gives exactly 0. Test and sums are in
+/// integers, one division a coordinate makes the double: the same on every machine. Thread: haptic; no
+/// allocation. Copyable (fixed storage); one instance a tool.
 class VelocityEstimator {
 public:
     using Rates = std::array<double, core::kMaxCoordinates>; ///< counts/s
@@ -32,9 +34,10 @@ public:
     /// `coordinates`: how many axes the device has (clamped to 1..kMaxCoordinates); the others read 0.
     explicit VelocityEstimator(int coordinates = core::kMaxCoordinates) noexcept;
 
-    /// A new packet is taken in; a packet already seen, an older one, or one marked kInvalid leaves the estimate as it is
-    /// (a packet read again is age, not rest: the supervisor's watchdog deals with it). A gap of more than 15 ms of
-    /// device time between packets, or device time that does not advance, forgets the past: 0 until the next packet.
+    /// A new packet is taken in; a packet already seen, an older one, or one marked kInvalid leaves the
+    /// estimate as it is (a packet read again is age, not rest: the supervisor's watchdog deals with it). A
+    /// gap of more than 15 ms of device time between packets, or device time that does not advance, forgets
+    /// the past: 0 until the next packet.
     const Rates& update(const core::DeviceSample& sample) noexcept;
 
     const Rates& rates() const noexcept { return m_rates; }
@@ -48,14 +51,13 @@ private:
         std::uint64_t time_us = 0;
         std::array<std::int32_t, core::kMaxCoordinates> counts{};
     };
+    const Entry& entry(int age) const noexcept; ///< 0 = newest
+
     std::array<Entry, kCapacity> m_history{}; ///< ring; m_newest is the last written
-    std::array<std::int64_t, kCapacity> m_age_us{}; ///< of the i-th newest sample, 0 for the newest
-    std::array<double, kCapacity> m_inverseAge{};   ///< 1 / m_age_us
     Rates m_rates{};
     int m_coordinates;
     int m_newest = 0;
-    int m_size = 0;   ///< samples kept
-    int m_window = 0; ///< of them inside 15 ms
+    int m_size = 0; ///< samples inside the window
     std::uint32_t m_packet = 0;
 };
 

@@ -14,17 +14,23 @@ namespace chiron::simulation {
 
 /// The sphere-apex exercise running (models.md §2.3). Task state, one trial after the other:
 ///
-///   idle --started--> ready --forceReady--> running --mark or limit--> between --betweenTrials_s--> ready ... finished
+///   idle --started--> ready --forceReady--> running --mark or limit--> between --betweenTrials_s--> ready
+///   ... finished
 ///
 /// - idle, between and finished: there is no object, nothing is touched, force is zero.
-/// - kSceneChanged comes with the first tick of `ready`, when the next object appears; the supervisor arms again. The
+/// - kSceneChanged comes with the first tick of `ready`, when the next object appears; the supervisor arms
+/// again. The
 ///   forceReady of that tick is of the tick before, so `ready` lasts at least one tick more.
-/// - kTrialStarted comes with the first running tick; kMarked or kTimedOut with the last one, which still has the object:
-///   frames from the one to the other are the trial, and the tool's place in the last is the answer. kFinished comes with
-///   the first tick of `finished`, the one after the last trial's end; there is no `between` after the last trial.
-/// - A mark is a rising edge of tool 0's mark button, or the mark command, while running and not paused. A button held
+/// - kTrialStarted comes with the first running tick; kMarked or kTimedOut with the last one, which still has
+/// the object:
+///   frames from the one to the other are the trial, and the tool's place in the last is the answer.
+///   kFinished comes with the first tick of `finished`, the one after the last trial's end; there is no
+///   `between` after the last trial.
+/// - A mark is a rising edge of tool 0's mark button, or the mark command, while running and not paused. A
+/// button held
 ///   from before the trial or from a pause is no mark. At the limit's tick a mark counts before the time-out.
-/// - The clocks (limit, between) count ticks of 1 ms and stand still while paused; contact still answers (the supervisor
+/// - The clocks (limit, between) count ticks of 1 ms and stand still while paused; contact still answers (the
+/// supervisor
 ///   ramps). Waiting in `ready` costs no time.
 /// - All tools touch the same object, each with its own bristle.
 ///
@@ -33,17 +39,20 @@ namespace chiron::simulation {
 class SphereApexScene final : public IScene {
 public:
     SphereApexScene(const SphereApexParameters& parameters, std::uint64_t seed);
+    ~SphereApexScene() override;
     SphereApexScene(const SphereApexScene&) = delete;
     SphereApexScene& operator=(const SphereApexScene&) = delete;
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
 
-    const std::vector<SphereApexTrial>& trials() const noexcept { return m_trials; } ///< the truth, for scoring
+    const std::vector<SphereApexTrial>& trials() const noexcept {
+        return m_trials;
+    } ///< the truth, for scoring
 
 private:
     void advance(const SceneInput& in, SceneOutput& out) noexcept;
     void enterReady(SceneOutput& out) noexcept;
-    void runTrial(const SceneInput& in, bool pressed, SceneOutput& out) noexcept;
+    void runTrial(bool pressed, SceneOutput& out) noexcept;
     void leaveTrial(SceneOutput& out) noexcept;
     bool markPressed(const SceneInput& in) noexcept;
     bool objectPresent() const noexcept;
@@ -58,8 +67,8 @@ private:
 
     core::TrialPhase m_phase = core::TrialPhase::idle;
     std::size_t m_trial = 0;
-    std::uint64_t m_clock = 0; ///< ticks spent in the present phase, pauses left out
-    bool m_trialOver = false;  ///< the tick before ended the trial
+    std::uint64_t m_clock = 0;   ///< ticks spent in the present phase, pauses left out
+    bool m_trialOver = false;    ///< the tick before ended the trial
     bool m_buttonWasDown = true; ///< so that a button held at the first tick is no edge
     HemisphereContact m_contact;
     std::array<BristleFriction, core::kMaxTools> m_bristles{};

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/exercises/sphere_apex/hemisphere_contact.h"
+
+#include "simulation/attributes/contact_damping.h"
+#include "simulation/attributes/elasticity.h"
+
+#include <cmath>
+
+namespace chiron::simulation {
+
+ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT) const noexcept {
+    ContactResponse response;
+    response.surfacePoint = p_WT;
+    const SurfaceDistance surface = m_parameters.surface.distance(p_WT);
+    const HeightSample micro = m_parameters.dimple.sample(p_WT.x(), p_WT.y());
+    const double depth = micro.height_m - surface.signedDistance_m;
+
+    // −∇d' = n − ∇h, the unscaled outward normal of the surface with its micro-height
+    core::Vec3 outward = surface.normal;
+    double slant = 1.0; // ‖n − ∇h‖
+    if (micro.height_m != 0.0) {
+        outward.x() -= micro.gradient.x();
+        outward.y() -= micro.gradient.y();
+        slant = outward.norm();
+    }
+    response.normal = slant > 0.0 ? core::Vec3(outward / slant) : surface.normal;
+    if (!(depth > 0.0))
+        return response;
+
+    const StiffnessSample k = m_parameters.stiffness.sample(p_WT.x(), p_WT.y());
+    const core::Vec3 elastic = Elasticity::force(k.value_N_per_m, k.gradient_N_per_m2, depth, -outward);
+    const double elasticNormal = elastic.dot(response.normal);
+    response.normalForce_N = ContactDamping::normalForce(elasticNormal, m_parameters.damping_Ns_per_m, depth,
+                                                         v_WT.dot(response.normal));
+    response.force = elastic + (response.normalForce_N - elasticNormal) * response.normal;
+    response.surfacePoint = p_WT + depth * surface.normal;
+    response.depth_m = depth;
+    response.energy_J = Elasticity::energy(k.value_N_per_m, depth);
+    response.stiffness_N_per_m = k.value_N_per_m;
+    response.inContact = true;
+    return response;
+}
+
+ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT,
+                                           BristleFriction& bristle) const noexcept {
+    ContactResponse response = respond(p_WT, v_WT);
+    if (!response.inContact)
+        bristle.release();
+    else
+        response.force += bristle.update(p_WT, response.normal, response.normalForce_N, m_parameters.friction,
+                                         m_parameters.bristleStiffness_N_per_m);
+    return response;
+}
+
+} // namespace chiron::simulation

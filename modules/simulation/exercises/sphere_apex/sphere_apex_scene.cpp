@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
+
+#include "core/units.h"
+
+#include <algorithm>
+
+namespace chiron::simulation {
+
+using core::TrialPhase;
+namespace bits = core::event_bits;
+
+void SphereApexScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
+    out = SceneOutput{};
+    advance(in, out);
+    touch(in.tools, out);
+    out.trial = static_cast<std::uint16_t>(m_trial);
+    out.phase = m_phase;
+    fillCues(in, out);
+}
+
+void SphereApexScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
+    const bool pressed =
+        markPressed(in); // every tick, so that an edge during a pause is seen and passed over
+    if (in.paused)
+        return;
+    switch (m_phase) {
+    case TrialPhase::idle:
+        if (in.started)
+            enterReady(out);
+        break;
+    case TrialPhase::ready:
+        if (in.forceReady) {
+            m_phase = TrialPhase::running;
+            out.events |= bits::kTrialStarted;
+            runTrial(pressed, out);
+        }
+        break;
+    case TrialPhase::running:
+        if (m_trialOver)
+            leaveTrial(out);
+        else
+            runTrial(pressed, out);
+        break;
+    case TrialPhase::between:
+        if (m_clock >= m_betweenTicks) {
+            ++m_trial;
+            enterReady(out);
+        } else {
+            ++m_clock;
+        }
+        break;
+    case TrialPhase::finished:
+        break;
+    }
+}
+
+bool SphereApexScene::markPressed(const SceneInput& in) noexcept {
+    const bool down = in.tools.count > 0 && (in.tools.tools[0].buttons & core::kButtonMark) != 0;
+    const bool edge = down && !m_buttonWasDown;
+    m_buttonWasDown = down;
+    return edge || in.mark;
+}
+
+void SphereApexScene::enterReady(SceneOutput& out) noexcept {
+    m_phase = TrialPhase::ready;
+    m_clock = 0;
+    m_trialOver = false;
+    m_contact = HemisphereContact(sphereApexContact(m_parameters, m_trials[m_trial]));
+    out.events |= bits::kSceneChanged;
+}
+
+void SphereApexScene::runTrial(bool pressed, SceneOutput& out) noexcept {
+    ++m_clock;
+    if (pressed)
+        out.events |= bits::kMarked;
+    else if (m_clock >= m_limitTicks)
+        out.events |= bits::kTimedOut;
+    else
+        return;
+    m_trialOver = true;
+}
+
+void SphereApexScene::leaveTrial(SceneOutput& out) noexcept {
+    m_clock = 1; // this tick is the first of the interval
+    if (m_trial + 1 < m_trials.size()) {
+        m_phase = TrialPhase::between;
+        return;
+    }
+    m_phase = TrialPhase::finished;
+    out.events |= bits::kFinished;
+}
+
+bool SphereApexScene::objectPresent() const noexcept {
+    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
+}
+
+void SphereApexScene::touch(const core::ToolStates& tools, SceneOutput& out) noexcept {
+    const int count = std::clamp(tools.count, 0, core::kMaxTools);
+    out.tissue.count = count;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(core::kMaxTools); ++i) {
+        ContactResponse response;
+        const bool used = i < static_cast<std::size_t>(count);
+        const core::ToolState& tool = tools.tools[i];
+        // A pose that is not a number must not stay in the bristle; the supervisor deals with the sample.
+        if (used && objectPresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite()) {
+            response = m_contact.respond(tool.p_WT, tool.v_WT, m_bristles[i]);
+            out.p_WProxy[i] = response.surfacePoint;
+        } else {
+            m_bristles[i].release();
+            if (used)
+                out.p_WProxy[i] = tool.p_WT;
+        }
+        out.tissue.tools[i].force = response.force;
+        out.storedEnergy_J += response.energy_J;
+        out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
+        if (response.inContact != m_touching[i])
+            out.events |= response.inContact ? bits::kContactBegan : bits::kContactEnded;
+        m_touching[i] = response.inContact;
+    }
+}
+
+void SphereApexScene::fillCues(const SceneInput& in, SceneOutput& out) const noexcept {
+    core::VisibleCues& cues = out.cues;
+    cues.trial = static_cast<std::uint16_t>(m_trial);
+    cues.phase = m_phase;
+    cues.force = in.force;
+    if (!objectPresent())
+        return;
+    cues.timeLeft_s = static_cast<double>(m_limitTicks - m_clock) * core::kTickSeconds;
+    if (!m_showsObject)
+        return;
+    const core::Vec2& centre = m_trials[m_trial].centre_m;
+    cues.objectShown = true;
+    cues.p_WObject = core::Vec3(centre.x(), centre.y(), m_parameters.planeHeight_m);
+    cues.objectRadius_m = m_parameters.radius_m;
+}
+
+} // namespace chiron::simulation

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Set-up of the scene, apart from what the tick runs: this file may allocate.
+#include "core/units.h"
+#include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::simulation {
+
+namespace {
+
+std::uint64_t ticks(double seconds) {
+    return static_cast<std::uint64_t>(std::llround(std::max(0.0, seconds) / core::kTickSeconds));
+}
+
+} // namespace
+
+SphereApexScene::SphereApexScene(const SphereApexParameters& parameters, std::uint64_t seed)
+    : m_parameters(parameters), m_trials(planSphereApexTrials(parameters, seed)),
+      m_limitTicks(std::max<std::uint64_t>(1, ticks(parameters.trialLimit_s))),
+      m_betweenTicks(std::max<std::uint64_t>(1, ticks(parameters.betweenTrials_s))),
+      m_showsObject(std::find(parameters.cues.begin(), parameters.cues.end(), "object") !=
+                    parameters.cues.end()) {}
+
+SphereApexScene::~SphereApexScene() = default;
+
+} // namespace chiron::simulation
