@@ -13,7 +13,8 @@ double onNanometres(double x_m);
 double onMillinewtons(double f_N);
 
 /// A copy with every value on its grid and, per tool, strictly increasing time: a sample whose time is not later than
-/// the last kept one (a packet read twice) or that is not finite is left out. Failure: vectors of unequal length.
+/// the last kept one (a packet read twice) or that is not finite is left out. Whoever cuts a recording into trials leaves such
+/// samples out before cutting, so that an exported recording cuts alike. Failure: vectors of unequal length.
 core::Result<SessionTrace> onStoredGrids(const SessionTrace& trace);
 
 } // namespace chiron::scoring

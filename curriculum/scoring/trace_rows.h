@@ -42,8 +42,9 @@ struct TraceRow {
     std::int32_t trial = 0; ///< 0-based; the file counts from 1
     core::TrialPhase phase = core::TrialPhase::running;
     bool paused = false;
-    bool marked = false;   ///< of the trial, on its last row
-    bool timedOut = false; ///< of the trial, on its last row
+    // Of the trial, the same on each of its rows, so that no single row carries them:
+    bool marked = false;
+    bool timedOut = false;
     bool markInContact = false;
     core::Vec3 p_WMark_m = core::Vec3::Zero();
     core::Vec3 target_m = core::Vec3::Zero(); ///< x, y of the apex (z unused)

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scoring/metric_catalogue.h"
+
+#include <array>
+
+namespace chiron::scoring {
+
+// One line a metric: the function in metrics/<id>.cpp that describes it. A new version of a metric is a line beside
+// the old one.
+#define CHIRON_METRICS(METRIC)                                                                                         \
+    METRIC(timeMetric)                                                                                                 \
+    METRIC(pathLengthMetric)                                                                                           \
+    METRIC(pathInefficiencyMetric)                                                                                     \
+    METRIC(sparcMetric)                                                                                                \
+    METRIC(ldljMetric)                                                                                                 \
+    METRIC(forceMaxMetric)                                                                                             \
+    METRIC(forceMeanMetric)                                                                                            \
+    METRIC(forceRmsMetric)                                                                                             \
+    METRIC(forceP95Metric)                                                                                             \
+    METRIC(forcePeakRateMetric)                                                                                        \
+    METRIC(forceImpulseOverLimitMetric)                                                                                \
+    METRIC(forceTimeOverLimitMetric)                                                                                   \
+    METRIC(apexErrorMeanMetric)                                                                                        \
+    METRIC(apexErrorSdMetric)                                                                                          \
+    METRIC(apexBiasXMetric)                                                                                            \
+    METRIC(apexBiasYMetric)                                                                                            \
+    METRIC(apexMissesMetric)
+
+#define CHIRON_DECLARE_METRIC(function) MetricDefinition function();
+#define CHIRON_CALL_METRIC(function) function(),
+
+CHIRON_METRICS(CHIRON_DECLARE_METRIC)
+
+std::span<const MetricDefinition> metricCatalogue() {
+    static const auto kMetrics = std::to_array<MetricDefinition>({CHIRON_METRICS(CHIRON_CALL_METRIC)});
+    return kMetrics;
+}
+
+const MetricDefinition* findMetric(std::string_view id, int version) {
+    const MetricDefinition* found = nullptr;
+    for (const MetricDefinition& metric : metricCatalogue())
+        if (metric.id == id && (version == 0 ? found == nullptr || metric.version > found->version
+                                             : metric.version == version))
+            found = &metric;
+    return found;
+}
+
+} // namespace chiron::scoring

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scoring/metric.h"
+#include "scoring/prepared_trial.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace chiron::scoring {
+
+/// One trial's answer in the sphere-apex task (models.md §2.3).
+struct ApexAnswer {
+    double errorX_percent = 0.0; ///< 100 (x − x₀)/R
+    double errorY_percent = 0.0;
+    bool miss = false; ///< out of contact, farther than R from the apex (x, y), or no mark before the time was up
+};
+
+/// The marked position, or the last one of the first tool where nothing was marked, so that leaving hard trials
+/// unmarked improves no score. Misses keep their value. None without the truth or without any position.
+std::optional<ApexAnswer> apexAnswer(const PreparedTrial& trial);
+
+/// The answers of all trials. Failure as a reason in `undefined` if any trial has none: a session's error must not
+/// silently leave trials out.
+struct ApexAnswers {
+    std::vector<ApexAnswer> answers;
+    std::optional<Measurement> undefined;
+};
+ApexAnswers apexAnswers(std::span<const PreparedTrial> trials);
+
+} // namespace chiron::scoring

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scoring/metrics/force_samples.h"
+
+namespace chiron::scoring {
+
+namespace {
+
+Measurement measure(std::span<const PreparedTrial> trials) {
+    double impulse_Ns = 0.0;
+    bool any = false;
+    const double limit_N = trials.empty() ? 0.0 : trials.front().forceLimit_N;
+    forEachForce(trials, [&](double f_N, double held_s) {
+        any = true;
+        impulse_Ns += f_N > limit_N ? f_N * held_s : 0.0;
+    });
+    return any ? Measurement::of(impulse_Ns) : noSamples();
+}
+
+} // namespace
+
+MetricDefinition forceImpulseOverLimitMetric() {
+    return {.id = "force_impulse_over_limit",
+            .version = 1,
+            .unit = "N·s",
+            .direction = Direction::lowerIsBetter,
+            .wrench = MetricWrench::tissue,
+            .aggregate = Aggregate::sum,
+            .tools = MetricTools::first,
+            .definition = "Integral of |f| dt while |f| is over the level's force limit, each sample held until the "
+                          "next.",
+            .source = "models.md §6",
+            .measure = measure};
+}
+
+} // namespace chiron::scoring

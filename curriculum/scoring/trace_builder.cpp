@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scoring/trace_builder.h"
+
+#include "scoring/prepared_trial.h"
+#include "scoring/trace_grid.h"
+
+#include <algorithm>
+#include <map>
+
+namespace chiron::scoring {
+
+namespace {
+
+constexpr std::uint32_t kMarkButton = 1u;
+
+using RowList = std::vector<const TraceRow*>;
+
+void append(ToolTrace& tool, const TraceColumns& columns, const TraceRow& row) {
+    tool.t_s.push_back(row.t_s);
+    tool.p_WT_m.push_back(row.p_WT_m);
+    tool.tissue_N.push_back(row.tissue_N);
+    if (columns.commanded)
+        tool.commanded_N.push_back(row.commanded_N);
+    if (columns.measured)
+        tool.measured_N.push_back(row.measured_N);
+    tool.paused.push_back(row.paused ? 1 : 0);
+}
+
+/// Index of the first row of tool 0 whose mark button is newly down, or rows.size().
+std::size_t firstMark(const RowList& rows) {
+    bool down = true; // a button held from before the trial is no mark
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i]->tool != 0)
+            continue;
+        const bool now = (rows[i]->buttons & kMarkButton) != 0;
+        if (now && !down)
+            return i;
+        down = now;
+    }
+    return rows.size();
+}
+
+void setMark(TrialTrace& trial, const TraceColumns& columns, const RowList& rows) {
+    const TraceRow* last = nullptr;
+    for (const TraceRow* row : rows)
+        if (row->tool == 0)
+            last = row;
+    if (columns.mark && last != nullptr) {
+        trial.marked = last->marked;
+        trial.timedOut = last->timedOut;
+        trial.markInContact = last->markInContact;
+        trial.p_WMark_m = last->p_WMark_m;
+        return;
+    }
+    const std::size_t mark = columns.buttons ? firstMark(rows) : rows.size();
+    trial.marked = mark < rows.size();
+    const TraceRow* at = trial.marked ? rows[mark] : last;
+    if (at == nullptr)
+        return;
+    trial.p_WMark_m = at->p_WT_m;
+    trial.markInContact = !columns.tissue || at->tissue_N.norm() > kContactForce_N;
+}
+
+core::Result<void> setTruth(TrialTrace& trial, const RowList& rows, const std::string& source) {
+    const TraceRow& first = *rows.front();
+    for (const TraceRow* row : rows)
+        if (row->target_m != first.target_m || row->targetRadius_m != first.targetRadius_m)
+            return core::fail(core::ErrorCode::badInput,
+                              source + ": trial " + std::to_string(first.trial + 1) +
+                                  ": target_x_mm, target_y_mm or target_radius_mm changes at t_s " +
+                                  std::to_string(row->t_s) + ": expected the same on each row of a trial");
+    trial.apex = ApexTruth{first.target_m.x(), first.target_m.y(), first.targetRadius_m};
+    return {};
+}
+
+std::map<std::int32_t, RowList> rowsByTrial(const TraceRows& rows, bool endsAtMark) {
+    std::map<std::int32_t, RowList> trials;
+    for (const TraceRow& row : rows.rows)
+        if (!rows.columns.phase || row.phase == core::TrialPhase::running)
+            trials[row.trial].push_back(&row);
+    if (!rows.columns.trial && rows.columns.buttons && endsAtMark && !trials.empty()) {
+        RowList& only = trials.begin()->second;
+        only.resize(std::min(firstMark(only) + 1, only.size()));
+    }
+    return trials;
+}
+
+} // namespace
+
+core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_view exercise,
+                                             double defaultForceLimit_N) {
+    const auto byTrial = rowsByTrial(rows, exercise == "sphere_apex");
+    if (byTrial.empty())
+        return core::fail(core::ErrorCode::badInput,
+                          rows.source + ": no row of a running trial: expected at least one to score");
+    SessionTrace trace;
+    trace.exercise = exercise;
+    trace.forceLimit_N = rows.columns.forceLimit ? rows.rows.front().forceLimit_N : defaultForceLimit_N;
+    for (const auto& [number, list] : byTrial) {
+        TrialTrace trial;
+        trial.trial = number;
+        for (const TraceRow* row : list) {
+            if (trial.tools.size() <= row->tool)
+                trial.tools.resize(row->tool + std::size_t{1});
+            append(trial.tools[row->tool], rows.columns, *row);
+        }
+        setMark(trial, rows.columns, list);
+        if (rows.columns.target)
+            if (auto truth = setTruth(trial, list, rows.source); !truth)
+                return tl::unexpected(truth.error());
+        trace.trials.push_back(std::move(trial));
+    }
+    return trace;
+}
+
+} // namespace chiron::scoring

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scoring/trace_columns.h"
+#include "scoring/trace_csv.h"
+#include "scoring/trace_grid.h"
+
+#include "core/units.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace chiron::scoring {
+
+namespace {
+
+constexpr std::string_view kHeaderExample = "t_s,x_mm,y_mm,z_mm";
+
+/// The value as a message shows it: at most 40 characters, nothing that a terminal would obey.
+std::string shown(std::string_view text) {
+    constexpr std::size_t kLongest = 40;
+    constexpr std::string_view kHex = "0123456789abcdef";
+    std::string out = "\"";
+    for (const char c : text.substr(0, kLongest)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 && byte < 0x7f)
+            out += c;
+        else
+            out.append("\\x").append(1, kHex[byte >> 4]).append(1, kHex[byte & 15]);
+    }
+    return out + (text.size() > kLongest ? "...\"" : "\"");
+}
+
+class Reader {
+public:
+    Reader(std::string_view text, const std::string& name) : m_text(text) { m_out.source = name; }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+
+    core::Result<TraceRows> read() {
+        m_lastTime.fill(-std::numeric_limits<double>::infinity());
+        if (m_text.starts_with("\xef\xbb\xbf"))
+            m_text.remove_prefix(3);
+        if (m_text.empty())
+            return refuse(1, "empty file", std::string("a header line such as ") + std::string(kHeaderExample));
+        std::string_view line;
+        nextLine(line);
+        if (auto header = readHeader(line); !header)
+            return tl::unexpected(header.error());
+        while (nextLine(line))
+            if (auto row = readRow(line); !row)
+                return tl::unexpected(row.error());
+            else if (!*row)
+                break;
+        if (m_out.rows.empty())
+            return refuse(1, "no rows", "at least one row below the header");
+        return std::move(m_out);
+    }
+
+private:
+    tl::unexpected<core::Error> refuse(std::size_t column, const std::string& found, const std::string& expected) const {
+        return core::fail(core::ErrorCode::badInput, m_out.source + ":" + std::to_string(m_line) + ":" +
+                                                         std::to_string(column) + ": " + found + ": expected " +
+                                                         expected);
+    }
+
+    bool nextLine(std::string_view& line) {
+        if (m_text.empty())
+            return false;
+        const std::size_t end = m_text.find('\n');
+        line = m_text.substr(0, end);
+        m_text.remove_prefix(end == std::string_view::npos ? m_text.size() : end + 1);
+        if (line.ends_with('\r'))
+            line.remove_suffix(1);
+        ++m_line;
+        return true;
+    }
+
+    core::Result<void> readHeader(std::string_view line) {
+        std::array<bool, 64> seen{};
+        for (std::size_t start = 0, number = 1; start <= line.size(); ++number) {
+            const std::size_t end = std::min(line.find(',', start), line.size());
+            const std::string_view name = line.substr(start, end - start);
+            const int column = findTraceColumn(name);
+            if (column < 0)
+                return refuse(number, shown(name), "a column name: " + allNames());
+            if (seen[static_cast<std::size_t>(column)])
+                return refuse(number, shown(name), "each column once");
+            seen[static_cast<std::size_t>(column)] = true;
+            m_columns.push_back(&traceColumns()[static_cast<std::size_t>(column)]);
+            start = end + 1;
+        }
+        for (std::size_t i = 0; i < traceColumns().size(); ++i)
+            if (const TraceColumn& column = traceColumns()[i]; column.group != nullptr && seen[i])
+                m_out.columns.*column.group = true;
+        for (std::size_t i = 0; i < traceColumns().size(); ++i)
+            if (const TraceColumn& column = traceColumns()[i];
+                !seen[i] && (column.group == nullptr || m_out.columns.*column.group))
+                return refuse(1, "no column \"" + std::string(column.name) + "\"",
+                              column.group == nullptr ? "t_s,x_mm,y_mm,z_mm at least"
+                                                      : "all columns of its group or none of them");
+        return {};
+    }
+
+    static std::string allNames() {
+        std::string names;
+        for (const TraceColumn& column : traceColumns())
+            names.append(names.empty() ? "" : ",").append(column.name);
+        return names;
+    }
+
+    /// False at the empty lines that may end a file.
+    core::Result<bool> readRow(std::string_view line) {
+        if (line.empty()) {
+            if (m_text.find_first_not_of("\r\n") != std::string_view::npos)
+                return refuse(1, "empty line", "a row (empty lines only at the end)");
+            return false;
+        }
+        TraceRow row;
+        std::size_t start = 0;
+        for (std::size_t i = 0; i < m_columns.size(); ++i) {
+            if (start > line.size())
+                return refuse(i + 1, "row of " + std::to_string(i) + " values", columnCount());
+            const std::size_t end = std::min(line.find(',', start), line.size());
+            if (auto value = readValue(*m_columns[i], line.substr(start, end - start), i + 1))
+                m_columns[i]->set(row, *value);
+            else
+                return tl::unexpected(value.error());
+            start = end + 1;
+        }
+        if (start <= line.size())
+            return refuse(m_columns.size() + 1, "row with more values: " + shown(line.substr(start)), columnCount());
+        return accept(row);
+    }
+
+    std::string columnCount() const { return std::to_string(m_columns.size()) + " values as in the header"; }
+
+    core::Result<double> readValue(const TraceColumn& column, std::string_view text, std::size_t number) const {
+        const auto refused = [&] {
+            return refuse(number, std::string(column.name) + " " + shown(text), std::string(column.expected));
+        };
+        if (column.kind == ColumnKind::phase) {
+            for (int phase = 0; phase <= 4; ++phase)
+                if (phaseName(static_cast<core::TrialPhase>(phase)) == text)
+                    return phase;
+            return refused();
+        }
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
+            value < column.least || value > column.most)
+            return refused();
+        if (column.kind == ColumnKind::integer && value != std::floor(value))
+            return refused();
+        return inSi(column.kind, value);
+    }
+
+    static double inSi(ColumnKind kind, double value) {
+        switch (kind) {
+        case ColumnKind::time:
+            return onMicroseconds(value);
+        case ColumnKind::length:
+            return std::nearbyint(value * 1e6) / 1e9 + 0.0; // whole nm; the double nearest to the written decimal
+        case ColumnKind::force:
+            return onMillinewtons(value);
+        case ColumnKind::angle:
+            return core::radFromDeg(value);
+        case ColumnKind::number:
+        case ColumnKind::integer:
+        case ColumnKind::phase:
+            break;
+        }
+        return value;
+    }
+
+    core::Result<bool> accept(TraceRow& row) {
+        double& last = m_lastTime[row.tool];
+        if (!(row.t_s > last))
+            return refuse(columnOf("t_s"), "t_s " + std::to_string(row.t_s),
+                          "a time later than tool " + std::to_string(row.tool) + "'s last, " + std::to_string(last) +
+                              " (to whole microseconds)");
+        last = row.t_s;
+        const double norm = row.q_WT.norm();
+        if (std::abs(norm - 1.0) > 1e-3)
+            return refuse(columnOf("qw"), "quaternion of length " + std::to_string(norm), "length 1 to within 0.001");
+        if (std::abs(norm - 1.0) > 1e-12) // already unit: keep the bits that were written
+            row.q_WT.normalize();
+        m_out.rows.push_back(row);
+        return true;
+    }
+
+    std::size_t columnOf(std::string_view name) const {
+        for (std::size_t i = 0; i < m_columns.size(); ++i)
+            if (m_columns[i]->name == name)
+                return i + 1;
+        return 1;
+    }
+
+    std::string_view m_text;
+    std::size_t m_line = 0;
+    std::vector<const TraceColumn*> m_columns;
+    std::array<double, 4> m_lastTime{};
+    TraceRows m_out;
+};
+
+} // namespace
+
+core::Result<TraceRows> readTraceCsv(std::string_view text, const std::string& name) {
+    return Reader(text, name).read();
+}
+
+} // namespace chiron::scoring
