@@ -18,6 +18,8 @@ struct VisibleCues {
     bool objectShown = false;      ///< cue "object"
     Vec3 p_WObject = Vec3::Zero(); ///< m; zero unless objectShown
     double objectRadius_m = 0.0;   ///< zero unless objectShown
+    double shownForce_N = 0.0;     ///< ‖tissue force‖ on this tool, filled by the loop for input-only devices (slowed
+                                   ///< motion); zero on a device that renders force, whose hand feels it instead
 };
 
 } // namespace chiron::core

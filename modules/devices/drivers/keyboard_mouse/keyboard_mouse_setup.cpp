@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Set-up of the driver, apart from what the tick calls.
+#include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
+
+namespace chiron::devices {
+
+namespace {
+
+core::Result<void> check(const KeyboardMouseSettings& s) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool ordered = s.minimum_m[i] < s.home_m[i] && s.home_m[i] < s.maximum_m[i];
+        const bool small = s.minimum_m[i] >= -1.0 && s.maximum_m[i] <= 1.0; // 1 m: counts stay far inside 32 bits
+        if (!ordered || !small)
+            return core::fail(core::ErrorCode::badInput,
+                              std::string("keyboard_mouse: workspace of axis ") + "xyz"[i] +
+                                  " must satisfy -1 m <= minimum < home < maximum <= 1 m");
+    }
+    if (!(s.slowestRatio > 0.0 && s.slowestRatio <= 1.0))
+        return core::fail(core::ErrorCode::badInput, "keyboard_mouse: slowestRatio is " +
+                                                         std::to_string(s.slowestRatio) + ", expected 0 < r <= 1");
+    if (!(s.slowestAt_N > 0.0 && s.slowestAt_N <= 100.0))
+        return core::fail(core::ErrorCode::badInput, "keyboard_mouse: slowestAt_N is " +
+                                                         std::to_string(s.slowestAt_N) + ", expected 0 < F <= 100 N");
+    return {};
+}
+
+DeviceDescriptor describe(const KeyboardMouseSettings& s) {
+    DeviceDescriptor d;
+    d.driver = "keyboard_mouse";
+    d.model = "Mouse and keyboard";
+    d.kinematics = "cartesian";
+    for (std::size_t i = 0; i < 3; ++i)
+        d.axes.push_back({.id = std::string(1, "xyz"[i]),
+                          .unit = AxisUnit::metre,
+                          .resolution = KeyboardMouseDevice::kGrid_m,
+                          .minimum = s.minimum_m[i],
+                          .maximum = s.maximum_m[i]});
+    d.inProcess = true;
+    d.period_us = 1000;
+    return d;
+}
+
+} // namespace
+
+core::Result<std::unique_ptr<KeyboardMouseDevice>> KeyboardMouseDevice::create(const KeyboardMouseSettings& settings) {
+    if (auto checked = check(settings); !checked)
+        return tl::unexpected(checked.error());
+    DeviceDescriptor descriptor = describe(settings);
+    auto kinematics = CartesianKinematics::create(descriptor);
+    if (!kinematics)
+        return tl::unexpected(kinematics.error());
+    return std::unique_ptr<KeyboardMouseDevice>(new KeyboardMouseDevice(settings, std::move(descriptor), *kinematics));
+}
+
+KeyboardMouseDevice::KeyboardMouseDevice(const KeyboardMouseSettings& settings, DeviceDescriptor descriptor,
+                                         const CartesianKinematics& kinematics)
+    : m_settings(settings), m_descriptor(std::move(descriptor)), m_kinematics(kinematics),
+      m_position_m(settings.home_m) {}
+
+core::Result<void> KeyboardMouseDevice::open() {
+    m_seen = m_mailbox.read();
+    m_position_m = m_settings.home_m;
+    m_ratio = 1.0;
+    return {};
+}
+
+} // namespace chiron::devices

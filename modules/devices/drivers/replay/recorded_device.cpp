@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/drivers/replay/recorded_device.h"
+
+namespace chiron::devices {
+
+core::DeviceSample RecordedDevice::read(const realtime::HapticTick&) noexcept { return m_sample; }
+
+} // namespace chiron::devices

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/kinematics_catalogue.h"
+
+#include "devices/drivers/cartesian/cartesian_kinematics.h"
+
+namespace chiron::devices {
+
+namespace {
+template <class Kinematics>
+core::Result<std::unique_ptr<IToolKinematics>> make(const DeviceDescriptor& descriptor) {
+    auto made = Kinematics::create(descriptor);
+    if (!made)
+        return tl::unexpected(made.error());
+    return std::make_unique<Kinematics>(*made);
+}
+} // namespace
+
+core::Result<std::unique_ptr<IToolKinematics>> makeKinematics(const DeviceDescriptor& descriptor) {
+    if (descriptor.kinematics == "cartesian")
+        return make<CartesianKinematics>(descriptor);
+    return core::fail(core::ErrorCode::badInput, "unknown kinematics \"" + descriptor.kinematics + "\"");
+}
+
+} // namespace chiron::devices

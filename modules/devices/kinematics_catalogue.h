@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "devices/api/device_descriptor.h"
+#include "devices/api/kinematics.h"
+
+#include <memory>
+
+namespace chiron::devices {
+
+/// Makes the kinematics a descriptor names, so that a stored session can be computed again without its device.
+/// Ids: "cartesian", "gimbal_hprd". Fails (badInput) for an unknown id or for axes that do not fit; allocates, not in the tick.
+core::Result<std::unique_ptr<IToolKinematics>> makeKinematics(const DeviceDescriptor& descriptor);
+
+} // namespace chiron::devices

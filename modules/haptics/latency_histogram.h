@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace chiron::haptics {
+
+/// Counts of durations in log-spaced buckets: 16 a factor of two, so a percentile is at most 6.25 % above the true one;
+/// below 32 ns every nanosecond has its bucket, from 2³⁵ ns (34 s) on all share the last. Fixed size, trivially copyable.
+/// Thread: one at a time; copy it to hand it on.
+class LatencyHistogram {
+public:
+    static constexpr int kSubBits = 4;
+    static constexpr int kBuckets = 32 + (35 - 5) * 16;
+
+    /// Negative values count as 0.
+    void add(std::int64_t value_ns) noexcept;
+    void merge(const LatencyHistogram& other) noexcept;
+
+    std::uint64_t count() const noexcept { return m_count; }
+    /// Exact largest value, ns; 0 if empty.
+    std::int64_t maximum_ns() const noexcept { return m_maximum_ns; }
+    /// The value that a share `fraction` (0..1) of all values does not exceed: upper edge of its bucket, at most the
+    /// maximum. 0 if empty. In µs.
+    double percentile_us(double fraction) const noexcept;
+
+private:
+    static int bucketOf(std::int64_t value_ns) noexcept;
+    static std::int64_t upperEdge_ns(int bucket) noexcept;
+
+    std::array<std::uint64_t, kBuckets> m_counts{};
+    std::uint64_t m_count = 0;
+    std::int64_t m_maximum_ns = 0;
+};
+
+} // namespace chiron::haptics
