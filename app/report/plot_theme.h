@@ -24,6 +24,7 @@ struct PlotTheme {
     QColor goodFill{223, 240, 231};
     QColor badFill{250, 226, 224};
     QColor warningFill{253, 240, 213};
+    QColor overFill{244, 170, 164}; ///< under a line that is over its limit
     QColor seriesA{0, 95, 135};  ///< solid line
     QColor seriesB{178, 84, 0};  ///< dashed line
     QColor seriesC{86, 58, 140}; ///< dotted line

@@ -7,10 +7,11 @@
 
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-class QPainter;
+class QCPPainter;
 
 namespace chiron::report {
 
@@ -49,12 +50,14 @@ public:
     /// A line; long series are reduced to first, minimum, maximum, last of each pixel column, so that every peak stays.
     void addLine(const QString& name, std::span<const double> x, std::span<const double> y, PlotStyle style);
     void addMarkers(const QString& name, const std::vector<PlotPoint>& points, PlotStyle style, bool crosses = false);
-    /// A marker with a vertical bar from y - spread to y + spread.
+    /// A marker with a vertical bar from y - spread to y + spread; no bar where the spread is not finite.
     void addMeans(const QString& name, const std::vector<PlotPoint>& means, const std::vector<double>& spreads);
     /// Bars of one of `count` groups side by side around each x.
     void addBars(const QString& name, const std::vector<PlotPoint>& tops, PlotStyle style, int index, int count);
     /// A horizontal line with its name in the legend.
     void addLimit(const QString& name, double value);
+    /// The same for something to compare with that is no limit.
+    void addReference(const QString& name, double value);
     /// Fills between `limit` and the line where the line is above it.
     void shadeAbove(const QString& name, std::span<const double> x, std::span<const double> y, double limit);
     void addHatchedSpans(const QString& name, const std::vector<TimeSpan>& spans);
@@ -64,9 +67,12 @@ public:
     void setNote(const QString& text);
 
     /// Draws the plot into `area` of any paint device whose logical unit is 1/96 inch (vectors on a PDF).
-    void paintTo(QPainter& painter, const QRectF& area);
+    void paintTo(QCPPainter& painter, const QRectF& area);
     /// Writes a PNG of `size` logical pixels at `scale` device pixels each. Fails with storage.
     core::Result<void> savePng(const QString& path, QSize size, double scale = 2.0);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Impl;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/plot_theme.h"
+
+#include <QFontDatabase>
+#include <QStringList>
+
+namespace chiron::report {
+
+QFont PlotTheme::font(double pixels, bool bold) const {
+    QFont font;
+    // Noto Sans stands behind the first family for letters that it lacks.
+    font.setFamilies({family, QStringLiteral("Noto Sans"), QStringLiteral("DejaVu Sans")});
+    font.setPixelSize(qMax(1, qRound(pixels)));
+    font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
+    // Letters keep their true widths at any scale of the paper.
+    font.setHintingPreference(QFont::PreferNoHinting);
+    return font;
+}
+
+QString reportFontFamily() {
+    const QStringList installed = QFontDatabase::families();
+    for (const char* wanted : {"Inter", "Noto Sans", "DejaVu Sans"}) {
+        if (installed.contains(QLatin1String(wanted)))
+            return QLatin1String(wanted);
+    }
+    return QFont().family();
+}
+
+PlotTheme lightTheme(const QLocale& locale) {
+    PlotTheme theme;
+    theme.family = reportFontFamily();
+    theme.locale = locale;
+    return theme;
+}
+
+} // namespace chiron::report

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/plot_view.h"
+
+#include "report/plot_canvas.h"
+#include "report/plot_view_impl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace chiron::report {
+
+PlotView::PlotView(const PlotTheme& theme, QWidget* parent)
+    : QWidget(parent), m_impl(std::make_unique<Impl>(theme, this)) {
+    setMinimumSize(160, 120);
+}
+
+PlotView::~PlotView() = default;
+
+void PlotView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    m_impl->plot->setGeometry(rect());
+    m_impl->prepare(size());
+    m_impl->plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotView::setTitle(const QString& title) {
+    m_impl->title->setText(title);
+    setAccessibleName(title);
+}
+
+void PlotView::setXAxis(const PlotAxis& axis) {
+    m_impl->xAxis = axis;
+    m_impl->plot->xAxis->setLabel(axis.label);
+}
+
+void PlotView::setYAxis(const PlotAxis& axis) {
+    m_impl->yAxis = axis;
+    m_impl->plot->yAxis->setLabel(axis.label);
+}
+
+void PlotView::setXCategories(const std::vector<QString>& names) {
+    const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText); // shared: QCPAxis takes no other
+    for (std::size_t i = 0; i < names.size(); ++i)
+        ticker->addTick(static_cast<double>(i), names[i]);
+    m_impl->plot->xAxis->setTicker(ticker);
+    m_impl->plot->xAxis->grid()->setVisible(false);
+    m_impl->xAxis.minimum = -0.6;
+    m_impl->xAxis.maximum = static_cast<double>(names.size()) - 0.4;
+}
+
+void PlotView::setEqualScale(bool equal) {
+    m_impl->equalScale = equal;
+}
+
+void PlotView::addLine(const QString& name, std::span<const double> x, std::span<const double> y, PlotStyle style) {
+    QCPGraph* graph = m_impl->addGraph(name);
+    graph->setPen(m_impl->pen(style, 1.4));
+    const std::size_t count = std::min(x.size(), y.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        m_impl->takeX(x[i]);
+        m_impl->takeY(y[i]);
+    }
+    if (count == 1) // one sample is a point, not an invisible line
+        graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(m_impl->color(style)),
+                                               QBrush(m_impl->color(style)), 6));
+    m_impl->lines.push_back({graph, {x.begin(), x.end()}, {y.begin(), y.end()}, false, 0.0});
+}
+
+void PlotView::addMarkers(const QString& name, const std::vector<PlotPoint>& points, PlotStyle style, bool crosses) {
+    QCPGraph* graph = m_impl->addGraph(name);
+    graph->setLineStyle(QCPGraph::lsNone);
+    const QColor ink = crosses ? m_impl->theme.bad : m_impl->color(style);
+    graph->setPen(QPen(ink, 1.8));
+    graph->setScatterStyle(crosses ? QCPScatterStyle(QCPScatterStyle::ssCross, QPen(ink, 1.8), Qt::NoBrush, 8)
+                                   : QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(m_impl->theme.paper, 0.8),
+                                                     QBrush(ink), 8));
+    for (const PlotPoint& point : points) {
+        graph->addData(point.x, point.y);
+        m_impl->takeX(point.x);
+        m_impl->takeY(point.y);
+    }
+}
+
+void PlotView::addMeans(const QString& name, const std::vector<PlotPoint>& means, const std::vector<double>& spreads) {
+    const QColor ink = m_impl->theme.ink;
+    QCPGraph* graph = m_impl->addGraph(name);
+    graph->setLineStyle(QCPGraph::lsNone);
+    graph->setPen(QPen(ink, 1.4));
+    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(ink, 1.2), QBrush(m_impl->theme.paper), 11));
+    auto* bars = new QCPErrorBars(m_impl->plot->xAxis, m_impl->plot->yAxis);
+    bars->removeFromLegend();
+    bars->setDataPlottable(graph);
+    bars->setPen(QPen(ink, 1.4));
+    bars->setWhiskerWidth(9);
+    bars->setSymbolGap(11);
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        const double spread = i < spreads.size() ? spreads[i] : std::numeric_limits<double>::quiet_NaN();
+        graph->addData(means[i].x, means[i].y);
+        bars->addData(spread);
+        m_impl->takeX(means[i].x);
+        for (const double edge : {means[i].y, means[i].y - spread, means[i].y + spread})
+            m_impl->takeY(edge);
+    }
+}
+
+void PlotView::addBars(const QString& name, const std::vector<PlotPoint>& tops, PlotStyle style, int index,
+                       int count) {
+    constexpr double kGroupWidth = 0.72;
+    const double width = kGroupWidth / std::max(count, 1);
+    auto* bars = new QCPBars(m_impl->plot->xAxis, m_impl->plot->yAxis);
+    bars->setName(name);
+    bars->setWidth(width * 0.92);
+    const QColor ink = m_impl->color(style);
+    bars->setPen(QPen(ink, 1.2));
+    bars->setBrush(style == PlotStyle::solidA ? QBrush(ink) : QBrush(ink, Qt::BDiagPattern));
+    m_impl->takeY(0.0);
+    for (const PlotPoint& top : tops) {
+        bars->addData(top.x + (index - 0.5 * (count - 1)) * width, top.y);
+        m_impl->takeX(top.x - 0.5);
+        m_impl->takeX(top.x + 0.5);
+        m_impl->takeY(top.y);
+    }
+}
+
+void PlotView::addLimit(const QString& name, double value) {
+    QPen pen(m_impl->theme.bad, 1.4);
+    pen.setDashPattern({8.0, 3.0, 2.0, 3.0});
+    m_impl->addHorizontal(name, value, pen);
+}
+
+void PlotView::addReference(const QString& name, double value) {
+    QPen pen(m_impl->theme.muted, 1.4);
+    pen.setDashPattern({5.0, 3.0});
+    m_impl->addHorizontal(name, value, pen);
+}
+
+void PlotView::shadeAbove(const QString& name, std::span<const double> x, std::span<const double> y, double limit) {
+    const std::size_t count = std::min(x.size(), y.size());
+    if (std::none_of(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(count), [&](double v) { return v > limit; }))
+        return;
+    QCPGraph* base = m_impl->addGraph(QString());
+    base->setPen(Qt::NoPen);
+    base->setData({x[0], x[count - 1]}, {limit, limit}, true);
+    QCPGraph* graph = m_impl->addGraph(name);
+    graph->setPen(Qt::NoPen);
+    graph->setBrush(m_impl->theme.overFill);
+    graph->setChannelFillGraph(base);
+    m_impl->lines.push_back({graph, {x.begin(), x.end()}, {y.begin(), y.end()}, true, limit});
+}
+
+void PlotView::addHatchedSpans(const QString& name, const std::vector<TimeSpan>& spans) {
+    if (spans.empty())
+        return;
+    const QBrush hatch(m_impl->theme.muted, Qt::BDiagPattern);
+    for (const TimeSpan& span : spans) {
+        auto* rect = new QCPItemRect(m_impl->plot);
+        rect->setLayer(QStringLiteral("grid"));
+        rect->topLeft->setTypeY(QCPItemPosition::ptAxisRectRatio);
+        rect->bottomRight->setTypeY(QCPItemPosition::ptAxisRectRatio);
+        rect->topLeft->setCoords(span.begin_s, 0.0);
+        rect->bottomRight->setCoords(span.end_s, 1.0);
+        rect->setPen(Qt::NoPen);
+        rect->setBrush(hatch);
+        m_impl->takeX(span.begin_s);
+        m_impl->takeX(span.end_s);
+    }
+    QCPGraph* key = m_impl->addGraph(name);
+    key->setPen(Qt::NoPen);
+    key->setBrush(hatch);
+}
+
+void PlotView::addEvents(const std::vector<TimedEvent>& events) {
+    if (!events.empty())
+        m_impl->plot->axisRect()->setMinimumMargins(QMargins(15, 20, 15, 15));
+    for (const TimedEvent& event : events) {
+        auto* line = new QCPItemStraightLine(m_impl->plot);
+        line->setLayer(QStringLiteral("grid"));
+        line->setPen(QPen(m_impl->theme.rule, 1.0));
+        line->point1->setCoords(event.t_s, 0.0);
+        line->point2->setCoords(event.t_s, 1.0);
+        auto* text = new QCPItemText(m_impl->plot);
+        text->setText(event.label);
+        text->setFont(m_impl->theme.font(10));
+        text->setColor(m_impl->theme.muted);
+        text->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom); // above the axes: nothing measured is covered
+        text->setClipToAxisRect(false);
+        text->setPadding(QMargins(1, 0, 3, 1));
+        text->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+        text->position->setCoords(event.t_s, 0.0);
+        m_impl->events.push_back({event.t_s, event.label, text});
+    }
+}
+
+void PlotView::addCircle(const QString& name, double radius) {
+    auto* circle = new QCPItemEllipse(m_impl->plot);
+    circle->setLayer(QStringLiteral("grid"));
+    circle->topLeft->setCoords(-radius, radius);
+    circle->bottomRight->setCoords(radius, -radius);
+    circle->setPen(QPen(m_impl->theme.ink, 1.4));
+    circle->setBrush(m_impl->theme.panel);
+    m_impl->addGraph(name)->setPen(QPen(m_impl->theme.ink, 1.4));
+    for (const double edge : {-radius, radius}) {
+        m_impl->takeX(edge);
+        m_impl->takeY(edge);
+    }
+}
+
+void PlotView::setNote(const QString& text) {
+    auto* note = new QCPItemText(m_impl->plot);
+    note->setText(text);
+    note->setFont(m_impl->theme.font(12));
+    note->setColor(m_impl->theme.muted);
+    note->position->setType(QCPItemPosition::ptAxisRectRatio);
+    note->position->setCoords(0.5, 0.5);
+}
+
+void PlotView::paintTo(QCPPainter& painter, const QRectF& area) {
+    const QSize size = area.size().toSize();
+    m_impl->prepare(size);
+    painter.save();
+    painter.translate(area.topLeft());
+    painter.setMode(QCPPainter::pmVectorized);
+    painter.setMode(QCPPainter::pmNonCosmetic);
+    m_impl->plot->toPainter(&painter, size.width(), size.height());
+    painter.restore();
+}
+
+core::Result<void> PlotView::savePng(const QString& path, QSize size, double scale) {
+    return writePng(path, renderPanels({{this, QRectF(QPointF(0, 0), QSizeF(size))}}, size, scale, m_impl->theme));
+}
+
+} // namespace chiron::report

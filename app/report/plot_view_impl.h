@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/decimate.h"
+#include "report/plot_view.h"
+
+#include <qcustomplot.h>
+
+namespace chiron::report {
+
+/// The smallest and largest of what was added; nothing that is not finite counts.
+struct DataRange {
+    double low = 0.0;
+    double high = 0.0;
+    bool empty = true;
+
+    void take(double value);
+    /// Widened by 5 % a side; never of zero width. A fixed end stays as it is.
+    QCPRange padded(const PlotAxis& axis) const;
+};
+
+/// The QCustomPlot behind a view, and the full series from which each width's line is made.
+struct PlotView::Impl {
+    struct Line {
+        QCPGraph* graph = nullptr; ///< owned by the plot
+        std::vector<double> x;
+        std::vector<double> y;
+        bool above = false;
+        double limit = 0.0;
+    };
+    struct Event {
+        double t_s = 0.0;
+        QString label;
+        QCPItemText* text = nullptr; ///< owned by the plot
+    };
+
+    Impl(const PlotTheme& look, QWidget* parent);
+
+    QCPGraph* addGraph(const QString& name);
+    QPen pen(PlotStyle style, double width) const;
+    QColor color(PlotStyle style) const;
+    void addHorizontal(const QString& name, double value, const QPen& pen);
+    void takeX(double value) { xRange.take(value); }
+    void takeY(double value) { yRange.take(value); }
+
+    /// Makes the plot ready for a width and height in logical pixels: ranges, legend columns, lines, event labels.
+    void prepare(QSize size);
+    void arrangeLegend(int width);
+    void fillLines(int columns);
+    void placeEventLabels(int axisWidth);
+    void equaliseScale();
+
+    PlotTheme theme;
+    QCustomPlot* plot = nullptr; ///< child of the view
+    QCPTextElement* title = nullptr;
+    PlotAxis xAxis;
+    PlotAxis yAxis;
+    DataRange xRange;
+    DataRange yRange;
+    bool equalScale = false;
+    std::vector<Line> lines;
+    std::vector<Event> events;
+};
+
+} // namespace chiron::report

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/report_blocks.h"
+
+#include "report/headline_card.h"
+#include "report/report_text.h"
+#include "report/session_plots.h"
+#include "report/text_box.h"
+
+#include <algorithm>
+#include <qcustomplot.h>
+
+namespace chiron::report {
+
+namespace {
+constexpr double kBody = 12.5;
+
+void text(QCPPainter& p, const QRectF& box, const QFont& font, const QColor& ink, int flags, const QString& words) {
+    p.setFont(font);
+    p.setPen(ink);
+    p.drawText(box, flags, words);
+}
+} // namespace
+
+ReportBlocks::ReportBlocks(const ReportData& data, const PlotTheme& theme, double width)
+    : m_data(data), m_theme(theme), m_width(width) {
+    addBanner();
+    addTitle();
+    addVerdict();
+    addFacts();
+    addHeadlines();
+    addApex();
+    addMetrics();
+    addPlots();
+    addIntegrity();
+}
+
+void ReportBlocks::add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint, bool keep,
+                       int header) {
+    m_blocks.push_back({height, gap, keep, header, std::move(paint)});
+}
+
+void ReportBlocks::addHeading(const QString& words) {
+    add(24, 18,
+        [this, words](QCPPainter& p, const QRectF& box) {
+            text(p, box, m_theme.font(15, true), m_theme.ink, Qt::AlignLeft | Qt::AlignVCenter, words);
+        },
+        true);
+}
+
+void ReportBlocks::addBanner() {
+    QString words;
+    if (m_data.demonstration)
+        words = Words::tr("DEMONSTRATION: invented people and results, not for assessment");
+    else if (m_data.simulated)
+        words = Words::tr("SIMULATED OPERATOR: a scripted hand, not a person");
+    if (words.isEmpty())
+        return;
+    add(26, 0, [this, words](QCPPainter& p, const QRectF& box) {
+        p.setPen(QPen(m_theme.warning, 1.0));
+        p.setBrush(m_theme.warningFill);
+        p.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+        text(p, box, m_theme.font(12, true), m_theme.warning, Qt::AlignCenter, words);
+    });
+}
+
+void ReportBlocks::addTitle() {
+    const QString person = m_data.person.isEmpty() ? Words::tr("Unnamed person") : m_data.person;
+    const QString task = m_data.levelTitle.isEmpty()
+                             ? m_data.exerciseTitle
+                             : Words::tr("%1 · level %2: %3").arg(m_data.exerciseTitle).arg(m_data.level).arg(m_data.levelTitle);
+    const QFont large = m_theme.font(24, true);
+    const QFont middle = m_theme.font(14);
+    const double above = textHeight(person, large, m_width);
+    const double below = task.isEmpty() ? 0.0 : textHeight(task, middle, m_width);
+    add(above + (task.isEmpty() ? 0.0 : below + 6), 12, [=, this](QCPPainter& p, const QRectF& box) {
+        drawText(p, QRectF(box.left(), box.top(), box.width(), above), person, {large, m_theme.ink});
+        drawText(p, QRectF(box.left(), box.top() + above + 4, box.width(), below), task, {middle, m_theme.muted});
+    });
+}
+
+void ReportBlocks::addVerdict() {
+    const bool counts = m_data.state == QLatin1String("completed");
+    const bool passed = m_data.passed.value_or(false);
+    QColor ink = m_theme.muted;
+    QColor fill = m_theme.panel;
+    QString words = Words::tr("–  No pass mark is set for this level");
+    if (!counts) {
+        ink = m_theme.warning;
+        fill = m_theme.warningFill;
+        words = Words::tr("!  Does not count: %1").arg(m_data.state.isEmpty() ? Words::tr("its state is not known")
+                                                                              : stateWords(m_data.state));
+    } else if (m_data.passed) {
+        ink = passed ? m_theme.good : m_theme.bad;
+        fill = passed ? m_theme.goodFill : m_theme.badFill;
+        words = passed ? Words::tr("✓  Passed: every pass mark was met") : Words::tr("✗  Not passed");
+        QStringList failed;
+        for (const MetricRow& row : m_data.metrics) {
+            if (row.passed && !*row.passed)
+                failed << Words::tr("%1 was %2, pass mark %3")
+                              .arg(row.name.isEmpty() ? row.id : row.name,
+                                   formatValue(row.value, row.unit, m_theme.locale), formatGate(row, m_theme.locale));
+        }
+        if (!failed.isEmpty())
+            words += QStringLiteral(": ") + failed.join(QStringLiteral("; "));
+    }
+    const QFont font = m_theme.font(13, true);
+    const double height = textHeight(words, font, m_width - 24) + 14;
+    add(height, 10, [=, this](QCPPainter& p, const QRectF& box) {
+        p.setPen(QPen(ink, 1.0));
+        p.setBrush(fill);
+        p.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+        drawText(p, box.adjusted(12, 7, -12, 0), words, {font, ink});
+    });
+}
+
+void ReportBlocks::addPairs(const std::vector<std::pair<QString, QString>>& pairs, int columns) {
+    const double column = m_width / columns;
+    const double inner = column - 14;
+    for (std::size_t first = 0; first < pairs.size(); first += static_cast<std::size_t>(columns)) {
+        const std::size_t end = std::min(pairs.size(), first + static_cast<std::size_t>(columns));
+        const std::vector<std::pair<QString, QString>> row(pairs.begin() + static_cast<std::ptrdiff_t>(first),
+                                                           pairs.begin() + static_cast<std::ptrdiff_t>(end));
+        double height = 0.0;
+        for (const auto& pair : row)
+            height = std::max(height, textHeight(pair.second, m_theme.font(kBody), inner));
+        add(15 + height, first == 0 ? 12 : 6, [this, row, column, inner](QCPPainter& p, const QRectF& box) {
+            double left = box.left();
+            for (const auto& [label, value] : row) {
+                drawText(p, QRectF(left, box.top(), inner, 15), label, {m_theme.font(10.5), m_theme.muted});
+                drawText(p, QRectF(left, box.top() + 15, inner, box.height() - 15),
+                         value.isEmpty() ? QStringLiteral("–") : value,
+                         {m_theme.font(kBody), m_theme.ink});
+                left += column;
+            }
+        });
+    }
+}
+
+void ReportBlocks::addFacts() {
+    const QLocale& locale = m_theme.locale;
+    addPairs({{Words::tr("Recorded"), formatMoment(m_data.startedUtc, m_data.offsetMinutes, locale)},
+              {Words::tr("Duration"), formatDuration(m_data.duration_s, locale)},
+              {Words::tr("State"), stateWords(m_data.state)},
+              {Words::tr("Device"), m_data.device},
+              {Words::tr("Force"), m_data.felt ? Words::tr("felt") : Words::tr("shown, not felt")},
+              {Words::tr("Session"), m_data.integrity.sessionId}},
+             3);
+}
+
+void ReportBlocks::addHeadlines() {
+    std::vector<MetricRow> chosen;
+    for (const MetricRow& row : m_data.metrics) {
+        if (row.headline && chosen.size() < 3)
+            chosen.push_back(row);
+    }
+    if (chosen.empty())
+        return;
+    add(kHeadlineCardHeight, 16, [this, chosen](QCPPainter& p, const QRectF& box) {
+        const double gap = 12.0;
+        const double width = (box.width() - 2 * gap) / 3.0;
+        for (std::size_t i = 0; i < chosen.size(); ++i)
+            paintHeadlineCard(p, QRectF(box.left() + static_cast<double>(i) * (width + gap), box.top(), width, box.height()),
+                              chosen[i], m_theme);
+    });
+}
+
+void ReportBlocks::addMetrics() {
+    addHeading(Words::tr("All metrics"));
+    std::vector<std::vector<QString>> rows;
+    for (const MetricRow& row : m_data.metrics) {
+        const QString name = row.name.isEmpty() ? row.id : row.name;
+        const QString value = row.value ? formatValue(row.value, row.unit, m_theme.locale)
+                                        : QStringLiteral("– (%1)").arg(row.reason.isEmpty() ? Words::tr("not defined") : row.reason);
+        const QString result = !row.passed ? QString() : *row.passed ? Words::tr("✓ met") : Words::tr("✗ not met");
+        rows.push_back({name, value, formatGate(row, m_theme.locale), formatBand(row, m_theme.locale), result});
+    }
+    if (rows.empty())
+        rows.push_back({Words::tr("No metrics were computed"), {}, {}, {}, {}});
+    addTable({Words::tr("Metric"), Words::tr("Value"), Words::tr("Pass mark"), Words::tr("Benchmark"), Words::tr("Result")},
+             rows, {0.36, 0.2, 0.16, 0.17, 0.11}, {false, true, true, true, false});
+}
+
+void ReportBlocks::addApex() {
+    if (m_data.exerciseId != QLatin1String("sphere_apex") && m_data.apexErrors.empty())
+        return;
+    addHeading(Words::tr("Error in locating the apex"));
+    m_plots.push_back(apexScatterPlot(m_data.apexErrors, m_theme));
+    m_plots.push_back(apexTrialPlot(m_data.apexErrors, m_theme));
+    PlotView* scatter = m_plots[m_plots.size() - 2].get();
+    PlotView* bars = m_plots.back().get();
+    add(290, 4, [scatter, bars](QCPPainter& p, const QRectF& box) {
+        const double left = box.width() * 0.46;
+        scatter->paintTo(p, QRectF(box.left(), box.top(), left, box.height()));
+        bars->paintTo(p, QRectF(box.left() + left + 8, box.top(), box.width() - left - 8, box.height()));
+    });
+}
+
+void ReportBlocks::addPlots() {
+    addHeading(Words::tr("The session over time"));
+    m_plots.push_back(forcePlot(m_data.series, m_data.forceLimit_N, m_theme));
+    m_plots.push_back(positionPlot(m_data.series, m_theme));
+    m_plots.push_back(speedPlot(m_data.series, m_theme));
+    for (std::size_t i = m_plots.size() - 3; i < m_plots.size(); ++i) {
+        PlotView* plot = m_plots[i].get();
+        add(234, 8, [plot](QCPPainter& p, const QRectF& box) { plot->paintTo(p, box); });
+    }
+}
+
+void ReportBlocks::addIntegrity() {
+    const QLocale& locale = m_theme.locale;
+    const IntegrityFacts& facts = m_data.integrity;
+    const LoopFacts& loop = m_data.loop;
+    const auto micro = [&](double us) { return formatValue(us, QStringLiteral("µs"), locale); };
+    const std::size_t first = m_blocks.size();
+    addHeading(Words::tr("Where these numbers come from"));
+    addPairs({{Words::tr("Recorded frames"), locale.toString(static_cast<qulonglong>(facts.frames))},
+              {Words::tr("Dropped frames"), locale.toString(static_cast<qulonglong>(facts.dropped))},
+              {Words::tr("Stored bytes"), locale.toString(static_cast<qulonglong>(facts.bytes))},
+              {Words::tr("Ticks, of them late"), QStringLiteral("%1, %2").arg(locale.toString(static_cast<qulonglong>(loop.ticks)),
+                                                                              locale.toString(static_cast<qulonglong>(loop.late)))},
+              {Words::tr("Tick time: median, 99 %"), QStringLiteral("%1, %2").arg(micro(loop.p50_us), micro(loop.p99_us))},
+              {Words::tr("Longest tick"), micro(loop.max_us)}},
+             3);
+    std::vector<std::pair<QString, QString>> digests{{Words::tr("Build"), facts.buildId},
+                                                     {Words::tr("Content (SHA-256)"), facts.contentSha256},
+                                                     {Words::tr("Recording (BLAKE2b)"), facts.recordingDigest}};
+    if (!facts.resultDigest.isEmpty())
+        digests.emplace_back(Words::tr("Score (BLAKE2b)"), facts.resultDigest);
+    addPairs(digests, 1);
+    // One group on one page: a digest alone on a page says nothing.
+    for (std::size_t i = first; i + 1 < m_blocks.size(); ++i)
+        m_blocks[i].keepWithNext = true;
+}
+
+} // namespace chiron::report

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/report_text.h"
+
+#include <QTimeZone>
+#include <cmath>
+
+namespace chiron::report {
+
+namespace {
+const QString kDash = QStringLiteral("–");
+const QString kNoBreak = QStringLiteral("\u00a0");
+
+QString withUnit(const QString& number, const QString& unit) {
+    return unit.isEmpty() ? number : number + kNoBreak + unit;
+}
+} // namespace
+
+QString formatNumber(double value, const QLocale& locale) {
+    if (!std::isfinite(value))
+        return kDash;
+    const double size = std::abs(value);
+    if (size >= 1e7 || (size > 0.0 && size < 1e-3))
+        return locale.toString(value, 'e', 2);
+    const int decimals = size >= 100.0 ? 1 : size >= 1.0 || size == 0.0 ? 2 : 3;
+    return locale.toString(value, 'f', decimals);
+}
+
+QString formatValue(const std::optional<double>& value, const QString& unit, const QLocale& locale) {
+    return value && std::isfinite(*value) ? withUnit(formatNumber(*value, locale), unit) : kDash;
+}
+
+QString formatGate(const MetricRow& row, const QLocale& locale) {
+    if (row.gateMinimum && row.gateMaximum)
+        return withUnit(formatNumber(*row.gateMinimum, locale) + QStringLiteral(" – ")
+                            + formatNumber(*row.gateMaximum, locale),
+                        row.unit);
+    if (row.gateMaximum)
+        return withUnit(QStringLiteral("≤ ") + formatNumber(*row.gateMaximum, locale), row.unit);
+    if (row.gateMinimum)
+        return withUnit(QStringLiteral("≥ ") + formatNumber(*row.gateMinimum, locale), row.unit);
+    return {};
+}
+
+QString formatBand(const MetricRow& row, const QLocale& locale) {
+    if (!row.bandLow || !row.bandHigh)
+        return {};
+    return withUnit(formatNumber(*row.bandLow, locale) + QStringLiteral(" – ") + formatNumber(*row.bandHigh, locale),
+                    row.unit);
+}
+
+QString formatMoment(const QDateTime& utc, int offsetMinutes, const QLocale& locale) {
+    if (!utc.isValid())
+        return kDash;
+    const QDateTime local = utc.toUTC().toOffsetFromUtc(offsetMinutes * 60);
+    const int minutes = std::abs(offsetMinutes);
+    const QString offset = QStringLiteral("UTC%1%2:%3")
+                               .arg(offsetMinutes < 0 ? QStringLiteral("−") : QStringLiteral("+"))
+                               .arg(minutes / 60, 2, 10, QLatin1Char('0'))
+                               .arg(minutes % 60, 2, 10, QLatin1Char('0'));
+    return QStringLiteral("%1, %2 (%3)")
+        .arg(locale.toString(local.date(), QStringLiteral("d MMM yyyy")),
+             locale.toString(local.time(), QStringLiteral("HH:mm")), offset);
+}
+
+QString formatDuration(double seconds, const QLocale& locale) {
+    if (!std::isfinite(seconds) || seconds < 0.0)
+        return kDash;
+    const double whole = std::round(seconds);
+    if (seconds < 60.0)
+        return locale.toString(seconds, 'f', 1) + kNoBreak + QStringLiteral("s");
+    return QStringLiteral("%1%3min %2%3s")
+        .arg(static_cast<qint64>(whole) / 60)
+        .arg(static_cast<qint64>(whole) % 60, 2, 10, QLatin1Char('0'))
+        .arg(kNoBreak);
+}
+
+QString stateWords(const QString& token) {
+    if (token == QLatin1String("completed"))
+        return Words::tr("completed");
+    if (token == QLatin1String("stopped"))
+        return Words::tr("stopped by the person");
+    if (token == QLatin1String("interrupted"))
+        return Words::tr("interrupted: the program ended during the session");
+    if (token == QLatin1String("incomplete"))
+        return Words::tr("incomplete: samples were lost");
+    if (token == QLatin1String("faulted"))
+        return Words::tr("faulted: the device or supervisor stopped it");
+    if (token == QLatin1String("voided"))
+        return Words::tr("voided by a trainer");
+    return token;
+}
+
+} // namespace chiron::report

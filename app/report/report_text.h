@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/report_data.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QString>
+
+namespace chiron::report {
+
+/// The one translation context of printed reports.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(report)
+};
+
+/// A number as people read it: 2 decimals below 100, 1 above, 3 below 1. A dash for what is not finite.
+QString formatNumber(double value, const QLocale& locale);
+/// Number and unit with a no-break space: "14.20 %"; a dash where there is no value.
+QString formatValue(const std::optional<double>& value, const QString& unit, const QLocale& locale);
+/// "≤ 25.00 %", "≥ 1.00", "1.00 – 4.00 N"; empty without a gate.
+QString formatGate(const MetricRow& row, const QLocale& locale);
+/// "2.90 – 25.50 %"; empty without a band.
+QString formatBand(const MetricRow& row, const QLocale& locale);
+/// "20 Nov 2026, 12:23 (UTC+01:00)": the local time of the recording, with its offset.
+QString formatMoment(const QDateTime& utc, int offsetMinutes, const QLocale& locale);
+/// "2 min 05 s"
+QString formatDuration(double seconds, const QLocale& locale);
+/// Words for the stored state token: "completed", "stopped by the person" ...; the token itself if unknown.
+QString stateWords(const QString& token);
+
+} // namespace chiron::report

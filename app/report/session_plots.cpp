@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/session_plots.h"
+
+#include "report/report_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace chiron::report {
+
+namespace {
+
+std::unique_ptr<PlotView> timePlot(const QString& title, const PlotAxis& yAxis, const SampleSeries& series,
+                                   const PlotTheme& theme) {
+    auto view = std::make_unique<PlotView>(theme);
+    view->setTitle(title);
+    PlotAxis time{Words::tr("Time (s)"), std::nullopt, std::nullopt};
+    if (series.t_s.size() > 1) { // the whole session and no more
+        time.minimum = series.t_s.front();
+        time.maximum = series.t_s.back();
+    }
+    view->setXAxis(time);
+    view->setYAxis(yAxis);
+    return view;
+}
+
+void finish(PlotView& view, const SampleSeries& series, bool empty) {
+    view.addHatchedSpans(Words::tr("paused"), series.paused);
+    view.addEvents(series.events);
+    if (empty)
+        view.setNote(Words::tr("No samples were recorded"));
+}
+
+double mean(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values)
+        sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+// Sample standard deviation (n - 1); not a number for fewer than two values: there is none.
+double deviation(const std::vector<double>& values, double centre) {
+    if (values.size() < 2)
+        return std::numeric_limits<double>::quiet_NaN();
+    double squares = 0.0;
+    for (const double value : values)
+        squares += (value - centre) * (value - centre);
+    return std::sqrt(squares / static_cast<double>(values.size() - 1));
+}
+
+} // namespace
+
+std::unique_ptr<PlotView> positionPlot(const SampleSeries& series, const PlotTheme& theme) {
+    auto view = timePlot(Words::tr("Position of the tool tip"), {Words::tr("Position (mm)"), {}, {}}, series, theme);
+    view->addLine(QStringLiteral("x"), series.t_s, series.x_mm, PlotStyle::solidA);
+    view->addLine(QStringLiteral("y"), series.t_s, series.y_mm, PlotStyle::dashedB);
+    view->addLine(QStringLiteral("z"), series.t_s, series.z_mm, PlotStyle::dottedC);
+    finish(*view, series, series.t_s.empty() || series.x_mm.empty());
+    return view;
+}
+
+std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme) {
+    auto view = timePlot(Words::tr("Force on the tool"), {Words::tr("Force (N)"), 0.0, {}}, series, theme);
+    view->shadeAbove(Words::tr("over the limit"), series.t_s, series.tissue_N, limit_N);
+    // What is assessed is drawn last, on top.
+    if (!series.measured_N.empty())
+        view->addLine(Words::tr("measured"), series.t_s, series.measured_N, PlotStyle::dottedC);
+    if (!series.commanded_N.empty())
+        view->addLine(Words::tr("commanded"), series.t_s, series.commanded_N, PlotStyle::dashedB);
+    view->addLine(Words::tr("tissue (assessed)"), series.t_s, series.tissue_N, PlotStyle::solidA);
+    view->addLimit(Words::tr("limit %1").arg(formatValue(limit_N, QStringLiteral("N"), theme.locale)), limit_N);
+    finish(*view, series, series.t_s.empty() || series.tissue_N.empty());
+    return view;
+}
+
+std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme& theme) {
+    auto view = timePlot(Words::tr("Speed of the tool tip"), {Words::tr("Speed (mm/s)"), 0.0, {}}, series, theme);
+    view->addLine(Words::tr("speed"), series.t_s, series.speed_mm_per_s, PlotStyle::solidA);
+    finish(*view, series, series.t_s.empty() || series.speed_mm_per_s.empty());
+    return view;
+}
+
+std::unique_ptr<PlotView> apexScatterPlot(const std::vector<ApexError>& errors, const PlotTheme& theme) {
+    auto view = std::make_unique<PlotView>(theme);
+    view->setTitle(Words::tr("Where the marks lie on the sphere"));
+    view->setXAxis({Words::tr("Error in x (% of radius)"), {}, {}});
+    view->setYAxis({Words::tr("Error in y (% of radius)"), {}, {}});
+    view->setEqualScale(true);
+    view->addCircle(Words::tr("outline"), 100.0);
+    std::vector<PlotPoint> hits;
+    std::vector<PlotPoint> misses;
+    for (const ApexError& error : errors)
+        (error.miss ? misses : hits).push_back({error.x_percent, error.y_percent});
+    view->addMarkers(Words::tr("mark"), hits, PlotStyle::solidA);
+    if (!misses.empty())
+        view->addMarkers(Words::tr("miss"), misses, PlotStyle::solidA, true);
+    if (errors.empty())
+        view->setNote(Words::tr("No trial was marked"));
+    return view;
+}
+
+std::unique_ptr<PlotView> apexTrialPlot(const std::vector<ApexError>& errors, const PlotTheme& theme) {
+    auto view = std::make_unique<PlotView>(theme);
+    view->setTitle(Words::tr("% error in locating virtual spheres"));
+    view->setXAxis({Words::tr("Trial"), {}, {}});
+    view->setYAxis({Words::tr("Error (% of radius)"), {}, {}});
+    std::vector<QString> names;
+    std::vector<PlotPoint> x, y, misses;
+    for (const ApexError& error : errors) {
+        const double place = static_cast<double>(names.size());
+        names.push_back(QString::number(error.trial + 1));
+        x.push_back({place, error.x_percent});
+        y.push_back({place, error.y_percent});
+        if (error.miss)
+            misses.push_back({place, 0.0});
+    }
+    view->addBars(QStringLiteral("x"), x, PlotStyle::solidA, 0, 2);
+    view->addBars(QStringLiteral("y"), y, PlotStyle::dashedB, 1, 2);
+    if (!misses.empty())
+        view->addMarkers(Words::tr("miss"), misses, PlotStyle::solidA, true);
+    view->setXCategories(names);
+    if (errors.empty())
+        view->setNote(Words::tr("No trial was marked"));
+    return view;
+}
+
+std::unique_ptr<PlotView> comparisonPlot(const ComparisonData& data, const PlotTheme& theme) {
+    auto view = std::make_unique<PlotView>(theme);
+    view->setTitle(data.title);
+    const QString unit = data.unit.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(data.unit);
+    view->setYAxis({data.metricName + unit, 0.0, {}});
+    std::vector<QString> names;
+    std::vector<PlotPoint> points, means;
+    std::vector<double> spreads;
+    bool negative = false;
+    for (const ComparisonGroup& group : data.groups) {
+        const double place = static_cast<double>(names.size());
+        names.push_back(QStringLiteral("%1\nn = %2").arg(group.name).arg(group.values.size()));
+        for (std::size_t i = 0; i < group.values.size(); ++i) {
+            const double aside = 0.03 * (static_cast<double>(i % 5) - 2.0); // equal values stay visible
+            points.push_back({place - 0.14 + aside, group.values[i]});
+            negative = negative || group.values[i] < 0.0;
+        }
+        if (group.values.empty())
+            continue;
+        const double centre = mean(group.values);
+        means.push_back({place + 0.12, centre});
+        spreads.push_back(deviation(group.values, centre));
+        negative = negative || centre - spreads.back() < 0.0;
+    }
+    if (negative)
+        view->setYAxis({data.metricName + unit, {}, {}});
+    view->addMarkers(Words::tr("session"), points, PlotStyle::solidA);
+    view->addMeans(Words::tr("mean ± SD"), means, spreads);
+    if (data.reference)
+        view->addReference(data.referenceLabel, *data.reference);
+    view->setXCategories(names);
+    if (points.empty())
+        view->setNote(Words::tr("No sessions to compare"));
+    return view;
+}
+
+} // namespace chiron::report

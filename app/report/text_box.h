@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QRectF>
+#include <QString>
+
+class QPainter;
+
+namespace chiron::report {
+
+/// Text broken between words, and inside a word only where the word alone is wider than the box. Measuring and drawing
+/// share one layout, so what is measured fits. GUI thread.
+struct TextStyle {
+    QFont font;
+    QColor ink;
+    Qt::Alignment side = Qt::AlignLeft;
+};
+
+double textHeight(const QString& words, const QFont& font, double width);
+void drawText(QPainter& painter, const QRectF& box, const QString& words, const TextStyle& style);
+
+} // namespace chiron::report
