@@ -29,6 +29,7 @@ public:
     void forgetReference() noexcept;
 
     bool hasGood() const noexcept { return m_hasGood; }
+    bool hasReference() const noexcept { return m_hasReference; } ///< a good packet since the last forgetReference()
     bool droppedThisTick() const noexcept { return m_dropped; }
     std::uint32_t badInARow() const noexcept { return m_bad; }
     std::uint32_t age_us() const noexcept { return m_age_us; } ///< of the newest good packet at the last admit()

@@ -6,6 +6,7 @@
 #include "haptics/safety_io.h"
 #include "haptics/safety_settings.h"
 
+#include <array>
 #include <cstdint>
 
 namespace chiron::haptics {
@@ -33,10 +34,9 @@ public:
     void step(const SafetyConditions& in) noexcept;
 
     core::ForceState state() const noexcept { return m_state; }
-    double gain() const noexcept { return m_gain; }
+    double gain() const noexcept; ///< 0..1
     /// Over-velocity is latched: only damping, with this gain, may be shown. 0 otherwise.
-    double dampingGain() const noexcept { return m_dampingGain; }
-    std::uint32_t latchedFaults() const noexcept { return m_latched; }
+    double dampingGain() const noexcept;
     std::uint32_t guards() const noexcept { return m_guards; } ///< of the last step
     ArmingWait waitsFor() const noexcept { return m_waitsFor; }
     bool paused() const noexcept { return m_paused; }
@@ -44,18 +44,23 @@ public:
 
 private:
     void applyCommands(const SafetyConditions& in) noexcept;
+    void pause() noexcept;
+    void resume() noexcept;
     void rearm(const SafetyConditions& in) noexcept;
+    void stop() noexcept;
     void latchFaults(const SafetyConditions& in) noexcept;
     void latchOverVelocity(const SafetyConditions& in) noexcept;
-    void stop() noexcept;
+    void leaveOldScene() noexcept;
     void startArming() noexcept;
+    void stepState(const SafetyConditions& in) noexcept;
     void stepArming(const SafetyConditions& in) noexcept;
     void stepForce(const SafetyConditions& in) noexcept;
-    void stepHeartbeat(const SafetyConditions& in) noexcept;
-    void stepWatchdog(const SafetyConditions& in) noexcept;
+    void stepPausing(const SafetyConditions& in) noexcept;
     void lowerGain(std::uint32_t ramp_ms) noexcept;
-    bool forceIsLive() const noexcept;
+    void followWatchdog(const SafetyConditions& in) noexcept;
+    bool forceMayFlow() const noexcept;
     bool windowFrozen(const SafetyConditions& in) const noexcept;
+    void noteGuards() noexcept;
     ArmingWait wait(const SafetyConditions& in) const noexcept;
 
     SafetySettings m_settings;
@@ -66,8 +71,8 @@ private:
     std::uint32_t m_guards = 0;
     std::uint32_t m_quietTicks = 0;
     std::uint32_t m_stillTicks = 0;
-    double m_gain = 0.0;
-    double m_dampingGain = 0.0;
+    std::uint32_t m_gain = 0; ///< in billionths
+    std::uint32_t m_dampingGain = 0;
     bool m_confirmed = false;
     bool m_paused = false;
     bool m_rearmed = false;

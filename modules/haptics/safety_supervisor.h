@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/result.h"
-#include "haptics/passivity_observer.h"
+#include "haptics/passivity_controller.h"
 #include "haptics/safety_guard_mask.h"
 #include "haptics/safety_io.h"
 #include "haptics/safety_sample_sanity.h"
@@ -55,16 +55,20 @@ public:
     void setGuardMaskForTests(GuardMask mask) noexcept { m_mask = mask; }
 
 private:
-    using Wrenches = std::array<core::Wrench, core::kMaxTools>;
+    using Wrenches = PassivityController::Wrenches;
 
-    SafetyConditions observe(const SafetyInput& in, const Wrenches& requested) const noexcept;
-    Wrenches requestedWrenches(const SafetyInput& in, std::uint32_t& guards) const noexcept;
-    void applyPassivity(const SafetyInput& in, const Wrenches& requested, Wrenches& wrenches,
-                        std::uint32_t& guards) noexcept;
-    void applyDamping(const SafetyInput& in, Wrenches& wrenches) const noexcept;
-    void applyCapsAndSlew(Wrenches& wrenches, std::uint32_t& guards) noexcept;
-    bool applyFiniteCheck(Wrenches& wrenches) const noexcept;
-    void publish(const SafetyInput& in, const Wrenches& wrenches, std::uint32_t guards, SafetyOutput& out) noexcept;
+    Wrenches requestedWrenches(const SafetyInput& in) noexcept;
+    SafetyConditions observe(const SafetyInput& in, const Wrenches& requested) noexcept;
+    void observeSample(std::size_t tool, SafetyConditions& conditions) noexcept;
+    void observeMotion(const SafetyInput& in, const Wrenches& requested, std::size_t tool,
+                       SafetyConditions& conditions) const noexcept;
+    PassivityContact contactOf(const SafetyInput& in, const Wrenches& requested) const noexcept;
+    void applyPassivity(const SafetyInput& in, const Wrenches& requested, Wrenches& wrenches) noexcept;
+    void applyOverVelocityDamping(const SafetyInput& in, Wrenches& wrenches) const noexcept;
+    void applyCapsAndSlew(Wrenches& wrenches) noexcept;
+    void applyFiniteCheck(Wrenches& wrenches) noexcept;
+    void forgetReferences(bool inputOnly) noexcept;
+    void publish(const SafetyInput& in, const Wrenches& wrenches, SafetyOutput& out) noexcept;
 
     SafetySettings m_settings;
     GuardMask m_mask;
@@ -72,10 +76,12 @@ private:
     std::array<SafetyToolLimits, core::kMaxTools> m_limits{};
     std::array<SafetySampleSanity, core::kMaxTools> m_sanity{};
     SafetyStateMachine m_machine;
-    PassivityObserver m_observer;
+    PassivityController m_passivity;
     Wrenches m_last{};      ///< commanded in the tick before
     double m_lastGain = 0.0;
-    bool m_notFinite = false; ///< found at the end of the tick before: latched as a fault in this one
+    std::uint32_t m_guards = 0;   ///< collected while limit() runs
+    bool m_requestFinite = true;  ///< of this tick
+    bool m_answerFinite = true;   ///< of the tick before: latched as a fault in this one
 };
 
 } // namespace chiron::haptics

@@ -4,6 +4,7 @@
 #include "core/tool_state.h"
 #include "devices/api/device_descriptor.h"
 #include "devices/api/kinematics.h"
+#include "devices/api/workspace_map.h"
 
 #include <array>
 #include <cstdint>
@@ -22,8 +23,8 @@ struct SafetyToolLimits {
     const devices::IToolKinematics* kinematics = nullptr;
     bool renders = false;   ///< renders force and is fast enough to be allowed to
     bool inProcess = false; ///< age is 0 by definition
-    bool leftHanded = false;
-    double scale = 1.0; ///< W per D
+    devices::WorkspaceMap map; ///< W <-> D
+    double scale = 1.0;        ///< W per D
     std::uint32_t period_us = 1000;
     std::uint32_t watchdogStart_us = 0;
     std::uint32_t watchdogZero_us = 0;

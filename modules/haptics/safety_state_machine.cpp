@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/safety_state_machine.h"
+
+#include <algorithm>
+
+namespace chiron::haptics {
+
+using core::CommandKind;
+using core::ForceState;
+namespace guard_bits = core::guard_bits;
+
+namespace {
+
+/// The gain is counted in billionths, so that a ramp of n ticks ends after exactly n ticks.
+constexpr std::uint32_t kFullGain = 1'000'000'000;
+
+constexpr std::uint32_t stepOf(std::uint32_t ramp_ms) noexcept {
+    return ramp_ms == 0 ? kFullGain : (kFullGain + ramp_ms - 1) / ramp_ms;
+}
+
+} // namespace
+
+void SafetyStateMachine::reset(const SafetySettings& settings, GuardMask mask) noexcept {
+    *this = SafetyStateMachine();
+    m_settings = settings;
+    m_mask = mask;
+}
+
+double SafetyStateMachine::gain() const noexcept {
+    return static_cast<double>(m_gain) / kFullGain;
+}
+
+double SafetyStateMachine::dampingGain() const noexcept {
+    return static_cast<double>(m_dampingGain) / kFullGain;
+}
+
+void SafetyStateMachine::step(const SafetyConditions& in) noexcept {
+    m_guards = in.watchdogScale < 1.0 ? guard_bits::kWatchdog : 0;
+    m_rearmed = false;
+    applyCommands(in);
+    latchFaults(in);
+    if (in.stopButton && m_mask.has(GuardMask::kStop)) {
+        stop();
+    }
+    if (in.sceneChanged && m_mask.has(GuardMask::kArming)) {
+        leaveOldScene();
+    }
+    stepState(in);
+    latchOverVelocity(in);
+    noteGuards();
+    m_waitsFor = wait(in);
+}
+
+void SafetyStateMachine::applyCommands(const SafetyConditions& in) noexcept {
+    bool stopAsked = false;
+    for (const core::Command& command : in.commands) {
+        switch (command.kind) {
+        case CommandKind::pause: pause(); break;
+        case CommandKind::resume: resume(); break;
+        case CommandKind::rearm: rearm(in); break;
+        case CommandKind::confirmHold: m_confirmed = m_confirmed || m_state == ForceState::arming; break;
+        case CommandKind::stopForce: stopAsked = true; break;
+        default: break;
+        }
+    }
+    // Stop beats whatever else came in the same tick, in either order.
+    if (stopAsked && m_mask.has(GuardMask::kStop)) {
+        stop();
+    }
+}
+
+void SafetyStateMachine::pause() noexcept {
+    m_paused = true;
+    if (!m_mask.has(GuardMask::kPause)) {
+        return;
+    }
+    if (forceMayFlow()) {
+        m_state = m_gain > 0 ? ForceState::pausing : ForceState::paused;
+    }
+}
+
+void SafetyStateMachine::resume() noexcept {
+    m_paused = false;
+    if (m_state == ForceState::pausing || m_state == ForceState::paused) {
+        startArming();
+    }
+}
+
+void SafetyStateMachine::rearm(const SafetyConditions& in) noexcept {
+    if (m_state != ForceState::stopped && m_state != ForceState::fault) {
+        return;
+    }
+    // A cause that still holds keeps the latch; bad packets alone do not: their reference is taken anew.
+    if (in.stopButton || (in.faults & ~guard_bits::kSampleFault) != 0) {
+        return;
+    }
+    m_latched = 0;
+    m_rearmed = true;
+    startArming();
+    if (m_paused) {
+        m_state = ForceState::paused;
+    }
+}
+
+void SafetyStateMachine::latchFaults(const SafetyConditions& in) noexcept {
+    const std::uint32_t faults = m_rearmed ? in.faults & ~guard_bits::kSampleFault : in.faults;
+    if (faults == 0) {
+        return;
+    }
+    m_latched |= faults;
+    m_state = ForceState::fault;
+    m_gain = 0;
+    m_dampingGain = 0;
+}
+
+void SafetyStateMachine::latchOverVelocity(const SafetyConditions& in) noexcept {
+    if (!in.tooFast || m_gain == 0 || !m_mask.has(GuardMask::kOverVelocity)) {
+        return;
+    }
+    m_latched |= guard_bits::kOverVelocity;
+    m_state = ForceState::fault;
+    m_dampingGain = m_gain; // no more damping than force was allowed
+    m_gain = 0;
+}
+
+void SafetyStateMachine::stop() noexcept {
+    m_gain = 0;
+    m_dampingGain = 0;
+    m_latched |= guard_bits::kStop;
+    if (m_state != ForceState::fault) {
+        m_state = ForceState::stopped;
+    }
+}
+
+void SafetyStateMachine::leaveOldScene() noexcept {
+    if (m_state == ForceState::pausing) {
+        m_gain = 0;
+        m_state = ForceState::paused;
+    } else if (forceMayFlow()) {
+        startArming();
+    }
+}
+
+void SafetyStateMachine::startArming() noexcept {
+    m_state = ForceState::arming;
+    m_gain = 0;
+    m_dampingGain = 0;
+    m_quietTicks = 0;
+    m_stillTicks = 0;
+    m_confirmed = false;
+}
+
+void SafetyStateMachine::stepState(const SafetyConditions& in) noexcept {
+    switch (m_state) {
+    case ForceState::off:
+        if (in.allGood) {
+            startArming();
+            m_state = m_paused ? ForceState::paused : ForceState::arming;
+        }
+        break;
+    case ForceState::arming: stepArming(in); break;
+    case ForceState::ramping:
+    case ForceState::on:
+    case ForceState::heldByWatchdog:
+    case ForceState::heldByHeartbeat: stepForce(in); break;
+    case ForceState::pausing: stepPausing(in); break;
+    case ForceState::paused:
+    case ForceState::stopped:
+    case ForceState::fault: break;
+    }
+}
+
+void SafetyStateMachine::stepArming(const SafetyConditions& in) noexcept {
+    if (windowFrozen(in)) {
+        m_state = ForceState::heldByHeartbeat;
+        return;
+    }
+    if (!in.allGood || in.watchdogScale < 1.0) {
+        m_quietTicks = 0;
+        m_stillTicks = 0;
+        return;
+    }
+    if (!m_mask.has(GuardMask::kArming)) {
+        m_state = ForceState::on;
+        m_gain = kFullGain;
+        return;
+    }
+    m_quietTicks = in.requestSmall ? m_quietTicks + 1 : 0;
+    m_stillTicks = in.still && (in.deadMan || m_confirmed) ? m_stillTicks + 1 : 0;
+    if (m_quietTicks >= m_settings.armingQuiet_ticks || m_stillTicks >= m_settings.stillTime_ms) {
+        m_state = ForceState::ramping;
+    }
+}
+
+void SafetyStateMachine::stepForce(const SafetyConditions& in) noexcept {
+    if (windowFrozen(in)) {
+        m_state = ForceState::heldByHeartbeat;
+    }
+    if (m_state == ForceState::heldByHeartbeat) {
+        // A ramp that has begun ends at zero: a window that answers again resumes through arming.
+        if (m_gain == 0 && !windowFrozen(in)) {
+            startArming();
+            return;
+        }
+        lowerGain(m_settings.heartbeatRamp_ms);
+        followWatchdog(in);
+        return;
+    }
+    if (in.watchdogScale < 1.0) {
+        m_state = ForceState::heldByWatchdog;
+        followWatchdog(in);
+        return;
+    }
+    if (m_state == ForceState::on) {
+        return;
+    }
+    // After a late spell the gain climbs back at the arming ramp's rate, from where it is: no kick.
+    m_state = ForceState::ramping;
+    m_gain = std::min(kFullGain, m_gain + stepOf(m_settings.armingRamp_ms));
+    if (m_gain == kFullGain) {
+        m_state = ForceState::on;
+    }
+}
+
+void SafetyStateMachine::stepPausing(const SafetyConditions& in) noexcept {
+    lowerGain(m_settings.pauseRamp_ms);
+    followWatchdog(in);
+    if (m_gain == 0) {
+        m_state = ForceState::paused;
+    }
+}
+
+void SafetyStateMachine::lowerGain(std::uint32_t ramp_ms) noexcept {
+    m_gain -= std::min(m_gain, stepOf(ramp_ms));
+}
+
+void SafetyStateMachine::followWatchdog(const SafetyConditions& in) noexcept {
+    const double scale = std::clamp(in.watchdogScale, 0.0, 1.0);
+    m_gain = std::min(m_gain, static_cast<std::uint32_t>(scale * kFullGain));
+}
+
+bool SafetyStateMachine::forceMayFlow() const noexcept {
+    return m_state == ForceState::arming || m_state == ForceState::ramping || m_state == ForceState::on ||
+           m_state == ForceState::heldByWatchdog || m_state == ForceState::heldByHeartbeat;
+}
+
+bool SafetyStateMachine::windowFrozen(const SafetyConditions& in) const noexcept {
+    return m_settings.heartbeatWatched && m_mask.has(GuardMask::kHeartbeat) &&
+           in.heartbeatAge_ms >= m_settings.heartbeatLimit_ms;
+}
+
+void SafetyStateMachine::noteGuards() noexcept {
+    m_guards |= m_latched;
+    switch (m_state) {
+    case ForceState::arming:
+    case ForceState::ramping: m_guards |= guard_bits::kArming; break;
+    case ForceState::pausing:
+    case ForceState::paused: m_guards |= guard_bits::kPause; break;
+    case ForceState::heldByHeartbeat: m_guards |= guard_bits::kHeartbeat; break;
+    default: break;
+    }
+}
+
+ArmingWait SafetyStateMachine::wait(const SafetyConditions& in) const noexcept {
+    switch (m_state) {
+    case ForceState::off:
+    case ForceState::heldByWatchdog: return ArmingWait::firstPacket;
+    case ForceState::arming:
+        if (!in.allGood || in.watchdogScale < 1.0) {
+            return ArmingWait::firstPacket;
+        }
+        return m_confirmed || in.deadMan ? ArmingWait::holdStill : ArmingWait::smallRequest;
+    case ForceState::ramping: return ArmingWait::ramp;
+    case ForceState::on: return ArmingWait::nothing;
+    case ForceState::heldByHeartbeat: return ArmingWait::window;
+    case ForceState::pausing:
+    case ForceState::paused: return ArmingWait::resume;
+    case ForceState::stopped:
+    case ForceState::fault: break;
+    }
+    return in.stopButton ? ArmingWait::stopReleased : ArmingWait::rearm;
+}
+
+} // namespace chiron::haptics

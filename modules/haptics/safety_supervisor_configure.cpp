@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Set-up of the supervisor: may allocate (error texts), so it is kept apart from the code of the tick.
+#include "haptics/safety_supervisor.h"
+#include "haptics/safety_watchdog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace chiron::haptics {
+
+namespace {
+
+using core::ErrorCode;
+
+bool isPositive(double value) {
+    return std::isfinite(value) && value > 0.0;
+}
+
+core::Result<void> checkSettings(const SafetySettings& s) {
+    const std::pair<const char*, double> positive[] = {
+        {"siteForce_N", s.siteForce_N},
+        {"siteTorque_Nm", s.siteTorque_Nm},
+        {"exerciseForce_N", s.exerciseForce_N},
+        {"exerciseTorque_Nm", s.exerciseTorque_Nm},
+        {"slewForce_N_per_ms", s.slewForce_N_per_ms},
+        {"slewTorque_Nm_per_ms", s.slewTorque_Nm_per_ms},
+        {"armingForce_N", s.armingForce_N},
+        {"armingTorque_Nm", s.armingTorque_Nm},
+        {"stillSpeed_m_per_s", s.stillSpeed_m_per_s},
+        {"overVelocity_m_per_s", s.overVelocity_m_per_s},
+        {"overVelocityDamping_Ns_per_m", s.overVelocityDamping_Ns_per_m},
+        {"quaternionTolerance", s.quaternionTolerance},
+        {"jump_m", s.jump_m},
+        {"passivityExcess_J", s.passivityExcess_J},
+        {"passivityMinimumSpeed_m_per_s", s.passivityMinimumSpeed_m_per_s},
+        {"armingQuiet_ticks", s.armingQuiet_ticks},
+        {"stillTime_ms", s.stillTime_ms},
+        {"armingRamp_ms", s.armingRamp_ms},
+        {"badPacketsToFault", s.badPacketsToFault},
+        {"watchdogRamp_us", s.watchdogRamp_us},
+        {"slowestRendering_us", s.slowestRendering_us},
+        {"heartbeatLimit_ms", s.heartbeatLimit_ms},
+        {"heartbeatRamp_ms", s.heartbeatRamp_ms},
+        {"pauseRamp_ms", s.pauseRamp_ms},
+    };
+    for (const auto& [name, value] : positive) {
+        if (!isPositive(value)) {
+            return core::fail(ErrorCode::badInput, std::string("safety settings: ") + name + " is " +
+                                                       std::to_string(value) + "; it must be finite and above 0");
+        }
+    }
+    // The heartbeat's age saturates at 65,535 ms: a limit beyond it would never be reached.
+    if (s.heartbeatLimit_ms > 65'535) {
+        return core::fail(ErrorCode::badInput, "safety settings: heartbeatLimit_ms is " +
+                                                   std::to_string(s.heartbeatLimit_ms) + "; at most 65535");
+    }
+    return {};
+}
+
+core::Result<void> checkTool(const SafetyTool& tool, std::size_t index) {
+    const std::string where = "safety supervisor: tool " + std::to_string(index) + " (" + tool.device.driver + "): ";
+    const auto& axes = tool.device.axes;
+    if (axes.empty() || axes.size() > static_cast<std::size_t>(core::kMaxCoordinates)) {
+        return core::fail(ErrorCode::badInput, where + std::to_string(axes.size()) + " axes; 1 to 8 are possible");
+    }
+    for (const auto& axis : axes) {
+        if (!std::isfinite(axis.continuousRating) || axis.continuousRating < 0.0) {
+            return core::fail(ErrorCode::badInput, where + "axis " + axis.id + " has a continuous rating of " +
+                                                       std::to_string(axis.continuousRating));
+        }
+    }
+    if (tool.device.period_us == 0) {
+        return core::fail(ErrorCode::badInput, where + "the declared period is 0");
+    }
+    if (!isPositive(tool.mapping.scale)) {
+        return core::fail(ErrorCode::badInput, where + "the workspace scale is " +
+                                                   std::to_string(tool.mapping.scale) + "; it must be above 0");
+    }
+    for (const double value : {tool.device.maximumForce_N, tool.device.maximumTorque_Nm,
+                               tool.device.maximumDamping_Ns_per_m}) {
+        if (!std::isfinite(value) || value < 0.0) {
+            return core::fail(ErrorCode::badInput, where + "a maximum of " + std::to_string(value) +
+                                                       " (force, torque or damping)");
+        }
+    }
+    return {};
+}
+
+SafetyToolLimits limitsOf(const SafetySettings& settings, const SafetyTool& tool) {
+    SafetyToolLimits limits;
+    limits.kinematics = &tool.kinematics;
+    limits.renders = tool.device.rendersForce && tool.device.period_us <= settings.slowestRendering_us;
+    limits.inProcess = tool.device.inProcess;
+    limits.map = devices::WorkspaceMap(tool.mapping);
+    limits.scale = tool.mapping.scale;
+    limits.period_us = tool.device.period_us;
+    setWatchdog(settings, limits);
+    limits.axes = static_cast<int>(tool.device.axes.size());
+    for (std::size_t i = 0; i < tool.device.axes.size(); ++i) {
+        limits.axisCap[i] = tool.device.axes[i].continuousRating;
+    }
+    limits.forceCap_N = std::min({tool.device.maximumForce_N, settings.siteForce_N, settings.exerciseForce_N});
+    limits.torqueCap_Nm =
+        std::min({tool.device.maximumTorque_Nm, settings.siteTorque_Nm, settings.exerciseTorque_Nm});
+    limits.damping_Ns_per_m = tool.device.maximumDamping_Ns_per_m;
+    return limits;
+}
+
+} // namespace
+
+core::Result<void> SafetySupervisor::configure(const SafetySettings& settings, std::span<const SafetyTool> tools) {
+    if (tools.empty() || tools.size() > static_cast<std::size_t>(core::kMaxTools)) {
+        return core::fail(ErrorCode::badInput,
+                          "safety supervisor: " + std::to_string(tools.size()) + " tools; 1 to 4 are possible");
+    }
+    if (auto sound = checkSettings(settings); !sound) {
+        return sound;
+    }
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        if (auto sound = checkTool(tools[i], i); !sound) {
+            return sound;
+        }
+    }
+    m_settings = settings;
+    m_count = static_cast<int>(tools.size());
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        m_limits[i] = limitsOf(settings, tools[i]);
+        m_sanity[i].reset(settings, m_limits[i].period_us, m_mask.has(GuardMask::kSanity));
+    }
+    m_machine.reset(settings, m_mask);
+    m_passivity.reset(settings);
+    m_last = Wrenches{};
+    m_lastGain = 0.0;
+    m_guards = 0;
+    m_requestFinite = true;
+    m_answerFinite = true;
+    return {};
+}
+
+} // namespace chiron::haptics
