@@ -23,7 +23,7 @@ struct SafetyToolLimits {
     const devices::IToolKinematics* kinematics = nullptr;
     bool renders = false;   ///< renders force and is fast enough to be allowed to
     bool inProcess = false; ///< age is 0 by definition
-    devices::WorkspaceMap map; ///< W <-> D
+    devices::WorkspaceMap map{devices::WorkspaceMapping()}; ///< W <-> D
     double scale = 1.0;        ///< W per D
     std::uint32_t period_us = 1000;
     std::uint32_t watchdogStart_us = 0;
