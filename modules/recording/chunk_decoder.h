@@ -3,11 +3,12 @@
 
 #include "core/haptic_frame.h"
 #include "recording/channel_table.h"
-#include "recording/column_codec.h"
+#include "recording/column_decoder.h"
 #include "recording/frame_fields.h"
 #include "recording/trial_sink.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace chiron::recording {
@@ -34,14 +35,16 @@ public:
 
 private:
     core::Result<void> openPayload(const Chunk& chunk);
-    core::Result<void> decodeColumn(const Chunk& chunk, std::size_t channel, std::int64_t* values);
+    core::Result<void> decodeColumn(const Chunk& chunk, std::size_t channel, std::span<std::int64_t> values);
+    void addReference(std::size_t channel, std::span<const std::int64_t> reference, std::span<std::int64_t> values) const;
     core::Result<void> decodeAll(const Chunk& chunk);
-    core::HapticFrame frameAt(std::size_t row) const;
+    core::Result<void> fill(const Chunk& chunk, std::size_t row, core::HapticFrame& frame) const;
 
     ChannelTable m_table;
     std::vector<FrameField> m_fields;
     std::vector<std::size_t> m_offsets; ///< of each column in the payload, one more than channels
     std::vector<std::int64_t> m_values; ///< channels × frames
+    std::size_t m_tickChannel = 0;      ///< or the number of channels, if the table has none
     std::vector<std::int64_t> m_reference;
     std::unique_ptr<ColumnDecoder> m_decoder;
 };

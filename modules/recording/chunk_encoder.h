@@ -3,7 +3,8 @@
 
 #include "core/haptic_frame.h"
 #include "recording/channel_table.h"
-#include "recording/column_codec.h"
+#include "recording/chunk_format.h"
+#include "recording/column_encoder.h"
 #include "recording/frame_fields.h"
 #include "recording/trial_sink.h"
 
@@ -13,10 +14,8 @@
 
 namespace chiron::recording {
 
-inline constexpr std::uint32_t kMaximumFramesPerChunk = 4096;
-
 /// HapticFrames -> Chunk: one column a channel, each as constant, line, offset, difference or second difference,
-/// bit-packed, then zstd if smaller. Payload: version byte, varint frames, varint channels, varint length of each column,
+/// bit-packed, then zstd if smaller (probed every 16th chunk, and tried on while it helps a channel). Payload: version byte, varint frames, varint channels, varint length of each column,
 /// columns. Not copied (owns a compression context); one thread at a time; may allocate.
 class ChunkEncoder {
 public:
@@ -32,10 +31,14 @@ public:
     core::Result<Chunk> encode(std::uint32_t sequence, std::span<const core::HapticFrame> frames);
 
 private:
+    void encodeColumn(std::size_t channel, std::size_t frames, bool probe);
+
     ChannelTable m_table;
     std::vector<FrameField> m_fields;
-    std::vector<std::vector<std::int64_t>> m_columns;
+    std::vector<std::int64_t> m_counts; ///< channels × frames
     std::vector<std::int64_t> m_residual;
+    std::vector<std::uint8_t> m_columns; ///< encoded
+    std::vector<bool> m_zstdHelps;       ///< a channel: zstd was smaller when last tried
     std::unique_ptr<ColumnEncoder> m_encoder;
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/haptic_frame.h"
 #include "core/result.h"
+#include "recording/crc32c.h"
 #include "recording/ring_file.h"
 
 #include <cstdint>
@@ -11,19 +12,11 @@
 
 namespace chiron::recording {
 
-struct RingSettings {
-    std::filesystem::path folder;  ///< must be memory-backed for the haptic thread's sake: defaultRingFolder()
-    DatabaseId database{};
-    std::int64_t session = 0;
-    int tools = 1;                 ///< 1..kMaxTools; decides the slot size
-    std::uint32_t slots = 4096;    ///< a power of two >= 4096: at least 4 s at 1 kHz
-};
-
 /// $XDG_RUNTIME_DIR if it is a folder that can be written, else /dev/shm.
 std::filesystem::path defaultRingFolder();
 
 /// The last seconds of a session in a file mapping that outlives the process (data.md, The crash ring). The haptic thread
-/// writes: tryPush copies the used tools, checks nothing on disk and makes no system call. A frame stays in the ring
+/// writes: tryPush copies the used tools and makes no system call. A frame stays in the ring
 /// until the drain says that it is committed. Not copied, not moved: the mapping and the lock are its own.
 class CrashRing final : public core::IFrameSink {
 public:
@@ -38,6 +31,8 @@ public:
     /// tools is not the ring's.
     bool tryPush(const core::HapticFrame& frame) noexcept override;
 
+    /// Haptic thread: true if the next push will find room. For loops that run as fast as they can and may wait.
+    bool hasRoom() noexcept;
     std::uint64_t dropped() const noexcept; ///< any thread
     std::uint64_t pushed() const noexcept { return m_next; } ///< haptic thread, or after it has stopped
     const std::filesystem::path& path() const noexcept { return m_file.path(); }
@@ -48,6 +43,7 @@ private:
     friend class RingDrain;
     explicit CrashRing(RingFile file);
     RingFile m_file;
+    CopyWithChecksum m_copy;
     std::uint64_t m_next = 0;           ///< number of the next frame
     std::uint64_t m_committedSeen = 0;  ///< the drain's mark as last read
 };

@@ -14,7 +14,7 @@ namespace chiron::recording {
 /// Ring -> Recorder: what the writer thread calls every 20 ms for each live session. Ring and recorder must outlive it.
 class FrameDrain {
 public:
-    FrameDrain(CrashRing& ring, Recorder& recorder) noexcept : m_ring(ring), m_recorder(recorder) {}
+    FrameDrain(CrashRing& ring, Recorder& recorder);
 
     /// Takes what is new, writes closed chunks, and frees the slots that are stored. now_ns in the clock of
     /// TickHeader::now_ns. Error: the sink's; nothing is lost until the ring overflows, the next call tries again.

@@ -34,7 +34,8 @@ public:
     /// already are left out by add(). Error: as RecordingReader.
     core::Result<void> resume(ChunkSource& stored);
 
-    /// Takes frames in order; closes chunks as they fill.
+    /// Takes frames in order of their ticks; closes chunks as they fill. Error: wrongUse for a frame with another number
+    /// of tools than the table, or after finish().
     core::Result<void> add(std::span<const core::HapticFrame> frames);
     /// Closes the open chunk if its first frame is chunkSpan_ns or more before now_ns (clock of TickHeader::now_ns).
     core::Result<void> closeOld(std::int64_t now_ns);
@@ -53,10 +54,10 @@ private:
 
     ChunkEncoder m_encoder;
     SecondSummaries m_summaries;
-    const IPositionOf& m_positionOf;
     TrialSink& m_sink;
     RecorderSettings m_settings;
-    std::vector<core::HapticFrame> m_open;
+    std::vector<core::HapticFrame> m_open; ///< framesPerChunk of them, the first m_openCount in use
+    std::size_t m_openCount = 0;
     std::vector<Chunk> m_closed;
     std::vector<SecondSummary> m_done;
     std::uint32_t m_sequence = 0;

@@ -5,7 +5,7 @@
 #include "recording/crash_ring.h"
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 namespace chiron::recording {
 
@@ -13,11 +13,11 @@ namespace chiron::recording {
 /// what was read but not yet stored survives a crash. The ring must outlive it.
 class RingDrain {
 public:
-    explicit RingDrain(CrashRing& ring) noexcept : m_ring(ring) {}
+    explicit RingDrain(CrashRing& ring) noexcept;
 
-    /// Appends up to `maximum` frames that were not read yet, in order; returns how many. Stops at a slot whose
-    /// checksum disagrees (memory damage): that slot is skipped and counted in damaged().
-    std::size_t read(std::vector<core::HapticFrame>& frames, std::size_t maximum);
+    /// Copies frames that were not read yet into `frames`, in order; returns how many. A slot whose checksum disagrees
+    /// (memory damage) is left out and counted in damaged().
+    std::size_t read(std::span<core::HapticFrame> frames) noexcept;
     /// The first `frames` frames of the ring's life are stored for good: their slots may be used again.
     void commit(std::uint64_t frames) noexcept;
 
@@ -27,6 +27,7 @@ public:
 
 private:
     CrashRing& m_ring;
+    CopyWithChecksum m_copy;
     std::uint64_t m_next = 0;
     std::uint64_t m_damaged = 0;
 };

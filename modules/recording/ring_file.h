@@ -10,11 +10,20 @@
 
 namespace chiron::recording {
 
-struct RingSettings;
+struct RingSettings {
+    std::filesystem::path folder; ///< memory-backed, for the haptic thread's sake: defaultRingFolder()
+    DatabaseId database{};
+    std::int64_t session = 0;
+    int tools = 1;              ///< 1..kMaxTools; decides the slot size
+    std::uint32_t slots = 4096; ///< a power of two, kMinimumSlots..kMaximumSlots: at least 4 s at 1 kHz
+};
 
-/// A created, fully allocated, mapped and locked ring file. Move-only. Everything blocking is in create().
+/// A created, fully allocated, faulted-in, mapped and locked ring file: touching it makes no page fault and raises no
+/// SIGBUS, since every page was there before. Move-only. Everything that blocks is in create().
 class RingFile {
 public:
+    /// Errors: wrongUse for settings out of range, storage if the file cannot be made or there is too little room for
+    /// all of it (nothing is left behind then).
     static core::Result<RingFile> create(const RingSettings& settings);
     RingFile(const RingFile&) = delete;
     RingFile& operator=(const RingFile&) = delete;
@@ -23,18 +32,19 @@ public:
     ~RingFile();
 
     RingHeader& header() const noexcept { return *reinterpret_cast<RingHeader*>(m_base); }
-    std::uint8_t* slot(std::uint64_t number) const noexcept {
-        return m_base + kRingHeaderBytes + (number & m_mask) * m_slotBytes;
-    }
+    /// Slot of the ring's n-th frame (n counts from 0 and never wraps).
+    std::uint8_t* slot(std::uint64_t n) const noexcept { return m_base + kRingHeaderBytes + (n & m_mask) * m_slotBytes; }
     std::uint64_t slots() const noexcept { return m_mask + 1; }
     std::uint32_t tools() const noexcept { return m_tools; }
     const std::filesystem::path& path() const noexcept { return m_path; }
+    /// Deletes the file; the mapping stays usable until the object goes. Error: storage.
     core::Result<void> remove();
 
 private:
     RingFile() = default;
-    core::Result<void> allocate(std::size_t bytes);
-    void writeHeader(const RingSettings& settings);
+    core::Result<void> make(const std::filesystem::path& part, std::size_t bytes);
+    core::Result<void> publish(const std::filesystem::path& part, const std::filesystem::path& path);
+    void writeHeader(const RingSettings& settings) noexcept;
     void close() noexcept;
 
     std::filesystem::path m_path;
@@ -45,10 +55,5 @@ private:
     std::size_t m_slotBytes = 0;
     std::uint32_t m_tools = 0;
 };
-
-/// File name of a ring: chiron-<uuid>-<session>.ring
-std::string ringFileName(const DatabaseId& database, std::int64_t session);
-/// This boot's id as the kernel gives it; empty if there is none.
-std::string bootId();
 
 } // namespace chiron::recording

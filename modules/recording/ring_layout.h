@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace chiron::recording {
 
@@ -14,6 +15,10 @@ using DatabaseId = std::array<std::uint8_t, 16>; ///< UUID of the database, byte
 inline constexpr std::uint64_t kRingMagic = 0x31474e4952484321ULL; ///< "!CHRING1" little-endian
 inline constexpr std::uint32_t kRingVersion = 1;
 inline constexpr std::size_t kCacheLine = 64;
+inline constexpr std::uint32_t kMinimumSlots = 4096; ///< 4 s at 1 kHz
+inline constexpr std::uint32_t kMaximumSlots = 65536;
+inline constexpr const char* kRingSuffix = ".ring";
+inline constexpr const char* kUnfinishedRingSuffix = ".ring.part";
 
 /// First page of a ring file. The first line is written once; the other two have one writer each.
 struct RingHeader {
@@ -23,7 +28,7 @@ struct RingHeader {
     std::uint32_t tools = 0;
     std::uint32_t slots = 0;
     std::uint32_t slotBytes = 0;
-    std::uint32_t checksum = 0; ///< CRC-32C of the identity part with this field zero
+    std::uint32_t checksum = 0; ///< identityChecksum()
     DatabaseId database{};
     std::int64_t session = 0;
     std::int64_t pid = 0;
@@ -35,7 +40,7 @@ struct RingHeader {
 /// Start of each slot; the frame's used bytes follow. `number` is written last: n + 1 for the ring's n-th frame.
 struct SlotHeader {
     std::uint64_t number = 0;
-    std::uint32_t checksum = 0; ///< slotChecksum() over number and the used bytes
+    std::uint32_t checksum = 0; ///< copyWithChecksum() over number and used bytes
     std::uint32_t reserved = 0;
 };
 
@@ -51,5 +56,12 @@ static_assert(usedFrameBytes(1) % 8 == 0 && usedFrameBytes(core::kMaxTools) == s
 constexpr std::size_t slotBytesFor(std::uint32_t tools) noexcept {
     return (sizeof(SlotHeader) + usedFrameBytes(tools) + kCacheLine - 1) / kCacheLine * kCacheLine;
 }
+
+/// CRC-32C over the identity of a header (its first part, up to `committed`) with the checksum field zero.
+std::uint32_t identityChecksum(const RingHeader& header) noexcept;
+/// "chiron-<uuid in hex>-": what the file names of a database's rings begin with.
+std::string ringFilePrefix(const DatabaseId& database);
+/// This boot's id as the kernel gives it; empty if there is none.
+std::string bootId();
 
 } // namespace chiron::recording

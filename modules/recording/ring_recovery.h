@@ -20,15 +20,15 @@ public:
     RecoveredRing& operator=(RecoveredRing&& other) noexcept;
     ~RecoveredRing();
 
-    const DatabaseId& database() const noexcept { return m_database; }
-    std::int64_t session() const noexcept { return m_session; }
-    std::int64_t pid() const noexcept { return m_pid; } ///< of the program that died
-    bool sameBoot() const noexcept { return m_sameBoot; }
-    int tools() const noexcept { return m_tools; }
-    std::uint64_t committed() const noexcept { return m_committed; } ///< frames that the drain had marked as stored
-    std::uint64_t dropped() const noexcept { return m_dropped; }
+    const DatabaseId& database() const noexcept { return m_header.database; }
+    std::int64_t session() const noexcept { return m_header.session; }
+    std::int64_t pid() const noexcept { return m_header.pid; } ///< of the program that died
+    int tools() const noexcept { return static_cast<int>(m_header.tools); }
+    std::uint64_t committed() const noexcept { return m_header.committed; } ///< frames that the drain had marked as stored
+    std::uint64_t dropped() const noexcept { return m_header.dropped; }     ///< at a full ring: not 0 is incomplete
+    bool sameBoot() const; ///< false: the machine was restarted since, the newest samples may be missing
     /// Frames after the committed ones, in order, up to the first slot that is missing or damaged. The mark may lag
-    /// behind the database by one batch: leave out ticks that are stored already (Recorder::addRecovered does).
+    /// behind the database by one batch: leave out ticks that are stored already (Recorder::resume sees to it).
     const std::vector<core::HapticFrame>& frames() const noexcept { return m_frames; }
     /// Deletes the file, once the frames are stored.
     core::Result<void> remove();
@@ -38,13 +38,7 @@ private:
     RecoveredRing() = default;
     std::filesystem::path m_path;
     int m_descriptor = -1;
-    DatabaseId m_database{};
-    std::int64_t m_session = 0;
-    std::int64_t m_pid = 0;
-    bool m_sameBoot = false;
-    int m_tools = 0;
-    std::uint64_t m_committed = 0;
-    std::uint64_t m_dropped = 0;
+    RingHeader m_header;
     std::vector<core::HapticFrame> m_frames;
 };
 

@@ -25,10 +25,6 @@ public:
     void add(const core::HapticFrame& frame, std::vector<SecondSummary>& done);
     /// Appends the unfinished seconds, if any: at the end of a recording.
     void finish(std::vector<SecondSummary>& done);
-    /// After a crash: device time zero of each tool, from the recording's first frame, before adding later ones.
-    void startAt(const core::HapticFrame& first) noexcept;
-    /// The second that the tool's latest frame belongs to.
-    std::uint32_t second(int tool) const noexcept { return m_tools[static_cast<std::size_t>(tool)].sum.second; }
 
 private:
     struct Tool {

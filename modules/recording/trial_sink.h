@@ -39,7 +39,8 @@ struct Chunk {
 class TrialSink {
 public:
     virtual ~TrialSink() = default;
-    /// Stores a batch in one transaction: all or nothing. A (tool, second) comes once in a session's life.
+    /// Stores a batch in one transaction: all or nothing. A summary of a (tool, second) that is there already (only after
+    /// a crash between the last write and the end of the session) is replaced.
     virtual core::Result<void> write(std::span<const Chunk> chunks, std::span<const SecondSummary> summaries) = 0;
 };
 

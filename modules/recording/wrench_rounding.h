@@ -20,7 +20,7 @@ inline constexpr std::int64_t kInfinityQuantum = kMaximumQuantum + 1; ///< ± st
 /// so that a stored value equals the double nearest to its decimal text.
 double stepsPerUnit(double resolution) noexcept;
 
-/// Nearest step, ties away from zero; finite values saturate at ±kMaximumQuantum, NaN and infinities get their codes.
+/// Nearest step, ties to even (the mode that models run in); finite values saturate at ±kMaximumQuantum, NaN and infinities get their codes.
 /// Defined for every double.
 std::int64_t quantise(double value, double stepsPerUnit) noexcept;
 /// The double that a stored count stands for: count / stepsPerUnit; codes give NaN and ± infinity back.

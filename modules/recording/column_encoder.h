@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "recording/column_codec.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace chiron::recording {
+
+/// Numbers -> bytes of one column. Owns a compression context and scratch space: not copied, one thread at a time.
+class ColumnEncoder {
+public:
+    ColumnEncoder();
+    ColumnEncoder(const ColumnEncoder&) = delete;
+    ColumnEncoder& operator=(const ColumnEncoder&) = delete;
+    ~ColumnEncoder();
+
+    /// Appends the values in the smallest of the plain modes.
+    void encodePlain(std::span<const std::int64_t> values, std::vector<std::uint8_t>& out);
+    /// As encodePlain, then zstd in its place if that is smaller (tried only if `tryZstd`). True if zstd was smaller.
+    bool encode(std::span<const std::int64_t> values, bool tryZstd, std::vector<std::uint8_t>& out);
+
+private:
+    struct Context;
+    std::unique_ptr<Context> m_context;
+    std::vector<std::uint64_t> m_offsets, m_first, m_second;
+    std::vector<std::uint8_t> m_compressed;
+};
+
+} // namespace chiron::recording

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/frame_drain.h"
+
+namespace chiron::recording {
+
+namespace {
+constexpr std::size_t kFramesAtOnce = 64; // a drain every 20 ms finds 20
+}
+
+FrameDrain::FrameDrain(CrashRing& ring, Recorder& recorder) : m_ring(ring), m_recorder(recorder), m_frames(kFramesAtOnce) {}
+
+core::Result<void> FrameDrain::take() {
+    while (const std::size_t count = m_ring.read(m_frames)) {
+        if (auto added = m_recorder.add(std::span<const core::HapticFrame>(m_frames).first(count)); !added)
+            return added;
+    }
+    return {};
+}
+
+// Damaged slots are not among the recorder's frames, so with any the mark lags by as many: it never runs ahead.
+void FrameDrain::commit() noexcept { m_ring.commit(m_recorder.framesCommitted()); }
+
+core::Result<void> FrameDrain::drain(std::int64_t now_ns) {
+    if (auto taken = take(); !taken)
+        return taken;
+    if (auto closed = m_recorder.closeOld(now_ns); !closed)
+        return closed;
+    auto written = m_recorder.write();
+    commit();
+    return written;
+}
+
+core::Result<void> FrameDrain::finish() {
+    if (auto taken = take(); !taken)
+        return taken;
+    auto written = m_recorder.finish();
+    commit();
+    return written;
+}
+
+} // namespace chiron::recording
