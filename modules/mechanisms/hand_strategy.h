@@ -11,10 +11,11 @@ namespace chiron::mechanisms {
 /// What a hand feels and sees at one tick, *before* its own perceptual noise (the strategy adds it).
 struct HandPerception {
     double time_s = 0.0;              ///< executed ticks · 1 ms since the device was opened
-    core::Vec3 p_DT = core::Vec3::Zero(); ///< where the hand really is, D
-    core::Vec3 v_DT = core::Vec3::Zero();
-    core::Vec3 f_T_D = core::Vec3::Zero(); ///< force that the plant really puts on the hand, D
-    core::VisibleCues cues;           ///< what the screen shows (object in W; see `mapping` of the device for D)
+    core::Vec3 p_DT = core::Vec3::Zero(); ///< where the hand really is, D (m); a grip's deflection away from the tip
+    core::Vec3 v_DT = core::Vec3::Zero(); ///< m/s
+    core::Vec3 f_T_D = core::Vec3::Zero(); ///< force that the plant really puts on the hand, D (N), mean over the last tick
+    core::VisibleCues cues;           ///< what the screen shows (object in W)
+    core::Vec3 p_DObject = core::Vec3::Zero(); ///< the shown object's centre in D; zero unless cues.objectShown
 };
 
 /// What a hand wants: where to be, and which buttons to hold.
@@ -29,6 +30,9 @@ struct HandIntention {
 /// allocation. Seeded and reproducible: the same perceptions give the same intentions.
 class HandStrategy {
 public:
+    HandStrategy() = default;
+    HandStrategy(const HandStrategy&) = delete;
+    HandStrategy& operator=(const HandStrategy&) = delete;
     virtual ~HandStrategy() = default;
     virtual HandIntention decide(const HandPerception& seen) noexcept = 0;
 };

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mechanisms/gimbal_plant_parameters.h"
+
+#include <array>
+#include <cstdint>
+
+namespace chiron::mechanisms {
+
+/// The gimbal's dynamics, M(q)q̈ + c(q,q̇) + g(q) + friction = τ_motor + Jᵀf_hand, with the instrument as a rod of mass m
+/// and transverse inertia I whose centre of mass lies s = d − c from the pivot:
+///   M_h = (m s² + I) cos²p + I_h,  M_p = m s² + I + I_p,  M_r = I_r,  M_d = m + m_d  (diagonal; the spin of the thin
+///   rod about its own axis is left out), Coriolis terms from ∂M, g from V = −m g s cos h cos p.
+/// Semi-implicit Euler, viscous terms implicit, bristles implicit (LugreFriction); positions are clamped at the end
+/// stops. Deterministic, no allocation, haptic thread. D, SI. Source: models.md §4, devices.md §5.
+class GimbalPlant {
+public:
+    explicit GimbalPlant(const GimbalPlantParameters& parameters) noexcept;
+
+    void reset(const GimbalCoordinates& q) noexcept; ///< at rest there, motors off, encoders settled
+
+    /// Once a tick: efforts asked of the motors for rendering (N·m, N·m, –, N); gravity feed-forward is added from
+    /// the newest counts. `enabled` false opens the amplifiers: no effort at all.
+    void beginTick(const GimbalVector& renderEfforts, bool enabled) noexcept;
+    /// One integration step of 1 ms / substeps under a force on the tool at the tip (D).
+    void integrate(double dt_s, const core::Vec3& f_T_D) noexcept;
+    /// Once a tick, after the steps: the encoders are read.
+    void endTick() noexcept;
+
+    const GimbalKinematics& kinematics() const noexcept { return m_kinematics; }
+    const GimbalPlantParameters& parameters() const noexcept { return m_parameters; }
+    const GimbalCoordinates& q() const noexcept { return m_q; }
+    const GimbalVector& rates() const noexcept { return m_rates; }
+    const core::Vec3& p_DT() const noexcept { return m_p_DT; } ///< true tip
+    const core::Vec3& v_DT() const noexcept { return m_v_DT; }
+    /// Encoder counts as the host sees them (delayed by sampleDelay_ticks), h, p, r, d.
+    const std::array<std::int32_t, 4>& counts() const noexcept;
+    /// Force on the tool in D that the motors really gave over the last tick, without the gravity feed-forward.
+    const core::Vec3& measuredForce_D() const noexcept { return m_measured_D; }
+    bool saturated() const noexcept { return m_saturated; } ///< a motor ran at its current limit in the last tick
+
+    GimbalVector inertia(const GimbalCoordinates& q) const noexcept; ///< diagonal of M
+    GimbalVector gravity(const GimbalCoordinates& q) const noexcept; ///< ∂V/∂q of the instrument, spring included
+    double energy_J() const noexcept; ///< kinetic + gravity + spring
+
+private:
+    static constexpr int kLine = 4;
+    void updateTip() noexcept;
+    void stopAtEnds() noexcept;
+    void readEncoders(std::array<std::int32_t, 4>& counts) const noexcept;
+    GimbalCoordinates sensed() const noexcept;
+
+    GimbalPlantParameters m_parameters;
+    GimbalKinematics m_kinematics;
+    GimbalCoordinates m_q;
+    GimbalVector m_rates = GimbalVector::Zero();
+    GimbalVector m_target = GimbalVector::Zero();      ///< motor efforts asked for, clamped
+    GimbalVector m_motor = GimbalVector::Zero();       ///< motor efforts now, after the amplifier
+    GimbalVector m_feedForward = GimbalVector::Zero(); ///< share of m_target that carries the weight
+    std::array<LugreFriction, 4> m_friction{};
+    std::array<std::array<std::int32_t, 4>, kLine> m_counts{};
+    int m_newest = 0;
+    core::Vec3 m_p_DT = core::Vec3::Zero();
+    core::Vec3 m_v_DT = core::Vec3::Zero();
+    core::Vec3 m_measured_D = core::Vec3::Zero();
+    // Per step, kept from updateTip(): vendor unit directions of the three tip motions.
+    core::Vec3 m_alongHeading_D = core::Vec3::Zero();
+    core::Vec3 m_alongPitch_D = core::Vec3::Zero();
+    core::Vec3 m_alongDepth_D = core::Vec3::Zero();
+    double m_sh = 0.0, m_ch = 1.0, m_sp = 0.0, m_cp = 1.0;
+    bool m_saturated = false;
+};
+
+} // namespace chiron::mechanisms
