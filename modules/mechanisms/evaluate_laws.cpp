@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mechanisms/evaluate_laws.h"
+
+#include "core/units.h"
+#include "mechanisms/gimbal_kinematics.h"
+
+#include <array>
+
+namespace chiron::mechanisms {
+
+namespace {
+
+using core::LawColumn;
+using core::LawParameter;
+
+constexpr std::array<LawColumn, 5> kForceInputs{
+    {{"h_rad", "rad"}, {"p_rad", "rad"}, {"fx_N", "N"}, {"fy_N", "N"}, {"fz_N", "N"}}};
+constexpr std::array<LawColumn, 10> kForceOutputs{{{"fh_published_N", "N"},
+                                                   {"fp_published_N", "N"},
+                                                   {"fd_published_N", "N"},
+                                                   {"fh_exact_N", "N"},
+                                                   {"fp_exact_N", "N"},
+                                                   {"fd_exact_N", "N"},
+                                                   {"torque_h_exact_Nm", "N·m"},
+                                                   {"torque_p_exact_Nm", "N·m"},
+                                                   {"error_N", "N"},
+                                                   {"error_percent", "%"}}};
+constexpr std::array<LawParameter, 1> kForceParameters{{{"depth_m", "m", 0.18, 0.01, 1.0}}};
+
+void evaluateForces(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+    const core::Vec3 f(in[2], in[3], in[4]);
+    const PolarForces published = GimbalKinematics::polarAsPublished(in[0], in[1], f);
+    const PolarForces exact = GimbalKinematics::polarExact(in[0], in[1], f);
+    GimbalCoordinates q;
+    q.h = in[0];
+    q.p = in[1];
+    q.d = p[0];
+    core::Wrench wrench;
+    wrench.force = GimbalKinematics::directionToD(f);
+    const GimbalVector torque = GimbalKinematics::efforts(q, wrench, PolarMap::exact);
+    const core::Vec3 difference(published.heading_N - exact.heading_N, published.pitch_N - exact.pitch_N,
+                                published.depth_N - exact.depth_N);
+    const std::array<double, 8> values{published.heading_N, published.pitch_N, published.depth_N, exact.heading_N,
+                                       exact.pitch_N,       exact.depth_N,     torque[0],         torque[1]};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        out[i] = values[i];
+    // The three exact directions are orthonormal, so the realised force errs by the norm of the difference.
+    out[8] = difference.norm();
+    out[9] = f.norm() > 0.0 ? 100.0 * difference.norm() / f.norm() : 0.0;
+}
+
+constexpr std::array<LawColumn, 2> kWeightInputs{{{"h_rad", "rad"}, {"p_rad", "rad"}}};
+constexpr std::array<LawColumn, 6> kWeightOutputs{{{"fh_published_N", "N"},
+                                                   {"fp_published_N", "N"},
+                                                   {"fd_published_N", "N"},
+                                                   {"fh_exact_N", "N"},
+                                                   {"fp_exact_N", "N"},
+                                                   {"fd_exact_N", "N"}}};
+constexpr std::array<LawParameter, 1> kWeightParameters{{{"mass_kg", "kg", 0.010, 0.0, 10.0}}};
+
+void evaluateWeight(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+    const PolarForces published = GimbalKinematics::weightAsPublished(in[0], in[1], p[0]);
+    const core::Vec3 weight_D(0.0, 0.0, -p[0] * core::kStandardGravity);
+    const PolarForces exact =
+        GimbalKinematics::polarExact(in[0], in[1], GimbalKinematics::directionToVendor(weight_D));
+    const std::array<double, 6> values{published.heading_N, published.pitch_N, published.depth_N,
+                                       exact.heading_N,     exact.pitch_N,     exact.depth_N};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        out[i] = values[i];
+}
+
+constexpr std::array<core::LawDescription, 2> kLaws{{
+    {"polar_forces", "Cartesian force to heading, pitch and depth: as published and exact (vendor axes)",
+     "P2, Coordinate System; models.md §2.1", kForceInputs, kForceOutputs, kForceParameters, &evaluateForces},
+    {"polar_weight", "weight of a mass as heading, pitch and depth forces: as published, and exact with z of D up",
+     "P2, Mass Model; models.md §2.1", kWeightInputs, kWeightOutputs, kWeightParameters, &evaluateWeight},
+}};
+
+} // namespace
+
+std::span<const core::LawDescription> evaluateLaws() noexcept { return kLaws; }
+
+} // namespace chiron::mechanisms

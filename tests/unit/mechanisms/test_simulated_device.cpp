@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/drivers/simulated/simulated_device.h"
+#include "mechanisms/scripted_motion.h"
+
+#include <QtTest>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+using namespace chiron;
+using core::Vec3;
+using devices::SimulatedDevice;
+
+class TestSimulatedDevice : public QObject {
+    Q_OBJECT
+private slots:
+    void followsItsHand();
+    void isSteppedByTickNotByClock();
+    void reopeningStartsAfresh();
+    void cuesReachTheMindInD();
+    void measuredIsInW();
+    void refusesBadConfigurations();
+};
+
+namespace {
+
+std::unique_ptr<mechanisms::HandStrategy> circling() {
+    return std::make_unique<mechanisms::ScriptedMotion>(
+        Vec3(0.0, 0.0, 0.03), std::vector<mechanisms::ScriptedMotion::Term>{{Vec3(0.02, 0.0, 0.0), 0.4, 0.0},
+                                                                            {Vec3(0.0, 0.02, 0.0), 0.4, 1.5707963267948966}});
+}
+
+std::unique_ptr<SimulatedDevice> make(std::unique_ptr<mechanisms::HandStrategy> mind,
+                                      const SimulatedDevice::Configuration& configuration = {}) {
+    auto device = SimulatedDevice::make(configuration, std::move(mind));
+    return device ? std::move(*device) : nullptr;
+}
+
+class Listener final : public mechanisms::HandStrategy {
+public:
+    explicit Listener(mechanisms::HandPerception& heard) : m_heard(heard) {}
+    mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override {
+        m_heard = seen;
+        mechanisms::HandIntention stay;
+        stay.p_DDesired = Vec3(0.0, 0.0, 0.05);
+        return stay;
+    }
+
+private:
+    mechanisms::HandPerception& m_heard;
+};
+
+} // namespace
+
+void TestSimulatedDevice::followsItsHand() {
+    auto device = make(circling());
+    QVERIFY(device && device->open());
+    realtime::TickSource source;
+    devices::ForceCommand command;
+    command.enabled = true;
+    double widest = 0.0;
+    for (int i = 0; i < 6000; ++i) {
+        const auto now = source.next(0);
+        const auto sample = device->read(now);
+        QCOMPARE(sample.packet, static_cast<std::uint32_t>(i));
+        QCOMPARE(sample.deviceTime_us, static_cast<std::uint64_t>(i) * 1000);
+        const Vec3 tip = device->kinematics().pose(sample).p_WT;
+        QVERIFY((tip - device->plant().p_DT()).norm() < 60e-6); // the encoders' grid
+        if (i > 2000)
+            widest = std::max(widest, std::hypot(tip.x(), tip.y()));
+        device->command(now, command);
+    }
+    QVERIFY2(widest > 0.016 && widest < 0.024, qPrintable(QString::number(widest)));
+}
+
+void TestSimulatedDevice::isSteppedByTickNotByClock() {
+    auto a = make(circling()), b = make(circling());
+    QVERIFY(a->open() && b->open());
+    realtime::TickSource clockA, clockB;
+    for (int i = 0; i < 3000; ++i) {
+        const auto nowA = clockA.next(0);
+        const auto nowB = clockB.next(static_cast<std::int64_t>(i) * 1'000'000 + (i % 7) * 333'333); // jitter
+        auto sampleA = a->read(nowA), sampleB = b->read(nowB);
+        sampleB.arrival_ns = sampleA.arrival_ns;
+        QVERIFY(std::memcmp(sampleA.counts.data(), sampleB.counts.data(), sizeof(sampleA.counts)) == 0);
+        QVERIFY(sampleA.measured == sampleB.measured && sampleA.packet == sampleB.packet);
+        devices::ForceCommand command;
+        command.enabled = true;
+        command.wrench_D.force = Vec3(0.0, 0.0, 0.5 + 0.3 * std::sin(0.01 * i));
+        a->command(nowA, command);
+        b->command(nowB, command);
+    }
+}
+
+void TestSimulatedDevice::reopeningStartsAfresh() {
+    auto device = make(circling());
+    realtime::TickSource source;
+    QVERIFY(device->open());
+    const auto first = device->read(source.next(0)).counts;
+    devices::ForceCommand command;
+    for (int i = 0; i < 500; ++i)
+        device->command(source.next(0), command);
+    QVERIFY(device->read(source.next(0)).counts != first);
+    device->close();
+    QVERIFY(device->open());
+    QCOMPARE(device->read(source.next(0)).counts, first);
+}
+
+void TestSimulatedDevice::cuesReachTheMindInD() {
+    mechanisms::HandPerception heard;
+    SimulatedDevice::Configuration configuration;
+    configuration.mapping.origin_m = {0.1, 0.0, 0.0};
+    configuration.mapping.scale = 2.0;
+    configuration.mapping.leftHanded = true;
+    auto device = make(std::make_unique<Listener>(heard), configuration);
+    QVERIFY(device->open());
+    realtime::TickSource source;
+    core::VisibleCues cues;
+    cues.p_WObject = Vec3(0.14, 0.02, 0.0);
+    const auto now = source.next(0);
+    device->show(now, cues);
+    device->command(now, {});
+    QVERIFY(heard.p_DObject.isZero()); // not shown: not there
+    cues.objectShown = true;
+    device->show(now, cues);
+    device->command(now, {});
+    QVERIFY((heard.p_DObject - Vec3(-0.02, 0.01, 0.0)).norm() < 1e-15);
+}
+
+void TestSimulatedDevice::measuredIsInW() {
+    mechanisms::HandPerception heard;
+    SimulatedDevice::Configuration configuration;
+    configuration.mapping.leftHanded = true;
+    auto device = make(std::make_unique<Listener>(heard), configuration);
+    QVERIFY(device->open());
+    realtime::TickSource source;
+    devices::ForceCommand command;
+    command.enabled = true;
+    command.wrench_D.force = Vec3(0.5, 0.2, 0.0);
+    for (int i = 0; i < 300; ++i) {
+        const auto now = source.next(0);
+        device->read(now);
+        device->command(now, command);
+    }
+    const auto sample = device->read(source.next(0));
+    QVERIFY((sample.status & core::sample_status::kMeasuredForce) != 0);
+    QVERIFY(std::abs(sample.measured[0] + 0.5) < 0.02 && std::abs(sample.measured[1] - 0.2) < 0.02);
+    // The hand feels it: at rest the arm's spring balances motor force (± 0.1 N of the drives' friction).
+    QVERIFY((heard.f_T_D - Vec3(0.5, 0.2, 0.0)).norm() < 0.2);
+}
+
+void TestSimulatedDevice::refusesBadConfigurations() {
+    QVERIFY(!SimulatedDevice::make({}, nullptr));
+    SimulatedDevice::Configuration configuration;
+    configuration.start_D = Vec3(0.0, 0.0, 0.2); // above the pivot
+    QVERIFY(!SimulatedDevice::make(configuration, circling()));
+    configuration.start_D = Vec3(0.3, 0.0, 0.0); // out of travel
+    QVERIFY(!SimulatedDevice::make(configuration, circling()));
+}
+
+QTEST_APPLESS_MAIN(TestSimulatedDevice)
+#include "test_simulated_device.moc"
