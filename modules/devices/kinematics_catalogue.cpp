@@ -2,6 +2,7 @@
 #include "devices/kinematics_catalogue.h"
 
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
+#include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 
 namespace chiron::devices {
 
@@ -18,6 +19,8 @@ core::Result<std::unique_ptr<IToolKinematics>> make(const DeviceDescriptor& desc
 core::Result<std::unique_ptr<IToolKinematics>> makeKinematics(const DeviceDescriptor& descriptor) {
     if (descriptor.kinematics == "cartesian")
         return make<CartesianKinematics>(descriptor);
+    if (descriptor.kinematics == GimbalHprdKinematics::kId)
+        return make<GimbalHprdKinematics>(descriptor);
     return core::fail(core::ErrorCode::badInput, "unknown kinematics \"" + descriptor.kinematics + "\"");
 }
 

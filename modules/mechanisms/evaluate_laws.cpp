@@ -40,8 +40,9 @@ void evaluateForces(std::span<const double> p, std::span<const double> in, std::
     const GimbalVector torque = GimbalKinematics::efforts(q, wrench, PolarMap::exact);
     const core::Vec3 difference(published.heading_N - exact.heading_N, published.pitch_N - exact.pitch_N,
                                 published.depth_N - exact.depth_N);
-    const std::array<double, 8> values{published.heading_N, published.pitch_N, published.depth_N, exact.heading_N,
-                                       exact.pitch_N,       exact.depth_N,     torque[0],         torque[1]};
+    const std::array<double, 8> values{published.heading_N, published.pitch_N, published.depth_N,
+                                       exact.heading_N,     exact.pitch_N,     exact.depth_N,
+                                       torque[0],           torque[1]};
     for (std::size_t i = 0; i < values.size(); ++i)
         out[i] = values[i];
     // The three exact directions are orthonormal, so the realised force errs by the norm of the difference.
@@ -72,12 +73,15 @@ void evaluateWeight(std::span<const double> p, std::span<const double> in, std::
 constexpr std::array<core::LawDescription, 2> kLaws{{
     {"polar_forces", "Cartesian force to heading, pitch and depth: as published and exact (vendor axes)",
      "P2, Coordinate System; models.md §2.1", kForceInputs, kForceOutputs, kForceParameters, &evaluateForces},
-    {"polar_weight", "weight of a mass as heading, pitch and depth forces: as published, and exact with z of D up",
+    {"polar_weight",
+     "weight of a mass as heading, pitch and depth forces: as published, and exact with z of D up",
      "P2, Mass Model; models.md §2.1", kWeightInputs, kWeightOutputs, kWeightParameters, &evaluateWeight},
 }};
 
 } // namespace
 
-std::span<const core::LawDescription> evaluateLaws() noexcept { return kLaws; }
+std::span<const core::LawDescription> evaluateLaws() noexcept {
+    return kLaws;
+}
 
 } // namespace chiron::mechanisms

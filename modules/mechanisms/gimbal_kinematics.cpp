@@ -4,7 +4,6 @@
 #include "core/units.h"
 
 #include <cmath>
-#include <string>
 
 namespace chiron::mechanisms {
 
@@ -12,7 +11,8 @@ using core::Vec3;
 
 namespace {
 
-/// Sines and cosines of heading and pitch, and the unit vectors along which each axis moves the tip (vendor axes).
+/// Sines and cosines of heading and pitch, and the unit vectors along which each axis moves the tip (vendor
+/// axes).
 struct Frame {
     double sh, ch, sp, cp;
     Frame(double h, double p) : sh(std::sin(h)), ch(std::cos(h)), sp(std::sin(p)), cp(std::cos(p)) {}
@@ -24,28 +24,20 @@ struct Frame {
 
 } // namespace
 
-Vec3 GimbalKinematics::axis_V(double h, double p) noexcept { return Frame(h, p).alongDepth(); }
+Vec3 GimbalKinematics::axis_V(double h, double p) noexcept {
+    return Frame(h, p).alongDepth();
+}
 
 Vec3 GimbalKinematics::tip_D(const GimbalCoordinates& q) const noexcept {
     return directionToD(q.d * axis_V(q.h, q.p)) + Vec3(0.0, 0.0, m_pivotHeight_m);
 }
 
 core::Quat GimbalKinematics::orientation_DT(const GimbalCoordinates& q) const noexcept {
-    // Turning by 180° about x conjugates the vendor rotation: y and z components of the quaternion change sign.
+    // Turning by 180° about x conjugates the vendor rotation: y and z components of the quaternion change
+    // sign.
     const core::Quat turn_V = Eigen::AngleAxisd(q.h, Vec3::UnitY()) * Eigen::AngleAxisd(-q.p, Vec3::UnitX()) *
                               Eigen::AngleAxisd(q.r, Vec3::UnitZ());
     return {turn_V.w(), turn_V.x(), -turn_V.y(), -turn_V.z()};
-}
-
-core::Result<GimbalCoordinates> GimbalKinematics::inverse(const Vec3& p_DT, double roll_rad) const {
-    const Vec3 t_V = directionToVendor(p_DT - Vec3(0.0, 0.0, m_pivotHeight_m));
-    const double depth = t_V.norm();
-    if (!(depth > 1e-3) || !(t_V.z() > 0.0))
-        return core::fail(core::ErrorCode::badInput,
-                          "gimbal: tip at height " + std::to_string(p_DT.z()) + " m, expected below the pivot at " +
-                              std::to_string(m_pivotHeight_m) + " m and at least 1 mm from it");
-    return GimbalCoordinates{std::atan2(t_V.x(), t_V.z()), std::atan2(t_V.y(), std::hypot(t_V.x(), t_V.z())), roll_rad,
-                             depth};
 }
 
 GimbalJacobian GimbalKinematics::jacobian_D(const GimbalCoordinates& q) const noexcept {

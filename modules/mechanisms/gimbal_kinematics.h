@@ -16,7 +16,7 @@ struct GimbalCoordinates {
     double d = 0.18;
 };
 
-using GimbalVector = Eigen::Vector4d; ///< (h, p, r, d): rates, efforts (N·m, N·m, N·m, N)
+using GimbalVector = Eigen::Vector4d;               ///< (h, p, r, d): rates, efforts (N·m, N·m, N·m, N)
 using GimbalJacobian = Eigen::Matrix<double, 6, 4>; ///< linear then angular velocity in D from (ḣ, ṗ, ṙ, ḋ)
 
 /// Forces along heading, pitch and depth in newtons, P2's F_h, F_p, F_d. Torque is F_h·d cos p and F_p·d.
@@ -36,18 +36,21 @@ enum class PolarMap {
 ///
 /// Vendor axes V (P2, figure 5): origin in the gimbal's pivot, z along the instrument when h = p = 0, so that
 ///   tip_V = d·u,  u = (sin h cos p, sin p, cos h cos p).
-/// D (device base): the table point under the pivot, z up. The gimbal stands over the table and the instrument points
-/// down, so V is D turned by 180° about x and lifted; this is the only place where the axes are swapped:
+/// D (device base): the table point under the pivot, z up. The gimbal stands over the table and the
+/// instrument points down, so V is D turned by 180° about x and lifted; this is the only place where the axes
+/// are swapped:
 ///   p_D = R_DV p_V + (0, 0, pivotHeight),  R_DV = diag(1, −1, −1).
 /// Heading to the right is +x_D, pitch towards −y_D. The tool frame T equals D at h = p = r = 0:
 ///   R_DT = R_DV · R_y(h) R_x(−p) R_z(r) · R_VD.
-/// Singular where d cos p = 0. Pure functions, any thread, no allocation. Source: models.md §2.1, devices.md §5.
+/// Singular where d cos p = 0. Pure functions, any thread, no allocation. Source: models.md §2.1, devices.md
+/// §5.
 class GimbalKinematics {
 public:
-    explicit GimbalKinematics(double pivotHeight_m = kDefaultPivotHeight_m) noexcept : m_pivotHeight_m(pivotHeight_m) {}
+    explicit GimbalKinematics(double pivotHeight_m = kDefaultPivotHeight_m) noexcept
+        : m_pivotHeight_m(pivotHeight_m) {}
 
-    /// Assumption (P2 prints no dimensions): 0.18 m brings a disc of 65 mm radius on the table within ±20° of the
-    /// vertical, inside P2's range.
+    /// Assumption (P2 prints no dimensions): 0.18 m brings a disc of 65 mm radius on the table within ±20° of
+    /// the vertical, inside P2's range.
     static constexpr double kDefaultPivotHeight_m = 0.18;
 
     double pivotHeight_m() const noexcept { return m_pivotHeight_m; }
@@ -60,24 +63,27 @@ public:
     core::Vec3 tip_D(const GimbalCoordinates& q) const noexcept;
     core::Quat orientation_DT(const GimbalCoordinates& q) const noexcept;
 
-    /// (h, p, d) of a tip in D, with the given roll. |h|, |p| < 90°. Fails where the tip is level with or above the
-    /// pivot, or within 1 mm of it.
+    /// (h, p, d) of a tip in D, with the given roll. |h|, |p| < 90°. Fails where the tip is level with or
+    /// above the pivot, or within 1 mm of it.
     core::Result<GimbalCoordinates> inverse(const core::Vec3& p_DT, double roll_rad = 0.0) const;
 
     GimbalJacobian jacobian_D(const GimbalCoordinates& q) const noexcept;
 
-    /// Efforts (N·m, N·m, N·m, N) that put `wrench_D` on the tool at the tip. asPublished uses P2's force formulas
-    /// with lever arms d cos p and d; torque always goes through Jᵀ.
-    static GimbalVector efforts(const GimbalCoordinates& q, const core::Wrench& wrench_D, PolarMap map) noexcept;
-    /// The force on the tool in D that heading, pitch and depth efforts really give: J⁻ᵀτ (roll carries none).
+    /// Efforts (N·m, N·m, N·m, N) that put `wrench_D` on the tool at the tip. asPublished uses P2's force
+    /// formulas with lever arms d cos p and d; torque always goes through Jᵀ.
+    static GimbalVector efforts(const GimbalCoordinates& q, const core::Wrench& wrench_D,
+                                PolarMap map) noexcept;
+    /// The force on the tool in D that heading, pitch and depth efforts really give: J⁻ᵀτ (roll carries
+    /// none).
     static core::Vec3 force_D(const GimbalCoordinates& q, const GimbalVector& efforts) noexcept;
 
-    /// P2: F_h = F_x cos h − F_z sin h, F_p = F_y cos p − F_z sin p, F_d = F_x sin h + F_y sin p + F_z cos h cos p.
+    /// P2: F_h = F_x cos h − F_z sin h, F_p = F_y cos p − F_z sin p, F_d = F_x sin h + F_y sin p + F_z cos h
+    /// cos p.
     static PolarForces polarAsPublished(double h, double p, const core::Vec3& f_V) noexcept;
     /// The same three from τ = Jᵀf: τ_h/(d cos p), τ_p/d, F_d. Orthonormal: the norm is the force's.
     static PolarForces polarExact(double h, double p, const core::Vec3& f_V) noexcept;
-    /// P2's weight: F_h = mg sin h, F_p = mg sin p, F_d = mg cos h cos p, literally. Not the image of one force under
-    /// P2's own map (models.md §2.1), so for evaluation only, never rendered.
+    /// P2's weight: F_h = mg sin h, F_p = mg sin p, F_d = mg cos h cos p, literally. Not the image of one
+    /// force under P2's own map (models.md §2.1), so for evaluation only, never rendered.
     static PolarForces weightAsPublished(double h, double p, double mass_kg) noexcept;
 
 private:

@@ -70,11 +70,23 @@ void GimbalPlant::beginTick(const GimbalVector& renderEfforts, bool enabled) noe
     if (m_parameters.gravityFeedForward)
         m_feedForward = gravity(sensed());
     for (int axis = 0; axis < 4; ++axis) {
-        const double limit = m_parameters.currentLimit_A * m_parameters.effortPerAmpere[static_cast<std::size_t>(axis)];
+        const double limit =
+            m_parameters.currentLimit_A * m_parameters.effortPerAmpere[static_cast<std::size_t>(axis)];
         const double wanted = renderEfforts[axis] + m_feedForward[axis];
         m_target[axis] = std::clamp(wanted, -limit, limit);
         m_saturated = m_saturated || (limit > 0.0 && std::abs(wanted) > limit);
     }
+}
+
+GimbalVector GimbalPlant::coriolisAndWeight(double across, double acrossPerMetre) const noexcept {
+    const double weight = m_parameters.instrumentMass_kg * core::kStandardGravity;
+    const double s = m_q.d - m_parameters.centreOfMassBehindTip_m;
+    const double hd = m_rates[0], pd = m_rates[1], dd = m_rates[3];
+    const double dMhdp = -2.0 * across * m_cp * m_sp;
+    return {(dMhdp * pd + acrossPerMetre * m_cp * m_cp * dd) * hd + weight * s * m_sh * m_cp,
+            acrossPerMetre * dd * pd - 0.5 * dMhdp * hd * hd + weight * s * m_ch * m_sp, 0.0,
+            -0.5 * acrossPerMetre * (m_cp * m_cp * hd * hd + pd * pd) +
+                weight * (m_parameters.counterbalance - m_ch * m_cp)};
 }
 
 void GimbalPlant::integrate(double dt_s, const Vec3& f_T_D) noexcept {
@@ -82,26 +94,18 @@ void GimbalPlant::integrate(double dt_s, const Vec3& f_T_D) noexcept {
     const double lag = a.amplifierLag_s > 0.0 ? dt_s / (dt_s + a.amplifierLag_s) : 1.0;
     m_motor += lag * (m_target - m_motor);
 
-    const double weight = a.instrumentMass_kg * core::kStandardGravity;
     const double s = m_q.d - a.centreOfMassBehindTip_m;
     const double across = a.instrumentMass_kg * s * s + a.instrumentInertia_kgm2;
-    const double acrossPerMetre = 2.0 * a.instrumentMass_kg * s;
-    const double hd = m_rates[0], pd = m_rates[1], dd = m_rates[3];
-    const GimbalVector inertiaNow{across * m_cp * m_cp + a.axisInertia[0], across + a.axisInertia[1], a.axisInertia[2],
-                                  a.instrumentMass_kg + a.axisInertia[3]};
-    const double dMhdp = -2.0 * across * m_cp * m_sp;
-    const GimbalVector coriolis{(dMhdp * pd + acrossPerMetre * m_cp * m_cp * dd) * hd,
-                                acrossPerMetre * dd * pd - 0.5 * dMhdp * hd * hd, 0.0,
-                                -0.5 * acrossPerMetre * (m_cp * m_cp * hd * hd + pd * pd)};
-    const GimbalVector weightNow{weight * s * m_sh * m_cp, weight * s * m_ch * m_sp, 0.0,
-                                 weight * (a.counterbalance - m_ch * m_cp)};
-    const GimbalVector fromHand{m_q.d * m_cp * m_alongHeading_D.dot(f_T_D), m_q.d * m_alongPitch_D.dot(f_T_D), 0.0,
-                                m_alongDepth_D.dot(f_T_D)};
+    const GimbalVector inertiaNow{across * m_cp * m_cp + a.axisInertia[0], across + a.axisInertia[1],
+                                  a.axisInertia[2], a.instrumentMass_kg + a.axisInertia[3]};
+    const GimbalVector fromHand{m_q.d * m_cp * m_alongHeading_D.dot(f_T_D), m_q.d * m_alongPitch_D.dot(f_T_D),
+                                0.0, m_alongDepth_D.dot(f_T_D)};
+    const GimbalVector effort = m_motor + fromHand - coriolisAndWeight(across, 2.0 * a.instrumentMass_kg * s);
     for (int axis = 0; axis < 4; ++axis) {
         const LugreParameters& friction = a.friction[static_cast<std::size_t>(axis)];
-        const double bristle = m_friction[static_cast<std::size_t>(axis)].advance(friction, m_rates[axis], dt_s);
-        const double effort = m_motor[axis] + fromHand[axis] + bristle - coriolis[axis] - weightNow[axis];
-        m_rates[axis] = (m_rates[axis] + dt_s * effort / inertiaNow[axis]) /
+        const double bristle =
+            m_friction[static_cast<std::size_t>(axis)].advance(friction, m_rates[axis], dt_s);
+        m_rates[axis] = (m_rates[axis] + dt_s * (effort[axis] + bristle) / inertiaNow[axis]) /
                         (1.0 + friction.viscous * dt_s / inertiaNow[axis]);
     }
     m_q.h += dt_s * m_rates[0];

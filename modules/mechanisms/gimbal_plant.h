@@ -8,20 +8,20 @@
 
 namespace chiron::mechanisms {
 
-/// The gimbal's dynamics, M(q)q̈ + c(q,q̇) + g(q) + friction = τ_motor + Jᵀf_hand, with the instrument as a rod of mass m
-/// and transverse inertia I whose centre of mass lies s = d − c from the pivot:
-///   M_h = (m s² + I) cos²p + I_h,  M_p = m s² + I + I_p,  M_r = I_r,  M_d = m + m_d  (diagonal; the spin of the thin
-///   rod about its own axis is left out), Coriolis terms from ∂M, g from V = −m g s cos h cos p.
-/// Semi-implicit Euler, viscous terms implicit, bristles implicit (LugreFriction); positions are clamped at the end
-/// stops. Deterministic, no allocation, haptic thread. D, SI. Source: models.md §4, devices.md §5.
+/// The gimbal's dynamics, M(q)q̈ + c(q,q̇) + g(q) + friction = τ_motor + Jᵀf_hand, with the instrument as a rod
+/// of mass m and transverse inertia I whose centre of mass lies s = d − c from the pivot:
+///   M_h = (m s² + I) cos²p + I_h,  M_p = m s² + I + I_p,  M_r = I_r,  M_d = m + m_d  (diagonal; the spin of
+///   the thin rod about its own axis is left out), Coriolis terms from ∂M, g from V = −m g s cos h cos p.
+/// Semi-implicit Euler, viscous terms implicit, bristles implicit (LugreFriction); positions are clamped at
+/// the end stops. Deterministic, no allocation, haptic thread. D, SI. Source: models.md §4, devices.md §5.
 class GimbalPlant {
 public:
     explicit GimbalPlant(const GimbalPlantParameters& parameters) noexcept;
 
     void reset(const GimbalCoordinates& q) noexcept; ///< at rest there, motors off, encoders settled
 
-    /// Once a tick: efforts asked of the motors for rendering (N·m, N·m, –, N); gravity feed-forward is added from
-    /// the newest counts. `enabled` false opens the amplifiers: no effort at all.
+    /// Once a tick: efforts asked of the motors for rendering (N·m, N·m, –, N); gravity feed-forward is added
+    /// from the newest counts. `enabled` false opens the amplifiers: no effort at all.
     void beginTick(const GimbalVector& renderEfforts, bool enabled) noexcept;
     /// One integration step of 1 ms / substeps under a force on the tool at the tip (D).
     void integrate(double dt_s, const core::Vec3& f_T_D) noexcept;
@@ -36,16 +36,21 @@ public:
     const core::Vec3& v_DT() const noexcept { return m_v_DT; }
     /// Encoder counts as the host sees them (delayed by sampleDelay_ticks), h, p, r, d.
     const std::array<std::int32_t, 4>& counts() const noexcept;
-    /// Force on the tool in D that the motors really gave over the last tick, without the gravity feed-forward.
+    /// Force on the tool in D that the motors really gave over the last tick, without the gravity
+    /// feed-forward.
     const core::Vec3& measuredForce_D() const noexcept { return m_measured_D; }
-    bool saturated() const noexcept { return m_saturated; } ///< a motor ran at its current limit in the last tick
+    bool saturated() const noexcept {
+        return m_saturated;
+    } ///< a motor ran at its current limit in the last tick
 
     GimbalVector inertia(const GimbalCoordinates& q) const noexcept; ///< diagonal of M
-    GimbalVector gravity(const GimbalCoordinates& q) const noexcept; ///< ∂V/∂q of the instrument, spring included
-    double energy_J() const noexcept; ///< kinetic + gravity + spring
+    GimbalVector
+    gravity(const GimbalCoordinates& q) const noexcept; ///< ∂V/∂q of the instrument, spring included
+    double energy_J() const noexcept;                   ///< kinetic + gravity + spring
 
 private:
     static constexpr int kLine = 4;
+    GimbalVector coriolisAndWeight(double across, double acrossPerMetre) const noexcept;
     void updateTip() noexcept;
     void stopAtEnds() noexcept;
     void readEncoders(std::array<std::int32_t, 4>& counts) const noexcept;

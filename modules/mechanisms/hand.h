@@ -11,18 +11,20 @@
 
 namespace chiron::mechanisms {
 
-/// The arm that closes the loop: a point mass drawn to the desired motion by a spring and a damper, holding the tool
-/// through a stiff damped grip:
-///   m ẍ = k(x_d − x) + b(ẋ_d − ẋ) + f_tremor − f_grip,   f_grip = k_g(x − x_T) + b_g(ẋ − ẋ_T)  (on the tool).
-/// The reaction delay holds back the intention; the arm's mechanics answer at once (inside the stiffness loop the delay
-/// would be unstable from 30 ms). Tremor enters as the force that makes the free hand, tool included, move by the
-/// tremor's displacement. D, SI. Haptic thread; no allocation. Source: models.md §4.
+/// The arm that closes the loop: a point mass drawn to the desired motion by a spring and a damper, holding
+/// the tool through a stiff damped grip:
+///   m ẍ = k(x_d − x) + b(ẋ_d − ẋ) + f_tremor − f_grip,   f_grip = k_g(x − x_T) + b_g(ẋ − ẋ_T)  (on the
+///   tool).
+/// The reaction delay holds back the intention; the arm's mechanics answer at once (inside the stiffness loop
+/// the delay would be unstable from 30 ms). Tremor enters as the force that makes the free hand, tool
+/// included, move by the tremor's displacement. D, SI. Haptic thread; no allocation. Source: models.md §4.
 class Hand {
 public:
     Hand(const HandParameters& parameters, std::uint64_t seed, double toolMass_kg) noexcept;
 
     void reset(const core::Vec3& p_D) noexcept; ///< at rest there, wanting to stay
-    /// Once a tick: the mind's newest intention enters the delay line, the one due comes out; tremor moves on.
+    /// Once a tick: the mind's newest intention enters the delay line, the one due comes out; tremor moves
+    /// on.
     void beginTick(const HandIntention& wanted) noexcept;
     core::Vec3 gripForceOnTool(const core::Vec3& p_DT, const core::Vec3& v_DT) const noexcept; ///< N, D
     /// One integration step (semi-implicit Euler, damping implicit) under the reaction to the grip force.

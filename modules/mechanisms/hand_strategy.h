@@ -10,12 +10,15 @@ namespace chiron::mechanisms {
 
 /// What a hand feels and sees at one tick, *before* its own perceptual noise (the strategy adds it).
 struct HandPerception {
-    double time_s = 0.0;              ///< executed ticks · 1 ms since the device was opened
-    core::Vec3 p_DT = core::Vec3::Zero(); ///< where the hand really is, D (m); a grip's deflection away from the tip
+    double time_s = 0.0; ///< executed ticks · 1 ms since the device was opened
+    core::Vec3 p_DT =
+        core::Vec3::Zero(); ///< where the hand really is, D (m); a grip's deflection away from the tip
     core::Vec3 v_DT = core::Vec3::Zero(); ///< m/s
-    core::Vec3 f_T_D = core::Vec3::Zero(); ///< force that the plant really puts on the hand, D (N), mean over the last tick
-    core::VisibleCues cues;           ///< what the screen shows (object in W)
-    core::Vec3 p_DObject = core::Vec3::Zero(); ///< the shown object's centre in D; zero unless cues.objectShown
+    core::Vec3 f_T_D =
+        core::Vec3::Zero(); ///< force that the plant really puts on the hand, D (N), mean over the last tick
+    core::VisibleCues cues; ///< what the screen shows (object in W)
+    core::Vec3 p_DObject =
+        core::Vec3::Zero(); ///< the shown object's centre in D; zero unless cues.objectShown
 };
 
 /// What a hand wants: where to be, and which buttons to hold.
@@ -26,8 +29,8 @@ struct HandIntention {
     double jaw_rad = 0.0;
 };
 
-/// A scripted trainee's mind for one exercise: called once a tick inside the simulated device, so noexcept and free of
-/// allocation. Seeded and reproducible: the same perceptions give the same intentions.
+/// A scripted trainee's mind for one exercise: called once a tick inside the simulated device, so noexcept
+/// and free of allocation. Seeded and reproducible: the same perceptions give the same intentions.
 class HandStrategy {
 public:
     HandStrategy() = default;

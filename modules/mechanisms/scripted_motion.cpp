@@ -4,12 +4,8 @@
 #include "core/units.h"
 
 #include <cmath>
-#include <utility>
 
 namespace chiron::mechanisms {
-
-ScriptedMotion::ScriptedMotion(const core::Vec3& centre_D, std::vector<Term> terms)
-    : m_centre_D(centre_D), m_terms(std::move(terms)) {}
 
 HandIntention ScriptedMotion::decide(const HandPerception& seen) noexcept {
     HandIntention wanted;

@@ -8,8 +8,8 @@
 
 namespace chiron::mechanisms {
 
-/// A hand that follows a prescribed path and neither feels nor sees: p(t) = centre + Σ a_i sin(2π f_i t + φ_i), with
-/// its exact velocity. For calibration, recordings and tests. D, SI.
+/// A hand that follows a prescribed path and neither feels nor sees: p(t) = centre + Σ a_i sin(2π f_i t +
+/// φ_i), with its exact velocity. For calibration, recordings and tests. D, SI.
 class ScriptedMotion final : public HandStrategy {
 public:
     struct Term {
@@ -18,6 +18,7 @@ public:
         double phase_rad = 0.0;
     };
     explicit ScriptedMotion(const core::Vec3& centre_D, std::vector<Term> terms = {});
+    ~ScriptedMotion() override;
     HandIntention decide(const HandPerception& seen) noexcept override;
 
 private:

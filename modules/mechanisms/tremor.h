@@ -8,9 +8,9 @@
 
 namespace chiron::mechanisms {
 
-/// Physiological tremor: per axis six sines with frequencies drawn uniformly in 8–12 Hz and random phases, so that the
-/// displacement is strictly band-limited and its long-run rms is the one asked for. Each sine is a rotating phasor
-/// (no sin or cos a tick), whose velocity and acceleration are exact.
+/// Physiological tremor: per axis six sines with frequencies drawn uniformly in 8–12 Hz and random phases, so
+/// that the displacement is strictly band-limited and its long-run rms is the one asked for. Each sine is a
+/// rotating phasor (no sin or cos a tick), whose velocity and acceleration are exact.
 class Tremor {
 public:
     Tremor(double rmsPerAxis_m, core::Random& random) noexcept;

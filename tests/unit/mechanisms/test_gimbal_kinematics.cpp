@@ -43,7 +43,9 @@ GimbalCoordinates draw(core::Random& random, double angle = core::radFromDeg(30.
             random.uniform(0.1, 0.3)};
 }
 
-Vec3 drawVector(core::Random& random) { return {random.normal(), random.normal(), random.normal()}; }
+Vec3 drawVector(core::Random& random) {
+    return {random.normal(), random.normal(), random.normal()};
+}
 
 GimbalCoordinates moved(GimbalCoordinates q, int axis, double by) {
     (axis == 0 ? q.h : axis == 1 ? q.p : axis == 2 ? q.r : q.d) += by;
@@ -59,8 +61,8 @@ void TestGimbalKinematics::vendorAxesBecomeD() {
     QVERIFY(gimbal.tip_D({0.1, 0.0, 0.0, 0.18}).x() > 0.0);           // heading right: +x
     QVERIFY(gimbal.tip_D({0.0, 0.1, 0.0, 0.18}).y() < 0.0);           // pitch: −y
     QVERIFY(gimbal.tip_D({0.0, 0.0, 0.0, 0.20}).z() < 0.0);           // deeper: below the table
-    QVERIFY(near(GimbalKinematics::axis_V(0.3, 0.2), Vec3(std::sin(0.3) * std::cos(0.2), std::sin(0.2),
-                                                          std::cos(0.3) * std::cos(0.2))));
+    QVERIFY(near(GimbalKinematics::axis_V(0.3, 0.2),
+                 Vec3(std::sin(0.3) * std::cos(0.2), std::sin(0.2), std::cos(0.3) * std::cos(0.2))));
     QVERIFY(near(gimbal.orientation_DT({}) * Vec3(1, 2, 3), Vec3(1, 2, 3))); // T = D at rest
     // The instrument's own −z points from the pivot to the tip.
     const GimbalCoordinates q{0.2, -0.3, 0.7, 0.2};
@@ -100,7 +102,8 @@ void TestGimbalKinematics::jacobianMatchesFiniteDifferences() {
         const auto q = draw(random);
         const auto jacobian = gimbal.jacobian_D(q);
         for (int axis = 0; axis < 4; ++axis) {
-            const Vec3 difference = (gimbal.tip_D(moved(q, axis, step)) - gimbal.tip_D(moved(q, axis, -step))) / (2 * step);
+            const Vec3 difference =
+                (gimbal.tip_D(moved(q, axis, step)) - gimbal.tip_D(moved(q, axis, -step))) / (2 * step);
             QVERIFY((difference - jacobian.col(axis).head<3>()).norm() < 1e-9);
         }
     }
@@ -167,8 +170,9 @@ void TestGimbalKinematics::publishedIsExactOnlyOnTheAxes() {
     QVERIFY2(worstOff > 0.1, qPrintable(QString::number(worstOff)));
 }
 
-// models.md §2.1: up to 26.7 % of the force within ±30°. The worst direction at each angle is the largest singular
-// value of the difference between the published and the exact map, here by sampling directions densely.
+// models.md §2.1: up to 26.7 % of the force within ±30°. The worst direction at each angle is the largest
+// singular value of the difference between the published and the exact map, here by sampling directions
+// densely.
 void TestGimbalKinematics::publishedErrsByTheKnownShare() {
     double worst = 0.0;
     const double limit = core::radFromDeg(30.0);
@@ -202,7 +206,8 @@ void TestGimbalKinematics::weightAsPublished() {
     QCOMPARE(published.heading_N, weight * std::sin(h));
     QCOMPARE(published.pitch_N, weight * std::sin(p));
     QCOMPARE(published.depth_N, weight * std::cos(h) * std::cos(p));
-    // Under P2's own map no force gives all three: gravity along −z gives F_h and F_p, and F_d with the other sign.
+    // Under P2's own map no force gives all three: gravity along −z gives F_h and F_p, and F_d with the other
+    // sign.
     const auto image = GimbalKinematics::polarAsPublished(h, p, Vec3(0.0, 0.0, -weight));
     QVERIFY(std::abs(image.heading_N - published.heading_N) < 1e-15);
     QVERIFY(std::abs(image.pitch_N - published.pitch_N) < 1e-15);
@@ -250,15 +255,15 @@ devices::DeviceDescriptor descriptor(double map) {
 } // namespace
 
 void TestGimbalKinematics::driverKinematicsAgree() {
-    const auto exact = devices::GimbalHprdKinematics::make(descriptor(0.0));
-    const auto published = devices::GimbalHprdKinematics::make(descriptor(1.0));
+    auto exact = devices::GimbalHprdKinematics::create(descriptor(0.0));
+    const auto published = devices::GimbalHprdKinematics::create(descriptor(1.0));
     QVERIFY(exact.has_value() && published.has_value());
     core::DeviceSample sample;
     sample.counts = {2500, -3000, 4000, 1900};
     const GimbalCoordinates q{0.25, -0.3, 0.4, 0.19};
-    QVERIFY(((*exact)->pose(sample).p_WT - GimbalKinematics(0.18).tip_D(q)).norm() < 1e-15);
+    QVERIFY((exact->pose(sample).p_WT - GimbalKinematics(0.18).tip_D(q)).norm() < 1e-15);
     Vec3 v, w;
-    (*exact)->velocity(sample, {10.0, 20.0, 30.0, 40.0}, v, w);
+    exact->velocity(sample, {10.0, 20.0, 30.0, 40.0}, v, w);
     const Eigen::Matrix<double, 6, 1> twist =
         GimbalKinematics(0.18).jacobian_D(q) * GimbalVector(1e-3, 2e-3, 3e-3, 4e-3);
     QVERIFY((v - twist.head<3>()).norm() < 1e-15 && (w - twist.tail<3>()).norm() < 1e-15);
@@ -266,8 +271,9 @@ void TestGimbalKinematics::driverKinematicsAgree() {
     const auto tau = GimbalKinematics::efforts(q, wrench, PolarMap::exact);
     const auto tauPublished = GimbalKinematics::efforts(q, wrench, PolarMap::asPublished);
     for (std::size_t axis = 0; axis < 4; ++axis) {
-        QVERIFY(std::abs((*exact)->efforts(sample, wrench)[axis] - tau[static_cast<int>(axis)]) < 1e-14);
-        QVERIFY(std::abs((*published)->efforts(sample, wrench)[axis] - tauPublished[static_cast<int>(axis)]) < 1e-14);
+        QVERIFY(std::abs(exact->efforts(sample, wrench)[axis] - tau[static_cast<int>(axis)]) < 1e-14);
+        QVERIFY(std::abs(published->efforts(sample, wrench)[axis] - tauPublished[static_cast<int>(axis)]) <
+                1e-14);
     }
     QVERIFY((tau - tauPublished).norm() > 1e-3);
 }
@@ -275,18 +281,18 @@ void TestGimbalKinematics::driverKinematicsAgree() {
 void TestGimbalKinematics::driverKinematicsRefuseBadDescriptors() {
     auto bad = descriptor(0.0);
     bad.kinematics = "cartesian";
-    QVERIFY(!devices::GimbalHprdKinematics::make(bad));
+    QVERIFY(!devices::GimbalHprdKinematics::create(bad));
     bad = descriptor(2.0);
-    QVERIFY(!devices::GimbalHprdKinematics::make(bad));
+    QVERIFY(!devices::GimbalHprdKinematics::create(bad));
     bad = descriptor(0.0);
     bad.axes.pop_back();
-    QVERIFY(!devices::GimbalHprdKinematics::make(bad));
+    QVERIFY(!devices::GimbalHprdKinematics::create(bad));
     bad = descriptor(0.0);
     bad.axes[2].resolution = 0.0;
-    QVERIFY(!devices::GimbalHprdKinematics::make(bad));
+    QVERIFY(!devices::GimbalHprdKinematics::create(bad));
     bad = descriptor(0.0);
     bad.kinematicsParameters.clear();
-    QVERIFY(!devices::GimbalHprdKinematics::make(bad));
+    QVERIFY(!devices::GimbalHprdKinematics::create(bad));
 }
 
 void TestGimbalKinematics::lawsAnswerWithTheirColumns() {

@@ -55,8 +55,8 @@ void swing(GimbalPlant& plant) { // to a fast, coupled motion of all axes
 
 } // namespace
 
-// M(q)q̈ + c + g conserves energy; a wrong Coriolis sign or a missing ∂M term shows as a drift. Semi-implicit Euler errs
-// in proportion to the step, so the drift must fall as the step does.
+// M(q)q̈ + c + g conserves energy; a wrong Coriolis sign or a missing ∂M term shows as a drift. Semi-implicit
+// Euler errs in proportion to the step, so the drift must fall as the step does.
 void TestGimbalPlant::energyIsKeptWithoutLosses() {
     const auto drift = [](int substeps) {
         GimbalPlantParameters p = lossless();
@@ -91,7 +91,8 @@ void TestGimbalPlant::tipFeelsTheDeviceOfTheModels() {
     const double lever = 0.18 * 0.18;
     QVERIFY(std::abs(m[0] / lever - 0.15) < 0.015 && std::abs(m[1] / lever - 0.15) < 0.015);
     QVERIFY(std::abs(m[3] - 0.15) < 1e-12);
-    QVERIFY(std::abs(friction[0].viscous / lever - 0.5) < 1e-9 && std::abs(friction[3].viscous - 0.5) < 1e-12);
+    QVERIFY(std::abs(friction[0].viscous / lever - 0.5) < 1e-9 &&
+            std::abs(friction[3].viscous - 0.5) < 1e-12);
 }
 
 void TestGimbalPlant::feedForwardCarriesTheWeight() {
@@ -103,7 +104,8 @@ void TestGimbalPlant::feedForwardCarriesTheWeight() {
     const Vec3 before = plant.p_DT();
     for (int i = 0; i < 1000; ++i)
         tick(plant, GimbalVector::Zero(), true, Vec3::Zero());
-    QVERIFY2((plant.p_DT() - before).norm() < 1e-3, qPrintable(QString::number((plant.p_DT() - before).norm())));
+    QVERIFY2((plant.p_DT() - before).norm() < 1e-3,
+             qPrintable(QString::number((plant.p_DT() - before).norm())));
 }
 
 void TestGimbalPlant::withoutMotorsItSinks() {
@@ -113,7 +115,8 @@ void TestGimbalPlant::withoutMotorsItSinks() {
     GimbalPlant plant(p);
     plant.reset({0.0, 0.0, 0.0, 0.15});
     for (int i = 0; i < 300; ++i)
-        tick(plant, GimbalVector(0.0, 0.0, 0.0, -3.0), false, Vec3::Zero()); // disabled: the request is ignored
+        tick(plant, GimbalVector(0.0, 0.0, 0.0, -3.0), false,
+             Vec3::Zero()); // disabled: the request is ignored
     QVERIFY(plant.p_DT().z() < 0.03 - 1e-3);
 }
 
@@ -191,7 +194,8 @@ void TestGimbalPlant::encodersAreOnTheirGridAndDelayed() {
         }
         const std::array<double, 4> q{a.q().h, a.q().p, a.q().r, a.q().d};
         for (std::size_t axis = 0; axis < 4; ++axis)
-            QVERIFY(std::abs(q[axis] - a.counts()[axis] * p.resolution[axis]) <= 0.5 * p.resolution[axis] * (1 + 1e-9));
+            QVERIFY(std::abs(q[axis] - a.counts()[axis] * p.resolution[axis]) <=
+                    0.5 * p.resolution[axis] * (1 + 1e-9));
     }
     QVERIFY(std::abs(p.resolution[2] - core::radFromDeg(10.0)) < 1e-12); // P2: about 10°
     QVERIFY(p.resolution[0] * 0.18 < 50e-6 && p.resolution[3] < 50e-6);

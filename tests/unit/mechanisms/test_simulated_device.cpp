@@ -26,13 +26,14 @@ namespace {
 
 std::unique_ptr<mechanisms::HandStrategy> circling() {
     return std::make_unique<mechanisms::ScriptedMotion>(
-        Vec3(0.0, 0.0, 0.03), std::vector<mechanisms::ScriptedMotion::Term>{{Vec3(0.02, 0.0, 0.0), 0.4, 0.0},
-                                                                            {Vec3(0.0, 0.02, 0.0), 0.4, 1.5707963267948966}});
+        Vec3(0.0, 0.0, 0.03),
+        std::vector<mechanisms::ScriptedMotion::Term>{{Vec3(0.02, 0.0, 0.0), 0.4, 0.0},
+                                                      {Vec3(0.0, 0.02, 0.0), 0.4, 1.5707963267948966}});
 }
 
 std::unique_ptr<SimulatedDevice> make(std::unique_ptr<mechanisms::HandStrategy> mind,
                                       const SimulatedDevice::Configuration& configuration = {}) {
-    auto device = SimulatedDevice::make(configuration, std::move(mind));
+    auto device = SimulatedDevice::create(configuration, std::move(mind));
     return device ? std::move(*device) : nullptr;
 }
 
@@ -150,12 +151,12 @@ void TestSimulatedDevice::measuredIsInW() {
 }
 
 void TestSimulatedDevice::refusesBadConfigurations() {
-    QVERIFY(!SimulatedDevice::make({}, nullptr));
+    QVERIFY(!SimulatedDevice::create({}, nullptr));
     SimulatedDevice::Configuration configuration;
     configuration.start_D = Vec3(0.0, 0.0, 0.2); // above the pivot
-    QVERIFY(!SimulatedDevice::make(configuration, circling()));
+    QVERIFY(!SimulatedDevice::create(configuration, circling()));
     configuration.start_D = Vec3(0.3, 0.0, 0.0); // out of travel
-    QVERIFY(!SimulatedDevice::make(configuration, circling()));
+    QVERIFY(!SimulatedDevice::create(configuration, circling()));
 }
 
 QTEST_APPLESS_MAIN(TestSimulatedDevice)

@@ -7,27 +7,27 @@
 #include "mechanisms/gimbal_kinematics.h"
 
 #include <array>
-#include <memory>
 
 namespace chiron::devices {
 
 /// Kinematics "gimbal_hprd": counts of heading, pitch, roll and depth to the tip of P2's gimbal in D. Pure.
-/// Descriptor: axes[0..3] give the resolutions (rad, rad, rad, m); kinematicsParameters = {pivot height in m, force
-/// map: 0 exact Jᵀ, 1 as published}.
+/// Descriptor: axes[0..3] give the resolutions (rad, rad, rad, m); kinematicsParameters = {pivot height in m,
+/// force map: 0 exact Jᵀ, 1 as published}.
 class GimbalHprdKinematics final : public IToolKinematics {
 public:
     static constexpr const char* kId = "gimbal_hprd";
 
     /// Fails (badInput) when the id, the number of axes or parameters, a resolution or the map is wrong.
-    static core::Result<std::unique_ptr<IToolKinematics>> make(const DeviceDescriptor& descriptor);
+    static core::Result<GimbalHprdKinematics> create(const DeviceDescriptor& descriptor);
 
-    GimbalHprdKinematics(const std::array<double, 4>& resolution, double jawResolution_rad, double pivotHeight_m,
-                         mechanisms::PolarMap map) noexcept;
+    GimbalHprdKinematics(const std::array<double, 4>& resolution, double jawResolution_rad,
+                         double pivotHeight_m, mechanisms::PolarMap map) noexcept;
 
     core::ToolState pose(const core::DeviceSample& sample) const noexcept override;
     void velocity(const core::DeviceSample& sample, const AxisValues& countRates, core::Vec3& v_DT,
                   core::Vec3& w_DT) const noexcept override;
-    AxisValues efforts(const core::DeviceSample& sample, const core::Wrench& wrench_D) const noexcept override;
+    AxisValues efforts(const core::DeviceSample& sample,
+                       const core::Wrench& wrench_D) const noexcept override;
 
 private:
     mechanisms::GimbalCoordinates coordinates(const core::DeviceSample& sample) const noexcept;

@@ -3,65 +3,10 @@
 
 #include "core/units.h"
 
-#include <array>
-#include <string>
-#include <utility>
-
 namespace chiron::devices {
 
 using core::Vec3;
 using mechanisms::GimbalVector;
-
-namespace {
-
-DeviceDescriptor describe(const SimulatedDevice::Configuration& configuration) {
-    const auto& plant = configuration.plant;
-    DeviceDescriptor d;
-    d.driver = "simulated";
-    d.model = "Simulated laparoscopic gimbal (heading, pitch, roll, depth)";
-    d.kinematics = GimbalHprdKinematics::kId;
-    d.kinematicsParameters = {plant.pivotHeight_m, configuration.map == mechanisms::PolarMap::exact ? 0.0 : 1.0};
-    const std::array<const char*, 4> ids{"heading", "pitch", "roll", "depth"};
-    for (std::size_t axis = 0; axis < 4; ++axis) {
-        const AxisUnit unit = axis == 3 ? AxisUnit::metre : AxisUnit::radian;
-        d.axes.push_back({ids[axis], unit, plant.resolution[axis], plant.minimum[axis], plant.maximum[axis],
-                          plant.currentLimit_A * plant.effortPerAmpere[axis]});
-    }
-    d.rendersForce = true;
-    d.measuresForce = true;
-    d.inProcess = true;
-    d.period_us = 1000;
-    d.maximumForce_N = d.axes[3].continuousRating; // P2: about 3 N in each direction
-    return d;
-}
-
-} // namespace
-
-core::Result<std::unique_ptr<SimulatedDevice>>
-SimulatedDevice::make(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy) {
-    if (!strategy)
-        return core::fail(core::ErrorCode::badInput, "simulated device: a hand strategy is expected");
-    const mechanisms::GimbalKinematics gimbal(configuration.plant.pivotHeight_m);
-    const auto start = gimbal.inverse(configuration.start_D);
-    if (!start)
-        return tl::unexpected(start.error());
-    const std::array<double, 4> q{start->h, start->p, start->r, start->d};
-    for (std::size_t axis = 0; axis < 4; ++axis) {
-        if (q[axis] < configuration.plant.minimum[axis] || q[axis] > configuration.plant.maximum[axis])
-            return core::fail(core::ErrorCode::badInput, "simulated device: the start is outside the travel of axis " +
-                                                             std::to_string(axis) + " (h, p, r, d)");
-    }
-    return std::unique_ptr<SimulatedDevice>(new SimulatedDevice(configuration, *start, std::move(strategy)));
-}
-
-SimulatedDevice::SimulatedDevice(const Configuration& configuration, const mechanisms::GimbalCoordinates& start,
-                                 std::unique_ptr<mechanisms::HandStrategy> strategy)
-    : m_configuration(configuration), m_descriptor(describe(configuration)),
-      m_kinematics(configuration.plant.resolution, 0.0, configuration.plant.pivotHeight_m, configuration.map),
-      m_start(start), m_plant(configuration.plant),
-      m_hand(configuration.hand, configuration.seed,
-             configuration.plant.instrumentMass_kg + configuration.plant.axisInertia[3]),
-      m_strategy(std::move(strategy)) {}
 
 core::Result<void> SimulatedDevice::open() {
     m_plant.reset(m_start);
@@ -73,9 +18,13 @@ core::Result<void> SimulatedDevice::open() {
     return {};
 }
 
-void SimulatedDevice::close() noexcept { m_plant.beginTick(GimbalVector::Zero(), false); }
+void SimulatedDevice::close() noexcept {
+    m_plant.beginTick(GimbalVector::Zero(), false);
+}
 
-void SimulatedDevice::show(const realtime::HapticTick&, const core::VisibleCues& cues) noexcept { m_cues = cues; }
+void SimulatedDevice::show(const realtime::HapticTick&, const core::VisibleCues& cues) noexcept {
+    m_cues = cues;
+}
 
 core::DeviceSample SimulatedDevice::read(const realtime::HapticTick& now) noexcept {
     const auto& counts = m_plant.counts();
@@ -87,12 +36,8 @@ core::DeviceSample SimulatedDevice::read(const realtime::HapticTick& now) noexce
     m_sample.arrival_ns = now.now_ns();
     m_sample.status = core::sample_status::kMeasuredForce | core::sample_status::kHomed |
                       (m_plant.saturated() ? core::sample_status::kSaturated : 0u);
-    m_sample.measured = core::toArray({toW(m_plant.measuredForce_D()), Vec3::Zero()});
+    m_sample.measured = core::toArray(m_map.wrenchToW({m_plant.measuredForce_D(), Vec3::Zero()}));
     return m_sample;
-}
-
-Vec3 SimulatedDevice::toW(const Vec3& f_D) const noexcept {
-    return {m_configuration.mapping.leftHanded ? -f_D.x() : f_D.x(), f_D.y(), f_D.z()};
 }
 
 mechanisms::HandPerception SimulatedDevice::perceive() const noexcept {
@@ -102,11 +47,8 @@ mechanisms::HandPerception SimulatedDevice::perceive() const noexcept {
     seen.v_DT = m_hand.v_D();
     seen.f_T_D = m_forceOnHand_D;
     seen.cues = m_cues;
-    if (m_cues.objectShown) {
-        const auto& mapping = m_configuration.mapping;
-        const Vec3 origin(mapping.origin_m[0], mapping.origin_m[1], mapping.origin_m[2]);
-        seen.p_DObject = toW((m_cues.p_WObject - origin) / mapping.scale); // H is its own inverse
-    }
+    if (m_cues.objectShown)
+        seen.p_DObject = m_map.pointToD(m_cues.p_WObject);
     return seen;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "devices/api/device.h"
+#include "devices/api/workspace_map.h"
 #include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 #include "mechanisms/gimbal_plant.h"
 #include "mechanisms/hand.h"
@@ -11,27 +12,28 @@
 
 namespace chiron::devices {
 
-/// P2's gimbal with a scripted hand on it, as one in-process tool: plant, hand and mind are stepped by the tick and
-/// never look at a clock, so real-time and as-fast runs give the same samples bit for bit.
+/// P2's gimbal with a scripted hand on it, as one in-process tool: plant, hand and mind are stepped by the
+/// tick and never look at a clock, so real-time and as-fast runs give the same samples bit for bit.
 ///
-/// Tick n: show() tells the mind what is on the screen, read() returns the counts that the plant reached at the end of
-/// tick n − 1 (deviceTime = n·1000 µs, packet = n, age 0), command() takes the force, asks the mind and integrates the
-/// plant to n + 1. The force goes through kinematics().efforts(), motors saturate, `measured` is what they really gave
-/// (on the tool, in W). Haptic thread; no allocation after construction.
+/// Tick n: show() tells the mind what is on the screen, read() returns the counts that the plant reached at
+/// the end of tick n − 1 (deviceTime = n·1000 µs, packet = n, age 0), command() takes the force, asks the
+/// mind and integrates the plant to n + 1. The force goes through kinematics().efforts(), motors saturate,
+/// `measured` is what they really gave (on the tool, in W). Haptic thread; no allocation after construction.
 class SimulatedDevice final : public IDevice {
 public:
     struct Configuration {
         mechanisms::GimbalPlantParameters plant;
         mechanisms::HandParameters hand;
         mechanisms::PolarMap map = mechanisms::PolarMap::exact;
-        WorkspaceMapping mapping;                  ///< to turn the cues into D and `measured` into W
-        core::Vec3 start_D{0.0, 0.0, 0.05};        ///< where the hand holds the tip at open(), m
-        std::uint64_t seed = 1;                    ///< of the hand's tremor
+        WorkspaceMapping mapping;           ///< to turn the cues into D and `measured` into W
+        core::Vec3 start_D{0.0, 0.0, 0.05}; ///< where the hand holds the tip at open(), m
+        std::uint64_t seed = 1;             ///< of the hand's tremor
     };
 
     /// Fails (badInput) when the start lies outside the gimbal's travel or there is no strategy.
     static core::Result<std::unique_ptr<SimulatedDevice>>
-    make(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
+    create(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
+    ~SimulatedDevice() override;
 
     const DeviceDescriptor& descriptor() const noexcept override { return m_descriptor; }
     const IToolKinematics& kinematics() const noexcept override { return m_kinematics; }
@@ -48,10 +50,10 @@ private:
     SimulatedDevice(const Configuration& configuration, const mechanisms::GimbalCoordinates& start,
                     std::unique_ptr<mechanisms::HandStrategy> strategy);
     mechanisms::HandPerception perceive() const noexcept;
-    core::Vec3 toW(const core::Vec3& f_D) const noexcept;
 
     Configuration m_configuration;
     DeviceDescriptor m_descriptor;
+    WorkspaceMap m_map;
     GimbalHprdKinematics m_kinematics;
     mechanisms::GimbalCoordinates m_start;
     mechanisms::GimbalPlant m_plant;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mechanisms/hand_parameters.h"
+#include "operators/sphere_apex/perception_settings.h"
+
+#include <string>
+
+namespace chiron::operators {
+
+/// How a trainee looks for the apex once it has climbed onto something.
+enum class ApexTechniqueKind {
+    wander,         ///< moves about and remembers where it felt highest
+    midpoints,      ///< sweeps across in x, then in y, from slope to slope, and takes the middles
+    slopeCrossings, ///< short sweeps to and fro, fits felt slope against felt place, goes where it is zero;
+                    ///< repeats
+};
+
+/// One scripted trainee: how it moves, presses, searches and when it is content. Assumptions, chosen to be
+/// plausible for people and set before any result was seen; nothing is fitted to P2's 14.2 %. SI.
+struct SphereApexOperatorSettings {
+    std::string name = "expert";
+    PerceptionSettings perception;
+    mechanisms::HandParameters hand; ///< give it to SimulatedDevice::Configuration::hand
+    ApexTechniqueKind technique = ApexTechniqueKind::slopeCrossings;
+
+    double reachSpeed_m_per_s = 0.15;  ///< free movements
+    double lowerSpeed_m_per_s = 0.04;  ///< down to the table
+    double scanSpeed_m_per_s = 0.10;   ///< lines above the table, looking for something
+    double climbSpeed_m_per_s = 0.025; ///< up what was found
+    double sweepSpeed_m_per_s = 0.020; ///< over its top
+
+    double scanRadius_m = 0.055;  ///< the exercise's workspace, as the trainee was told
+    double scanHeight_m = 0.009;  ///< above where the table was felt
+    double scanSpacing_m = 0.020; ///< between lines
+
+    double force_N = 1.0;              ///< that it wants to feel
+    bool controlsForce = true;         ///< false: holds a depth instead, whatever that presses
+    double pressDepth_m = 0.0;         ///< with controlsForce false: further down than where it stood
+    double forceGain_m_per_Ns = 0.015; ///< how fast a wrong force is corrected; bounded by the reaction delay
+
+    double topSlope = 0.36;          ///< felt lateral over vertical force that counts as "on top" (20°)
+    double edgeSlope = 0.84;         ///< midpoints: where a sweep turns (40°)
+    double sweepHalfWidth_m = 0.009; ///< slopeCrossings: of the first cross
+    int crosses = 2;                 ///< slopeCrossings: how many crosses, each two thirds as wide
+    double wanderRadius_m = 0.014;   ///< wander: how far about
+    double wanderTime_s = 6.0;       ///< wander: for how long
+    double settle_s = 0.3;           ///< keeps still before it marks
+    double patience_s = 50.0;        ///< then it marks where it is
+};
+
+} // namespace chiron::operators
