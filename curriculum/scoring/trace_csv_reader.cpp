@@ -41,8 +41,10 @@ public:
         m_lastTime.fill(-std::numeric_limits<double>::infinity());
         if (m_text.starts_with("\xef\xbb\xbf"))
             m_text.remove_prefix(3);
-        if (m_text.empty())
-            return refuse(1, "empty file", std::string("a header line such as ") + std::string(kHeaderExample));
+        if (m_text.empty()) {
+            m_line = 1;
+            return refuse(1, "empty file", "a header line such as " + std::string(kHeaderExample));
+        }
         std::string_view line;
         nextLine(line);
         if (auto header = readHeader(line); !header)
