@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_loops.h"
+#include "core/fp_environment.h"
+#include "core/random.h"
+#include "core/units.h"
+#include "simulation/exercises/sphere_apex/hemisphere_contact.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+using namespace chiron;
+using namespace chiron::simulation;
+using namespace chiron::simulation::testing;
+using core::Vec3;
+
+namespace {
+
+constexpr double kLoopTolerance_J = 1e-6; // models.md §0: every loop and its reverse ≥ −1 µJ
+
+HemisphereContact::Parameters plainParameters() {
+    HemisphereContact::Parameters p;
+    p.surface = {0.020, 0.0, core::Vec2(0.004, -0.009)};
+    p.stiffness.base_N_per_m = 500.0;
+    return p;
+}
+
+HemisphereContact::Parameters variedParameters() {
+    HemisphereContact::Parameters p = plainParameters();
+    p.stiffness = {800.0, 0.5, 0.030, core::Vec2(0.4, 1.9)};
+    return p;
+}
+
+HemisphereContact::Parameters dimpledParameters() {
+    HemisphereContact::Parameters p = plainParameters();
+    p.dimple = {0.001, 0.006, p.surface.centre_m + core::Vec2(0.010, 0.0)};
+    return p;
+}
+
+HemisphereContact::Parameters everything() {
+    HemisphereContact::Parameters p = variedParameters();
+    p.dimple = dimpledParameters().dimple;
+    p.damping_Ns_per_m = 2.0;
+    p.friction = 0.3;
+    return p;
+}
+
+Vec3 randomVector(core::Random& random, double reach) {
+    return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
+}
+
+/// The law that models.md §2.3 rejects: of plane and ball, the one entered deeper answers.
+Vec3 deeperContactWins(const HemisphereContact::Parameters& law, const Vec3& p) {
+    const Vec3 fromCentre =
+        p - Vec3(law.surface.centre_m.x(), law.surface.centre_m.y(), law.surface.planeHeight_m);
+    const double plane = -fromCentre.z();
+    const double ball = law.surface.radius_m - fromCentre.norm();
+    const double depth = std::max(plane, ball);
+    if (depth <= 0.0)
+        return Vec3::Zero();
+    const Vec3 normal = plane > ball ? Vec3(Vec3::UnitZ()) : Vec3(fromCentre.normalized());
+    return law.stiffness.base_N_per_m * depth * normal;
+}
+
+/// Largest change of the elastic force per metre where the depth is at most `depth_m` ≤ R/2: the norm of the
+/// potential's second derivative, k|∇d'|² + k·max(d ‖Hess d‖ = 1) + k d' ‖Hess h‖ + 2 d' |∇k| |∇d'| + ½ d'²
+/// ‖Hess k‖; exactly k for a uniform stiffness without a dimple, where the first two are the parts of one
+/// projection.
+double forceSlopeBound(const HemisphereContact::Parameters& law, double depth_m) {
+    const StiffnessField& k = law.stiffness;
+    if (k.variation == 0.0 && law.dimple.depth_m == 0.0)
+        return k.base_N_per_m;
+    const double wave = 2.0 * core::kPi / k.wavelength_m;
+    const double kMax = k.base_N_per_m * (1.0 + k.variation);
+    const double kGradient = 0.5 * k.base_N_per_m * k.variation * wave * std::sqrt(2.0);
+    const double kCurvature = 0.5 * k.base_N_per_m * k.variation * wave * wave;
+    const double w = law.dimple.halfWidth_m;
+    const double slope = 1.0 + 8.0 / (3.0 * std::sqrt(3.0)) * law.dimple.depth_m / w;
+    const double hCurvature = 8.0 * law.dimple.depth_m / (w * w);
+    return kMax * (slope * slope + 1.0 + depth_m * hCurvature) + 2.0 * depth_m * kGradient * slope +
+           0.5 * depth_m * depth_m * kCurvature;
+}
+
+/// Elastic force alone (no damping, no friction).
+Force elasticForce(HemisphereContact::Parameters law) {
+    law.damping_Ns_per_m = 0.0;
+    const HemisphereContact contact(law);
+    return [contact](const Vec3& p) { return contact.respond(p, Vec3::Zero()).force; };
+}
+
+} // namespace
+
+class TestHemisphereContact : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { core::setModelFloatingPointEnvironment(); }
+    void closedFormsOnPlaneAndApex();
+    void zeroDepthZeroForce();
+    void dampingVanishesAtRestAndAtFirstContact();
+    void dimpleLowersTheSurface();
+    void neverPulls();
+    void forceIsContinuous_data();
+    void forceIsContinuous();
+    void forceIsMinusGradientOfEnergy();
+    void rejectedLawJumpsAtTheRim();
+    void loopsMakeNoEnergy_data();
+    void loopsMakeNoEnergy();
+    void stiffLumpMakesNoEnergy();
+    void frictionAndDampingAlwaysAbsorb();
+    void mirrorsAndTurns();
+    void sameInputsSameBits();
+    void proxyLiesOnTheSurface();
+};
+
+void TestHemisphereContact::closedFormsOnPlaneAndApex() {
+    const auto law = plainParameters();
+    const HemisphereContact contact(law);
+    const core::Vec2 c = law.surface.centre_m;
+    const auto flat = contact.respond({c.x() + 0.030, c.y() + 0.010, -0.002}, Vec3::Zero());
+    QVERIFY((flat.force - Vec3(0, 0, 1.0)).norm() < 1e-12); // 500 N/m · 2 mm
+    QVERIFY(std::abs(flat.energy_J - 0.001) < 1e-15);       // ½ · 500 · (2 mm)²
+    const auto apex = contact.respond({c.x(), c.y(), 0.017}, Vec3::Zero());
+    QVERIFY((apex.force - Vec3(0, 0, 1.5)).norm() < 1e-12);
+    QCOMPARE(apex.stiffness_N_per_m, 500.0);
+    // 45° up the flank, 1 mm deep
+    const double s = 0.019 * std::sqrt(0.5);
+    const auto flank = contact.respond({c.x() + s, c.y(), s}, Vec3::Zero());
+    QVERIFY((flank.force - 0.5 * Vec3(std::sqrt(0.5), 0, std::sqrt(0.5))).norm() < 1e-12);
+    // damper at full depth: 2 mm deep, leaving at 0.1 m/s: 1.0 − 2·0.1
+    auto damped = law;
+    damped.damping_Ns_per_m = 2.0;
+    const auto leaving = HemisphereContact(damped).respond({c.x() + 0.030, c.y(), -0.002}, {0.3, 0.0, 0.1});
+    QVERIFY((leaving.force - Vec3(0, 0, 0.8)).norm() < 1e-12);
+    // at half the weighting depth, half the damper: 0.125 + ½·2·0.1
+    const auto entering =
+        HemisphereContact(damped).respond({c.x() + 0.030, c.y(), -0.00025}, {0.0, 0.0, -0.1});
+    QVERIFY((entering.force - Vec3(0, 0, 0.225)).norm() < 1e-12);
+}
+
+void TestHemisphereContact::zeroDepthZeroForce() {
+    core::Random random(1);
+    const HemisphereContact contact(everything());
+    for (int n = 0; n < 20000; ++n) {
+        const Vec3 surface = randomSurfacePoint(random, contact.parameters().surface);
+        const Vec3 outside = surface + Vec3(0, 0, random.uniform(1e-9, 0.01));
+        BristleFriction bristle;
+        const auto response = contact.respond(outside, randomVector(random, 2.0), bristle);
+        if (contact.parameters().surface.distance(outside).signedDistance_m <= 0.0)
+            continue;
+        QVERIFY(!response.inContact);
+        QCOMPARE(response.force, Vec3(0, 0, 0));
+        QCOMPARE(response.energy_J, 0.0);
+        QCOMPARE(response.surfacePoint, outside);
+    }
+}
+
+void TestHemisphereContact::dampingVanishesAtRestAndAtFirstContact() {
+    core::Random random(2);
+    auto law = variedParameters();
+    const HemisphereContact elastic(law);
+    law.damping_Ns_per_m = 50.0;
+    const HemisphereContact damped(law);
+    for (int n = 0; n < 20000; ++n) {
+        const Vec3 p = randomSurfacePoint(random, law.surface) + randomVector(random, 0.003);
+        QCOMPARE(damped.respond(p, Vec3::Zero()).force, elastic.respond(p, Vec3::Zero()).force);
+    }
+    const auto touch =
+        damped.respond({0.05, 0.03, -1e-9}, {0, 0, -1.0}); // 1 nm deep at 1 m/s: 50 N unweighted
+    QVERIFY(touch.inContact);
+    QVERIFY(touch.force.norm() < 50.0 * 1e-9 / 0.0005 + 2000.0 * 1e-9);
+}
+
+void TestHemisphereContact::dimpleLowersTheSurface() {
+    const auto law = dimpledParameters();
+    const HemisphereContact contact(law);
+    const core::Vec2 d = law.dimple.centre_m;
+    const double surface = std::sqrt(0.020 * 0.020 - 0.010 * 0.010); // of the ball, 10 mm from its axis
+    // 1 mm dimple along the normal at 30° from vertical: the ball is entered by 0.9 mm, the dimple's floor is
+    // not
+    const Vec3 normal = Vec3(0.5, 0.0, surface / 0.020);
+    const Vec3 onBall(d.x(), d.y(), surface);
+    QVERIFY(!contact.respond(onBall - 0.0005 * normal, Vec3::Zero()).inContact);
+    QVERIFY(HemisphereContact(plainParameters()).respond(onBall - 0.0005 * normal, Vec3::Zero()).inContact);
+    QVERIFY(contact.respond(onBall - 0.0015 * normal, Vec3::Zero()).inContact);
+    // beyond its half-width nothing changes
+    const Vec3 away(law.surface.centre_m.x() - 0.005, law.surface.centre_m.y(), 0.018);
+    QCOMPARE(contact.respond(away, Vec3::Zero()).force,
+             HemisphereContact(plainParameters()).respond(away, Vec3::Zero()).force);
+}
+
+// A million random states: random laws, places from far outside to deeper than the ball, speeds up to 5 m/s.
+void TestHemisphereContact::neverPulls() {
+    core::Random random(3);
+    int leavingFast = 0;
+    for (int block = 0; block < 1000; ++block) {
+        HemisphereContact::Parameters law = plainParameters();
+        law.stiffness = {random.uniform(50.0, 3000.0), random.uniform(0.0, 0.99), random.uniform(0.005, 0.06),
+                         core::Vec2(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0))};
+        law.dimple = {random.uniform(0.0, 0.003), random.uniform(0.002, 0.01),
+                      law.surface.centre_m +
+                          core::Vec2(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02))};
+        law.damping_Ns_per_m = random.uniform(0.0, 50.0);
+        law.friction = random.uniform(0.0, 2.0);
+        const HemisphereContact contact(law);
+        BristleFriction bristle;
+        for (int n = 0; n < 1000; ++n) {
+            const Vec3 p =
+                randomSurfacePoint(random, law.surface) + randomVector(random, n % 10 == 0 ? 0.05 : 0.004);
+            const Vec3 v = randomVector(random, 5.0);
+            const auto response = contact.respond(p, v, bristle);
+            QVERIFY(response.force.allFinite());
+            QVERIFY(response.normalForce_N >= 0.0);
+            QVERIFY(response.force.dot(response.normal) >= -1e-11 * (1.0 + response.force.norm()));
+            const double rubbing = bristle.stretch().norm() * law.bristleStiffness_N_per_m;
+            QVERIFY(rubbing <= law.friction * response.normalForce_N * (1.0 + 1e-12));
+            leavingFast += response.inContact && response.normalForce_N == 0.0 ? 1 : 0;
+        }
+    }
+    QVERIFY(leavingFast > 10000); // the limit really was at work
+}
+
+void TestHemisphereContact::forceIsContinuous_data() {
+    QTest::addColumn<int>("which");
+    QTest::newRow("plain") << 0;
+    QTest::newRow("varied stiffness") << 1;
+    QTest::newRow("dimple") << 2;
+    QTest::newRow("both") << 3;
+}
+
+void TestHemisphereContact::forceIsContinuous() {
+    QFETCH(int, which);
+    auto law = which == 0   ? plainParameters()
+               : which == 1 ? variedParameters()
+               : which == 2 ? dimpledParameters()
+                            : everything();
+    law.friction = 0.0;
+    const HemisphereContact contact(law);
+    core::Random random(4);
+    const double step = 1e-5; // 0.01 mm
+    const double deepest = 0.010;
+    const double slope = forceSlopeBound(law, deepest);
+    int acrossTheRim = 0;
+    int compared = 0;
+    for (int n = 0; n < 400000; ++n) {
+        const Vec3 p =
+            randomSurfacePoint(random, law.surface) + randomVector(random, n % 2 == 0 ? 0.0005 : 0.006);
+        const Vec3 q = p + randomVector(random, 1.0).normalized() * step;
+        const auto a = contact.respond(p, Vec3::Zero());
+        const auto b = contact.respond(q, Vec3::Zero());
+        const double geometric = -law.surface.distance(p).signedDistance_m;
+        if (geometric > deepest - step)
+            continue;
+        QVERIFY2((a.force - b.force).norm() <= slope * step + 1e-12,
+                 qPrintable(QString("%1 N at %2 mm").arg((a.force - b.force).norm()).arg(1e3 * geometric)));
+        compared += a.inContact ? 1 : 0;
+        const bool sides = (p.z() < law.surface.planeHeight_m) != (q.z() < law.surface.planeHeight_m);
+        acrossTheRim += sides && a.depth_m > 0.0005 ? 1 : 0;
+    }
+    QVERIFY(compared > 50000);
+    QVERIFY(acrossTheRim > 10);
+}
+
+void TestHemisphereContact::forceIsMinusGradientOfEnergy() {
+    auto law = everything();
+    law.damping_Ns_per_m = 0.0;
+    const HemisphereContact contact(law);
+    core::Random random(5);
+    const double h = 1e-6;
+    const double slope = forceSlopeBound(law, 0.010);
+    for (int n = 0; n < 50000; ++n) {
+        const Vec3 p = randomSurfacePoint(random, law.surface) + randomVector(random, 0.004);
+        const auto here = contact.respond(p, Vec3::Zero());
+        Vec3 force;
+        for (int axis = 0; axis < 3; ++axis)
+            force[axis] = -(contact.respond(p + h * Vec3::Unit(axis), Vec3::Zero()).energy_J -
+                            contact.respond(p - h * Vec3::Unit(axis), Vec3::Zero()).energy_J) /
+                          (2 * h);
+        QVERIFY((force - here.force).norm() <=
+                slope * h * std::sqrt(3.0) + 1e-8); // mean value theorem, an axis each
+    }
+}
+
+// A test of the continuity test: with the rejected law it must fail, by what models.md says (1.45 N at 1 mm;
+// k = 1 N/mm).
+void TestHemisphereContact::rejectedLawJumpsAtTheRim() {
+    auto law = plainParameters();
+    law.stiffness.base_N_per_m = 1000.0;
+    const double rho =
+        std::sqrt(0.019 * 0.019 - 0.001 * 0.001); // 1 mm under the plane and 1 mm inside the ball
+    const Vec3 onBisector(law.surface.centre_m.x() + rho, law.surface.centre_m.y(), -0.001);
+    const Vec3 aside(1e-8, 0.0, 0.0);
+    const double rejected =
+        (deeperContactWins(law, onBisector + aside) - deeperContactWins(law, onBisector - aside)).norm();
+    QVERIFY2(std::abs(rejected - 1.45) < 0.005, qPrintable(QString::number(rejected)));
+    const Force ours = elasticForce(law);
+    QVERIFY((ours(onBisector + aside) - ours(onBisector - aside)).norm() <= 1000.0 * 2.0e-8 + 1e-12);
+}
+
+void TestHemisphereContact::loopsMakeNoEnergy_data() {
+    forceIsContinuous_data();
+}
+
+void TestHemisphereContact::loopsMakeNoEnergy() {
+    QFETCH(int, which);
+    const auto law = which == 0   ? plainParameters()
+                     : which == 1 ? variedParameters()
+                     : which == 2 ? dimpledParameters()
+                                  : everything();
+    const Force force = elasticForce(law);
+    core::Random random(6);
+    double exchanged = 0.0;
+    double normalOnly = 0.0; // the same without its lateral parts, to show that the loops can tell
+    const auto withoutLateral = [&](const Vec3& p) -> Vec3 {
+        const auto r = HemisphereContact(law).respond(p, Vec3::Zero());
+        return r.stiffness_N_per_m * r.depth_m * law.surface.distance(p).normal;
+    };
+    for (int n = 0; n < 60; ++n) {
+        auto loop = randomLoop(random, randomSurfacePoint(random, law.surface), 0.005, 8000);
+        const double forward = workIn(loop, force);
+        QVERIFY2(forward >= -kLoopTolerance_J, qPrintable(QString::number(forward)));
+        normalOnly = std::min(normalOnly, workIn(loop, withoutLateral));
+        for (const Vec3& p : loop)
+            exchanged = std::max(exchanged, HemisphereContact(law).respond(p, Vec3::Zero()).energy_J);
+        std::reverse(loop.begin(), loop.end());
+        const double backward = workIn(loop, force);
+        QVERIFY2(backward >= -kLoopTolerance_J, qPrintable(QString::number(backward)));
+        normalOnly = std::min(normalOnly, workIn(loop, withoutLateral));
+    }
+    QVERIFY2(exchanged > 1e-3, qPrintable(QString::number(exchanged)));
+    if (which > 0)
+        QVERIFY2(normalOnly < -10.0 * kLoopTolerance_J, qPrintable(QString::number(normalOnly)));
+}
+
+// models.md §0: "a lump of 400 → 1200 N/m felt as stiffness × depth makes 6.4 mJ per press–slide–lift loop at
+// 4 mm".
+void TestHemisphereContact::stiffLumpMakesNoEnergy() {
+    auto law = plainParameters();
+    law.stiffness = {800.0, 0.5, 0.040, core::Vec2::Zero()};
+    const HemisphereContact contact(law);
+    // sin = −1 at −λ/4 and +1 at +λ/4, seen where the plane is flat: one wavelength further out
+    const Vec3 soft(0.050 - 0.020, 0.050 - 0.020, 0.0);
+    const Vec3 stiff(0.050, 0.050, 0.0);
+    const Vec3 down(0, 0, -0.004);
+    auto loop = polygon({soft, soft + down, stiff + down, stiff, soft}, 4000);
+    QVERIFY(std::abs(contact.respond(soft + down, Vec3::Zero()).stiffness_N_per_m - 400.0) < 1e-9);
+    QVERIFY(std::abs(contact.respond(stiff + down, Vec3::Zero()).stiffness_N_per_m - 1200.0) < 1e-9);
+    const Force normalOnly = [&](const Vec3& p) -> Vec3 {
+        const auto r = contact.respond(p, Vec3::Zero());
+        return r.stiffness_N_per_m * r.depth_m * Vec3::UnitZ();
+    };
+    const double made = -workIn(loop, normalOnly);
+    QVERIFY2(std::abs(made - 0.0064) < 1e-5, qPrintable(QString::number(made)));
+    const double ours = workIn(loop, elasticForce(law));
+    QVERIFY2(std::abs(ours) < kLoopTolerance_J, qPrintable(QString::number(ours)));
+    std::reverse(loop.begin(), loop.end());
+    QVERIFY(std::abs(workIn(loop, elasticForce(law))) < kLoopTolerance_J);
+}
+
+// At every moment of every loop the hand has put in at least what the contact holds; a closed loop costs
+// energy.
+void TestHemisphereContact::frictionAndDampingAlwaysAbsorb() {
+    const auto law = everything();
+    const HemisphereContact contact(law);
+    core::Random random(7);
+    int costly = 0;
+    for (int n = 0; n < 40; ++n) {
+        auto loop = randomLoop(random, randomSurfacePoint(random, law.surface), 0.004, 8000);
+        for (int direction = 0; direction < 2; ++direction) {
+            BristleFriction bristle;
+            auto before = contact.respond(loop.front(), Vec3::Zero(), bristle);
+            const double held = before.energy_J;
+            double work = 0.0;
+            for (std::size_t i = 1; i < loop.size(); ++i) {
+                const Vec3 moved = loop[i] - loop[i - 1];
+                const auto now = contact.respond(loop[i], moved / 0.00025, bristle); // 2 s a loop
+                work -= 0.5 * (before.force + now.force).dot(moved);
+                QVERIFY2(work >= now.energy_J - held - kLoopTolerance_J, qPrintable(QString::number(work)));
+                before = now;
+            }
+            costly += work > 1e-4 ? 1 : 0;
+            std::reverse(loop.begin(), loop.end());
+        }
+    }
+    QVERIFY2(costly > 30, qPrintable(QString::number(costly)));
+}
+
+void TestHemisphereContact::mirrorsAndTurns() {
+    auto law = plainParameters();
+    law.damping_Ns_per_m = 2.0;
+    law.friction = 0.4;
+    law.surface.centre_m.setZero();
+    const HemisphereContact contact(law);
+    core::Random random(8);
+    for (int n = 0; n < 20000; ++n) {
+        const Vec3 p = randomSurfacePoint(random, law.surface) + randomVector(random, 0.003);
+        const Vec3 next = p + randomVector(random, 0.0002);
+        const Vec3 v = randomVector(random, 0.3);
+        const auto answer = [&](const core::Mat3& map) {
+            BristleFriction bristle;
+            contact.respond(map * p, map * v, bristle);
+            return contact.respond(map * next, map * v, bristle).force;
+        };
+        const Vec3 straight = answer(core::Mat3::Identity());
+        const core::Mat3 mirror = Vec3(-1, 1, 1).asDiagonal();
+        QVERIFY((answer(mirror) - mirror * straight).norm() == 0.0); // exact: only signs change
+        const core::Mat3 turn = Eigen::AngleAxisd(random.uniform(0.0, 6.0), Vec3::UnitZ()).toRotationMatrix();
+        QVERIFY((answer(turn) - turn * straight).norm() < 1e-10);
+    }
+}
+
+void TestHemisphereContact::sameInputsSameBits() {
+    const auto run = [] {
+        const HemisphereContact contact(everything());
+        core::Random random(9);
+        BristleFriction bristle;
+        std::uint64_t digest = 0;
+        for (int n = 0; n < 50000; ++n) {
+            const Vec3 p =
+                randomSurfacePoint(random, contact.parameters().surface) + randomVector(random, 0.003);
+            const Vec3 f = contact.respond(p, randomVector(random, 1.0), bristle).force;
+            for (int axis = 0; axis < 3; ++axis)
+                digest = std::rotl(digest, 7) ^ std::bit_cast<std::uint64_t>(f[axis]);
+        }
+        return digest;
+    };
+    QCOMPARE(run(), run());
+}
+
+void TestHemisphereContact::proxyLiesOnTheSurface() {
+    const HemisphereContact plain(plainParameters());
+    const HemisphereContact dimpled(dimpledParameters());
+    core::Random random(10);
+    for (int n = 0; n < 20000; ++n) {
+        const Vec3 p = randomSurfacePoint(random, plain.parameters().surface) + randomVector(random, 0.003);
+        const auto r = plain.respond(p, Vec3::Zero());
+        if (r.inContact)
+            QVERIFY(std::abs(plain.parameters().surface.distance(r.surfacePoint).signedDistance_m) < 1e-12);
+        const auto d = dimpled.respond(p, Vec3::Zero());
+        if (d.inContact) // first order: within slope (0.26) × sideways travel (≤ depth) of the dimple's floor
+            QVERIFY(dimpled.respond(d.surfacePoint, Vec3::Zero()).depth_m <= 0.26 * d.depth_m + 1e-12);
+    }
+}
+
+QTEST_APPLESS_MAIN(TestHemisphereContact)
+#include "test_hemisphere_contact.moc"
