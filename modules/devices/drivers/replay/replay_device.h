@@ -15,7 +15,7 @@ namespace chiron::devices {
 struct TracePoint {
     double t_s = 0.0;
     core::Vec3 p_WT_m = core::Vec3::Zero();
-    std::optional<core::Quat> q_WT; ///< all rows have one, or none
+    std::optional<core::Quat> q_WT = std::nullopt; ///< all rows have one, or none
     double jaw_rad = 0.0;
     std::uint32_t buttons = 0;
 };
