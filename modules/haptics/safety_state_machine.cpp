@@ -18,6 +18,10 @@ constexpr std::uint32_t stepOf(std::uint32_t ramp_ms) noexcept {
     return ramp_ms == 0 ? kFullGain : (kFullGain + ramp_ms - 1) / ramp_ms;
 }
 
+std::uint32_t gainOf(double scale) noexcept {
+    return static_cast<std::uint32_t>(std::clamp(scale, 0.0, 1.0) * kFullGain);
+}
+
 } // namespace
 
 void SafetyStateMachine::reset(const SafetySettings& settings, GuardMask mask) noexcept {
@@ -80,7 +84,11 @@ void SafetyStateMachine::pause() noexcept {
 }
 
 void SafetyStateMachine::resume() noexcept {
+    if (!m_paused) {
+        return;
+    }
     m_paused = false;
+    m_dampingGain = 0;
     if (m_state == ForceState::pausing || m_state == ForceState::paused) {
         startArming();
     }
@@ -133,6 +141,7 @@ void SafetyStateMachine::stop() noexcept {
 }
 
 void SafetyStateMachine::leaveOldScene() noexcept {
+    m_dampingGain = 0;
     if (m_state == ForceState::pausing) {
         m_gain = 0;
         m_state = ForceState::paused;
@@ -164,9 +173,9 @@ void SafetyStateMachine::stepState(const SafetyConditions& in) noexcept {
     case ForceState::heldByWatchdog:
     case ForceState::heldByHeartbeat: stepForce(in); break;
     case ForceState::pausing: stepPausing(in); break;
+    case ForceState::fault: stepDamping(in); break;
     case ForceState::paused:
-    case ForceState::stopped:
-    case ForceState::fault: break;
+    case ForceState::stopped: break;
     }
 }
 
@@ -230,13 +239,18 @@ void SafetyStateMachine::stepPausing(const SafetyConditions& in) noexcept {
     }
 }
 
+void SafetyStateMachine::stepDamping(const SafetyConditions& in) noexcept {
+    // Damping needs a velocity of now and a person who is there: a frozen window or a pause ends it at once.
+    const bool mayDamp = !windowFrozen(in) && !(m_paused && m_mask.has(GuardMask::kPause));
+    m_dampingGain = mayDamp ? std::min(m_dampingGain, gainOf(in.watchdogScale)) : 0;
+}
+
 void SafetyStateMachine::lowerGain(std::uint32_t ramp_ms) noexcept {
     m_gain -= std::min(m_gain, stepOf(ramp_ms));
 }
 
 void SafetyStateMachine::followWatchdog(const SafetyConditions& in) noexcept {
-    const double scale = std::clamp(in.watchdogScale, 0.0, 1.0);
-    m_gain = std::min(m_gain, static_cast<std::uint32_t>(scale * kFullGain));
+    m_gain = std::min(m_gain, gainOf(in.watchdogScale));
 }
 
 bool SafetyStateMachine::forceMayFlow() const noexcept {

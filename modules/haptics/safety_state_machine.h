@@ -56,6 +56,7 @@ private:
     void stepArming(const SafetyConditions& in) noexcept;
     void stepForce(const SafetyConditions& in) noexcept;
     void stepPausing(const SafetyConditions& in) noexcept;
+    void stepDamping(const SafetyConditions& in) noexcept;
     void lowerGain(std::uint32_t ramp_ms) noexcept;
     void followWatchdog(const SafetyConditions& in) noexcept;
     bool forceMayFlow() const noexcept;
