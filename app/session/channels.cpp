@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/channels.h"
+
+namespace chiron::session {
+
+core::Result<recording::ChannelTable> channelTableFor(const SessionSetup& setup) {
+    std::vector<recording::ToolChannels> tools;
+    for (const devices::DeviceDescriptor& device : setup.devices) {
+        recording::ToolChannels channels;
+        for (const devices::AxisDescriptor& axis : device.axes)
+            channels.axes.push_back({axis.id, axis.unit == devices::AxisUnit::metre ? "m" : "rad", axis.resolution});
+        channels.jawResolution_rad = device.jawResolution_rad;
+        channels.period_us = device.period_us;
+        tools.push_back(std::move(channels));
+    }
+    return recording::ChannelTable::forTools(tools);
+}
+
+} // namespace chiron::session

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "recording/channel_table.h"
+#include "session/session_setup.h"
+
+namespace chiron::session {
+
+/// The channel table of a session's recording, from its devices' axes.
+core::Result<recording::ChannelTable> channelTableFor(const SessionSetup& setup);
+
+} // namespace chiron::session

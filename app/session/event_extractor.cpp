@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/event_extractor.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace chiron::session {
+
+namespace {
+
+using core::CommandKind;
+
+const char* wordFor(CommandKind kind) {
+    switch (kind) {
+    case CommandKind::start: return "start";
+    case CommandKind::pause: return "pause";
+    case CommandKind::resume: return "resume";
+    case CommandKind::confirmHold: return "confirm_hold";
+    case CommandKind::stopForce: return "stop_force";
+    case CommandKind::rearm: return "rearm";
+    case CommandKind::mark: return "mark_command";
+    case CommandKind::end: return "end";
+    case CommandKind::none: break;
+    }
+    return nullptr;
+}
+
+/// Guards worth a mark in playback; caps, slew and arming act all the time and are read from the channel instead.
+constexpr std::array<std::pair<std::uint32_t, const char*>, 8> kMarkedGuards{{
+    {core::guard_bits::kOverVelocity, "over_velocity"},
+    {core::guard_bits::kBadSample, "bad_sample"},
+    {core::guard_bits::kSampleFault, "sample_fault"},
+    {core::guard_bits::kWatchdog, "watchdog"},
+    {core::guard_bits::kWatchdogFault, "watchdog_fault"},
+    {core::guard_bits::kHeartbeat, "window_frozen"},
+    {core::guard_bits::kPassivity, "passivity"},
+    {core::guard_bits::kDeviceFault, "device_fault"},
+}};
+
+} // namespace
+
+void EventExtractor::add(std::span<const core::HapticFrame> frames) {
+    for (const core::HapticFrame& frame : frames)
+        addFrame(frame);
+}
+
+void EventExtractor::addFrame(const core::HapticFrame& frame) {
+    if (!m_haveOrigin) {
+        m_origin_us = frame.tool[0].deviceTime_us;
+        m_haveOrigin = true;
+    }
+    const double t_s = static_cast<double>(static_cast<std::int64_t>(frame.tool[0].deviceTime_us - m_origin_us)) * 1e-6;
+    addCommands(frame, t_s);
+    addTrialEvents(frame, t_s);
+    addGuards(frame, t_s);
+    addOverForce(frame, t_s);
+    ++m_frames;
+    m_lastTick = frame.header.index;
+    m_finished = m_finished || frame.header.phase == core::TrialPhase::finished;
+    m_faulted = frame.header.force == core::ForceState::fault;
+}
+
+void EventExtractor::note(const core::HapticFrame& frame, double t_s, const char* kind, int tool) {
+    database::EventRecord event;
+    event.tick = frame.header.index;
+    event.time_s = std::max(0.0, t_s);
+    event.tool = tool;
+    event.kind = kind;
+    event.detailJson = "{\"trial\":" + std::to_string(frame.header.trial) + "}";
+    m_events.push_back(std::move(event));
+}
+
+void EventExtractor::addCommands(const core::HapticFrame& frame, double t_s) {
+    for (const core::Command& command : frame.header.commands) {
+        if (const char* word = wordFor(command.kind))
+            note(frame, t_s, word);
+        m_endCommand = m_endCommand || command.kind == CommandKind::end;
+    }
+}
+
+void EventExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) {
+    using namespace core::event_bits;
+    const std::uint32_t events = frame.header.events;
+    if (events & kTrialStarted) {
+        note(frame, t_s, "trial_started");
+        database::TrialRecord trial;
+        trial.index = frame.header.trial;
+        trial.seed = m_seed;
+        trial.state = database::SessionState::running;
+        trial.firstTick = frame.header.index;
+        m_trials.push_back(std::move(trial));
+    }
+    if (!m_trials.empty() && m_trials.back().state == database::SessionState::running)
+        m_trials.back().lastTick = frame.header.index;
+    if (!(events & (kMarked | kTimedOut)) || m_trials.empty())
+        return;
+    note(frame, t_s, (events & kMarked) ? "marked" : "timed_out");
+    m_trials.back().marked = (events & kMarked) != 0;
+    m_trials.back().timedOut = (events & kTimedOut) != 0;
+    m_trials.back().state = database::SessionState::completed;
+}
+
+void EventExtractor::addGuards(const core::HapticFrame& frame, double t_s) {
+    const std::uint32_t begun = frame.header.guards & ~m_guards;
+    for (const auto& [bit, word] : kMarkedGuards) {
+        if (begun & bit)
+            note(frame, t_s, word);
+    }
+    m_guards = frame.header.guards;
+}
+
+void EventExtractor::addOverForce(const core::HapticFrame& frame, double t_s) {
+    if (frame.header.paused)
+        return;
+    for (int i = 0; i < m_tools; ++i) {
+        const auto tool = static_cast<std::size_t>(i);
+        const core::Array6& f = frame.tool[tool].tissue;
+        const bool over = std::hypot(f[0], f[1], f[2]) > m_forceLimit_N;
+        if (over && !m_over[tool])
+            note(frame, t_s, "force_over_limit", i);
+        m_over[tool] = over;
+    }
+}
+
+} // namespace chiron::session

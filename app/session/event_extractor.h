@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+#include "database/repositories/session_types.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace chiron::session {
+
+/// Stored frames -> the events and trials of a session, as playback marks them and the database keeps them: trial
+/// starts, marks, time-outs, commands, the onset of each guard, the onset of tissue force over the limit.
+class EventExtractor {
+public:
+    EventExtractor(double forceLimit_N, std::uint64_t sessionSeed, int tools)
+        : m_forceLimit_N(forceLimit_N), m_seed(sessionSeed), m_tools(tools) {}
+
+    void add(std::span<const core::HapticFrame> frames);
+    const std::vector<database::EventRecord>& events() const noexcept { return m_events; }
+    /// Trials so far; one that has not ended has state `running`.
+    const std::vector<database::TrialRecord>& trials() const noexcept { return m_trials; }
+    std::uint64_t frames() const noexcept { return m_frames; }
+    std::uint64_t lastTick() const noexcept { return m_lastTick; }
+    bool finished() const noexcept { return m_finished; } ///< the exercise came to its end by itself
+    bool faulted() const noexcept { return m_faulted; }   ///< the last frame is in a latched fault
+    bool ended() const noexcept { return m_endCommand; }  ///< the person ended it
+
+private:
+    void addFrame(const core::HapticFrame& frame);
+    void addCommands(const core::HapticFrame& frame, double t_s);
+    void addGuards(const core::HapticFrame& frame, double t_s);
+    void addOverForce(const core::HapticFrame& frame, double t_s);
+    void addTrialEvents(const core::HapticFrame& frame, double t_s);
+    void note(const core::HapticFrame& frame, double t_s, const char* kind, int tool = 0);
+
+    double m_forceLimit_N;
+    std::uint64_t m_seed;
+    int m_tools;
+    bool m_haveOrigin = false;
+    std::uint64_t m_origin_us = 0;
+    std::uint64_t m_frames = 0;
+    std::uint64_t m_lastTick = 0;
+    std::uint32_t m_guards = 0;
+    std::array<bool, core::kMaxTools> m_over{};
+    bool m_finished = false;
+    bool m_faulted = false;
+    bool m_endCommand = false;
+    std::vector<database::EventRecord> m_events;
+    std::vector<database::TrialRecord> m_trials;
+};
+
+} // namespace chiron::session

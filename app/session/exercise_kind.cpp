@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/exercise_kind.h"
+
+#include "session/sphere_apex_kind.h"
+
+#include <array>
+
+namespace chiron::session {
+
+core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
+    static const SphereApexKind sphereApex;
+    static const std::array<const ExerciseKind*, 1> kinds{&sphereApex};
+    std::string known;
+    for (const ExerciseKind* kind : kinds) {
+        if (kind->id() == id)
+            return kind;
+        known += (known.empty() ? "" : ", ") + std::string(kind->id());
+    }
+    return core::fail(core::ErrorCode::notFound, "exercise \"" + std::string(id) + "\": expected one of " + known);
+}
+
+} // namespace chiron::session

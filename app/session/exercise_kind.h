@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+#include "core/result.h"
+#include "mechanisms/hand_strategy.h"
+#include "scoring/trace.h"
+#include "simulation/scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace chiron::session {
+
+/// How one kind of exercise is run: the only place that knows its scene, its operators and its truth by type. A new
+/// kind adds a class and one line in exercise_kind.cpp. Stateless.
+class ExerciseKind {
+public:
+    ExerciseKind() = default;
+    ExerciseKind(const ExerciseKind&) = delete;
+    ExerciseKind& operator=(const ExerciseKind&) = delete;
+    virtual ~ExerciseKind() = default;
+
+    virtual std::string_view id() const noexcept = 0;
+    virtual std::unique_ptr<simulation::IScene> makeScene(const catalogue::ExerciseLevel& level,
+                                                          std::uint64_t seed) const = 0;
+    /// Failure: notFound naming the operators that exist.
+    virtual core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeOperator(const std::string& name,
+                                                                                 std::uint64_t seed) const = 0;
+    virtual std::vector<std::string> operatorNames() const = 0;
+    virtual int trialCount(const catalogue::ExerciseLevel& level) const = 0;
+    virtual double forceLimit_N(const catalogue::ExerciseLevel& level) const = 0;
+    /// Longest time, in ticks, that a session of this level can take without pauses: a scripted run stops there.
+    virtual std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const = 0;
+    /// Adds to a trial what is true of it (from content and seed) and what its mark touched.
+    virtual void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                          scoring::TrialTrace& trial) const = 0;
+};
+
+/// The kind with this id. Failure: notFound naming the kinds that exist.
+core::Result<const ExerciseKind*> exerciseKind(std::string_view id);
+
+} // namespace chiron::session

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/integrity_check.h"
+
+#include "database/repositories/score_repository.h"
+#include "session/stored_session.h"
+
+namespace chiron::session {
+
+namespace {
+
+database::Finding finding(database::SessionId session, const std::string& detail) {
+    return {"score", "score", "session_id=" + std::to_string(session), detail};
+}
+
+} // namespace
+
+std::vector<database::Finding> checkScores(database::Connection& connection, database::SessionId session) {
+    // The program itself looks: the check changes nothing and shows nothing of anybody but whether it holds.
+    const database::Actor actor = database::Actor::maintenance();
+    auto stored = StoredSession::open(connection, actor, session);
+    if (!stored)
+        return {finding(session, "cannot be recomputed: " + stored.error().message)};
+    auto kept = database::ScoreRepository(connection, actor).scores(session);
+    if (!kept)
+        return {finding(session, "stored scores cannot be read: " + kept.error().message)};
+    auto again = (*stored)->computeScores();
+    if (!again)
+        return {finding(session, "cannot be recomputed: " + again.error().message)};
+    if (!sameScores(*kept, *again))
+        return {finding(session, "stored scores differ from those of the recording")};
+    return {};
+}
+
+database::VerifyReport verifyEverything(const std::string& databaseFile, const database::DatabaseOptions& options) {
+    return database::verifyDatabase(databaseFile, options, checkScores);
+}
+
+} // namespace chiron::session

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/integrity/verifier.h"
+
+namespace chiron::session {
+
+/// The whole of `verify`: the database's own checks, and every score recomputed from its recording.
+database::VerifyReport verifyEverything(const std::string& databaseFile,
+                                        const database::DatabaseOptions& options = {});
+
+/// Recomputes one session's scores and compares them with the stored ones; empty if they are the same.
+std::vector<database::Finding> checkScores(database::Connection& connection, database::SessionId session);
+
+} // namespace chiron::session

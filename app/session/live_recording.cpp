@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/live_recording.h"
+
+#include "core/clock.h"
+#include "database/repositories/session_repository.h"
+#include "session/channels.h"
+
+#include <QUuid>
+#include <algorithm>
+
+namespace chiron::session {
+
+core::Result<recording::DatabaseId> ringIdOf(const database::Database& database) {
+    const QUuid uuid = QUuid::fromString(QString::fromStdString(database.uuid()));
+    if (uuid.isNull())
+        return core::fail(core::ErrorCode::storage,
+                          database.file() + ": uuid \"" + database.uuid() + "\": expected a UUID");
+    const QByteArray bytes = uuid.toRfc4122();
+    recording::DatabaseId id{};
+    std::copy_n(reinterpret_cast<const std::uint8_t*>(bytes.constData()), id.size(), id.begin());
+    return id;
+}
+
+core::Result<std::unique_ptr<LiveRecording>> LiveRecording::start(database::Database& database,
+                                                                  const database::Actor& actor,
+                                                                  database::SessionId session,
+                                                                  const SessionSetup& setup,
+                                                                  const std::filesystem::path& ringFolder) {
+    auto positions = ToolPositions::create(setup);
+    if (!positions)
+        return tl::unexpected(positions.error());
+    auto table = channelTableFor(setup);
+    if (!table)
+        return tl::unexpected(table.error());
+    auto id = ringIdOf(database);
+    if (!id)
+        return tl::unexpected(id.error());
+    std::unique_ptr<LiveRecording> live(new LiveRecording(database, std::move(*positions)));
+    auto ring = recording::CrashRing::create({.folder = ringFolder,
+                                              .database = *id,
+                                              .session = session,
+                                              .tools = static_cast<int>(setup.devices.size())});
+    if (!ring)
+        return tl::unexpected(ring.error());
+    live->m_ring = std::move(*ring);
+    auto sink = database.write([&](database::WriteContext& context) {
+        return database::SessionRepository(context.connection(), actor).openSink(session);
+    });
+    if (!sink) {
+        (void)live->m_ring->remove(); // nothing was recorded yet: leave nothing to recover
+        return tl::unexpected(sink.error());
+    }
+    live->m_sink = std::move(*sink);
+    live->m_recorder = std::make_unique<recording::Recorder>(
+        std::move(*table), *live->m_positions, *live->m_sink,
+        recording::RecorderSettings{.forceLimit_N = setup.safety.exerciseForce_N});
+    live->m_drain = std::make_unique<recording::FrameDrain>(*live->m_ring, *live->m_recorder);
+    live->m_draining = true;
+    database.writer().addSource(*live);
+    return live;
+}
+
+LiveRecording::~LiveRecording() { stopDraining(); }
+
+void LiveRecording::stopDraining() {
+    if (!m_draining)
+        return;
+    m_draining = false;
+    m_drainOutcome = m_database.writer().removeSource(*this);
+}
+
+core::Result<void> LiveRecording::drain() { return m_drain->drain(core::monotonicNow_ns()); }
+
+core::Result<RecordingReport> LiveRecording::finish() {
+    stopDraining();
+    // A drain that failed once (disk full, say) kept its frames: this is the second and last try.
+    auto stored = m_database.write([this](database::WriteContext&) { return m_drain->finish(); });
+    if (!stored)
+        return tl::unexpected(stored.error());
+    const RecordingReport report{m_recorder->framesCommitted(), m_drain->lost(), m_recorder->bytesWritten()};
+    if (auto removed = m_ring->remove(); !removed)
+        return tl::unexpected(removed.error());
+    return report;
+}
+
+} // namespace chiron::session

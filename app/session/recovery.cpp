@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/recovery.h"
+
+#include "database/repositories/session_reader.h"
+#include "database/repositories/session_repository.h"
+#include "recording/recorder.h"
+#include "recording/ring_recovery.h"
+#include "session/channels.h"
+#include "session/live_recording.h"
+#include "session/session_outcome.h"
+
+#include <optional>
+
+namespace chiron::session {
+
+namespace {
+
+/// The dead ring of a session, if there is one. An unreadable ring is an error: it may hold what nothing else does.
+core::Result<std::optional<recording::RecoveredRing>> ringOf(const std::vector<std::filesystem::path>& rings,
+                                                             database::SessionId session) {
+    for (const auto& path : rings) {
+        auto ring = recording::recoverRing(path);
+        if (!ring) {
+            if (ring.error().code == core::ErrorCode::locked)
+                continue;
+            return tl::unexpected(ring.error());
+        }
+        if (ring->session() == session)
+            return std::optional<recording::RecoveredRing>(std::move(*ring));
+    }
+    return std::optional<recording::RecoveredRing>();
+}
+
+core::Result<std::uint64_t> storeRingFrames(database::Database& database, const database::SessionRecord& record,
+                                            const recording::RecoveredRing& ring) {
+    auto setup = setupFromStored(record.setup);
+    if (!setup)
+        return tl::unexpected(setup.error());
+    auto positions = ToolPositions::create(*setup);
+    auto table = channelTableFor(*setup);
+    if (!positions || !table)
+        return tl::unexpected(positions ? table.error() : positions.error());
+    return database.write([&](database::WriteContext& context) -> core::Result<std::uint64_t> {
+        const database::Actor maintenance = database::Actor::maintenance();
+        auto sink = database::SessionRepository(context.connection(), maintenance).openSink(record.summary.id);
+        if (!sink)
+            return tl::unexpected(sink.error());
+        auto stored = database::SessionReader(context.connection(), maintenance).openChunks(record.summary.id);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        recording::Recorder recorder(std::move(*table), **positions, **sink,
+                                     {.forceLimit_N = record.setup.forceLimit_N});
+        if (auto resumed = recorder.resume(**stored); !resumed)
+            return tl::unexpected(resumed.error());
+        if (auto added = recorder.add(ring.frames()); !added)
+            return tl::unexpected(added.error());
+        if (auto finished = recorder.finish(); !finished)
+            return tl::unexpected(finished.error());
+        return recorder.framesCommitted();
+    });
+}
+
+core::Result<RecoveredSession> recoverOne(database::Database& database, const database::SessionRecord& record,
+                                          const std::vector<std::filesystem::path>& rings) {
+    RecoveredSession recovered;
+    recovered.session = record.summary.id;
+    auto ring = ringOf(rings, record.summary.id);
+    if (!ring)
+        return tl::unexpected(ring.error());
+    RunEnding ending;
+    ending.interrupted = true;
+    if (*ring) {
+        auto stored = storeRingFrames(database, record, **ring);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        recovered.framesFromRing = *stored;
+        ending.dropped = (*ring)->dropped();
+    }
+    auto card = concludeSession(database, database::Actor::maintenance(), record.summary.id, ending);
+    if (!card)
+        return tl::unexpected(card.error());
+    if (*ring) {
+        if (auto removed = (*ring)->remove(); !removed)
+            return tl::unexpected(removed.error());
+    }
+    return recovered;
+}
+
+} // namespace
+
+core::Result<std::vector<RecoveredSession>> recoverSessions(database::Database& database,
+                                                            const std::filesystem::path& ringFolder) {
+    auto id = ringIdOf(database);
+    if (!id)
+        return tl::unexpected(id.error());
+    auto connection = database.openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    auto unfinished = database::SessionReader(**connection, database::Actor::maintenance()).listUnfinished();
+    if (!unfinished)
+        return tl::unexpected(unfinished.error());
+    std::vector<RecoveredSession> all;
+    recording::removeUnfinishedRings(ringFolder, *id);
+    for (const database::SessionRecord& record : *unfinished) {
+        auto recovered = recoverOne(database, record, recording::listRings(ringFolder, *id));
+        if (!recovered)
+            return tl::unexpected(recovered.error());
+        auto summary = database::SessionReader(**connection, database::Actor::maintenance()).session(record.summary.id);
+        if (summary)
+            recovered->frames = summary->summary.frames;
+        all.push_back(*recovered);
+    }
+    return all;
+}
+
+} // namespace chiron::session

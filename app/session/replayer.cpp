@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/replayer.h"
+
+#include "core/fp_environment.h"
+#include "devices/drivers/replay/recorded_device.h"
+#include "haptics/haptic_loop.h"
+#include "haptics/recorded_inputs.h"
+#include "recording/digest.h"
+#include "recording/wrench_rounding.h"
+#include "session/exercise_kind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+namespace chiron::session {
+
+namespace {
+
+/// Keeps the frames of the chunk in hand. Grows outside the ticks it watches: reserve() comes first.
+class CollectingSink final : public core::IFrameSink {
+public:
+    void reserve(std::size_t frames) {
+        m_frames.clear();
+        m_frames.reserve(frames);
+    }
+    bool tryPush(const core::HapticFrame& frame) noexcept override {
+        if (m_frames.size() == m_frames.capacity())
+            return false;
+        m_frames.push_back(frame);
+        return true;
+    }
+    const std::vector<core::HapticFrame>& frames() const noexcept { return m_frames; }
+
+private:
+    std::vector<core::HapticFrame> m_frames;
+};
+
+double forceDifference(const core::Array6& stored, const core::Array6& again) {
+    const core::Array6 rounded = recording::roundedWrench(again);
+    return std::hypot(stored[0] - rounded[0], stored[1] - rounded[1], stored[2] - rounded[2]);
+}
+
+double largestDifference(std::span<const core::HapticFrame> stored, std::span<const core::HapticFrame> again) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < std::min(stored.size(), again.size()); ++i) {
+        for (std::size_t tool = 0; tool < stored[i].tools; ++tool) {
+            largest = std::max(largest, forceDifference(stored[i].tool[tool].tissue, again[i].tool[tool].tissue));
+            largest = std::max(largest, forceDifference(stored[i].tool[tool].commanded, again[i].tool[tool].commanded));
+        }
+    }
+    return largest;
+}
+
+/// The loop of a replay: the session's own code with a recording in the place of devices and people.
+class Replay {
+public:
+    explicit Replay(StoredSession& session) : m_session(session) {}
+
+    core::Result<void> prepare() {
+        const SessionSetup& setup = m_session.setup();
+        auto kind = exerciseKind(setup.level.exercise);
+        if (!kind)
+            return tl::unexpected(kind.error());
+        std::vector<haptics::LoopTool> tools;
+        for (std::size_t i = 0; i < setup.devices.size(); ++i) {
+            auto device = devices::RecordedDevice::create(setup.devices[i]);
+            if (!device)
+                return tl::unexpected(device.error());
+            m_devices.push_back(std::move(*device));
+            tools.push_back({*m_devices.back(), setup.mappings[i]});
+        }
+        auto scene = (*kind)->makeScene(setup.level, setup.seed);
+        m_scenes.offer(scene);
+        auto loop = haptics::HapticLoop::create({tools, m_inputs, m_supervisor, setup.safety, m_scenes, m_sink});
+        if (!loop)
+            return tl::unexpected(loop.error());
+        m_loop = std::move(*loop);
+        return {};
+    }
+
+    core::Result<void> run(ReplayReport& report) {
+        report.identical = true;
+        for (std::size_t i = 0; i < m_session.reader().chunkCount(); ++i) {
+            if (auto done = runChunk(i, report); !done)
+                return done;
+        }
+        return {};
+    }
+
+private:
+    core::Result<void> runChunk(std::size_t sequence, ReplayReport& report) {
+        auto stored = m_session.reader().framesOf(sequence);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        auto hash = m_session.reader().forceHash(sequence);
+        if (!hash)
+            return tl::unexpected(hash.error());
+        m_sink.reserve(stored->size());
+        for (const core::HapticFrame& frame : *stored) {
+            if (frame.header.index != m_ticks.executed())
+                return core::fail(core::ErrorCode::badInput,
+                                  "recording: tick " + std::to_string(frame.header.index) + " follows tick " +
+                                      std::to_string(m_ticks.executed()) +
+                                      " - frames were lost, so that it cannot be re-simulated");
+            m_inputs.setFrame(frame);
+            m_loop->tick(m_ticks.next(frame.header.now_ns));
+        }
+        report.frames += m_sink.frames().size();
+        const bool same = recording::forceHashOf(m_sink.frames()) == *hash;
+        if (!same && report.identical) {
+            report.identical = false;
+            report.firstDifferentTick = stored->front().header.index;
+        }
+        report.maximumDifference_N =
+            std::max(report.maximumDifference_N, largestDifference(*stored, m_sink.frames()));
+        return {};
+    }
+
+    StoredSession& m_session;
+    std::vector<std::unique_ptr<devices::RecordedDevice>> m_devices;
+    haptics::RecordedInputs m_inputs;
+    haptics::SafetySupervisor m_supervisor;
+    haptics::SceneExchange m_scenes;
+    CollectingSink m_sink;
+    realtime::TickSource m_ticks;
+    std::unique_ptr<haptics::HapticLoop> m_loop; // last: gives its scene back before the exchange goes
+};
+
+} // namespace
+
+core::Result<ReplayReport> replaySession(StoredSession& session) {
+    ReplayReport report;
+    const database::NewSession& stored = session.record().setup;
+    if (stored.buildId != core::buildId()) {
+        report.comparable = false;
+        report.note = "recorded by build \"" + stored.buildId + "\"";
+    } else if (stored.cpuClass != core::cpuClass()) {
+        report.comparable = false;
+        report.note = "recorded on CPU class \"" + stored.cpuClass + "\"";
+    }
+    core::Result<void> outcome;
+    // A thread of its own: models need their floating-point environment, the caller keeps his.
+    std::thread worker([&] {
+        core::setModelFloatingPointEnvironment();
+        Replay replay(session);
+        outcome = replay.prepare();
+        if (outcome)
+            outcome = replay.run(report);
+    });
+    worker.join();
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    return report;
+}
+
+} // namespace chiron::session

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+#include "devices/drivers/replay/replay_device.h"
+#include "haptics/haptic_loop.h"
+#include "haptics/live_inputs.h"
+
+#include <atomic>
+#include <cstdint>
+
+namespace chiron::session {
+
+/// Hands each frame to the recording and to a witness (live plots, a test), and remembers where the trial stands.
+class TeeSink final : public core::IFrameSink {
+public:
+    TeeSink(core::IFrameSink& recording, core::IFrameSink* witness) noexcept
+        : m_recording(recording), m_witness(witness) {}
+    bool tryPush(const core::HapticFrame& frame) noexcept override {
+        const bool stored = m_recording.tryPush(frame);
+        if (m_witness)
+            m_witness->tryPush(frame); // a witness that is full misses a frame; the recording is what counts
+        m_phase = frame.header.phase;
+        return stored;
+    }
+    core::TrialPhase phase() const noexcept { return m_phase; } ///< haptic thread
+
+private:
+    core::IFrameSink& m_recording;
+    core::IFrameSink* m_witness;
+    core::TrialPhase m_phase = core::TrialPhase::idle;
+};
+
+/// What ends a scripted run, beside the exercise itself.
+struct RunLimits {
+    std::uint64_t tickLimit = 0;
+    const devices::ReplayDevice* trace = nullptr; ///< its end marks the last position and ends the session
+    const std::atomic<bool>* cancel = nullptr;
+};
+
+/// The loop as a runner drives it: ends it by command, so that the end is recorded like everything else. A TickTask.
+class RunTask {
+public:
+    RunTask(haptics::HapticLoop& loop, haptics::LiveInputs& inputs, const TeeSink& sink, RunLimits limits) noexcept
+        : m_loop(loop), m_inputs(inputs), m_sink(sink), m_limits(limits) {}
+
+    bool tick(const realtime::HapticTick& now) noexcept {
+        const bool goOn = m_loop.tick(now);
+        if (!m_ending && wantsEnd(now)) {
+            m_ending = true;
+            if (m_limits.trace && m_sink.phase() == core::TrialPhase::running)
+                m_inputs.post({core::CommandKind::mark}); // a trace without a mark: its last position is the answer
+            else
+                m_inputs.post({core::CommandKind::end});
+        } else if (m_ending && !m_ended) {
+            m_ended = true;
+            m_inputs.post({core::CommandKind::end});
+        }
+        return goOn;
+    }
+    void timing(const realtime::TickTiming& timing) noexcept { m_loop.timing(timing); }
+
+private:
+    bool wantsEnd(const realtime::HapticTick& now) const noexcept {
+        return now.index() >= m_limits.tickLimit || (m_limits.trace && m_limits.trace->finished()) ||
+               (m_limits.cancel && m_limits.cancel->load(std::memory_order_relaxed));
+    }
+
+    haptics::HapticLoop& m_loop;
+    haptics::LiveInputs& m_inputs;
+    const TeeSink& m_sink;
+    RunLimits m_limits;
+    bool m_ending = false;
+    bool m_ended = false;
+};
+
+} // namespace chiron::session

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "haptics/safety_settings.h"
+
+#include <QJsonObject>
+
+namespace chiron::session {
+
+/// The supervisor's numbers as stored with each session: a replay uses those of its day.
+QJsonObject toJson(const haptics::SafetySettings& settings);
+core::Result<haptics::SafetySettings> safetyFromJson(const QJsonObject& json);
+
+} // namespace chiron::session

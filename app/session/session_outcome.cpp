@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session_outcome.h"
+
+#include "database/repositories/score_repository.h"
+#include "database/repositories/session_repository.h"
+#include "session/event_extractor.h"
+#include "session/stored_session.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace chiron::session {
+
+namespace {
+
+using database::SessionState;
+
+SessionState stateOf(const EventExtractor& seen, const RunEnding& ending) {
+    if (ending.interrupted)
+        return SessionState::interrupted;
+    if (ending.dropped > 0)
+        return SessionState::incomplete;
+    if (seen.finished())
+        return SessionState::completed;
+    return seen.faulted() ? SessionState::faulted : SessionState::stopped;
+}
+
+/// A trial that has not ended shares the session's fate.
+database::TrialRecord withFate(database::TrialRecord trial, SessionState session) {
+    if (trial.state == SessionState::running)
+        trial.state = session == SessionState::completed ? SessionState::stopped : session;
+    return trial;
+}
+
+std::string truthJson(const scoring::TrialTrace& trial) {
+    QJsonObject truth;
+    if (trial.apex) {
+        truth.insert("apex_x_m", trial.apex->x_m);
+        truth.insert("apex_y_m", trial.apex->y_m);
+        truth.insert("radius_m", trial.apex->radius_m);
+    }
+    return QJsonDocument(truth).toJson(QJsonDocument::Compact).toStdString();
+}
+
+core::Result<EventExtractor> extract(StoredSession& stored) {
+    EventExtractor seen(stored.record().setup.forceLimit_N, stored.setup().seed, stored.positions().tools());
+    auto read = stored.eachChunk([&seen](std::span<const core::HapticFrame> frames) -> core::Result<void> {
+        seen.add(frames);
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return seen;
+}
+
+core::Result<void> storeEnd(database::Database& database, const database::Actor& actor, StoredSession& stored,
+                            const EventExtractor& seen, const RunEnding& ending) {
+    auto trace = stored.trace(); // the truth of each trial goes with its row
+    if (!trace)
+        return tl::unexpected(trace.error());
+    const SessionState state = stateOf(seen, ending);
+    const database::SessionId id = stored.record().summary.id;
+    return database.write([&](database::WriteContext& context) -> core::Result<void> {
+        database::SessionRepository sessions(context.connection(), actor);
+        for (std::size_t i = 0; i < seen.trials().size(); ++i) {
+            database::TrialRecord trial = withFate(seen.trials()[i], state);
+            if (i < trace->trials.size())
+                trial.sceneJson = truthJson(trace->trials[i]);
+            if (auto done = sessions.storeTrial(id, trial); !done)
+                return done;
+        }
+        if (auto done = sessions.storeEvents(id, seen.events()); !done)
+            return done;
+        database::SessionEnd end;
+        end.state = state;
+        end.frames = seen.frames();
+        end.ticks = seen.frames() > 0 ? seen.lastTick() + 1 : 0;
+        end.dropped = ending.dropped;
+        end.loopJson = ending.loopJson;
+        return sessions.finishSession(id, end);
+    });
+}
+
+} // namespace
+
+core::Result<scoring::ScoreCard> concludeSession(database::Database& database, const database::Actor& actor,
+                                                 database::SessionId session, const RunEnding& ending) {
+    auto connection = database.openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    auto running = StoredSession::open(**connection, actor, session);
+    if (!running)
+        return tl::unexpected(running.error());
+    auto seen = extract(**running);
+    if (!seen)
+        return tl::unexpected(seen.error());
+    if (auto ended = storeEnd(database, actor, **running, *seen, ending); !ended)
+        return tl::unexpected(ended.error());
+    auto finished = StoredSession::open(**connection, actor, session); // as review will see it
+    if (!finished)
+        return tl::unexpected(finished.error());
+    auto card = (*finished)->computeScores();
+    if (!card)
+        return card;
+    auto stored = database.write([&](database::WriteContext& context) {
+        return database::ScoreRepository(context.connection(), actor).storeScores(session, *card);
+    });
+    if (!stored)
+        return tl::unexpected(stored.error());
+    return card;
+}
+
+} // namespace chiron::session

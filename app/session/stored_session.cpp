@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/stored_session.h"
+
+#include "scoring/score_calculator.h"
+#include "session/exercise_kind.h"
+#include "session/trace_assembler.h"
+
+#include <bit>
+
+namespace chiron::session {
+
+core::Result<std::unique_ptr<StoredSession>> StoredSession::open(database::Connection& connection,
+                                                                 const database::Actor& actor,
+                                                                 database::SessionId session) {
+    std::unique_ptr<StoredSession> stored(new StoredSession);
+    database::SessionReader sessions(connection, actor);
+    auto record = sessions.session(session);
+    if (!record)
+        return tl::unexpected(record.error());
+    stored->m_record = std::move(*record);
+    auto setup = setupFromStored(stored->m_record.setup);
+    if (!setup)
+        return core::fail(setup.error().code, "session " + std::to_string(session) + ": " + setup.error().message);
+    stored->m_setup = std::move(*setup);
+    auto positions = ToolPositions::create(stored->m_setup);
+    if (!positions)
+        return tl::unexpected(positions.error());
+    stored->m_positions = std::move(*positions);
+    auto chunks = sessions.openChunks(session);
+    if (!chunks)
+        return tl::unexpected(chunks.error());
+    stored->m_chunks = std::move(*chunks);
+    auto reader = recording::RecordingReader::open(*stored->m_chunks);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    stored->m_reader = std::make_unique<recording::RecordingReader>(std::move(*reader));
+    return stored;
+}
+
+core::Result<void> StoredSession::eachChunk(
+    const std::function<core::Result<void>(std::span<const core::HapticFrame>)>& visit) {
+    for (std::size_t i = 0; i < m_reader->chunkCount(); ++i) {
+        auto frames = m_reader->framesOf(i);
+        if (!frames)
+            return tl::unexpected(frames.error());
+        if (auto seen = visit(*frames); !seen)
+            return seen;
+    }
+    return {};
+}
+
+core::Result<scoring::SessionTrace> StoredSession::trace() {
+    auto kind = exerciseKind(m_setup.level.exercise);
+    if (!kind)
+        return tl::unexpected(kind.error());
+    TraceAssembler assembler(*m_positions, m_positions->tools());
+    auto read = eachChunk([&assembler](std::span<const core::HapticFrame> frames) -> core::Result<void> {
+        assembler.add(frames);
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    scoring::SessionTrace trace;
+    trace.exercise = m_setup.level.exercise;
+    trace.forceLimit_N = m_record.setup.forceLimit_N;
+    trace.trials = assembler.takeTrials();
+    for (scoring::TrialTrace& trial : trace.trials)
+        (*kind)->addTruth(m_setup.level, m_setup.seed, trial);
+    return trace;
+}
+
+core::Result<scoring::ScoreCard> StoredSession::computeScores() { return computeScores(0); }
+
+core::Result<scoring::ScoreCard> StoredSession::computeScores(int metricVersion) {
+    auto session = trace();
+    if (!session)
+        return tl::unexpected(session.error());
+    std::vector<scoring::MetricRequest> requests;
+    for (const catalogue::MetricChoice& metric : m_setup.level.metrics)
+        requests.push_back({metric.id, metricVersion > 0 ? metricVersion : metric.version});
+    const bool completed = m_record.summary.state == database::SessionState::completed ||
+                           m_record.stateBeforeVoid == database::SessionState::completed;
+    return scoring::calculateScore(*session, requests, m_setup.level.gates, completed);
+}
+
+namespace {
+
+bool sameMetrics(const std::vector<scoring::MetricValue>& a, const std::vector<scoring::MetricValue>& b) {
+    if (a.size() != b.size())
+        return false;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const bool sameValue =
+            a[i].value.has_value() == b[i].value.has_value() &&
+            (!a[i].value || std::bit_cast<std::uint64_t>(*a[i].value + 0.0) == std::bit_cast<std::uint64_t>(*b[i].value + 0.0));
+        if (!sameValue || a[i].id != b[i].id || a[i].version != b[i].version || a[i].unit != b[i].unit ||
+            a[i].passed != b[i].passed)
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+bool sameScores(const scoring::ScoreCard& a, const scoring::ScoreCard& b) {
+    if (a.passed != b.passed || a.trials.size() != b.trials.size() || !sameMetrics(a.metrics, b.metrics))
+        return false;
+    for (std::size_t i = 0; i < a.trials.size(); ++i) {
+        if (!sameMetrics(a.trials[i], b.trials[i]))
+            return false;
+    }
+    return true;
+}
+
+} // namespace chiron::session

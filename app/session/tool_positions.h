@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "devices/api/workspace_map.h"
+#include "recording/position_of.h"
+#include "session/session_setup.h"
+
+#include <memory>
+#include <vector>
+
+namespace chiron::session {
+
+/// Stored counts -> the tip in W, by the session's own kinematics and mapping: one way for summaries, scores, export and
+/// playback. Immutable after it is made; any thread.
+class ToolPositions final : public recording::IPositionOf {
+public:
+    static core::Result<std::unique_ptr<ToolPositions>> create(const SessionSetup& setup);
+    core::Vec3 p_WT_m(int tool, const core::ToolFrame& frame) const noexcept override { return pose(tool, frame).p_WT; }
+    /// Pose and jaw in W; velocities are zero.
+    core::ToolState pose(int tool, const core::ToolFrame& frame) const noexcept;
+    int tools() const noexcept { return static_cast<int>(m_tools.size()); }
+
+private:
+    struct Tool {
+        std::unique_ptr<devices::IToolKinematics> kinematics;
+        devices::WorkspaceMap map;
+    };
+    std::vector<Tool> m_tools;
+};
+
+/// The packet that a frame holds, as the device gave it.
+core::DeviceSample sampleOf(const core::ToolFrame& frame) noexcept;
+
+} // namespace chiron::session

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/trace_assembler.h"
+
+#include "scoring/trace_grid.h"
+
+namespace chiron::session {
+
+namespace {
+
+core::Vec3 forceOf(const core::Array6& wrench) {
+    return {scoring::onMillinewtons(wrench[0]), scoring::onMillinewtons(wrench[1]), scoring::onMillinewtons(wrench[2])};
+}
+
+core::Vec3 onNanometres(const core::Vec3& p) {
+    return {scoring::onNanometres(p.x()), scoring::onNanometres(p.y()), scoring::onNanometres(p.z())};
+}
+
+} // namespace
+
+void TraceAssembler::add(std::span<const core::HapticFrame> frames) {
+    using namespace core::event_bits;
+    for (const core::HapticFrame& frame : frames) {
+        if (!m_haveOrigin) {
+            m_origin_us = frame.tool[0].deviceTime_us;
+            m_haveOrigin = true;
+        }
+        if (frame.header.events & kTrialStarted)
+            begin(frame);
+        if (!m_inTrial)
+            continue;
+        append(frame);
+        if (frame.header.events & (kMarked | kTimedOut))
+            end(frame);
+    }
+}
+
+void TraceAssembler::begin(const core::HapticFrame& frame) {
+    m_inTrial = true;
+    scoring::TrialTrace trial;
+    trial.trial = frame.header.trial;
+    trial.tools.resize(static_cast<std::size_t>(m_tools));
+    m_trials.push_back(std::move(trial));
+}
+
+void TraceAssembler::append(const core::HapticFrame& frame) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(m_tools); ++i) {
+        const core::ToolFrame& tool = frame.tool[i];
+        scoring::ToolTrace& trace = m_trials.back().tools[i];
+        const auto sinceStart_us = static_cast<std::int64_t>(tool.deviceTime_us - m_origin_us);
+        trace.t_s.push_back(scoring::onMicroseconds(static_cast<double>(sinceStart_us) * 1e-6));
+        trace.p_WT_m.push_back(onNanometres(m_positions.p_WT_m(static_cast<int>(i), tool)));
+        trace.tissue_N.push_back(forceOf(tool.tissue));
+        trace.commanded_N.push_back(forceOf(tool.commanded));
+        if (tool.status & core::sample_status::kMeasuredForce)
+            trace.measured_N.resize(trace.t_s.size() - 1, core::Vec3::Zero()), trace.measured_N.push_back(forceOf(tool.measured));
+        else if (!trace.measured_N.empty())
+            trace.measured_N.push_back(core::Vec3::Zero());
+        trace.paused.push_back(frame.header.paused);
+    }
+}
+
+void TraceAssembler::end(const core::HapticFrame& frame) {
+    m_inTrial = false;
+    scoring::TrialTrace& trial = m_trials.back();
+    trial.marked = (frame.header.events & core::event_bits::kMarked) != 0;
+    trial.timedOut = !trial.marked;
+    trial.p_WMark_m = trial.tools[0].p_WT_m.back();
+    // Contact as models.md §6 has it for every metric: more than 0.02 N of tissue force.
+    trial.markInContact = trial.tools[0].tissue_N.back().norm() > 0.02;
+}
+
+} // namespace chiron::session

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/training_run.h"
+
+#include "core/fp_environment.h"
+#include "database/repositories/session_repository.h"
+#include "realtime/monotonic_clock.h"
+#include "realtime/periodic_runner.h"
+#include "session/channels.h"
+#include "session/run_task.h"
+#include "session/session_outcome.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <thread>
+
+namespace chiron::session {
+
+namespace {
+
+/// A quarter of the smallest ring: as-fast runs wait there for the drain, so that no frame is ever dropped.
+constexpr std::uint64_t kFlushEvery_ticks = 1024;
+
+/// As-fast task: the same ticks, with a stop for the writer now and then.
+struct ThrottledTask {
+    RunTask& task;
+    database::WriterThread& writer;
+    bool tick(const realtime::HapticTick& now) noexcept {
+        if (now.index() % kFlushEvery_ticks == kFlushEvery_ticks - 1)
+            (void)writer.flush(); // an error stays with the source and comes out at the end
+        return task.tick(now);
+    }
+};
+
+LoopReport runRealtime(RunTask& task, haptics::HapticLoop& loop) {
+    LoopReport report;
+    std::atomic<bool> stop{false};
+    std::thread haptic([&] {
+        const realtime::RealtimeStatus status = realtime::setUpRealtimeThread();
+        realtime::MonotonicClock clock;
+        realtime::TickSource ticks;
+        realtime::PeriodicRunner runner(clock, ticks);
+        const realtime::RunReport run = runner.run(task, stop);
+        report.ticks = run.executed;
+        report.skipped = run.skipped;
+        report.priorityGranted = status.priorityGranted;
+        report.priorityDetail = status.priorityDetail;
+    });
+    haptic.join();
+    const haptics::LoopStatistics& statistics = loop.statistics();
+    report.realtime = true;
+    report.late = statistics.late();
+    report.p50_us = statistics.lateness().percentile_us(0.5);
+    report.p99_us = statistics.lateness().percentile_us(0.99);
+    report.max_us = static_cast<double>(statistics.lateness().maximum_ns()) * 1e-3;
+    return report;
+}
+
+LoopReport runAsFast(RunTask& task, database::WriterThread& writer) {
+    LoopReport report;
+    std::atomic<bool> stop{false};
+    std::thread haptic([&] {
+        core::setModelFloatingPointEnvironment();
+        realtime::TickSource ticks;
+        realtime::AsFastRunner runner(ticks);
+        ThrottledTask throttled{task, writer};
+        report.ticks = runner.run(throttled, stop).executed;
+    });
+    haptic.join();
+    return report;
+}
+
+std::string loopJson(const LoopReport& report) {
+    QJsonObject json{{"ticks", static_cast<double>(report.ticks)},
+                     {"late", static_cast<double>(report.late)},
+                     {"skipped", static_cast<double>(report.skipped)},
+                     {"realtime", report.realtime},
+                     {"priority_granted", report.priorityGranted},
+                     {"priority_detail", QString::fromStdString(report.priorityDetail)}};
+    const auto put = [&json](const char* key, const std::optional<double>& value) {
+        json.insert(QLatin1String(key), value ? QJsonValue(*value) : QJsonValue());
+    };
+    put("p50_us", report.p50_us);
+    put("p99_us", report.p99_us);
+    put("max_us", report.max_us);
+    return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
+}
+
+SessionSetup setupOf(const TrainingRequest& request) {
+    SessionSetup setup;
+    setup.level = request.level;
+    setup.seed = request.seed;
+    setup.mappings = request.station.mappings;
+    setup.safety = headlessSafety(request.level);
+    for (const auto& device : request.station.devices)
+        setup.devices.push_back(device->descriptor());
+    return setup;
+}
+
+core::Result<void> openAll(std::vector<std::unique_ptr<devices::IDevice>>& devices) {
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        if (auto opened = devices[i]->open(); !opened) {
+            for (std::size_t j = 0; j < i; ++j)
+                devices[j]->close();
+            return opened;
+        }
+    }
+    return {};
+}
+
+core::Result<database::SessionId> beginSession(database::Database& database, const database::Actor& actor,
+                                               const TrainingRequest& request, const SessionSetup& setup) {
+    auto table = channelTableFor(setup);
+    if (!table)
+        return tl::unexpected(table.error());
+    database::NewSession session = toNewSession(setup);
+    session.operatorName = request.station.operatorName;
+    session.familiarisation = request.familiarisation;
+    session.realtime = request.realtime;
+    session.channelTable = table->encode();
+    session.ringFile = request.ringFolder.string();
+    return database.write([&](database::WriteContext& context) {
+        return database::SessionRepository(context.connection(), actor).beginSession(session);
+    });
+}
+
+/// A session that came to no tick: it is kept and listed, as faulted, instead of staying open for ever.
+tl::unexpected<core::Error> abandon(database::Database& database, const database::Actor& actor,
+                                    database::SessionId session, core::Error why) {
+    (void)database.write([&](database::WriteContext& context) {
+        return database::SessionRepository(context.connection(), actor)
+            .finishSession(session, {.state = database::SessionState::faulted});
+    }); // the first error is the one worth telling
+    return tl::unexpected(std::move(why));
+}
+
+/// The loop and what it is made of, for the length of one run.
+core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& request, const SessionSetup& setup,
+                                 const ExerciseKind& kind, LiveRecording& recording) {
+    std::vector<devices::IDevice*> devices;
+    std::vector<haptics::LoopTool> tools;
+    for (std::size_t i = 0; i < request.station.devices.size(); ++i) {
+        devices.push_back(request.station.devices[i].get());
+        tools.push_back({*request.station.devices[i], request.station.mappings[i]});
+    }
+    haptics::LiveInputs inputs;
+    haptics::SafetySupervisor supervisor;
+    haptics::SceneExchange scenes;
+    auto scene = kind.makeScene(setup.level, setup.seed);
+    scenes.offer(scene);
+    TeeSink sink(recording.sink(), request.witness);
+    auto loop = haptics::HapticLoop::create({tools, inputs, supervisor, setup.safety, scenes, sink});
+    if (!loop)
+        return tl::unexpected(loop.error());
+    inputs.post({core::CommandKind::start});
+    RunTask task(**loop, inputs, sink, {kind.tickLimit(setup.level), request.station.trace, request.cancel});
+    return request.realtime ? runRealtime(task, **loop) : runAsFast(task, database.writer());
+}
+
+} // namespace
+
+haptics::SafetySettings headlessSafety(const catalogue::ExerciseLevel& level) {
+    haptics::SafetySettings safety;
+    if (const auto kind = exerciseKind(level.exercise))
+        safety.exerciseForce_N = (*kind)->forceLimit_N(level);
+    safety.heartbeatWatched = false; // no window whose freezing could matter
+    return safety;
+}
+
+core::Result<TrainingResult> runTraining(database::Database& database, const database::Actor& actor,
+                                         TrainingRequest request) {
+    auto kind = exerciseKind(request.level.exercise);
+    if (!kind)
+        return tl::unexpected(kind.error());
+    const SessionSetup setup = setupOf(request);
+    if (request.ringFolder.empty())
+        request.ringFolder = recording::defaultRingFolder();
+    if (auto opened = openAll(request.station.devices); !opened)
+        return tl::unexpected(opened.error());
+    TrainingResult result;
+    auto session = beginSession(database, actor, request, setup);
+    if (!session)
+        return tl::unexpected(session.error());
+    result.session = *session;
+    auto recording = LiveRecording::start(database, actor, *session, setup, request.ringFolder);
+    if (!recording)
+        return abandon(database, actor, *session, recording.error());
+    auto loop = runLoop(database, request, setup, **kind, **recording);
+    for (auto& device : request.station.devices)
+        device->close();
+    if (!loop)
+        return tl::unexpected(loop.error());
+    result.loop = *loop;
+    auto stored = (*recording)->finish();
+    if (!stored)
+        return tl::unexpected(stored.error());
+    result.recording = *stored;
+    auto scores = concludeSession(database, actor, *session,
+                                  {.dropped = stored->dropped, .loopJson = loopJson(result.loop)});
+    if (!scores)
+        return tl::unexpected(scores.error());
+    result.scores = std::move(*scores);
+    return result;
+}
+
+} // namespace chiron::session

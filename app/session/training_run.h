@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "database/database.h"
+#include "haptics/loop_statistics.h"
+#include "realtime/realtime_thread.h"
+#include "scoring/score_card.h"
+#include "session/live_recording.h"
+#include "session/station.h"
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace chiron::session {
+
+/// One session to be run. The station is used up.
+struct TrainingRequest {
+    catalogue::ExerciseLevel level;
+    std::uint64_t seed = 1;
+    Station station;
+    bool realtime = false; ///< false: as fast as the machine can, with the same result
+    bool familiarisation = false;
+    std::filesystem::path ringFolder;         ///< of the crash ring; recording::defaultRingFolder()
+    core::IFrameSink* witness = nullptr;      ///< also gets every frame, on the haptic thread
+    const std::atomic<bool>* cancel = nullptr; ///< set from outside: the session ends as *stopped*
+};
+
+/// The loop's punctuality; absent numbers where ticks ran back to back.
+struct LoopReport {
+    std::uint64_t ticks = 0;
+    std::uint64_t late = 0;
+    std::uint64_t skipped = 0;
+    std::optional<double> p50_us;
+    std::optional<double> p99_us;
+    std::optional<double> max_us;
+    bool realtime = false;
+    bool priorityGranted = false;
+    std::string priorityDetail;
+};
+
+struct TrainingResult {
+    database::SessionId session = 0;
+    LoopReport loop;
+    RecordingReport recording;
+    scoring::ScoreCard scores;
+};
+
+/// Runs one session from first tick to stored score: composes scene, devices, supervisor, loop, ring and drain, owns
+/// their threads and their stop order (zero force, haptic thread, devices, drain, end of session, scores). Blocking; call it on a
+/// worker. Failure before the first tick leaves no session; after it, what was recorded stays for recovery.
+core::Result<TrainingResult> runTraining(database::Database& database, const database::Actor& actor,
+                                         TrainingRequest request);
+
+/// The supervisor's settings for a level without a window: site and exercise caps, no heartbeat.
+haptics::SafetySettings headlessSafety(const catalogue::ExerciseLevel& level);
+
+} // namespace chiron::session
