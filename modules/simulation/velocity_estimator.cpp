@@ -8,6 +8,7 @@ namespace chiron::simulation {
 namespace {
 
 constexpr double kMicrosecondsPerSecond = 1e6;
+static_assert((VelocityEstimator::kCapacity & (VelocityEstimator::kCapacity - 1)) == 0, "ring index by mask");
 
 /// The slopes (counts/µs, as a fraction with a positive denominator) that keep a line through the newest
 /// sample within the noise bound of every sample seen so far: lower/age ≤ slope ≤ upper/age.
@@ -49,7 +50,7 @@ void VelocityEstimator::reset() noexcept {
 }
 
 const VelocityEstimator::Entry& VelocityEstimator::entry(int age) const noexcept {
-    return m_history[static_cast<std::size_t>((m_newest - age + kCapacity) % kCapacity)];
+    return m_history[static_cast<std::size_t>((m_newest - age) & (kCapacity - 1))];
 }
 
 const VelocityEstimator::Rates& VelocityEstimator::update(const core::DeviceSample& sample) noexcept {
@@ -70,7 +71,7 @@ const VelocityEstimator::Rates& VelocityEstimator::update(const core::DeviceSamp
 }
 
 void VelocityEstimator::push(const core::DeviceSample& sample) noexcept {
-    m_newest = (m_newest + 1) % kCapacity;
+    m_newest = (m_newest + 1) & (kCapacity - 1);
     m_history[static_cast<std::size_t>(m_newest)] = {sample.deviceTime_us, sample.counts};
     m_packet = sample.packet;
     m_size = std::min(m_size + 1, kCapacity);

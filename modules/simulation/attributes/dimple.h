@@ -21,11 +21,13 @@ struct Dimple {
     core::Vec2 centre_m = core::Vec2::Zero(); ///< x, y in W
 
     HeightSample sample(double x_m, double y_m) const noexcept {
+        if (depth_m == 0.0)
+            return {};
         const double dx = x_m - centre_m.x();
         const double dy = y_m - centre_m.y();
         const double inverse = 1.0 / (halfWidth_m * halfWidth_m);
         const double rest = 1.0 - (dx * dx + dy * dy) * inverse;
-        if (depth_m == 0.0 || rest <= 0.0)
+        if (rest <= 0.0)
             return {};
         const double slope = 4.0 * depth_m * rest * inverse;
         return {-depth_m * rest * rest, core::Vec2(slope * dx, slope * dy)};

@@ -67,6 +67,7 @@ void TestSphereApexScene::nextTrialHasItsOwnObject() {
 
 void TestSphereApexScene::forceAndStateAreReported() {
     Driver d(shortTrials());
+    d.out.p_WProxy.fill(Vec3(7, 7, 7));
     d.startRunning();
     d.pressApex(0.003);
     d.tick();
@@ -76,6 +77,8 @@ void TestSphereApexScene::forceAndStateAreReported() {
     QCOMPARE(d.out.contactStiffness_N_per_m, 500.0);
     QVERIFY(std::abs(d.out.p_WProxy[0].z() - 0.020) < 1e-12); // drawn at the apex, not 3 mm inside
     QCOMPARE(d.out.display[0].normalForce_N, 0.0);
+    for (std::size_t unused = 1; unused < d.out.p_WProxy.size(); ++unused)
+        QCOMPARE(d.out.p_WProxy[unused], Vec3(0, 0, 0)); // nothing left from an earlier use of the memory
 }
 
 void TestSphereApexScene::everyToolTouches() {

@@ -17,13 +17,14 @@ ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::V
 
     // −∇d' = n − ∇h, the unscaled outward normal of the surface with its micro-height
     core::Vec3 outward = surface.normal;
-    double slant = 1.0; // ‖n − ∇h‖
+    response.normal = surface.normal;
     if (micro.height_m != 0.0) {
         outward.x() -= micro.gradient.x();
         outward.y() -= micro.gradient.y();
-        slant = outward.norm();
+        const double slant = outward.norm();
+        if (slant > 0.0)
+            response.normal = outward / slant;
     }
-    response.normal = slant > 0.0 ? core::Vec3(outward / slant) : surface.normal;
     if (!(depth > 0.0))
         return response;
 
@@ -44,7 +45,7 @@ ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::V
 ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT,
                                            BristleFriction& bristle) const noexcept {
     ContactResponse response = respond(p_WT, v_WT);
-    if (!response.inContact)
+    if (!response.inContact || m_parameters.friction == 0.0)
         bristle.release();
     else
         response.force += bristle.update(p_WT, response.normal, response.normalForce_N, m_parameters.friction,

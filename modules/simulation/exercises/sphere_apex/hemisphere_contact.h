@@ -11,22 +11,25 @@ namespace chiron::simulation {
 
 /// What a tool feels at one place. Frame W, on the tool.
 struct ContactResponse {
-    core::Vec3 force = core::Vec3::Zero();     ///< N: normal + lateral elastic + friction
-    core::Vec3 normal = core::Vec3::UnitZ();   ///< outward, unit, of the touched surface (dimple included)
-    core::Vec3 surfacePoint = core::Vec3::Zero(); ///< where a tool that stays at the surface is drawn; p when not in contact
-    double depth_m = 0.0;                      ///< d + h, ≥ 0
-    double normalForce_N = 0.0;                ///< ≥ 0
-    double energy_J = 0.0;                     ///< elastic U = ½ k (d+h)²; the bristle's energy is not counted
-    double stiffness_N_per_m = 0.0;            ///< k at this place; 0 when not in contact
+    core::Vec3 force = core::Vec3::Zero();   ///< N: normal + lateral elastic + friction
+    core::Vec3 normal = core::Vec3::UnitZ(); ///< outward, unit, of the touched surface (dimple included)
+    core::Vec3 surfacePoint =
+        core::Vec3::Zero();     ///< where a tool that stays at the surface is drawn; p when not in contact
+    double depth_m = 0.0;       ///< d + h, ≥ 0
+    double normalForce_N = 0.0; ///< ≥ 0
+    double energy_J = 0.0;      ///< elastic U = ½ k (d+h)²; the bristle's energy is not counted
+    double stiffness_N_per_m = 0.0; ///< k at this place; 0 when not in contact
     bool inContact = false;
 };
 
-/// The force law of the sphere-apex exercise: HemisphereOnPlane with elasticity, weighted damping, clipped-bristle
-/// friction, spatial stiffness and a dimple:
+/// The force law of the sphere-apex exercise: HemisphereOnPlane with elasticity, weighted damping,
+/// clipped-bristle friction, spatial stiffness and a dimple:
 ///   d' = d + h(x,y);  U = ½ k(x,y) d'²;  f_e = k d' (n − ∇h) − ½ d'² ∇k
-///   f_n = max(0, f_e·m − b min(1, d'/0.5 mm) v·m),  m = (n − ∇h)/‖n − ∇h‖;  f = f_n m + (f_e − (f_e·m) m) + friction(f_n)
+///   f_n = max(0, f_e·m − b min(1, d'/0.5 mm) v·m),  m = (n − ∇h)/‖n − ∇h‖;  f = f_n m + (f_e − (f_e·m) m) +
+///   friction(f_n)
 /// Never pulls (f·m ≥ 0); continuous; without damping and friction f = −∇U. Source: models.md §0, §2.2, §2.3.
-/// Immutable after construction; the only state is the caller's BristleFriction (one a tool). Thread: haptic or any.
+/// Immutable after construction; the only state is the caller's BristleFriction (one a tool). Thread: haptic
+/// or any.
 class HemisphereContact {
 public:
     struct Parameters {
@@ -41,8 +44,10 @@ public:
     HemisphereContact() = default;
     explicit HemisphereContact(const Parameters& parameters) noexcept : m_parameters(parameters) {}
 
-    /// `p_WT` m, `v_WT` m/s; `bristle` is advanced by one tick (and released out of contact).
-    ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT, BristleFriction& bristle) const noexcept;
+    /// `p_WT` m, `v_WT` m/s; `bristle` is advanced by one tick (and released out of contact or without
+    /// friction).
+    ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT,
+                            BristleFriction& bristle) const noexcept;
     /// The same without friction: a pure function of position and velocity.
     ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT) const noexcept;
 

@@ -7,29 +7,30 @@
 
 namespace chiron::simulation {
 
-/// One level of the sphere-apex exercise (models.md §2.3), filled from content by the catalogue, which also checks the
-/// ranges. Lengths m, stiffness N/m, damping N·s/m.
+/// One level of the sphere-apex exercise (models.md §2.3), filled from content by the catalogue, which also
+/// checks the ranges. Lengths m, stiffness N/m, damping N·s/m.
 struct SphereApexParameters {
-    double radius_m = 0.020;               ///< P2: 20 mm
-    double planeHeight_m = 0.0;            ///< z of the plane in W
-    double centreDiscRadius_m = 0.040;     ///< centres are uniform in this disc round the workspace centre
-    double workspaceRadius_m = 0.065;      ///< all of the sphere lies inside this disc (x, y)
-    double stiffnessLow_N_per_m = 500.0;   ///< each trial draws k uniformly in [low, high]; equal ends fix it
+    double radius_m = 0.020;             ///< P2: 20 mm
+    double planeHeight_m = 0.0;          ///< z of the plane in W
+    double centreDiscRadius_m = 0.040;   ///< centres are uniform in this disc round the workspace centre
+    double workspaceRadius_m = 0.065;    ///< all of the sphere lies inside this disc (x, y)
+    double stiffnessLow_N_per_m = 500.0; ///< each trial draws k uniformly in [low, high]; equal ends fix it
     double stiffnessHigh_N_per_m = 500.0;
-    double stiffnessVariation = 0.0;       ///< spatial: k(x,y) = k(1 + a·g(x,y)), |g| ≤ 1, 0 ≤ a < 1; U = ½ k(x,y) d²
-    double stiffnessWavelength_m = 0.030;  ///< of g
-    double damping_Ns_per_m = 1.0;         ///< along n, weighted by min(1, d/0.5 mm); contact never pulls
-    double frictionLow = 0.0;              ///< Coulomb μ; each trial draws in [low, high]
+    double stiffnessVariation =
+        0.0; ///< spatial: k(x,y) = k(1 + a·g(x,y)), |g| ≤ 1, 0 ≤ a < 1; U = ½ k(x,y) d²
+    double stiffnessWavelength_m = 0.030; ///< of g
+    double damping_Ns_per_m = 1.0;        ///< along n, weighted by min(1, d/0.5 mm); contact never pulls
+    double frictionLow = 0.0;             ///< Coulomb μ; each trial draws in [low, high]
     double frictionHigh = 0.0;
     double bristleStiffness_N_per_m = 1000.0; ///< σ₀ of the clipped bristle (models.md §2.2)
-    double dimpleDepth_m = 0.0;            ///< decoy: smooth dimple on the ball; 0 = none
-    double dimpleRadius_m = 0.006;         ///< its half-width across the surface
-    double dimpleOffset_m = 0.010;         ///< horizontal distance from the apex; direction by seed
-    int trials = 10;                       ///< 1..32
+    double dimpleDepth_m = 0.0;               ///< decoy: smooth dimple on the ball; 0 = none
+    double dimpleRadius_m = 0.006;            ///< its half-width across the surface
+    double dimpleOffset_m = 0.010;            ///< horizontal distance from the apex; direction by seed
+    int trials = 10;                          ///< 1..32
     double trialLimit_s = 60.0;
-    double betweenTrials_s = 1.0;          ///< after a mark, before the next scene appears
-    double maximumForce_N = 4.0;           ///< the exercise's cap for the supervisor and the limit of force metrics
-    std::vector<std::string> cues;         ///< object, tool, arrow, bars, numbers, plots, sound, coverage
+    double betweenTrials_s = 1.0;  ///< after a mark, before the next scene appears
+    double maximumForce_N = 4.0;   ///< the exercise's cap for the supervisor and the limit of force metrics
+    std::vector<std::string> cues; ///< object, tool, arrow, bars, numbers, plots, sound, coverage
 };
 
 } // namespace chiron::simulation
