@@ -47,7 +47,7 @@ core::Result<void> ChunkDecoder::openPayload(const Chunk& chunk) {
         m_offsets.push_back(m_offsets.back() + static_cast<std::size_t>(*length));
     }
     if (m_offsets.back() != in.remaining())
-        return flaw(chunk, in.position(), "columns of " + std::to_string(m_offsets.back()) + " bytes, found " +
+        return flaw(chunk, in.position(), "expected columns of " + std::to_string(m_offsets.back()) + " bytes, found " +
                                               std::to_string(in.remaining()));
     for (std::size_t& offset : m_offsets)
         offset += in.position();

@@ -28,10 +28,10 @@ core::Result<std::unique_ptr<CrashRing>> CrashRing::create(const RingSettings& s
 }
 
 bool CrashRing::hasRoom() noexcept {
-    if (m_next - m_committedSeen < m_file.slots()) [[likely]]
+    if (m_next - m_committedSeen < m_file.capacity()) [[likely]]
         return true;
     m_committedSeen = std::atomic_ref(m_file.header().committed).load(std::memory_order_acquire);
-    return m_next - m_committedSeen < m_file.slots();
+    return m_next - m_committedSeen < m_file.capacity();
 }
 
 bool CrashRing::tryPush(const core::HapticFrame& frame) noexcept {

@@ -20,10 +20,10 @@ tl::unexpected<core::Error> refused(const std::filesystem::path& path, const std
 }
 
 core::Result<void> checkSettings(const RingSettings& s) {
-    const bool slotsFit = std::has_single_bit(s.slots) && s.slots >= kMinimumSlots && s.slots <= kMaximumSlots;
+    const bool slotsFit = std::has_single_bit(s.capacity) && s.capacity >= kMinimumSlots && s.capacity <= kMaximumSlots;
     if (s.tools < 1 || s.tools > core::kMaxTools || !slotsFit)
         return core::fail(core::ErrorCode::wrongUse,
-                          "crash ring of " + std::to_string(s.tools) + " tools and " + std::to_string(s.slots) +
+                          "crash ring of " + std::to_string(s.tools) + " tools and " + std::to_string(s.capacity) +
                               " slots, expected 1.." + std::to_string(core::kMaxTools) + " and a power of two in " +
                               std::to_string(kMinimumSlots) + ".." + std::to_string(kMaximumSlots));
     return {};
@@ -62,11 +62,11 @@ core::Result<RingFile> RingFile::create(const RingSettings& settings) {
         return tl::make_unexpected(checked.error());
     RingFile file;
     file.m_tools = static_cast<std::uint32_t>(settings.tools);
-    file.m_mask = settings.slots - 1;
+    file.m_mask = settings.capacity - 1;
     file.m_slotBytes = slotBytesFor(file.m_tools);
     const std::string name = ringFilePrefix(settings.database) + std::to_string(settings.session);
     const auto part = settings.folder / (name + kUnfinishedRingSuffix);
-    if (auto made = file.make(part, kRingHeaderBytes + settings.slots * file.m_slotBytes); !made)
+    if (auto made = file.make(part, kRingHeaderBytes + settings.capacity * file.m_slotBytes); !made)
         return tl::make_unexpected(made.error());
     file.writeHeader(settings);
     if (auto published = file.publish(part, settings.folder / (name + kRingSuffix)); !published)
@@ -112,7 +112,7 @@ core::Result<void> RingFile::publish(const std::filesystem::path& part, const st
 void RingFile::writeHeader(const RingSettings& settings) noexcept {
     auto* header = new (m_base) RingHeader;
     header->tools = m_tools;
-    header->slots = settings.slots;
+    header->capacity = settings.capacity;
     header->slotBytes = static_cast<std::uint32_t>(m_slotBytes);
     header->database = settings.database;
     header->session = settings.session;

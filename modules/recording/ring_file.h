@@ -15,7 +15,7 @@ struct RingSettings {
     DatabaseId database{};
     std::int64_t session = 0;
     int tools = 1;              ///< 1..kMaxTools; decides the slot size
-    std::uint32_t slots = 4096; ///< a power of two, kMinimumSlots..kMaximumSlots: at least 4 s at 1 kHz
+    std::uint32_t capacity = 4096; ///< a power of two, kMinimumSlots..kMaximumSlots: at least 4 s at 1 kHz
 };
 
 /// A created, fully allocated, faulted-in, mapped and locked ring file: touching it makes no page fault and raises no
@@ -34,7 +34,7 @@ public:
     RingHeader& header() const noexcept { return *reinterpret_cast<RingHeader*>(m_base); }
     /// Slot of the ring's n-th frame (n counts from 0 and never wraps).
     std::uint8_t* slot(std::uint64_t n) const noexcept { return m_base + kRingHeaderBytes + (n & m_mask) * m_slotBytes; }
-    std::uint64_t slots() const noexcept { return m_mask + 1; }
+    std::uint64_t capacity() const noexcept { return m_mask + 1; }
     std::uint32_t tools() const noexcept { return m_tools; }
     const std::filesystem::path& path() const noexcept { return m_path; }
     /// Deletes the file; the mapping stays usable until the object goes. Error: storage.

@@ -26,7 +26,7 @@ struct RingHeader {
     std::uint32_t version = kRingVersion;
     std::uint32_t frameLayout = core::kFrameLayoutVersion;
     std::uint32_t tools = 0;
-    std::uint32_t slots = 0;
+    std::uint32_t capacity = 0;
     std::uint32_t slotBytes = 0;
     std::uint32_t checksum = 0; ///< identityChecksum()
     DatabaseId database{};

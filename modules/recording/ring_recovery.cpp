@@ -53,11 +53,11 @@ std::string headerFlaw(const RingHeader& h, std::size_t fileBytes) {
         return expected(offsetof(RingHeader, checksum), "the checksum of the header");
     if (h.tools < 1 || h.tools > core::kMaxTools)
         return expected(offsetof(RingHeader, tools), "1.." + std::to_string(core::kMaxTools) + " tools");
-    if (!std::has_single_bit(h.slots) || h.slots < kMinimumSlots || h.slots > kMaximumSlots)
-        return expected(offsetof(RingHeader, slots), "a power of two slots");
+    if (!std::has_single_bit(h.capacity) || h.capacity < kMinimumSlots || h.capacity > kMaximumSlots)
+        return expected(offsetof(RingHeader, capacity), "a power of two slots");
     if (h.slotBytes != slotBytesFor(h.tools))
         return expected(offsetof(RingHeader, slotBytes), std::to_string(slotBytesFor(h.tools)) + " bytes a slot");
-    const std::size_t whole = kRingHeaderBytes + std::size_t{h.slots} * h.slotBytes;
+    const std::size_t whole = kRingHeaderBytes + std::size_t{h.capacity} * h.slotBytes;
     if (fileBytes != whole)
         return expected(std::min(fileBytes, whole), "a file of " + std::to_string(whole) + " bytes, found " +
                                                         std::to_string(fileBytes));
@@ -69,9 +69,9 @@ core::Result<std::vector<core::HapticFrame>> uncommitted(int descriptor, const R
     std::vector<core::HapticFrame> frames;
     const CopyWithChecksum copy = copyWithChecksum();
     std::array<std::uint8_t, slotBytesFor(core::kMaxTools)> bytes{};
-    for (std::uint64_t n = h.committed; n - h.committed < h.slots; ++n) {
-        if (!readAt(descriptor, kRingHeaderBytes + (n % h.slots) * h.slotBytes, bytes.data(), h.slotBytes))
-            return core::fail(ErrorCode::storage, "slot " + std::to_string(n % h.slots) + " cannot be read");
+    for (std::uint64_t n = h.committed; n - h.committed < h.capacity; ++n) {
+        if (!readAt(descriptor, kRingHeaderBytes + (n % h.capacity) * h.slotBytes, bytes.data(), h.slotBytes))
+            return core::fail(ErrorCode::storage, "slot " + std::to_string(n % h.capacity) + " cannot be read");
         SlotHeader slot;
         std::memcpy(&slot, bytes.data(), sizeof(slot));
         core::HapticFrame frame;
