@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
+#include "devices/drivers/replay/recorded_device.h"
+#include "devices/drivers/replay/replay_device.h"
+#include "haptics/recorded_inputs.h"
+#include "realtime/tick_guard.h"
+#include "support/haptic_bench.h"
+
+#include <QtTest>
+#include <mutex>
+#include <new>
+#include <unistd.h>
+
+using namespace chiron;
+using namespace chiron::tests;
+using core::CommandKind;
+
+namespace {
+
+constexpr int kTicks = 10'000;
+
+/// One loop for 10,000 ticks with commands on the way; only the ticks themselves are counted.
+ForbiddenCounts guardedRun(haptics::HapticLoop& loop, haptics::LiveInputs& inputs, devices::PointerMailbox* pointer) {
+    realtime::TickSource ticks;
+    resetForbiddenCounts();
+    for (int n = 0; n < kTicks; ++n) {
+        switch (n) {
+        case 0: inputs.post({CommandKind::start}); break;
+        case 4'000: inputs.post({CommandKind::pause}); break;
+        case 4'700: inputs.post({CommandKind::resume}); inputs.post({CommandKind::confirmHold}); break;
+        case 6'000: inputs.post({CommandKind::stopForce}); break;
+        case 6'100: inputs.post({CommandKind::rearm}); break;
+        case 8'000: inputs.post({CommandKind::mark}); break;
+        default: break;
+        }
+        if (pointer != nullptr)
+            pointer->move(1e-6 * (n % 7 - 3), 1e-6 * (n % 5 - 2), n < 3000 ? -20e-6 : 0.0);
+        inputs.beat(static_cast<std::int64_t>(n) * 1'000'000);
+        const realtime::HapticTick now = ticks.next(static_cast<std::int64_t>(n) * 1'000'000);
+        const TickGuard guard;
+        loop.tick(now);
+        loop.timing({n * 10, n, 0});
+    }
+    return forbiddenCounts();
+}
+
+QByteArray words(const ForbiddenCounts& counts) {
+    QByteArray text;
+    for (std::size_t i = 0; i < kForbiddenNames.size(); ++i)
+        text += QByteArray(kForbiddenNames[i]) + "=" + QByteArray::number(counts.count[i]) + " ";
+    return text;
+}
+
+simulation::SphereApexParameters exercise(const QString& kind) {
+    simulation::SphereApexParameters p = benchExercise(3, 3.0);
+    if (kind == "visible")
+        p.cues = {"object", "tool"};
+    if (kind == "varied") {
+        p.stiffnessLow_N_per_m = 300.0;
+        p.stiffnessHigh_N_per_m = 700.0;
+        p.stiffnessVariation = 0.3;
+        p.frictionHigh = 0.6;
+    }
+    if (kind == "dimple")
+        p.dimpleDepth_m = 0.001;
+    return p;
+}
+
+std::vector<devices::TracePoint> trace() {
+    std::vector<devices::TracePoint> rows;
+    for (int n = 0; n <= 90; ++n)
+        rows.push_back({.t_s = 0.1 * n, .p_WT_m = circlingPath(static_cast<std::uint64_t>(100 * n)),
+                        .q_WT = core::Quat(Eigen::AngleAxisd(0.01 * n, core::Vec3::UnitZ())), .buttons = n % 40 == 39 ? 1u : 0u});
+    return rows;
+}
+
+/// Does one forbidden thing in each tick.
+class Offender final : public simulation::IScene {
+public:
+    explicit Offender(Forbidden kind) : m_kind(kind) {}
+    void respond(const realtime::HapticTick&, const simulation::SceneInput&,
+                 simulation::SceneOutput& out) noexcept override {
+        out = {};
+        switch (m_kind) {
+        case Forbidden::allocate: m_kept.reset(static_cast<char*>(::operator new(8))); break;
+        case Forbidden::release: ::operator delete(m_kept.release()); break;
+        case Forbidden::lock: m_mutex.lock(); m_mutex.unlock(); break;
+        case Forbidden::notify: pthread_cond_signal(&m_condition); break;
+        case Forbidden::raise: raiseAndCatch(); break;
+        case Forbidden::write: (void)!::write(-1, "x", 1); break;
+        }
+    }
+
+private:
+    struct Raw {
+        void operator()(char* p) const { ::operator delete(p); }
+    };
+    static void raiseAndCatch() noexcept {
+        try {
+            throw 1;
+        } catch (int) {
+        }
+    }
+    Forbidden m_kind;
+    std::unique_ptr<char, Raw> m_kept{static_cast<char*>(::operator new(8))};
+    std::mutex m_mutex;
+    pthread_cond_t m_condition = PTHREAD_COND_INITIALIZER;
+};
+
+} // namespace
+
+class TestTickGuard : public QObject {
+    Q_OBJECT
+
+    void everyExercise() {
+        QTest::addColumn<QString>("kind");
+        for (const char* kind : {"plain", "visible", "varied", "dimple"})
+            QTest::newRow(kind) << QString(kind);
+    }
+
+private slots:
+    void theGuardFindsEachOffence_data() {
+        QTest::addColumn<int>("kind");
+        for (std::size_t i = 0; i < kForbiddenNames.size(); ++i)
+            QTest::newRow(kForbiddenNames[i]) << static_cast<int>(i);
+    }
+    void theGuardFindsEachOffence() {
+        QFETCH(int, kind);
+        BenchDevice device(highPath);
+        haptics::LiveInputs inputs;
+        FrameStore store;
+        LoopBench bench({{device, {}}}, inputs, store, std::make_unique<Offender>(static_cast<Forbidden>(kind)));
+        const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr);
+        QVERIFY2(counts.of(static_cast<Forbidden>(kind)) >= 1, words(counts));
+    }
+
+    void benchDevicesAndSphereApex_data() { everyExercise(); }
+    void benchDevicesAndSphereApex() {
+        QFETCH(QString, kind);
+        BenchDevice a(circlingPath);
+        BenchDevice b(circlingPath);
+        BenchDevice c(circlingPath, false);
+        BenchDevice d(highPath);
+        haptics::LiveInputs inputs;
+        FrameStore store;
+        const devices::WorkspaceMapping mirrored{.origin_m = {}, .scale = 1.5, .leftHanded = true};
+        LoopBench bench({{a, {}}, {b, mirrored}, {c, {}}, {d, {}}}, inputs, store, apexScene(exercise(kind)));
+        const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr);
+        QVERIFY2(counts.total() == 0, words(counts));
+        QVERIFY(store.frames[5'999].tool[0].tissue[2] > 0.1); // the run did touch
+    }
+
+    void keyboardAndMouse_data() { everyExercise(); }
+    void keyboardAndMouse() {
+        QFETCH(QString, kind);
+        const auto device = devices::KeyboardMouseDevice::create();
+        haptics::LiveInputs inputs;
+        FrameStore store;
+        LoopBench bench({{**device, {}}}, inputs, store, apexScene(exercise(kind)));
+        const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, &(*device)->mailbox());
+        QVERIFY2(counts.total() == 0, words(counts));
+        QVERIFY(store.frames.back().tool[0].counts[2] != store.frames.front().tool[0].counts[2]);
+    }
+
+    void replayedTrace_data() { everyExercise(); }
+    void replayedTrace() {
+        QFETCH(QString, kind);
+        const auto device = devices::ReplayDevice::create(trace());
+        haptics::LiveInputs inputs;
+        FrameStore store;
+        LoopBench bench({{**device, {}}}, inputs, store, apexScene(exercise(kind)));
+        const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr);
+        QVERIFY2(counts.total() == 0, words(counts));
+        QVERIFY((*device)->finished());
+    }
+
+    void recordedFrames() {
+        BenchDevice original(circlingPath);
+        haptics::LiveInputs live;
+        FrameStore store;
+        LoopBench session({{original, {}}}, live, store, apexScene());
+        guardedRun(*session.loop, live, nullptr);
+        const auto device = devices::RecordedDevice::create(original.descriptor());
+        haptics::RecordedInputs inputs;
+        FrameStore again;
+        LoopBench replay({{**device, {}}}, inputs, again, apexScene());
+        realtime::TickSource ticks;
+        resetForbiddenCounts();
+        for (const core::HapticFrame& frame : store.frames) {
+            const realtime::HapticTick now = ticks.next(frame.header.now_ns);
+            const TickGuard guard;
+            inputs.setFrame(frame);
+            replay.loop->tick(now);
+        }
+        QVERIFY2(forbiddenCounts().total() == 0, words(forbiddenCounts()));
+        QCOMPARE(again.frames.size(), store.frames.size());
+    }
+
+    void swappingScenes() {
+        BenchDevice device(circlingPath);
+        haptics::LiveInputs inputs;
+        FrameStore store;
+        LoopBench bench({{device, {}}}, inputs, store, apexScene());
+        realtime::TickSource ticks;
+        inputs.post({CommandKind::start});
+        resetForbiddenCounts();
+        for (int n = 0; n < kTicks; ++n) {
+            if (n % 100 == 50) {
+                auto next = apexScene();
+                QVERIFY(bench.scenes.offer(next));
+            }
+            const realtime::HapticTick now = ticks.next(static_cast<std::int64_t>(n) * 1'000'000);
+            {
+                const TickGuard guard;
+                bench.loop->tick(now);
+            }
+            bench.scenes.collect();
+        }
+        QVERIFY2(forbiddenCounts().total() == 0, words(forbiddenCounts()));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestTickGuard)
+#include "test_tick_guard.moc"
