@@ -18,6 +18,7 @@ public:
     LiveInputs() = default;
     LiveInputs(const LiveInputs&) = delete;
     LiveInputs& operator=(const LiveInputs&) = delete;
+    ~LiveInputs() override;
 
     /// Hands a command to the loop; false when 64 are already waiting.
     bool post(const core::Command& command) noexcept { return m_commands.tryPush(command); }

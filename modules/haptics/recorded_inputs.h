@@ -11,6 +11,7 @@ namespace chiron::haptics {
 /// receives the re-simulated frame. Thread: one.
 class RecordedInputs final : public ITickInputs {
 public:
+    ~RecordedInputs() override;
     void setFrame(const core::HapticFrame& frame) noexcept { m_frame = frame; }
     void gather(const realtime::HapticTick& now, std::span<devices::IDevice* const> devices,
                 TickInputs& inputs) noexcept override;

@@ -2,7 +2,9 @@
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 #include "devices/drivers/replay/recorded_device.h"
 #include "devices/drivers/replay/replay_device.h"
+#include "devices/drivers/simulated/simulated_device.h"
 #include "haptics/recorded_inputs.h"
+#include "mechanisms/scripted_motion.h"
 #include "realtime/tick_guard.h"
 #include "support/haptic_bench.h"
 
@@ -72,6 +74,18 @@ std::vector<devices::TracePoint> trace() {
         rows.push_back({.t_s = 0.1 * n, .p_WT_m = circlingPath(static_cast<std::uint64_t>(100 * n)),
                         .q_WT = core::Quat(Eigen::AngleAxisd(0.01 * n, core::Vec3::UnitZ())), .buttons = n % 40 == 39 ? 1u : 0u});
     return rows;
+}
+
+/// A gimbal whose hand moves up and down through the ball's top.
+std::unique_ptr<devices::SimulatedDevice> gimbal(std::uint64_t seed) {
+    devices::SimulatedDevice::Configuration configuration;
+    configuration.seed = seed;
+    auto hand = std::make_unique<mechanisms::ScriptedMotion>(
+        core::Vec3(0.0, 0.0, 0.030),
+        std::vector<mechanisms::ScriptedMotion::Term>{{core::Vec3(0.003, 0.002, -0.018), 0.25, 0.0}});
+    auto device = std::move(*devices::SimulatedDevice::create(configuration, std::move(hand)));
+    (void)device->open();
+    return device;
 }
 
 /// Does one forbidden thing in each tick.
@@ -172,6 +186,22 @@ private slots:
         const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr);
         QVERIFY2(counts.total() == 0, words(counts));
         QVERIFY((*device)->finished());
+    }
+
+    void simulatedGimbals_data() { everyExercise(); }
+    void simulatedGimbals() {
+        QFETCH(QString, kind);
+        const auto first = gimbal(1);
+        const auto second = gimbal(2);
+        haptics::LiveInputs inputs;
+        FrameStore store;
+        LoopBench bench({{*first, {}}, {*second, {}}}, inputs, store, apexScene(exercise(kind)));
+        const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr);
+        QVERIFY2(counts.total() == 0, words(counts));
+        double strongest_N = 0.0;
+        for (const core::HapticFrame& frame : store.frames)
+            strongest_N = std::max(strongest_N, frame.tool[0].commanded[2]);
+        QVERIFY(strongest_N > 0.1);
     }
 
     void recordedFrames() {

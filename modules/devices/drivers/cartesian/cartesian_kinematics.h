@@ -18,6 +18,9 @@ class CartesianKinematics final : public IToolKinematics {
 public:
     /// Fails (badInput) unless the descriptor has 3 axes in metres, or 3 in metres and 3 in radians, of positive resolution.
     static core::Result<CartesianKinematics> create(const DeviceDescriptor& descriptor);
+    CartesianKinematics(const CartesianKinematics&) = default;
+    CartesianKinematics& operator=(const CartesianKinematics&) = default;
+    ~CartesianKinematics() override;
 
     core::ToolState pose(const core::DeviceSample& sample) const noexcept override;
     void velocity(const core::DeviceSample& sample, const AxisValues& countRates, core::Vec3& v_DT,

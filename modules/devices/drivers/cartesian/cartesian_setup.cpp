@@ -25,4 +25,6 @@ core::Result<CartesianKinematics> CartesianKinematics::create(const DeviceDescri
     return kinematics;
 }
 
+CartesianKinematics::~CartesianKinematics() = default;
+
 } // namespace chiron::devices

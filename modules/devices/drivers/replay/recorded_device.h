@@ -14,6 +14,8 @@ public:
     /// Fails (badInput) when the descriptor's kinematics is unknown or does not fit its axes.
     static core::Result<std::unique_ptr<RecordedDevice>> create(const DeviceDescriptor& descriptor);
 
+    ~RecordedDevice() override;
+
     void setSample(const core::DeviceSample& sample) noexcept { m_sample = sample; } ///< what read() gives from now on
 
     const DeviceDescriptor& descriptor() const noexcept override { return m_descriptor; }

@@ -15,4 +15,6 @@ core::Result<std::unique_ptr<RecordedDevice>> RecordedDevice::create(const Devic
 RecordedDevice::RecordedDevice(const DeviceDescriptor& descriptor, std::unique_ptr<IToolKinematics> kinematics)
     : m_descriptor(descriptor), m_kinematics(std::move(kinematics)) {}
 
+RecordedDevice::~RecordedDevice() = default;
+
 } // namespace chiron::devices

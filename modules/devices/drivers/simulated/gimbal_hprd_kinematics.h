@@ -22,6 +22,9 @@ public:
 
     GimbalHprdKinematics(const std::array<double, 4>& resolution, double jawResolution_rad,
                          double pivotHeight_m, mechanisms::PolarMap map) noexcept;
+    GimbalHprdKinematics(const GimbalHprdKinematics&) = default;
+    GimbalHprdKinematics& operator=(const GimbalHprdKinematics&) = default;
+    ~GimbalHprdKinematics() override; ///< in the set-up file: a deleting destructor frees
 
     core::ToolState pose(const core::DeviceSample& sample) const noexcept override;
     void velocity(const core::DeviceSample& sample, const AxisValues& countRates, core::Vec3& v_DT,

@@ -87,5 +87,6 @@ SimulatedDevice::SimulatedDevice(const Configuration& configuration,
       m_strategy(std::move(strategy)) {}
 
 SimulatedDevice::~SimulatedDevice() = default;
+GimbalHprdKinematics::~GimbalHprdKinematics() = default;
 
 } // namespace chiron::devices

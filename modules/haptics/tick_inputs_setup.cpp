@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Taking the inputs apart: a deleting destructor frees, so it stays out of the objects with tick code.
+#include "haptics/live_inputs.h"
+#include "haptics/recorded_inputs.h"
+
+namespace chiron::haptics {
+
+LiveInputs::~LiveInputs() = default;
+RecordedInputs::~RecordedInputs() = default;
+
+} // namespace chiron::haptics
