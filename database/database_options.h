@@ -13,7 +13,6 @@ namespace chiron::database {
 struct DatabaseOptions {
     /// Folder of the site key (0600), the audit chain's head and the list of erasures; empty: "<database>.site".
     std::string siteFolder;
-    std::string program = "chiron"; ///< named to others while we hold the writer's lock
     bool demonstration = false;     ///< used by create only: marks the database and everything in it
     PasswordCost passwordCost = PasswordCost::production();
     std::shared_ptr<const IBootClock> clock; ///< shared: throttles of every connection read it; null: SystemBootClock

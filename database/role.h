@@ -34,6 +34,7 @@ public:
     bool empty() const noexcept { return m_bits == 0; }
     bool operator==(const RoleSet&) const = default;
     std::vector<std::string> tokens() const; ///< in the order of kAllRoles
+    std::string list() const;                ///< tokens joined by commas, as stored
 
 private:
     static std::uint8_t bit(Role role) noexcept { return static_cast<std::uint8_t>(1u << static_cast<unsigned>(role)); }

@@ -16,8 +16,6 @@ public:
     core::Result<std::string> hash(const std::string& secret) const;
     /// Constant-time comparison with a stored hash, at the cost written in it.
     bool verify(const std::string& storedHash, const std::string& secret) const;
-    /// A hash that no password fits, at this cost: verifying it takes as long as a real one.
-    core::Result<std::string> decoy() const;
 
 private:
     PasswordCost m_cost;

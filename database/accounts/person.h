@@ -30,8 +30,9 @@ struct NewPerson {
 
 /// One stored attempt to log in, between beginLogin and finishLogin.
 struct LoginAttempt {
-    PersonId person = 0;       ///< 0: no such account; verify against the decoy all the same
-    std::string passwordHash;  ///< what to verify against (a decoy where there is no account)
+    PersonId person = 0;      ///< 0: no such account; hash something all the same, so that it takes as long
+    std::string passwordHash; ///< what to verify against (password or recovery code); empty where there is nothing
+    std::int64_t wait_ns = 0; ///< > 0: the account must wait so long; nothing was counted
 };
 
 } // namespace chiron::database

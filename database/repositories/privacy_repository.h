@@ -4,6 +4,7 @@
 #include "core/result.h"
 #include "database/accounts/person.h"
 #include "database/connection.h"
+#include "database/privacy/erasure.h"
 #include "database/repositories/audit_repository.h"
 #include "database/repositories/session_types.h"
 #include "scoring/score_card.h"
@@ -32,16 +33,6 @@ struct PersonExport {
     std::vector<AuditEntry> audit;               ///< by or about them
     bool hasPassword = false;
     int failedLogins = 0;
-};
-
-/// What is left of an erased person.
-struct Erasure {
-    PersonId person = 0;
-    std::string utc;
-    std::string reason;
-    PersonId administrator = 0;
-    bool recordingsWithdrawn = false;
-    std::string digestsJson; ///< digests of what was overwritten
 };
 
 /// What the law gives a person: a copy, and oblivion.

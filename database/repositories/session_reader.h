@@ -4,6 +4,7 @@
 #include "core/result.h"
 #include "database/connection.h"
 #include "database/repositories/session_types.h"
+#include "database/value.h"
 #include "recording/trial_sink.h"
 
 #include <memory>
@@ -28,7 +29,12 @@ public:
     /// the recording was erased.
     core::Result<std::unique_ptr<recording::ChunkSource>> openChunks(SessionId id);
 
+    /// The statement behind listSessions; a test looks at its query plan.
+    static std::string listSql(const std::string& where, bool newestFirst);
+
 private:
+    core::Result<std::vector<SessionRecord>> records(const std::string& where, const std::vector<Value>& values);
+
     Connection& m_connection;
     Actor m_actor;
 };

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/access/access_table.h"
+
+#include <algorithm>
+#include <array>
+
+namespace chiron::database {
+namespace {
+
+constexpr Scope No = Scope::none;
+constexpr Scope Own = Scope::own;
+constexpr Scope Sim = Scope::simulated;
+constexpr Scope OwnSim = Scope::ownAndSimulated;
+constexpr Scope All = Scope::all;
+using A = Action;
+
+// Who may do what. An action that is missing here is denied to everybody.
+// clang-format off
+constexpr AccessRow kRows[] = {
+    // action                     anonymous simulated maintenance trainee trainer researcher admin
+    {A::createFirstAdministrator, All,      No,       No,         No,     No,     No,        No},
+    {A::beginLogin,               All,      No,       No,         No,     No,     No,        No},
+    {A::finishLogin,              All,      No,       No,         No,     No,     No,        No},
+    {A::beginRecovery,            All,      No,       No,         No,     No,     No,        No},
+    {A::finishRecovery,           All,      No,       No,         No,     No,     No,        No},
+    {A::createPerson,             No,       No,       No,         No,     No,     No,        All},
+    {A::importPeople,             No,       No,       No,         No,     No,     No,        All},
+    {A::listPeople,               No,       No,       No,         No,     All,    No,        All},
+    {A::person,                   No,       No,       No,         Own,    All,    Own,       All},
+    {A::personByName,             No,       No,       No,         Own,    All,    Own,       All},
+    {A::setEnabled,               No,       No,       No,         No,     No,     No,        All},
+    {A::setRoles,                 No,       No,       No,         No,     No,     No,        All},
+    {A::changePassword,           No,       No,       No,         Own,    Own,    Own,       Own},
+    {A::resetPassword,            No,       No,       No,         No,     No,     No,        All},
+    {A::exportPerson,             No,       No,       No,         Own,    Own,    Own,       All},
+    {A::erasePerson,              No,       No,       No,         No,     No,     No,        All},
+    {A::listErasures,             No,       No,       No,         No,     No,     No,        All},
+    {A::beginSession,             No,       Own,      No,         Own,    Own,    Own,       Own},
+    {A::openSink,                 No,       Own,      All,        Own,    Own,    Own,       Own},
+    {A::storeTrial,               No,       Own,      All,        Own,    Own,    Own,       Own},
+    {A::storeEvents,              No,       Own,      All,        Own,    Own,    Own,       Own},
+    {A::finishSession,            No,       Own,      All,        Own,    Own,    Own,       Own},
+    {A::voidSession,              No,       No,       No,         No,     All,    No,        All},
+    {A::setArchived,              No,       No,       No,         No,     All,    No,        All},
+    {A::addComment,               No,       No,       No,         Own,    All,    All,       All},
+    {A::listSessions,             Sim,      Sim,      All,        OwnSim, All,    All,       All},
+    {A::listUnfinished,           No,       No,       All,        No,     No,     No,        All},
+    {A::session,                  Sim,      Sim,      All,        OwnSim, All,    All,       All},
+    {A::trials,                   Sim,      Sim,      All,        OwnSim, All,    All,       All},
+    {A::events,                   Sim,      Sim,      All,        OwnSim, All,    All,       All},
+    {A::secondSummaries,          Sim,      Sim,      All,        OwnSim, All,    All,       All},
+    {A::comments,                 Sim,      Sim,      No,         OwnSim, All,    All,       All},
+    {A::openChunks,               Sim,      Sim,      All,        OwnSim, All,    All,       All},
+    {A::storeScores,              No,       Own,      All,        Own,    Own,    Own,       Own},
+    {A::scores,                   Sim,      Sim,      All,        OwnSim, All,    All,       All},
+    {A::listAudit,                No,       No,       No,         No,     No,     No,        All},
+    {A::backup,                   No,       No,       No,         No,     No,     No,        All},
+    {A::restore,                  No,       No,       No,         No,     No,     No,        All},
+    {A::exportSite,               No,       No,       No,         No,     No,     No,        All},
+};
+// clang-format on
+
+Scope widest(Scope a, Scope b) noexcept {
+    if ((a == Scope::own && b == Scope::simulated) || (a == Scope::simulated && b == Scope::own)) {
+        return Scope::ownAndSimulated;
+    }
+    return std::max(a, b);
+}
+
+Scope columnOf(const AccessRow& row, Role role) noexcept {
+    switch (role) {
+    case Role::trainee:
+        return row.trainee;
+    case Role::trainer:
+        return row.trainer;
+    case Role::researcher:
+        return row.researcher;
+    case Role::admin:
+        return row.admin;
+    }
+    return Scope::none;
+}
+
+} // namespace
+
+std::string_view token(Action action) noexcept {
+    static constexpr std::array kNames{
+#define CHIRON_NAME(class_, function) std::string_view(#function),
+        CHIRON_REPOSITORY_FUNCTIONS(CHIRON_NAME)
+#undef CHIRON_NAME
+    };
+    const auto index = static_cast<std::size_t>(action);
+    return index < kNames.size() ? kNames[index] : std::string_view{};
+}
+
+std::optional<AccessRow> accessRow(Action action) noexcept {
+    const auto* found = std::find_if(std::begin(kRows), std::end(kRows), [&](const AccessRow& r) { return r.action == action; });
+    return found == std::end(kRows) ? std::nullopt : std::optional(*found);
+}
+
+Scope scopeOf(Action action, ActorKind kind, const RoleSet& roles) noexcept {
+    const auto row = accessRow(action);
+    if (!row) {
+        return Scope::none;
+    }
+    switch (kind) {
+    case ActorKind::anonymous:
+        return row->anonymous;
+    case ActorKind::simulated:
+        return row->simulated;
+    case ActorKind::maintenance:
+        return row->maintenance;
+    case ActorKind::person:
+        break;
+    }
+    Scope scope = Scope::none;
+    for (const Role role : kAllRoles) {
+        scope = roles.contains(role) ? widest(scope, columnOf(*row, role)) : scope;
+    }
+    return scope;
+}
+
+} // namespace chiron::database

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/access/authorise.h"
+
+#include "database/query.h"
+
+namespace chiron::database {
+namespace {
+
+core::Error denied(const Actor& actor, Action action, const std::string& why) {
+    const std::string who = actor.kind() == ActorKind::person ? actor.name()
+                            : actor.kind() == ActorKind::anonymous ? "nobody logged in"
+                            : actor.kind() == ActorKind::simulated ? "the simulated account" : "maintenance";
+    return core::Error{core::ErrorCode::notAllowed, "not allowed: " + std::string(token(action)) + " by " + who + " (" + why + ")"};
+}
+
+core::Result<Scope> scopeOfPerson(Connection& connection, const Actor& actor, Action action) {
+    auto query = Query::run(connection,
+                            "SELECT p.roles, p.enabled, c.must_change FROM person p JOIN credential c ON c.person_id = p.id "
+                            "WHERE p.id = ? AND p.kind = 'person'", {actor.personId()});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    const auto row = query->next();
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    if (!*row || query->integer(1) != 1) {
+        return tl::unexpected(denied(actor, action, "the account is disabled"));
+    }
+    if (query->integer(2) != 0 && action != Action::changePassword) {
+        return tl::unexpected(denied(actor, action, "the password must be changed first"));
+    }
+    const auto roles = rolesFromList(query->text(0));
+    return roles ? scopeOf(action, ActorKind::person, *roles) : Scope::none;
+}
+
+bool reaches(Scope scope, const Actor& actor, PersonId owner) {
+    const bool own = actor.personId() != 0 && actor.personId() == owner;
+    const bool simulated = owner == Actor::kSimulatedPerson;
+    switch (scope) {
+    case Scope::none:
+        return false;
+    case Scope::own:
+        return own;
+    case Scope::simulated:
+        return simulated;
+    case Scope::ownAndSimulated:
+        return own || simulated;
+    case Scope::all:
+        return true;
+    }
+    return false;
+}
+
+} // namespace
+
+core::Result<Scope> authorise(Connection& connection, const Actor& actor, Action action) {
+    const auto scope = actor.kind() == ActorKind::person ? scopeOfPerson(connection, actor, action)
+                                                         : core::Result<Scope>(scopeOf(action, actor.kind(), {}));
+    if (!scope) {
+        return scope;
+    }
+    if (*scope == Scope::none) {
+        return tl::unexpected(denied(actor, action, actor.kind() == ActorKind::anonymous
+                                                        ? "log in first"
+                                                        : "the roles do not permit it"));
+    }
+    return scope;
+}
+
+core::Result<void> authoriseFor(Connection& connection, const Actor& actor, Action action, PersonId owner) {
+    const auto scope = authorise(connection, actor, action);
+    if (!scope) {
+        return tl::unexpected(scope.error());
+    }
+    if (!reaches(*scope, actor, owner)) {
+        return tl::unexpected(denied(actor, action, "it belongs to somebody else"));
+    }
+    return {};
+}
+
+core::Result<void> authoriseForSession(Connection& connection, const Actor& actor, Action action, SessionId session) {
+    const auto scope = authorise(connection, actor, action);
+    if (!scope) {
+        return tl::unexpected(scope.error());
+    }
+    const auto owner = selectInteger(connection, "SELECT person_id FROM session WHERE id = ?", {session});
+    if (!owner) {
+        return tl::unexpected(owner.error());
+    }
+    if (!*owner && *scope == Scope::all) {
+        return core::fail(core::ErrorCode::notFound, "there is no session " + std::to_string(session));
+    }
+    if (!*owner || !reaches(*scope, actor, **owner)) {
+        return tl::unexpected(denied(actor, action, "session " + std::to_string(session) + " is not theirs"));
+    }
+    return {};
+}
+
+} // namespace chiron::database

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/accounts/account_service.h"
+
+#include "database/accounts/account_rules.h"
+#include "database/accounts/password_hasher.h"
+#include "database/accounts/user_csv.h"
+#include "database/repositories/account_repository.h"
+#include "database/repositories/privacy_repository.h"
+
+#include <sodium.h>
+
+namespace chiron::database {
+namespace {
+
+// 5 groups of 5 symbols of 32 without look-alikes: 125 bits.
+std::string newRecoveryCode() {
+    static constexpr char kSymbols[] = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
+    std::string code;
+    for (int i = 0; i < 25; ++i) {
+        code += i > 0 && i % 5 == 0 ? "-" : "";
+        code.push_back(kSymbols[randombytes_uniform(32)]);
+    }
+    return code;
+}
+
+core::Error wrongPassword() { return {core::ErrorCode::notAllowed, "name or password is wrong"}; }
+
+core::Error mustWait(std::int64_t wait_ns) {
+    return {core::ErrorCode::notAllowed, "too many wrong passwords: wait " +
+                                             std::to_string((wait_ns + 999'999'999) / 1'000'000'000) +
+                                             " s before the next attempt"};
+}
+
+// Verifies on this thread; an unknown account costs the same time as a known one.
+core::Result<void> check(const PasswordHasher& hasher, const LoginAttempt& attempt, const std::string& secret) {
+    if (attempt.wait_ns > 0) {
+        return tl::unexpected(mustWait(attempt.wait_ns));
+    }
+    if (attempt.passwordHash.empty()) {
+        (void)hasher.hash(secret);
+        return tl::unexpected(wrongPassword());
+    }
+    return hasher.verify(attempt.passwordHash, secret) ? core::Result<void>() : tl::unexpected(wrongPassword());
+}
+
+} // namespace
+
+core::Result<FirstAdministrator> AccountService::createFirstAdministrator(const std::string& name, const std::string& password,
+                                                                          const std::string& displayName) {
+    if (auto good = checkName(name); !good) {
+        return tl::unexpected(good.error());
+    }
+    if (auto good = checkPassword(name, password); !good) {
+        return tl::unexpected(good.error());
+    }
+    const PasswordHasher hasher(m_database.options().passwordCost);
+    const std::string code = newRecoveryCode();
+    const auto passwordHash = hasher.hash(password);
+    const auto codeHash = hasher.hash(code);
+    if (!passwordHash || !codeHash) {
+        return tl::unexpected(!passwordHash ? passwordHash.error() : codeHash.error());
+    }
+    const auto id = m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), Actor::anonymous())
+            .createFirstAdministrator({name, displayName, {Role::admin}, *passwordHash, false}, *codeHash);
+    });
+    return id ? core::Result<FirstAdministrator>({*id, code}) : tl::unexpected(id.error());
+}
+
+core::Result<Actor> AccountService::login(const std::string& name, const std::string& password) {
+    if (!m_database.isWritable()) {
+        return loginReadOnly(name, password);
+    }
+    const auto attempt = m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), Actor::anonymous()).beginLogin(name);
+    });
+    if (!attempt) {
+        return tl::unexpected(attempt.error());
+    }
+    const PasswordHasher hasher(m_database.options().passwordCost);
+    if (auto right = check(hasher, *attempt, password); !right) {
+        return tl::unexpected(right.error());
+    }
+    return m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), Actor::anonymous()).finishLogin(*attempt);
+    });
+}
+
+core::Result<Actor> AccountService::loginReadOnly(const std::string& name, const std::string& password) {
+    auto reader = m_database.openReader();
+    if (!reader) {
+        return tl::unexpected(reader.error());
+    }
+    AccountRepository accounts(**reader, Actor::anonymous());
+    const auto attempt = accounts.beginLogin(name);
+    if (!attempt) {
+        return tl::unexpected(attempt.error());
+    }
+    const PasswordHasher hasher(m_database.options().passwordCost);
+    if (auto right = check(hasher, *attempt, password); !right) {
+        return tl::unexpected(right.error());
+    }
+    return accounts.finishLogin(*attempt);
+}
+
+core::Result<std::string> AccountService::recover(const std::string& name, const std::string& code,
+                                                  const std::string& newPassword) {
+    if (auto good = checkPassword(name, newPassword); !good) {
+        return tl::unexpected(good.error());
+    }
+    const auto attempt = m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), Actor::anonymous()).beginRecovery(name);
+    });
+    if (!attempt) {
+        return tl::unexpected(attempt.error());
+    }
+    const PasswordHasher hasher(m_database.options().passwordCost);
+    if (auto right = check(hasher, *attempt, code); !right) {
+        return tl::unexpected(right.error());
+    }
+    const std::string newCode = newRecoveryCode();
+    const auto passwordHash = hasher.hash(newPassword);
+    const auto codeHash = hasher.hash(newCode);
+    if (!passwordHash || !codeHash) {
+        return tl::unexpected(!passwordHash ? passwordHash.error() : codeHash.error());
+    }
+    const auto done = m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), Actor::anonymous()).finishRecovery(*attempt, *passwordHash, *codeHash);
+    });
+    return done ? core::Result<std::string>(newCode) : tl::unexpected(done.error());
+}
+
+core::Result<PersonId> AccountService::createPerson(const Actor& actor, const PersonRequest& request) {
+    if (auto good = checkPassword(request.name, request.password); !good) {
+        return tl::unexpected(good.error());
+    }
+    const auto hash = PasswordHasher(m_database.options().passwordCost).hash(request.password);
+    if (!hash) {
+        return tl::unexpected(hash.error());
+    }
+    return m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), actor)
+            .createPerson({request.name, request.displayName, request.roles, *hash, request.mustChangePassword});
+    });
+}
+
+core::Result<std::vector<PersonId>> AccountService::importCsv(const Actor& actor, const std::string& csvText) {
+    const auto rows = parseUserCsv(csvText);
+    if (!rows) {
+        return tl::unexpected(rows.error());
+    }
+    const PasswordHasher hasher(m_database.options().passwordCost);
+    std::vector<NewPerson> people;
+    for (const UserCsvRow& row : *rows) {
+        const auto hash = hasher.hash(row.password);
+        if (!hash) {
+            return tl::unexpected(hash.error());
+        }
+        people.push_back({row.name, row.displayName, row.roles, *hash, true});
+    }
+    return m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), actor).importPeople(people);
+    });
+}
+
+core::Result<Actor> AccountService::confirm(const Actor& actor, const std::string& password) {
+    auto confirmed = login(actor.name(), password);
+    if (confirmed && confirmed->personId() != actor.personId()) {
+        return tl::unexpected(wrongPassword());
+    }
+    return confirmed;
+}
+
+core::Result<void> AccountService::changePassword(const Actor& actor, const std::string& oldPassword,
+                                                  const std::string& newPassword) {
+    if (auto good = checkPassword(actor.name(), newPassword); !good) {
+        return good;
+    }
+    if (oldPassword == newPassword) {
+        return core::fail(core::ErrorCode::badInput, "the new password is the old one");
+    }
+    if (auto confirmed = confirm(actor, oldPassword); !confirmed) {
+        return tl::unexpected(confirmed.error());
+    }
+    const auto hash = PasswordHasher(m_database.options().passwordCost).hash(newPassword);
+    if (!hash) {
+        return tl::unexpected(hash.error());
+    }
+    return m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), actor).changePassword(actor.personId(), *hash);
+    });
+}
+
+core::Result<void> AccountService::resetPassword(const Actor& actor, PersonId person, const std::string& newPassword) {
+    if (auto good = checkPassword("", newPassword); !good) {
+        return good;
+    }
+    const auto hash = PasswordHasher(m_database.options().passwordCost).hash(newPassword);
+    if (!hash) {
+        return tl::unexpected(hash.error());
+    }
+    return m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), actor).resetPassword(person, *hash);
+    });
+}
+
+core::Result<void> AccountService::setEnabled(const Actor& actor, PersonId person, bool enabled) {
+    return m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), actor).setEnabled(person, enabled);
+    });
+}
+
+core::Result<void> AccountService::setRoles(const Actor& actor, PersonId person, const RoleSet& roles) {
+    return m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), actor).setRoles(person, roles);
+    });
+}
+
+core::Result<std::vector<Person>> AccountService::listPeople(const Actor& actor) {
+    auto reader = m_database.openReader();
+    return reader ? AccountRepository(**reader, actor).listPeople() : tl::unexpected(reader.error());
+}
+
+core::Result<Person> AccountService::personByName(const Actor& actor, const std::string& name) {
+    auto reader = m_database.openReader();
+    return reader ? AccountRepository(**reader, actor).personByName(name) : tl::unexpected(reader.error());
+}
+
+core::Result<void> AccountService::erasePerson(const Actor& actor, const std::string& password, PersonId person,
+                                               const std::string& reason, bool withdrawRecordings) {
+    if (auto confirmed = confirm(actor, password); !confirmed) {
+        return tl::unexpected(confirmed.error());
+    }
+    if (!m_database.isWritable() || m_database.writer().hasSources()) {
+        return core::fail(core::ErrorCode::wrongUse, "an erasure needs the writer and waits until no session is running");
+    }
+    const auto erased = m_database.write([&](WriteContext& writing) {
+        return PrivacyRepository(writing.connection(), actor).erasePerson(person, reason, withdrawRecordings);
+    });
+    if (!erased) {
+        return tl::unexpected(erased.error());
+    }
+    if (auto listed = writeErasureList(m_database.siteFolder(), *erased); !listed) {
+        return listed;
+    }
+    // Overwritten pages may still lie in the log and in the file's free space.
+    return m_database.writer().runMaintenance([](WriteContext& writing) -> core::Result<void> {
+        return writing.connection().execute("VACUUM; PRAGMA wal_checkpoint(TRUNCATE);");
+    });
+}
+
+} // namespace chiron::database

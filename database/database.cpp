@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/database.h"
+
+#include "core/clock.h"
+#include "database/accounts/account_rules.h"
+#include "database/audit/audit_trail.h"
+#include "database/integrity/digested_row.h"
+#include "database/schema/migration_runner.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QLockFile>
+#include <QUuid>
+#include <sodium.h>
+
+namespace chiron::database {
+namespace {
+
+core::Result<std::unique_ptr<QLockFile>> takeLock(const std::string& file) {
+    const QString name = QString::fromStdString(file + ".lock");
+    auto lock = std::make_unique<QLockFile>(name);
+    lock->setStaleLockTime(0); // age never makes a lock stale; only the death of its holder does
+    if (lock->tryLock(300)) {
+        return lock;
+    }
+    if (lock->error() != QLockFile::LockFailedError) {
+        return core::fail(core::ErrorCode::storage, file + ".lock: cannot be created (folder missing or not writable)");
+    }
+    qint64 pid = 0;
+    QString host;
+    QString program;
+    lock->getLockInfo(&pid, &host, &program);
+    return core::fail(core::ErrorCode::locked, file + ": " + program.toStdString() + " (process " +
+                                                   std::to_string(pid) + ") has it open for writing");
+}
+
+core::Result<void> fillNew(Connection& connection, const DatabaseOptions& options) {
+    auto done = connection.begin();
+    if (!done) {
+        return done;
+    }
+    const std::string uuid = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+    for (const auto& [key, value] : {std::pair<std::string, std::string>{"uuid", uuid},
+                                     {"created_utc", core::utcNowIso8601()},
+                                     {"demonstration", options.demonstration ? "1" : "0"}}) {
+        auto inserted = Query::run(connection, "INSERT INTO meta (key, value) VALUES (?, ?)", {key, value});
+        if (!inserted) {
+            connection.rollback();
+            return tl::unexpected(inserted.error());
+        }
+    }
+    auto person = insertRow(connection, "person",
+                            {{"id", Actor::kSimulatedPerson}, {"kind", std::string("simulated")},
+                             {"name", std::string("simulated")}, {"name_key", std::string("simulated")},
+                             {"display_name", std::string("simulated")}, {"roles", std::string()},
+                             {"enabled", std::int64_t{1}}, {"created_utc", core::utcNowIso8601()}});
+    if (!person) {
+        connection.rollback();
+        return tl::unexpected(person.error());
+    }
+    done = appendAudit(connection, Actor::maintenance(),
+                       {"create", "person", Actor::kSimulatedPerson, *person, "{}"});
+    if (!done) {
+        connection.rollback();
+        return done;
+    }
+    return connection.commit();
+}
+
+} // namespace
+
+std::string siteFolderFor(const std::string& databaseFile, const DatabaseOptions& options) {
+    return options.siteFolder.empty() ? databaseFile + ".site" : options.siteFolder;
+}
+
+Database::Database(std::string file, DatabaseOptions options)
+    : m_file(std::move(file)), m_options(std::move(options)), m_siteFolder(siteFolderFor(m_file, m_options)) {
+    if (!m_options.clock) {
+        m_options.clock = std::make_shared<SystemBootClock>();
+    }
+}
+
+Database::~Database() {
+    m_writer.reset(); // before key and lock: its last drains still need both
+}
+
+core::Result<std::unique_ptr<Database>> Database::create(const std::string& file, const DatabaseOptions& options) {
+    std::unique_ptr<Database> database(new Database(file, options));
+    auto lock = takeLock(file);
+    if (!lock) {
+        return tl::unexpected(lock.error());
+    }
+    database->m_lock = *std::move(lock);
+    if (QFileInfo::exists(QString::fromStdString(file))) {
+        return core::fail(core::ErrorCode::badInput, file + ": exists already; nothing was changed");
+    }
+    auto key = SiteKey::createOrLoad(database->m_siteFolder);
+    if (!key) {
+        return tl::unexpected(key.error());
+    }
+    database->m_siteKey = *std::move(key);
+    const QString fresh = QString::fromStdString(file + ".new"); // complete or not there
+    QFile::remove(fresh);
+    core::Result<void> done;
+    {
+        auto connection = Connection::create(fresh.toStdString());
+        if (!connection) {
+            QFile::remove(fresh);
+            return tl::unexpected(connection.error());
+        }
+        (*connection)->setSite(database->m_siteKey.get(), database->m_options.clock.get());
+        auto migrated = MigrationRunner().migrate(**connection);
+        done = migrated ? fillNew(**connection, options) : tl::unexpected(migrated.error());
+        const auto head = done ? auditHead(**connection) : tl::unexpected(done.error());
+        done = head ? writeHeadFile(*database->m_siteKey, *head) : tl::unexpected(head.error());
+    }
+    if (done && !QFile::rename(fresh, QString::fromStdString(file))) {
+        done = core::fail(core::ErrorCode::storage, file + ": cannot be put in place");
+    }
+    done = done ? database->startWriter() : done;
+    if (!done) {
+        QFile::remove(fresh);
+        return tl::unexpected(done.error());
+    }
+    return database;
+}
+
+core::Result<std::unique_ptr<Database>> Database::openForWriting(const std::string& file,
+                                                                 const DatabaseOptions& options) {
+    std::unique_ptr<Database> database(new Database(file, options));
+    const MigrationRunner runner;
+    auto present = runner.inspect(file);
+    if (!present) {
+        return tl::unexpected(present.error());
+    }
+    auto lock = takeLock(file);
+    if (!lock) {
+        return tl::unexpected(lock.error());
+    }
+    database->m_lock = *std::move(lock);
+    auto key = SiteKey::load(database->m_siteFolder);
+    if (!key) {
+        return tl::unexpected(key.error());
+    }
+    database->m_siteKey = *std::move(key);
+    if (present->version < runner.newest()) {
+        auto connection = Connection::open(file, Connection::Mode::readWrite);
+        auto migrated = connection ? runner.migrate(**connection) : tl::unexpected(connection.error());
+        if (!migrated) {
+            return tl::unexpected(migrated.error());
+        }
+    }
+    auto started = database->startWriter();
+    if (!started) {
+        return tl::unexpected(started.error());
+    }
+    return database;
+}
+
+core::Result<std::unique_ptr<Database>> Database::openReadOnly(const std::string& file, const DatabaseOptions& options) {
+    std::unique_ptr<Database> database(new Database(file, options));
+    const MigrationRunner runner;
+    auto present = runner.inspect(file);
+    if (!present) {
+        return tl::unexpected(present.error());
+    }
+    if (present->version < runner.newest()) {
+        return core::fail(core::ErrorCode::storage, file + ": made by an older Chiron (schema " +
+                                                        std::to_string(present->version) + "); run migrate first");
+    }
+    auto read = database->readIdentity();
+    if (!read) {
+        return tl::unexpected(read.error());
+    }
+    return database;
+}
+
+core::Result<std::unique_ptr<Connection>> Database::openReader() const {
+    auto connection = Connection::open(m_file, Connection::Mode::readOnly);
+    if (connection) {
+        (*connection)->setSite(m_siteKey.get(), m_options.clock.get());
+    }
+    return connection;
+}
+
+core::Result<void> Database::startWriter() {
+    auto writer = WriterThread::start(m_file, *m_siteKey, *m_options.clock);
+    if (!writer) {
+        return tl::unexpected(writer.error());
+    }
+    m_writer = *std::move(writer);
+    return readIdentity();
+}
+
+core::Result<void> Database::readIdentity() {
+    auto reader = openReader();
+    if (!reader) {
+        return tl::unexpected(reader.error());
+    }
+    const auto version = selectInteger(**reader, "PRAGMA user_version");
+    const auto uuid = selectText(**reader, "SELECT value FROM meta WHERE key = 'uuid'");
+    const auto demonstration = selectText(**reader, "SELECT value FROM meta WHERE key = 'demonstration'");
+    if (!version || !uuid || !demonstration) {
+        return tl::unexpected(!version ? version.error() : !uuid ? uuid.error() : demonstration.error());
+    }
+    m_schemaVersion = static_cast<int>(version->value_or(0));
+    m_uuid = uuid->value_or("");
+    m_demonstration = demonstration->value_or("0") == "1";
+    return {};
+}
+
+} // namespace chiron::database

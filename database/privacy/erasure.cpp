@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/privacy/erasure.h"
+
+#include "core/clock.h"
+#include "database/audit/audit_trail.h"
+#include "database/integrity/digested_row.h"
+
+#include <vector>
+
+namespace chiron::database {
+namespace {
+
+core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std::string& sql, PersonId person) {
+    auto query = Query::run(connection, sql, {person});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<std::int64_t> ids;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        ids.push_back(query->integer(0));
+    }
+    return row ? core::Result<std::vector<std::int64_t>>(std::move(ids)) : tl::unexpected(row.error());
+}
+
+core::Result<void> overwriteIdentity(Connection& connection, const Actor& byWhom, Erasure& erasure) {
+    const PersonId id = erasure.person;
+    const std::string name = "erased-" + std::to_string(id);
+    const auto before = selectText(connection, "SELECT lower(hex(digest)) FROM person WHERE id = ? AND kind <> 'simulated'", {id});
+    if (!before) {
+        return tl::unexpected(before.error());
+    }
+    if (!*before) {
+        return core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
+    }
+    const auto person = updateRow(connection, "person", {{"id", id}},
+                                  {{"kind", std::string("erased")}, {"name", name}, {"name_key", name},
+                                   {"display_name", std::string()}, {"roles", std::string()}, {"enabled", std::int64_t{0}}});
+    const auto code = updateRow(connection, "person_code", {{"person_id", id}}, {{"code", name}});
+    const auto credential = updateRow(connection, "credential", {{"person_id", id}},
+                                      {{"password_hash", std::string()}, {"recovery_hash", std::string()},
+                                       {"wait_boot", std::string()}});
+    if (!person || !code || !credential) {
+        return tl::unexpected(!person ? person.error() : !code ? code.error() : credential.error());
+    }
+    erasure.digestsJson = "{\"person\":\"" + **before + "\"";
+    return appendAudit(connection, byWhom, {"erase", "person", id, *person, "{}"});
+}
+
+core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, PersonId id) {
+    auto comments = Query::run(connection, "UPDATE session_comment SET text = '' WHERE author_id = ?1 OR session_id IN "
+                                           "(SELECT id FROM session WHERE person_id = ?1)", {id});
+    auto reasons = Query::run(connection, "UPDATE session SET void_reason = '' WHERE voided_by = ?1 OR person_id = ?1", {id});
+    if (!comments || !reasons) {
+        return tl::unexpected(!comments ? comments.error() : reasons.error());
+    }
+    // A trace's name or the ring's folder may tell who it was; scripted operators' names do not, but one rule is simpler.
+    const auto sessions = idsOf(connection, "SELECT id FROM session WHERE person_id = ?", id);
+    if (!sessions) {
+        return tl::unexpected(sessions.error());
+    }
+    for (const SessionId session : *sessions) {
+        const auto row = updateRow(connection, "session", {{"id", session}},
+                                   {{"ring_file", std::string()}, {"operator_name", std::string()}});
+        if (!row) {
+            return tl::unexpected(row.error());
+        }
+        if (auto audited = appendAudit(connection, byWhom, {"eraseTexts", "session", session, *row, "{}"}); !audited) {
+            return audited;
+        }
+    }
+    return {};
+}
+
+core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWhom, Erasure& erasure) {
+    const auto sessions = idsOf(connection, "SELECT id FROM session WHERE person_id = ?", erasure.person);
+    if (!sessions) {
+        return tl::unexpected(sessions.error());
+    }
+    erasure.digestsJson += ",\"sessions\":{";
+    for (std::size_t i = 0; i < sessions->size(); ++i) {
+        const SessionId session = (*sessions)[i];
+        const auto seal = selectText(connection, "SELECT lower(hex(seal)) FROM session WHERE id = ?", {session});
+        auto payloads = Query::run(connection, "UPDATE chunk SET payload = zeroblob(0) WHERE session_id = ?", {session});
+        if (!seal || !payloads) {
+            return tl::unexpected(!seal ? seal.error() : payloads.error());
+        }
+        const auto row = updateRow(connection, "session", {{"id", session}}, {{"recording_erased", std::int64_t{1}}});
+        if (!row) {
+            return tl::unexpected(row.error());
+        }
+        if (auto audited = appendAudit(connection, byWhom, {"eraseRecording", "session", session, *row, "{}"}); !audited) {
+            return audited;
+        }
+        erasure.digestsJson += (i > 0 ? ",\"" : "\"") + std::to_string(session) + "\":\"" + seal->value_or("") + "\"";
+    }
+    erasure.digestsJson += "}";
+    return {};
+}
+
+core::Result<void> storeTombstone(Connection& connection, const Erasure& erasure) {
+    const auto known = selectInteger(connection, "SELECT 1 FROM erasure WHERE person_id = ?", {erasure.person});
+    if (!known) {
+        return tl::unexpected(known.error());
+    }
+    const std::vector<Column> key{{"person_id", erasure.person}};
+    std::vector<Column> rest{{"utc", erasure.utc}, {"reason", erasure.reason}, {"administrator_id", erasure.administrator},
+                             {"recordings_withdrawn", std::int64_t{erasure.recordingsWithdrawn}},
+                             {"digests_json", erasure.digestsJson}};
+    if (!*known) {
+        rest.insert(rest.begin(), key.front());
+    }
+    const auto row = *known ? updateRow(connection, "erasure", key, std::move(rest))
+                            : insertRow(connection, "erasure", std::move(rest));
+    return row ? core::Result<void>() : tl::unexpected(row.error());
+}
+
+} // namespace
+
+core::Result<Erasure> overwritePerson(Connection& connection, const Actor& byWhom, Erasure erasure) {
+    if (erasure.utc.empty()) {
+        erasure.utc = core::utcNowIso8601();
+    }
+    auto done = overwriteIdentity(connection, byWhom, erasure);
+    done = done ? overwriteTexts(connection, byWhom, erasure.person) : done;
+    if (done && erasure.recordingsWithdrawn) {
+        done = overwriteRecordings(connection, byWhom, erasure);
+    }
+    erasure.digestsJson += "}";
+    done = done ? storeTombstone(connection, erasure) : done;
+    return done ? core::Result<Erasure>(std::move(erasure)) : tl::unexpected(done.error());
+}
+
+core::Result<std::vector<Erasure>> storedErasures(Connection& connection) {
+    auto query = Query::run(connection, "SELECT person_id, utc, reason, administrator_id, recordings_withdrawn, digests_json "
+                                        "FROM erasure ORDER BY person_id");
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<Erasure> erasures;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        erasures.push_back({query->integer(0), query->text(1), query->text(2), query->integer(3), query->integer(4) != 0,
+                            query->text(5)});
+    }
+    return row ? core::Result<std::vector<Erasure>>(std::move(erasures)) : tl::unexpected(row.error());
+}
+
+} // namespace chiron::database

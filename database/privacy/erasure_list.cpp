@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/privacy/erasure.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+#include <algorithm>
+
+namespace chiron::database {
+namespace {
+
+QJsonObject jsonOf(const Erasure& erasure) {
+    return {{"person", static_cast<qint64>(erasure.person)},
+            {"utc", QString::fromStdString(erasure.utc)},
+            {"reason", QString::fromStdString(erasure.reason)},
+            {"administrator", static_cast<qint64>(erasure.administrator)},
+            {"recordings_withdrawn", erasure.recordingsWithdrawn},
+            {"digests", QString::fromStdString(erasure.digestsJson)}};
+}
+
+} // namespace
+
+core::Result<std::vector<Erasure>> readErasureList(const std::string& name) {
+    QFile file(QString::fromStdString(name));
+    if (!file.exists()) {
+        return std::vector<Erasure>();
+    }
+    if (!file.open(QIODevice::ReadOnly)) {
+        return core::fail(core::ErrorCode::storage, name + ": cannot be read");
+    }
+    const QJsonDocument document = QJsonDocument::fromJson(file.readAll());
+    if (!document.isArray()) {
+        return core::fail(core::ErrorCode::badInput, name + ": expected a JSON array of erasures");
+    }
+    std::vector<Erasure> erasures;
+    for (const QJsonValue& value : document.array()) {
+        const QJsonObject json = value.toObject();
+        const Erasure erasure{json["person"].toInteger(), json["utc"].toString().toStdString(),
+                              json["reason"].toString().toStdString(), json["administrator"].toInteger(),
+                              json["recordings_withdrawn"].toBool(), json["digests"].toString().toStdString()};
+        if (erasure.person <= Actor::kSimulatedPerson) {
+            return core::fail(core::ErrorCode::badInput, name + ": an erasure names no person");
+        }
+        erasures.push_back(erasure);
+    }
+    return erasures;
+}
+
+core::Result<void> saveErasureList(const std::string& name, const std::vector<Erasure>& erasures) {
+    QJsonArray array;
+    for (const Erasure& erasure : erasures) {
+        array.append(jsonOf(erasure));
+    }
+    QSaveFile file(QString::fromStdString(name));
+    const QByteArray text = QJsonDocument(array).toJson();
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
+        return core::fail(core::ErrorCode::storage, name + ": the list of erasures cannot be written");
+    }
+    return {};
+}
+
+core::Result<void> writeErasureList(const std::string& siteFolder, const Erasure& erasure) {
+    auto erasures = readErasureList(erasureListFile(siteFolder));
+    if (!erasures) {
+        return tl::unexpected(erasures.error());
+    }
+    std::erase_if(*erasures, [&](const Erasure& e) { return e.person == erasure.person; });
+    erasures->push_back(erasure);
+    return saveErasureList(erasureListFile(siteFolder), *erasures);
+}
+
+} // namespace chiron::database

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/repositories/account_repository.h"
+
+#include "core/clock.h"
+#include "database/access/authorise.h"
+#include "database/access/writer_only.h"
+#include "database/accounts/account_rules.h"
+#include "database/audit/audit_trail.h"
+#include "database/integrity/digested_row.h"
+
+#include <sodium.h>
+
+namespace chiron::database {
+namespace {
+
+constexpr const char* kPersonColumns =
+    "SELECT p.id, p.name, p.display_name, coalesce(k.code, ''), p.roles, p.enabled, coalesce(c.must_change, 0), "
+    "p.created_utc FROM person p LEFT JOIN person_code k ON k.person_id = p.id "
+    "LEFT JOIN credential c ON c.person_id = p.id WHERE p.kind = 'person'";
+
+Person personOf(const Query& row) {
+    return {row.integer(0), row.text(1), row.text(2), row.text(3), rolesFromList(row.text(4)).value_or(RoleSet{}),
+            row.integer(5) != 0, row.integer(6) != 0, row.text(7)};
+}
+
+// 8 symbols of 32 without look-alikes: 40 bits, checked for uniqueness by the table.
+std::string randomCode() {
+    static constexpr char kSymbols[] = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
+    std::string code = "P-";
+    for (int i = 0; i < 8; ++i) {
+        code.push_back(kSymbols[randombytes_uniform(32)]);
+    }
+    return code;
+}
+
+core::Result<void> writeAllowed(Connection& connection, const Actor& actor, Action action) {
+    if (auto writer = requireWriter(connection); !writer) {
+        return writer;
+    }
+    const auto scope = authorise(connection, actor, action);
+    return scope ? core::Result<void>() : tl::unexpected(scope.error());
+}
+
+core::Result<void> exists(Connection& connection, PersonId id) {
+    const auto found = selectInteger(connection, "SELECT 1 FROM person WHERE id = ? AND kind = 'person'", {id});
+    if (!found) {
+        return tl::unexpected(found.error());
+    }
+    return *found ? core::Result<void>() : core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
+}
+
+} // namespace
+
+core::Result<PersonId> AccountRepository::createFirstAdministrator(const NewPerson& person,
+                                                                   const std::string& recoveryCodeHash) {
+    if (auto allowed = writeAllowed(m_connection, m_actor, Action::createFirstAdministrator); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    const auto any = selectInteger(m_connection, "SELECT count(*) FROM person WHERE kind <> 'simulated'");
+    if (!any) {
+        return tl::unexpected(any.error());
+    }
+    if (any->value_or(1) != 0) {
+        return core::fail(core::ErrorCode::notAllowed, "this database has people already; an administrator adds more");
+    }
+    NewPerson administrator = person;
+    administrator.roles = {Role::admin};
+    const auto id = insertPerson(administrator);
+    if (!id) {
+        return id;
+    }
+    auto stored = updateRow(m_connection, "credential", {{"person_id", *id}}, {{"recovery_hash", recoveryCodeHash}});
+    return stored ? id : tl::unexpected(stored.error());
+}
+
+core::Result<PersonId> AccountRepository::createPerson(const NewPerson& person) {
+    if (auto allowed = writeAllowed(m_connection, m_actor, Action::createPerson); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    return insertPerson(person);
+}
+
+core::Result<std::vector<PersonId>> AccountRepository::importPeople(const std::vector<NewPerson>& people) {
+    if (auto allowed = writeAllowed(m_connection, m_actor, Action::importPeople); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    std::vector<PersonId> ids;
+    for (const NewPerson& person : people) {
+        const auto id = insertPerson(person);
+        if (!id) {
+            return tl::unexpected(id.error()); // the job's transaction undoes those before
+        }
+        ids.push_back(*id);
+    }
+    return ids;
+}
+
+core::Result<PersonId> AccountRepository::insertPerson(const NewPerson& person) {
+    if (auto good = checkName(person.name); !good) {
+        return tl::unexpected(good.error());
+    }
+    if (auto good = checkText("display name", person.displayName, 200); !good) {
+        return tl::unexpected(good.error());
+    }
+    if (person.roles.empty() || person.passwordHash.empty()) {
+        return core::fail(core::ErrorCode::badInput, person.name + ": at least one role and a password are needed");
+    }
+    const auto taken = selectInteger(m_connection, "SELECT id FROM person WHERE name_key = ?", {nameKey(person.name)});
+    const auto last = selectInteger(m_connection, "SELECT max(id) FROM person");
+    if (!taken || !last) {
+        return tl::unexpected(!taken ? taken.error() : last.error());
+    }
+    if (*taken) {
+        return core::fail(core::ErrorCode::badInput, "the name \"" + person.name + "\" is taken (names differ by more than case)");
+    }
+    const PersonId id = last->value_or(0) + 1;
+    const auto row = insertRow(m_connection, "person",
+                               {{"id", id}, {"kind", std::string("person")}, {"name", person.name},
+                                {"name_key", nameKey(person.name)}, {"display_name", person.displayName},
+                                {"roles", person.roles.list()}, {"enabled", std::int64_t{1}},
+                                {"created_utc", core::utcNowIso8601()}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    const auto code = insertRow(m_connection, "person_code", {{"person_id", id}, {"code", randomCode()}});
+    const auto credential = insertRow(m_connection, "credential",
+                                      {{"person_id", id}, {"password_hash", person.passwordHash},
+                                       {"recovery_hash", std::string()}, {"failures", std::int64_t{0}},
+                                       {"must_change", std::int64_t{person.mustChangePassword}},
+                                       {"wait_boot", std::string()}, {"wait_until_ns", std::int64_t{0}}});
+    if (!code || !credential) {
+        return tl::unexpected(!code ? code.error() : credential.error());
+    }
+    auto audited = appendAudit(m_connection, m_actor, {"createPerson", "person", id, *row,
+                                                       "{\"roles\":\"" + person.roles.list() + "\"}"});
+    return audited ? core::Result<PersonId>(id) : tl::unexpected(audited.error());
+}
+
+core::Result<std::vector<Person>> AccountRepository::listPeople() {
+    if (const auto scope = authorise(m_connection, m_actor, Action::listPeople); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    auto query = Query::run(m_connection, std::string(kPersonColumns) + " ORDER BY p.name_key");
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<Person> people;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        people.push_back(personOf(*query));
+    }
+    return row ? core::Result<std::vector<Person>>(std::move(people)) : tl::unexpected(row.error());
+}
+
+core::Result<Person> AccountRepository::person(PersonId id) {
+    if (auto allowed = authoriseFor(m_connection, m_actor, Action::person, id); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    auto query = Query::run(m_connection, std::string(kPersonColumns) + " AND p.id = ?", {id});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    const auto row = query->next();
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    return *row ? core::Result<Person>(personOf(*query))
+                : core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
+}
+
+core::Result<Person> AccountRepository::personByName(const std::string& name) {
+    const auto scope = authorise(m_connection, m_actor, Action::personByName);
+    if (!scope) {
+        return tl::unexpected(scope.error());
+    }
+    auto query = Query::run(m_connection, std::string(kPersonColumns) + " AND p.name_key = ?", {nameKey(name)});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    const auto row = query->next();
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    if (*row && (*scope == Scope::all || query->integer(0) == m_actor.personId())) {
+        return personOf(*query);
+    }
+    // Whoever may see only themselves learns nothing about who else exists.
+    return *scope == Scope::all ? core::fail(core::ErrorCode::notFound, "there is no person named \"" + name + "\"")
+                                : core::fail(core::ErrorCode::notAllowed, "not allowed: people other than oneself");
+}
+
+core::Result<void> AccountRepository::setEnabled(PersonId id, bool enabled) {
+    if (auto allowed = writeAllowed(m_connection, m_actor, Action::setEnabled); !allowed) {
+        return allowed;
+    }
+    if (auto found = exists(m_connection, id); !found) {
+        return found;
+    }
+    const auto row = updateRow(m_connection, "person", {{"id", id}}, {{"enabled", std::int64_t{enabled}}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    if (auto kept = keepsAnAdministrator(); !kept) {
+        return kept;
+    }
+    return appendAudit(m_connection, m_actor, {enabled ? "enable" : "disable", "person", id, *row, "{}"});
+}
+
+core::Result<void> AccountRepository::setRoles(PersonId id, const RoleSet& roles) {
+    if (auto allowed = writeAllowed(m_connection, m_actor, Action::setRoles); !allowed) {
+        return allowed;
+    }
+    if (auto found = exists(m_connection, id); !found) {
+        return found;
+    }
+    if (roles.empty()) {
+        return core::fail(core::ErrorCode::badInput, "at least one role is needed (disable the account instead)");
+    }
+    const auto row = updateRow(m_connection, "person", {{"id", id}}, {{"roles", roles.list()}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    if (auto kept = keepsAnAdministrator(); !kept) {
+        return kept;
+    }
+    return appendAudit(m_connection, m_actor, {"setRoles", "person", id, *row, "{\"roles\":\"" + roles.list() + "\"}"});
+}
+
+core::Result<void> AccountRepository::keepsAnAdministrator() {
+    const auto left = selectInteger(m_connection, "SELECT count(*) FROM person WHERE kind = 'person' AND enabled = 1 AND "
+                                                  "instr(',' || roles || ',', ',admin,') > 0");
+    if (!left) {
+        return tl::unexpected(left.error());
+    }
+    return left->value_or(0) > 0
+               ? core::Result<void>()
+               : core::fail(core::ErrorCode::wrongUse, "this is the last enabled administrator; make another one first");
+}
+
+core::Result<void> AccountRepository::changePassword(PersonId id, const std::string& newHash) {
+    if (auto writer = requireWriter(m_connection); !writer) {
+        return writer;
+    }
+    if (auto allowed = authoriseFor(m_connection, m_actor, Action::changePassword, id); !allowed) {
+        return allowed;
+    }
+    if (auto stored = storePassword(id, newHash, false); !stored) {
+        return stored;
+    }
+    return appendAudit(m_connection, m_actor, {"changePassword", "credential", id, std::nullopt, "{}"});
+}
+
+core::Result<void> AccountRepository::resetPassword(PersonId id, const std::string& newHash) {
+    if (auto allowed = writeAllowed(m_connection, m_actor, Action::resetPassword); !allowed) {
+        return allowed;
+    }
+    if (auto found = exists(m_connection, id); !found) {
+        return found;
+    }
+    if (auto stored = storePassword(id, newHash, true); !stored) {
+        return stored;
+    }
+    return appendAudit(m_connection, m_actor, {"resetPassword", "credential", id, std::nullopt, "{}"});
+}
+
+core::Result<void> AccountRepository::storePassword(PersonId id, const std::string& hash, bool mustChange) {
+    const auto row = updateRow(m_connection, "credential", {{"person_id", id}},
+                               {{"password_hash", hash}, {"must_change", std::int64_t{mustChange}},
+                                {"failures", std::int64_t{0}}, {"wait_until_ns", std::int64_t{0}}});
+    return row ? core::Result<void>() : tl::unexpected(row.error());
+}
+
+} // namespace chiron::database

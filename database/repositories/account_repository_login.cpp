@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/access/authorise.h"
+#include "database/access/writer_only.h"
+#include "database/accounts/account_rules.h"
+#include "database/accounts/throttle.h"
+#include "database/audit/audit_trail.h"
+#include "database/integrity/digested_row.h"
+#include "database/repositories/account_repository.h"
+
+namespace chiron::database {
+namespace {
+
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
+struct StoredCredential {
+    LoginAttempt attempt;
+    ThrottleState throttle;
+};
+
+core::Result<StoredCredential> credentialOf(Connection& connection, const std::string& name, bool recovery) {
+    auto query = Query::run(connection,
+                            "SELECT c.person_id, c.password_hash, c.recovery_hash, c.failures, c.wait_boot, "
+                            "c.wait_until_ns FROM credential c JOIN person p ON p.id = c.person_id "
+                            "WHERE p.name_key = ? AND p.kind = 'person'", {nameKey(name)});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    const auto row = query->next();
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    StoredCredential found;
+    if (*row) {
+        found.attempt = {query->integer(0), query->text(recovery ? 2 : 1)};
+        found.throttle = {query->integer(3), query->text(4), query->integer(5)};
+    }
+    return found;
+}
+
+core::Error mustWait(std::int64_t remaining_ns) {
+    const std::int64_t seconds = (remaining_ns + kSecond_ns - 1) / kSecond_ns;
+    return {core::ErrorCode::notAllowed,
+            "too many wrong passwords: wait " + std::to_string(seconds) + " s before the next attempt"};
+}
+
+} // namespace
+
+core::Result<LoginAttempt> AccountRepository::beginLogin(const std::string& name) {
+    if (const auto scope = authorise(m_connection, m_actor, Action::beginLogin); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    return beginAttempt(name, false);
+}
+
+core::Result<LoginAttempt> AccountRepository::beginRecovery(const std::string& name) {
+    if (const auto scope = authorise(m_connection, m_actor, Action::beginRecovery); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    return beginAttempt(name, true);
+}
+
+core::Result<LoginAttempt> AccountRepository::beginAttempt(const std::string& name, bool recovery) {
+    auto found = credentialOf(m_connection, name, recovery);
+    if (!found) {
+        return tl::unexpected(found.error());
+    }
+    if (found->attempt.person == 0 || m_connection.clock() == nullptr) {
+        return LoginAttempt{};
+    }
+    const BootTime now = m_connection.clock()->now();
+    ThrottleState& throttle = found->throttle;
+    const std::string bootBefore = throttle.boot;
+    const std::int64_t remaining = throttleRemaining_ns(throttle, now);
+    if (remaining > 0 && throttle.boot == bootBefore) {
+        return tl::unexpected(mustWait(remaining));
+    }
+    if (!m_connection.isWritable()) { // beside a writer: the wait is honoured, but the attempt cannot be counted
+        return remaining > 0 ? core::Result<LoginAttempt>(tl::unexpected(mustWait(remaining))) : found->attempt;
+    }
+    if (remaining == 0) {
+        throttleCount(throttle, now);
+    }
+    const auto stored = updateRow(m_connection, "credential", {{"person_id", found->attempt.person}},
+                                  {{"failures", throttle.failures}, {"wait_boot", throttle.boot},
+                                   {"wait_until_ns", throttle.waitUntil_ns}});
+    if (!stored) {
+        return tl::unexpected(stored.error());
+    }
+    // After a restart the wait begins anew and must be kept: that is an outcome, not a failure (which would undo it).
+    return remaining > 0 ? LoginAttempt{found->attempt.person, "", remaining} : found->attempt;
+}
+
+core::Result<Actor> AccountRepository::finishLogin(const LoginAttempt& attempt) {
+    if (const auto scope = authorise(m_connection, m_actor, Action::finishLogin); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    auto actor = actorFor(attempt.person);
+    if (!actor || !m_connection.isWritable()) {
+        return actor;
+    }
+    const auto failures = selectInteger(m_connection, "SELECT failures FROM credential WHERE person_id = ?", {attempt.person});
+    if (!failures) {
+        return tl::unexpected(failures.error());
+    }
+    const auto row = updateRow(m_connection, "credential", {{"person_id", attempt.person}},
+                               {{"failures", std::int64_t{0}}, {"wait_until_ns", std::int64_t{0}}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    // The right attempt was counted too, before it was checked.
+    const std::string wrong = std::to_string(std::max<std::int64_t>(failures->value_or(1) - 1, 0));
+    auto audited = appendAudit(m_connection, *actor, {"login", "person", attempt.person, std::nullopt,
+                                                      "{\"wrong_before\":" + wrong + "}"});
+    return audited ? actor : tl::unexpected(audited.error());
+}
+
+core::Result<Actor> AccountRepository::actorFor(PersonId id) {
+    auto query = Query::run(m_connection,
+                            "SELECT p.name, p.roles, p.enabled, c.must_change FROM person p "
+                            "JOIN credential c ON c.person_id = p.id WHERE p.id = ? AND p.kind = 'person'", {id});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    const auto row = query->next();
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    if (!*row || query->integer(2) != 1) {
+        return core::fail(core::ErrorCode::notAllowed, "this account is disabled; ask an administrator");
+    }
+    return Actor(ActorKind::person, id, query->text(0), rolesFromList(query->text(1)).value_or(RoleSet{}),
+                 query->integer(3) != 0);
+}
+
+core::Result<void> AccountRepository::finishRecovery(const LoginAttempt& attempt, const std::string& newPasswordHash,
+                                                     const std::string& newRecoveryCodeHash) {
+    if (auto writer = requireWriter(m_connection); !writer) {
+        return writer;
+    }
+    if (const auto scope = authorise(m_connection, m_actor, Action::finishRecovery); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    const auto actor = actorFor(attempt.person);
+    if (!actor) {
+        return tl::unexpected(actor.error());
+    }
+    if (auto stored = storePassword(attempt.person, newPasswordHash, false); !stored) {
+        return stored;
+    }
+    const auto row = updateRow(m_connection, "credential", {{"person_id", attempt.person}},
+                               {{"recovery_hash", newRecoveryCodeHash}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    return appendAudit(m_connection, *actor, {"recover", "credential", attempt.person, std::nullopt, "{}"});
+}
+
+} // namespace chiron::database

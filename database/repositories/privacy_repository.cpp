@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/repositories/privacy_repository.h"
+
+#include "database/access/authorise.h"
+#include "database/access/writer_only.h"
+#include "database/accounts/account_rules.h"
+#include "database/query.h"
+#include "database/repositories/account_repository.h"
+#include "database/repositories/score_repository.h"
+#include "database/repositories/session_reader.h"
+
+namespace chiron::database {
+namespace {
+
+core::Result<PersonSession> sessionOf(Connection& connection, const Actor& actor, SessionId id) {
+    SessionReader reader(connection, actor);
+    auto record = reader.session(id);
+    auto trials = reader.trials(id);
+    auto events = reader.events(id);
+    auto comments = reader.comments(id);
+    if (!record || !trials || !events || !comments) {
+        return tl::unexpected(!record ? record.error() : !trials ? trials.error() : !events ? events.error() : comments.error());
+    }
+    PersonSession session{*std::move(record), *std::move(trials), *std::move(events), *std::move(comments), {}};
+    auto scores = ScoreRepository(connection, actor).scores(id);
+    if (scores) {
+        session.scores = *std::move(scores);
+    } else if (scores.error().code != core::ErrorCode::notFound) {
+        return tl::unexpected(scores.error());
+    }
+    return session;
+}
+
+core::Result<std::vector<SessionComment>> commentsBy(Connection& connection, PersonId author) {
+    auto query = Query::run(connection, "SELECT id, author_id, utc, text FROM session_comment WHERE author_id = ? ORDER BY id", {author});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<SessionComment> comments;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        comments.push_back({query->integer(0), query->integer(1), query->text(2), query->text(3)});
+    }
+    return row ? core::Result<std::vector<SessionComment>>(std::move(comments)) : tl::unexpected(row.error());
+}
+
+core::Result<std::vector<AuditEntry>> auditOf(Connection& connection, PersonId person) {
+    auto query = Query::run(connection,
+                            "SELECT sequence, utc, actor_kind, actor_id, action, target, target_id, detail_json FROM audit "
+                            "WHERE (actor_id = ?1 AND actor_kind = 'person') OR (target IN ('person', 'credential') AND "
+                            "target_id = ?1) ORDER BY sequence", {person});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<AuditEntry> entries;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        entries.push_back({query->integer(0), query->text(1), query->text(2), query->integer(3), query->text(4),
+                           query->text(5), query->integer(6), query->text(7)});
+    }
+    return row ? core::Result<std::vector<AuditEntry>>(std::move(entries)) : tl::unexpected(row.error());
+}
+
+} // namespace
+
+core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
+    if (auto allowed = authoriseFor(m_connection, m_actor, Action::exportPerson, id); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    PersonExport held;
+    auto person = AccountRepository(m_connection, m_actor).person(id);
+    SessionFilter all;
+    all.person = id;
+    all.includeArchived = true;
+    auto sessions = SessionReader(m_connection, m_actor).listSessions(all);
+    auto comments = commentsBy(m_connection, id);
+    auto audit = auditOf(m_connection, id);
+    auto credential = Query::run(m_connection, "SELECT password_hash <> '', failures FROM credential WHERE person_id = ?", {id});
+    if (!person || !sessions || !comments || !audit || !credential) {
+        return tl::unexpected(!person ? person.error() : !sessions ? sessions.error() : !comments ? comments.error()
+                                                       : !audit ? audit.error() : credential.error());
+    }
+    held.person = *std::move(person);
+    held.commentsWritten = *std::move(comments);
+    held.audit = *std::move(audit);
+    if (const auto row = credential->next(); row && *row) {
+        held.hasPassword = credential->integer(0) != 0;
+        held.failedLogins = static_cast<int>(credential->integer(1));
+    }
+    for (const SessionSummary& summary : *sessions) {
+        auto session = sessionOf(m_connection, m_actor, summary.id);
+        if (!session) {
+            return tl::unexpected(session.error());
+        }
+        held.sessions.push_back(*std::move(session));
+    }
+    return held;
+}
+
+core::Result<Erasure> PrivacyRepository::erasePerson(PersonId person, const std::string& reason, bool withdrawRecordings) {
+    if (auto writer = requireWriter(m_connection); !writer) {
+        return tl::unexpected(writer.error());
+    }
+    if (const auto scope = authorise(m_connection, m_actor, Action::erasePerson); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    if (auto good = checkText("reason", reason, 1000); !good || reason.empty()) {
+        return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text") : tl::unexpected(good.error());
+    }
+    if (person == Actor::kSimulatedPerson || person == m_actor.personId()) {
+        return core::fail(core::ErrorCode::wrongUse, "neither oneself nor the simulated account can be erased");
+    }
+    const auto present = selectInteger(m_connection, "SELECT count(*) FROM person WHERE id = ? AND kind = 'person'", {person});
+    const auto running = selectInteger(m_connection, "SELECT count(*) FROM session WHERE person_id = ? AND state = 'running'", {person});
+    if (!present || !running) {
+        return tl::unexpected(!present ? present.error() : running.error());
+    }
+    if (present->value_or(0) == 0) {
+        return core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(person));
+    }
+    if (running->value_or(0) > 0) {
+        return core::fail(core::ErrorCode::wrongUse, "a session of this person has not ended yet");
+    }
+    return overwritePerson(m_connection, m_actor, {person, "", reason, m_actor.personId(), withdrawRecordings, ""});
+}
+
+core::Result<std::vector<Erasure>> PrivacyRepository::listErasures() {
+    if (const auto scope = authorise(m_connection, m_actor, Action::listErasures); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    return storedErasures(m_connection);
+}
+
+} // namespace chiron::database
