@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "report/report_data.h"
+#include "session/stored_session.h"
+
+namespace chiron::session_report {
+
+/// Everything the printed report and the debrief show of one stored session: facts, stored scores, trials, samples.
+/// `language` picks the content's texts. Reads through the session's connection, on its thread. Failure: the reader's.
+core::Result<report::ReportData> reportDataOf(session::StoredSession& session, database::Connection& connection,
+                                      const database::Actor& actor, const std::string& language);
+
+/// What a metric is called on screen and paper, in English; the id with spaces where it has no name of its own.
+QString metricName(const std::string& id);
+
+} // namespace chiron::session_report
