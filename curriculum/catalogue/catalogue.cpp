@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/catalogue.h"
+
+#include "catalogue/content_reader.h"
+
+namespace chiron::catalogue {
+
+core::Result<Catalogue> Catalogue::load(const std::string& directory) {
+    auto exercises = ContentReader(QString::fromStdString(directory)).exercises();
+    if (!exercises)
+        return tl::unexpected(exercises.error());
+    Catalogue catalogue;
+    catalogue.m_directory = directory;
+    catalogue.m_exercises = std::move(*exercises);
+    return catalogue;
+}
+
+const Exercise* Catalogue::find(std::string_view exercise) const {
+    for (const Exercise& candidate : m_exercises)
+        if (candidate.id == exercise)
+            return &candidate;
+    return nullptr;
+}
+
+const ExerciseLevel* Catalogue::find(std::string_view exercise, int level) const {
+    const Exercise* found = find(exercise);
+    if (found == nullptr || level < 1 || static_cast<std::size_t>(level) > found->levels.size())
+        return nullptr;
+    return &found->levels[static_cast<std::size_t>(level) - 1];
+}
+
+const std::string& textIn(const Translated& text, const std::string& language) {
+    static const std::string kNone;
+    if (const auto it = text.find(language); it != text.end())
+        return it->second;
+    const auto english = text.find("en");
+    return english != text.end() ? english->second : kNone;
+}
+
+} // namespace chiron::catalogue

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+#include "catalogue/json_file.h"
+#include "catalogue/schema.h"
+#include "core/result.h"
+
+#include <QString>
+#include <map>
+#include <string>
+
+namespace chiron::catalogue {
+
+/// Reads the exercises of one content folder against its schemas.
+class ContentReader {
+public:
+    explicit ContentReader(QString directory) : m_directory(std::move(directory)) {}
+    ContentReader(const ContentReader&) = delete;
+    ContentReader& operator=(const ContentReader&) = delete;
+
+    core::Result<std::vector<Exercise>> exercises();
+
+private:
+    core::Result<Exercise> exercise(const QString& folder);
+    core::Result<ExerciseLevel> level(const QString& path, const QJsonObject& exercise);
+    core::Result<const Schema*> schema(const QString& name);
+
+    QString m_directory;
+    std::map<QString, Schema> m_schemas;
+};
+
+} // namespace chiron::catalogue

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/exercise_kinds.h"
+
+#include "catalogue/sphere_apex_content.h"
+
+#include <array>
+
+namespace chiron::catalogue {
+
+std::span<const ExerciseKind> exerciseKinds() {
+    // One line a kind of exercise.
+    static constexpr auto kKinds = std::to_array<ExerciseKind>({
+        {"sphere_apex", "sphere_apex_parameters", readSphereApex, checkSphereApex},
+    });
+    return kKinds;
+}
+
+const ExerciseKind* findExerciseKind(std::string_view id) {
+    for (const ExerciseKind& kind : exerciseKinds())
+        if (kind.id == id)
+            return &kind;
+    return nullptr;
+}
+
+} // namespace chiron::catalogue

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/resolved_level.h"
+
+#include "catalogue/canonical_json.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/exercise_kinds.h"
+#include "catalogue/json_file.h"
+#include "catalogue/object_reader.h"
+
+namespace chiron::catalogue {
+
+namespace {
+
+constexpr int kFormat = 1; ///< of the resolved document; raise it when a key changes its meaning
+
+void readMetricsAndGates(const ObjectReader& json, ExerciseLevel& level) {
+    json.eachObject("metrics", [&](const ObjectReader& metric) {
+        level.metrics.push_back({metric.text("id"), metric.integer("version")});
+    });
+    json.eachObject("gates", [&](const ObjectReader& gate) {
+        scoring::Gate out;
+        out.metric = gate.text("metric");
+        if (gate.has("minimum"))
+            out.minimum = gate.number("minimum");
+        if (gate.has("maximum"))
+            out.maximum = gate.number("maximum");
+        level.gates.push_back(std::move(out));
+    });
+}
+
+} // namespace
+
+QJsonObject resolvedDocument(const QJsonObject& exercise, const QJsonObject& level) {
+    return {{"format", kFormat}, {"exercise", exercise}, {"level", level}};
+}
+
+ExerciseLevel levelFromResolved(const QJsonObject& document, Problems& problems) {
+    ExerciseLevel level;
+    const ObjectReader root(document, QStringLiteral("$"), problems);
+    if (root.integer("format") != kFormat)
+        problems.push_back({QStringLiteral("$.format"), QString::number(document["format"].toInt()),
+                            QStringLiteral("%1, the format this program knows").arg(kFormat)});
+    const ObjectReader exercise = root.object("exercise");
+    level.exercise = exercise.text("id");
+    level.exerciseVersion = exercise.integer("version");
+    const ObjectReader json(root.object("level").json(), QStringLiteral("$"), problems);
+    level.id = json.text("id");
+    level.number = json.integer("number");
+    level.title = json.translated("title");
+    level.objective = json.translated("objective");
+    level.measured = json.translated("measured");
+    level.cues = json.texts("cues");
+    level.needsForce = json.boolean("needs_force");
+    if (json.has("shown_force_variant")) {
+        const ObjectReader shown = json.object("shown_force_variant");
+        level.shownForce = ShownForceVariant{shown.texts("cues"), shown.translated("note")};
+    }
+    readMetricsAndGates(json, level);
+    if (const ExerciseKind* kind = findExerciseKind(level.exercise))
+        level.parameters = kind->read(json.object("parameters"), level.cues);
+    else
+        problems.push_back({QStringLiteral("$.exercise.id"), quoted(QString::fromStdString(level.exercise)),
+                            QStringLiteral("an exercise this program knows")});
+    level.resolvedJson = canonicalJson(document);
+    level.resolvedSha256 = sha256Hex(level.resolvedJson);
+    return level;
+}
+
+core::Result<ExerciseLevel> fromResolvedJson(std::string_view json) {
+    const QByteArray bytes(json.data(), static_cast<qsizetype>(json.size()));
+    const auto file = JsonFile::parse(bytes, QStringLiteral("stored content"));
+    if (!file)
+        return tl::unexpected(file.error());
+    Problems problems;
+    ExerciseLevel level = levelFromResolved(file->root(), problems);
+    if (!problems.empty())
+        return tl::unexpected(file->error(problems));
+    level.resolvedJson = json;
+    level.resolvedSha256 = sha256Hex(level.resolvedJson);
+    return level;
+}
+
+} // namespace chiron::catalogue

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/sphere_apex_content.h"
+
+#include "core/units.h"
+
+namespace chiron::catalogue {
+
+namespace {
+
+using Parameters = simulation::SphereApexParameters;
+
+struct Key {
+    const char* name;
+    double Parameters::* member;
+    double perUnit; ///< content's units in one SI unit
+};
+
+constexpr double kMm = 1000.0;
+
+constexpr Key kKeys[] = {
+    {"radius_mm", &Parameters::radius_m, kMm},
+    {"plane_height_mm", &Parameters::planeHeight_m, kMm},
+    {"centre_disc_radius_mm", &Parameters::centreDiscRadius_m, kMm},
+    {"workspace_radius_mm", &Parameters::workspaceRadius_m, kMm},
+    {"stiffness_low_N_per_m", &Parameters::stiffnessLow_N_per_m, 1.0},
+    {"stiffness_high_N_per_m", &Parameters::stiffnessHigh_N_per_m, 1.0},
+    {"stiffness_variation", &Parameters::stiffnessVariation, 1.0},
+    {"stiffness_wavelength_mm", &Parameters::stiffnessWavelength_m, kMm},
+    {"damping_N_s_per_m", &Parameters::damping_Ns_per_m, 1.0},
+    {"friction_low", &Parameters::frictionLow, 1.0},
+    {"friction_high", &Parameters::frictionHigh, 1.0},
+    {"bristle_stiffness_N_per_m", &Parameters::bristleStiffness_N_per_m, 1.0},
+    {"dimple_depth_mm", &Parameters::dimpleDepth_m, kMm},
+    {"dimple_radius_mm", &Parameters::dimpleRadius_m, kMm},
+    {"dimple_offset_mm", &Parameters::dimpleOffset_m, kMm},
+    {"trial_limit_s", &Parameters::trialLimit_s, 1.0},
+    {"between_trials_s", &Parameters::betweenTrials_s, 1.0},
+    {"maximum_force_N", &Parameters::maximumForce_N, 1.0},
+};
+
+QString mm(double length_m) { return QString::number(core::mmFromM(length_m)) + QStringLiteral(" mm"); }
+
+void checkOrder(double low, double high, const QString& path, const char* key, Problems& problems) {
+    if (low > high)
+        problems.push_back({memberPath(path, key), QString::number(low),
+                            QStringLiteral("at most the high end, %1").arg(high)});
+}
+
+} // namespace
+
+ExerciseParameters readSphereApex(const ObjectReader& parameters, const std::vector<std::string>& cues) {
+    Parameters p;
+    std::vector<QString> known{QStringLiteral("trials")};
+    for (const Key& key : kKeys) {
+        known.push_back(QLatin1String(key.name));
+        if (parameters.has(known.back()))
+            p.*key.member = parameters.number(known.back()) / key.perUnit;
+    }
+    if (parameters.has("trials"))
+        p.trials = parameters.integer("trials");
+    for (const QString& key : parameters.json().keys())
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            parameters.problems().push_back({memberPath(parameters.path(), key), QStringLiteral("unknown key"),
+                                             QStringLiteral("a parameter of sphere_apex") + didYouMean(key, known)});
+    p.cues = cues;
+    return p;
+}
+
+void checkSphereApex(const ExerciseParameters& parameters, const QString& path, Problems& problems) {
+    const auto& p = std::get<Parameters>(parameters);
+    checkOrder(p.stiffnessLow_N_per_m, p.stiffnessHigh_N_per_m, path, "stiffness_low_N_per_m", problems);
+    checkOrder(p.frictionLow, p.frictionHigh, path, "friction_low", problems);
+    // models.md §2.3: all of the sphere inside the workspace; a micrometre for decimals that are no doubles.
+    if (p.centreDiscRadius_m + p.radius_m > p.workspaceRadius_m + 1e-6)
+        problems.push_back({memberPath(path, "centre_disc_radius_mm"), mm(p.centreDiscRadius_m),
+                            QStringLiteral("at most workspace_radius_mm - radius_mm = ") +
+                                mm(p.workspaceRadius_m - p.radius_m)});
+    if (p.dimpleDepth_m <= 0.0)
+        return;
+    if (p.dimpleOffset_m < p.dimpleRadius_m)
+        problems.push_back({memberPath(path, "dimple_offset_mm"), mm(p.dimpleOffset_m),
+                            QStringLiteral("at least dimple_radius_mm = %1, so that the apex stays whole").arg(mm(p.dimpleRadius_m))});
+    if (p.dimpleOffset_m + p.dimpleRadius_m > p.radius_m)
+        problems.push_back({memberPath(path, "dimple_radius_mm"), mm(p.dimpleRadius_m),
+                            QStringLiteral("at most radius_mm - dimple_offset_mm = %1, so that it lies on the ball")
+                                .arg(mm(p.radius_m - p.dimpleOffset_m))});
+}
+
+} // namespace chiron::catalogue

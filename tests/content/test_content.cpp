@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/catalogue.h"
+#include "catalogue/schema.h"
+#include "scoring/metric_catalogue.h"
+
+#include <QDirIterator>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+#include <set>
+
+using namespace chiron;
+using namespace chiron::catalogue;
+
+namespace {
+
+const QString kContent = QStringLiteral(CHIRON_SOURCE_DIR "/curriculum/content");
+
+const Catalogue& shipped() {
+    static const auto catalogue = Catalogue::load(kContent.toStdString());
+    if (!catalogue)
+        qFatal("%s", catalogue.error().message.c_str());
+    return *catalogue;
+}
+
+} // namespace
+
+class TestContent : public QObject {
+    Q_OBJECT
+private slots:
+    void shippedContentIsValid();
+    void sphereApexHasItsFourLevels();
+    void everyTextIsInThreeLanguages();
+    void textsHaveNoStrayCharacters();
+    void keysCarryTheirUnits();
+    void blindLevelsTellNothing();
+    void levelsHaveGatesOnTheirHeadlines();
+    void onlyJsonAndReadmesAreShipped();
+};
+
+void TestContent::shippedContentIsValid() {
+    const auto catalogue = Catalogue::load(kContent.toStdString());
+    QVERIFY2(catalogue.has_value(), catalogue ? "" : catalogue.error().message.c_str());
+    QVERIFY(catalogue->find("sphere_apex") != nullptr);
+}
+
+void TestContent::sphereApexHasItsFourLevels() {
+    const auto& levels = shipped().find("sphere_apex")->levels;
+    QCOMPARE(levels.size(), std::size_t{4});
+    const auto parameters = [&](std::size_t i) { return std::get<simulation::SphereApexParameters>(levels[i].parameters); };
+    QVERIFY(levels[0].cues.size() > 0 && levels[0].cues[0] == "object" && !levels[0].needsForce);
+    // P2's condition: R = 20 mm, ten spheres, nothing to see.
+    QCOMPARE(parameters(1).radius_m, 0.020);
+    QCOMPARE(parameters(1).trials, 10);
+    QCOMPARE(parameters(1).trialLimit_s, 60.0);
+    QCOMPARE(parameters(1).stiffnessLow_N_per_m, 500.0);
+    QCOMPARE(parameters(1).stiffnessHigh_N_per_m, 500.0);
+    QCOMPARE(parameters(1).frictionHigh, 0.0);
+    QCOMPARE(parameters(1).dimpleDepth_m, 0.0);
+    QVERIFY(parameters(2).stiffnessLow_N_per_m < parameters(2).stiffnessHigh_N_per_m);
+    QVERIFY(parameters(2).frictionLow < parameters(2).frictionHigh);
+    QVERIFY(parameters(3).dimpleDepth_m > 0.0);
+}
+
+void TestContent::everyTextIsInThreeLanguages() {
+    const auto complete = [](const Translated& text) {
+        return text.contains("en") && text.contains("de") && text.contains("el");
+    };
+    for (const Exercise& exercise : shipped().exercises()) {
+        QVERIFY(complete(exercise.title) && complete(exercise.objective));
+        for (const ExerciseLevel& level : exercise.levels) {
+            QVERIFY2(complete(level.title) && complete(level.objective) && complete(level.measured), level.id.c_str());
+            QVERIFY(!level.shownForce || complete(level.shownForce->note));
+            QVERIFY(level.title.at("en") != level.title.at("de") && level.title.at("en") != level.title.at("el"));
+        }
+    }
+}
+
+void TestContent::textsHaveNoStrayCharacters() {
+    QDirIterator it(kContent, {"*.json"}, QDir::Files, QDirIterator::Subdirectories);
+    while (it.hasNext()) {
+        QFile file(it.next());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY2(!bytes.contains('\t') && !bytes.contains('\r') && bytes.endsWith("}\n"), qPrintable(file.fileName()));
+        QVERIFY(!bytes.contains("  \"\"") && !bytes.contains("TODO"));
+    }
+}
+
+// architecture.md: keys carry units (`stiffness_N_per_m`).
+void TestContent::keysCarryTheirUnits() {
+    const std::map<QString, QString> suffix{{"mm", "_mm"}, {"s", "_s"}, {"N", "_N"}, {"N/m", "_N_per_m"}, {"N·s/m", "_N_s_per_m"}};
+    const auto schema = readSchema(kContent + "/schema", "sphere_apex_parameters");
+    QVERIFY(schema.has_value());
+    for (const auto& [key, property] : schema->properties) {
+        if (property->unit == "1")
+            continue;
+        QVERIFY2(suffix.contains(property->unit), qPrintable(property->unit));
+        QVERIFY2(key.endsWith(suffix.at(property->unit)), qPrintable(key));
+        QVERIFY2(!property->defaultValue.isUndefined(), qPrintable(key));
+    }
+}
+
+// A level whose object is hidden must give it away by nothing: the drawn tool's height, a bar, a sound.
+void TestContent::blindLevelsTellNothing() {
+    for (const ExerciseLevel& level : shipped().find("sphere_apex")->levels)
+        if (std::find(level.cues.begin(), level.cues.end(), "object") == level.cues.end()) {
+            QVERIFY2(level.cues.empty(), level.id.c_str());
+            QVERIFY(level.needsForce);
+            QVERIFY(level.shownForce.has_value());
+        }
+}
+
+void TestContent::levelsHaveGatesOnTheirHeadlines() {
+    for (const ExerciseLevel& level : shipped().find("sphere_apex")->levels) {
+        std::set<std::string> gated;
+        for (const auto& gate : level.gates)
+            gated.insert(gate.metric);
+        QVERIFY(gated.contains("apex_error_mean") && gated.contains("apex_misses"));
+        QVERIFY(gated.contains("force_time_over_limit"));
+        QCOMPARE(level.metrics.size(), scoring::metricCatalogue().size());
+    }
+}
+
+void TestContent::onlyJsonAndReadmesAreShipped() {
+    QDirIterator it(kContent, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+    while (it.hasNext()) {
+        const QFileInfo file(it.next());
+        QVERIFY2(file.suffix() == "json" || file.fileName() == "README.md", qPrintable(file.filePath()));
+    }
+}
+
+QTEST_APPLESS_MAIN(TestContent)
+#include "test_content.moc"
