@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/demo_site.h"
+
+#include "database/accounts/account_service.h"
+#include "database/repositories/score_repository.h"
+#include "session/replayer.h"
+
+namespace chiron::session {
+
+namespace {
+
+struct DemoPerson {
+    const char* name;
+    const char* displayName;
+    database::Role role;
+    const char* operatorName; ///< who stands in for a trainee's hand; empty: does not train
+};
+
+constexpr const char* kAdministrator = "amalia";
+
+constexpr DemoPerson kPeople[] = {
+    {"theo", "Theo Trainer", database::Role::trainer, ""},
+    {"rhea", "Rhea Researcher", database::Role::researcher, ""},
+    {"nikos", "Nikos Newcomer", database::Role::trainee, "novice"},
+    {"ines", "Ines Improving", database::Role::trainee, "intermediate"},
+    {"eva", "Eva Expert", database::Role::trainee, "expert"},
+};
+
+/// One planned session, and on whose behalf.
+struct Planned {
+    std::string person;
+    database::Actor actor;
+    ScriptedSession session;
+};
+
+core::Result<std::vector<Planned>> makePeople(database::Database& database, const catalogue::Catalogue& catalogue,
+                                              std::uint64_t seed) {
+    database::AccountService accounts(database);
+    auto administrator = accounts.createFirstAdministrator(kAdministrator, kDemoPassword, "Amalia Administrator");
+    if (!administrator)
+        return tl::unexpected(administrator.error());
+    auto admin = accounts.login(kAdministrator, kDemoPassword);
+    if (!admin)
+        return tl::unexpected(admin.error());
+    std::vector<Planned> planned;
+    for (const DemoPerson& person : kPeople) {
+        auto id = accounts.createPerson(*admin, {person.name, person.displayName, {person.role}, kDemoPassword, false});
+        if (!id)
+            return tl::unexpected(id.error());
+        if (*person.operatorName == '\0')
+            continue;
+        auto actor = accounts.login(person.name, kDemoPassword);
+        if (!actor)
+            return tl::unexpected(actor.error());
+        for (const catalogue::Exercise& exercise : catalogue.exercises()) {
+            for (int level = 1; level <= 2 && catalogue.find(exercise.id, level); ++level)
+                planned.push_back({person.name, *actor, {exercise.id, level, person.operatorName, seed + planned.size() + 100}});
+        }
+    }
+    return planned;
+}
+
+core::Result<std::vector<Planned>> planOperators(const catalogue::Catalogue& catalogue, std::uint64_t seed) {
+    std::vector<Planned> planned;
+    for (const catalogue::Exercise& exercise : catalogue.exercises()) {
+        auto kind = exerciseKind(exercise.id);
+        if (!kind)
+            return tl::unexpected(kind.error());
+        for (const catalogue::ExerciseLevel& level : exercise.levels) {
+            for (const std::string& name : (*kind)->operatorNames())
+                planned.push_back({"simulated", database::Actor::simulated(), {exercise.id, level.number, name, seed}});
+        }
+    }
+    return planned;
+}
+
+core::Result<void> checkAgain(database::Database& database, const database::Actor& actor, DemoResult& result) {
+    auto connection = database.openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    auto stored = StoredSession::open(**connection, actor, result.result.session);
+    if (!stored)
+        return tl::unexpected(stored.error());
+    auto replay = replaySession(**stored);
+    if (!replay)
+        return tl::unexpected(replay.error());
+    result.replayIdentical = replay->identical;
+    auto kept = database::ScoreRepository(**connection, actor).scores(result.result.session);
+    auto again = (*stored)->computeScores();
+    if (!kept || !again)
+        return tl::unexpected(kept ? again.error() : kept.error());
+    result.scoreSame = sameScores(*kept, *again) && sameScores(*kept, result.result.scores);
+    return {};
+}
+
+} // namespace
+
+core::Result<std::vector<DemoResult>> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,
+                                                   std::uint64_t seed,
+                                                   const std::function<void(const std::string&)>& progress) {
+    auto planned = planOperators(catalogue, seed);
+    if (!planned)
+        return tl::unexpected(planned.error());
+    auto people = makePeople(database, catalogue, seed);
+    if (!people)
+        return tl::unexpected(people.error());
+    planned->insert(planned->end(), people->begin(), people->end());
+    std::vector<DemoResult> results;
+    for (const Planned& plan : *planned) {
+        progress("session " + std::to_string(results.size() + 1) + " of " + std::to_string(planned->size()) + ": " +
+                 plan.session.exercise + " level " + std::to_string(plan.session.level) + ", " +
+                 plan.session.operatorName);
+        auto result = runScripted(database, plan.actor, catalogue, plan.session);
+        if (!result)
+            return tl::unexpected(result.error());
+        DemoResult line{plan.person, plan.session, std::move(*result), false, false};
+        if (auto checked = checkAgain(database, plan.actor, line); !checked)
+            return tl::unexpected(checked.error());
+        results.push_back(std::move(line));
+    }
+    return results;
+}
+
+} // namespace chiron::session

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/site.h"
+
+#include "recording/crash_ring.h"
+#include "scoring/trace_csv.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace chiron::session {
+
+namespace {
+
+core::Result<std::unique_ptr<database::Database>> createOrOpen(const std::string& file,
+                                                               const database::DatabaseOptions& options) {
+    std::error_code error;
+    if (std::filesystem::exists(file, error))
+        return database::Database::openForWriting(file, options);
+    const auto folder = std::filesystem::path(file).parent_path();
+    if (!folder.empty())
+        std::filesystem::create_directories(folder, error);
+    if (error)
+        return core::fail(core::ErrorCode::storage, folder.string() + ": cannot be made: " + error.message());
+    return database::Database::create(file, options);
+}
+
+core::Result<Station> stationFor(const ExerciseKind& kind, const ScriptedSession& session) {
+    const std::vector<std::string> names = kind.operatorNames();
+    if (std::find(names.begin(), names.end(), session.operatorName) != names.end())
+        return scriptedStation(kind, session.operatorName, session.seed);
+    std::error_code ignored;
+    if (!std::filesystem::exists(session.operatorName, ignored)) {
+        std::string known;
+        for (const std::string& name : names)
+            known += name + ", ";
+        return core::fail(core::ErrorCode::notFound, "operator \"" + session.operatorName + "\": expected one of " +
+                                                         known + "or the path of a trace file");
+    }
+    auto rows = scoring::readTraceCsvFile(session.operatorName);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    return traceStation(*rows);
+}
+
+} // namespace
+
+core::Result<OpenedSite> openSite(const std::string& file, const database::DatabaseOptions& options) {
+    auto database = createOrOpen(file, options);
+    if (!database)
+        return tl::unexpected(database.error());
+    auto recovered = recoverSessions(**database, recording::defaultRingFolder());
+    if (!recovered)
+        return tl::unexpected(recovered.error());
+    return OpenedSite{std::move(*database), std::move(*recovered)};
+}
+
+core::Result<TrainingResult> runScripted(database::Database& database, const database::Actor& actor,
+                                         const catalogue::Catalogue& catalogue, const ScriptedSession& session,
+                                         const std::atomic<bool>* cancel) {
+    auto kind = exerciseKind(session.exercise);
+    if (!kind)
+        return tl::unexpected(kind.error());
+    const catalogue::ExerciseLevel* level = catalogue.find(session.exercise, session.level);
+    if (!level)
+        return core::fail(core::ErrorCode::notFound, "exercise \"" + session.exercise + "\": no level " +
+                                                         std::to_string(session.level));
+    auto station = stationFor(**kind, session);
+    if (!station)
+        return tl::unexpected(station.error());
+    TrainingRequest request;
+    request.level = *level;
+    request.seed = session.seed;
+    request.station = std::move(*station);
+    request.realtime = session.realtime;
+    request.familiarisation = session.familiarisation;
+    request.cancel = cancel;
+    return runTraining(database, actor, std::move(request));
+}
+
+} // namespace chiron::session
