@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/command.h"
+
+#include <QStringList>
+
+namespace chiron::cli {
+
+/// Every command, in the order of the help.
+const std::vector<CommandSpec>& commandTable();
+
+/// The command that the first one or two words name, and how many words that took. Failure: wrongUse, naming what was
+/// found and what is there.
+struct FoundCommand {
+    const CommandSpec* command = nullptr;
+    int words = 0;
+};
+core::Result<FoundCommand> findCommand(const QStringList& words);
+
+} // namespace chiron::cli

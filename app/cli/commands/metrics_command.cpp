@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+#include "cli/command_groups.h"
+#include "cli/messages.h"
+#include "cli/score_output.h"
+#include "cli/text_table.h"
+#include "scoring/metric_catalogue.h"
+#include "scoring/score_calculator.h"
+#include "scoring/trace_builder.h"
+#include "scoring/trace_csv.h"
+
+namespace chiron::cli {
+
+namespace {
+
+QString allMetricIds() {
+    QStringList ids;
+    for (const scoring::MetricDefinition& metric : scoring::metricCatalogue()) {
+        const QString id = QString::fromUtf8(metric.id.data(), static_cast<qsizetype>(metric.id.size()));
+        if (!ids.contains(id))
+            ids << id;
+    }
+    return ids.join(QStringLiteral(", "));
+}
+
+core::Result<std::vector<scoring::MetricRequest>> requests(const Arguments& arguments) {
+    auto names = arguments.list(QStringLiteral("metric"));
+    if (!names)
+        return tl::unexpected(names.error());
+    if (names->isEmpty())
+        names = allMetricIds().split(QStringLiteral(", "));
+    std::vector<scoring::MetricRequest> wanted;
+    for (const QString& name : *names) {
+        if (!scoring::findMetric(name.toStdString()))
+            return badInput(QStringLiteral("--metric: %1: unknown; expected some of %2").arg(quoted(name), allMetricIds()));
+        wanted.push_back({name.toStdString(), 0});
+    }
+    return wanted;
+}
+
+core::Result<CommandOutput> metrics(const Arguments& arguments) {
+    const auto wanted = requests(arguments);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+    const auto limit = arguments.number(QStringLiteral("force-limit"), 0.01, 100.0, 4.0);
+    if (!limit)
+        return tl::unexpected(limit.error());
+    const auto rows = scoring::readTraceCsvFile(arguments.operand(0).toStdString());
+    if (!rows)
+        return tl::unexpected(rows.error());
+    // A file that says where the apex was is one of that exercise.
+    const QString exercise = arguments.has(QStringLiteral("exercise")) ? arguments.value(QStringLiteral("exercise"))
+                             : rows->columns.target                    ? QStringLiteral("sphere_apex")
+                                                                       : QString();
+    const auto trace = scoring::buildSessionTrace(*rows, exercise.toStdString(), *limit);
+    if (!trace)
+        return tl::unexpected(trace.error());
+    const auto card = scoring::calculateScore(*trace, *wanted, {}, true);
+    if (!card)
+        return tl::unexpected(card.error());
+    QJsonArray trials;
+    for (std::size_t i = 0; i < card->trials.size(); ++i)
+        trials.append(QJsonObject{{QStringLiteral("trial"), static_cast<int>(i) + 1}, {QStringLiteral("metrics"), metricsJson(card->trials[i])}});
+    const QJsonObject json{{QStringLiteral("trace"), arguments.operand(0)}, {QStringLiteral("metrics"), metricsJson(card->metrics)},
+                           {QStringLiteral("trials"), trials}};
+    return CommandOutput{QJsonDocument(json), metricsText(card->metrics), 0};
+}
+
+} // namespace
+
+std::vector<CommandSpec> metricsCommands() {
+    CommandSpec command;
+    command.group = QStringLiteral("metrics");
+    command.summary = QStringLiteral("compute metrics of a trace file");
+    command.operands = {{QStringLiteral("TRACE.csv"), QStringLiteral("a trace file: t_s,x_mm,y_mm,z_mm and more, frame W, tool tip")}};
+    command.options = {{QStringLiteral("metric"), QStringLiteral("ID,..."), QStringLiteral("which metrics; default: all")},
+                       {QStringLiteral("exercise"), QStringLiteral("ID"), QStringLiteral("how trials end; default: sphere_apex where the file has target columns")},
+                       {QStringLiteral("force-limit"), QStringLiteral("N"), QStringLiteral("limit for 'over the limit' where the file has none; default: 4")}};
+    command.example = QStringLiteral("chiron-cli metrics TRACE.csv --metric sparc,ldlj,path_length --json");
+    command.run = metrics;
+    return {command};
+}
+
+} // namespace chiron::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/input_file.h"
+
+#include "cli/messages.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <cstdio>
+
+namespace chiron::cli {
+
+core::Result<QByteArray> readInputFile(const QString& path, qint64 largestBytes) {
+    const QFileInfo info(path);
+    if (!info.exists())
+        return core::fail(core::ErrorCode::notFound, path.toStdString() + ": no such file");
+    if (!info.isFile())
+        return badInput(QStringLiteral("%1: is %2; expected a file").arg(path, info.isDir() ? QStringLiteral("a folder")
+                                                                                            : QStringLiteral("not a regular file")));
+    if (info.size() > largestBytes)
+        return badInput(QStringLiteral("%1: %2 bytes; expected at most %3").arg(path).arg(info.size()).arg(largestBytes));
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return badInput(QStringLiteral("%1: cannot be read: %2").arg(path, file.errorString()));
+    return file.readAll();
+}
+
+core::Result<QByteArray> readStandardInput(qint64 largestBytes) {
+    QFile input;
+    if (!input.open(stdin, QIODevice::ReadOnly))
+        return badInput(QStringLiteral("stdin: cannot be read: %1").arg(input.errorString()));
+    const QByteArray bytes = input.read(largestBytes + 1);
+    if (bytes.size() > largestBytes)
+        return badInput(QStringLiteral("stdin: more than %1 bytes; expected at most that").arg(largestBytes));
+    return bytes;
+}
+
+core::Result<QJsonObject> readJsonObject(const QString& path) {
+    constexpr qint64 kLargest = 16 << 20;
+    const auto bytes = readInputFile(path, kLargest);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    QJsonParseError error;
+    const QJsonDocument document = QJsonDocument::fromJson(*bytes, &error);
+    if (error.error != QJsonParseError::NoError) {
+        const QByteArray before = bytes->left(error.offset);
+        const qsizetype line = before.count('\n') + 1;
+        const qsizetype column = error.offset - (before.lastIndexOf('\n') + 1) + 1;
+        return badInput(QStringLiteral("%1:%2:%3: %4; expected a JSON object").arg(path).arg(line).arg(column).arg(error.errorString()));
+    }
+    if (!document.isObject())
+        return badInput(QStringLiteral("%1: $: an array; expected a JSON object").arg(path));
+    return document.object();
+}
+
+} // namespace chiron::cli

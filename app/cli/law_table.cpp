@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/law_table.h"
+
+#include "cli/input_file.h"
+#include "cli/messages.h"
+#include "simulation/evaluate_laws.h"
+
+#include <QJsonObject>
+#include <QStringList>
+#include <charconv>
+#include <cmath>
+
+namespace chiron::cli {
+
+namespace {
+
+QString text(std::string_view words) {
+    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
+
+QString inputNames(const core::LawDescription& law) {
+    QStringList names;
+    for (const core::LawColumn& column : law.inputs)
+        names << text(column.name);
+    return names.join(QLatin1Char(','));
+}
+
+const core::LawParameter* findParameter(const core::LawDescription& law, const QString& name) {
+    for (const core::LawParameter& parameter : law.parameters) {
+        if (text(parameter.name) == name)
+            return &parameter;
+    }
+    return nullptr;
+}
+
+// Which field of a line belongs to which input column.
+core::Result<std::vector<std::size_t>> readHeader(const core::LawDescription& law, const QList<QByteArray>& fields,
+                                                  const QString& name) {
+    const QString expected = QStringLiteral("expected the columns %1, each once").arg(inputNames(law));
+    std::vector<std::size_t> order(law.inputs.size(), SIZE_MAX);
+    for (qsizetype i = 0; i < fields.size(); ++i) {
+        const QString field = QString::fromUtf8(fields[i]).trimmed();
+        std::size_t column = 0;
+        while (column < law.inputs.size() && text(law.inputs[column].name) != field)
+            ++column;
+        if (column == law.inputs.size() || order[column] != SIZE_MAX)
+            return badInput(QStringLiteral("%1:1:%2: %3: %4").arg(name).arg(i + 1).arg(quoted(field), expected));
+        order[column] = static_cast<std::size_t>(i);
+    }
+    for (std::size_t column = 0; column < order.size(); ++column) {
+        if (order[column] == SIZE_MAX)
+            return badInput(QStringLiteral("%1:1: column %2 is missing; %3").arg(name, quoted(text(law.inputs[column].name)), expected));
+    }
+    return order;
+}
+
+// A decimal number and nothing else, whatever the locale.
+bool readNumber(const QByteArray& field, double& value) {
+    const QByteArray trimmed = field.trimmed();
+    const char* begin = trimmed.constData();
+    const char* end = begin + trimmed.size();
+    if (begin != end && *begin == '+')
+        ++begin;
+    const auto read = std::from_chars(begin, end, value);
+    return read.ec == std::errc() && read.ptr == end && begin != end && std::isfinite(value);
+}
+
+core::Result<std::vector<double>> readRow(const QList<QByteArray>& fields, const std::vector<std::size_t>& order,
+                                          const QString& name, qsizetype line) {
+    if (fields.size() != static_cast<qsizetype>(order.size()))
+        return badInput(QStringLiteral("%1:%2: %3 fields; expected %4").arg(name).arg(line).arg(fields.size()).arg(order.size()));
+    std::vector<double> row(order.size());
+    for (std::size_t column = 0; column < order.size(); ++column) {
+        const QByteArray& field = fields[static_cast<qsizetype>(order[column])];
+        if (!readNumber(field, row[column]))
+            return badInput(QStringLiteral("%1:%2:%3: %4: expected a finite number").arg(name).arg(line).arg(order[column] + 1)
+                                .arg(quoted(QString::fromUtf8(field))));
+    }
+    return row;
+}
+
+} // namespace
+
+const std::vector<const core::LawDescription*>& allLaws() {
+    static const std::vector<const core::LawDescription*> laws = [] {
+        std::vector<const core::LawDescription*> all;
+        for (const auto& module : {simulation::evaluateLaws()}) {
+            for (const core::LawDescription& law : module)
+                all.push_back(&law);
+        }
+        return all;
+    }();
+    return laws;
+}
+
+const core::LawDescription* findLaw(const QString& id) {
+    for (const core::LawDescription* law : allLaws()) {
+        if (text(law->id) == id)
+            return law;
+    }
+    return nullptr;
+}
+
+QString lawNames() {
+    QStringList names;
+    for (const core::LawDescription* law : allLaws())
+        names << text(law->id);
+    return names.join(QStringLiteral(", "));
+}
+
+core::Result<std::vector<double>> readLawParameters(const core::LawDescription& law, const QString& path) {
+    QJsonObject given;
+    if (!path.isEmpty()) {
+        auto read = readJsonObject(path);
+        if (!read)
+            return tl::unexpected(read.error());
+        given = *read;
+    }
+    for (auto it = given.begin(); it != given.end(); ++it) {
+        const core::LawParameter* parameter = findParameter(law, it.key());
+        if (!parameter) {
+            QStringList names;
+            for (const core::LawParameter& known : law.parameters)
+                names << text(known.name);
+            return badInput(QStringLiteral("%1: $.%2: unknown parameter; expected %3")
+                                .arg(path, printable(it.key()), names.isEmpty() ? QStringLiteral("none") : names.join(QStringLiteral(", "))));
+        }
+        const double value = it.value().toDouble(std::nan(""));
+        if (!(value >= parameter->minimum && value <= parameter->maximum))
+            return badInput(QStringLiteral("%1: $.%2: %3: expected a number from %4 to %5 %6")
+                                .arg(path, it.key(), it.value().isDouble() ? QString::number(value) : quoted(it.value().toVariant().toString()))
+                                .arg(parameter->minimum).arg(parameter->maximum).arg(text(parameter->unit)));
+    }
+    std::vector<double> values;
+    for (const core::LawParameter& parameter : law.parameters)
+        values.push_back(given.value(text(parameter.name)).toDouble(parameter.defaultValue));
+    return values;
+}
+
+core::Result<LawTable> readLawTable(const core::LawDescription& law, const QByteArray& csv, const QString& name) {
+    QByteArray body = csv.startsWith("\xef\xbb\xbf") ? csv.mid(3) : csv;
+    while (body.endsWith('\n') || body.endsWith('\r'))
+        body.chop(1);
+    if (body.isEmpty())
+        return badInput(QStringLiteral("%1:1: empty; expected a header line %2 and rows of numbers").arg(name, inputNames(law)));
+    const QList<QByteArray> lines = body.split('\n');
+    const auto order = readHeader(law, lines[0].split(','), name);
+    if (!order)
+        return tl::unexpected(order.error());
+    LawTable table;
+    for (qsizetype i = 1; i < lines.size(); ++i) {
+        auto row = readRow(lines[i].split(','), *order, name, i + 1);
+        if (!row)
+            return tl::unexpected(row.error());
+        table.rows.push_back(std::move(*row));
+    }
+    return table;
+}
+
+} // namespace chiron::cli

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/program.h"
+
+#include "cli/arguments.h"
+#include "cli/command_table.h"
+#include "cli/help_text.h"
+#include "cli/messages.h"
+
+#include <QApplication>
+#include <QJsonObject>
+#include <cstdio>
+#include <memory>
+
+namespace chiron::cli {
+
+namespace {
+
+int fail(const QString& place, const core::Error& error) {
+    const QString message = printable(QString::fromStdString(error.message)).trimmed();
+    const QByteArray line = QStringLiteral("chiron-cli: %1%2\n").arg(place, message).toUtf8();
+    std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
+    return exitCodeOf(error.code);
+}
+
+// Either all of it arrives, or the caller hears that it did not (a full disk, a closed pipe).
+int print(const QByteArray& bytes, int exitCode) {
+    const auto size = static_cast<std::size_t>(bytes.size());
+    if (std::fwrite(bytes.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
+        return fail(QStringLiteral("stdout: "), {core::ErrorCode::storage, "could not be written completely"});
+    return exitCode;
+}
+
+int printHelp(const QString& text, bool json) {
+    return print(json ? QJsonDocument(QJsonObject{{QStringLiteral("help"), text}}).toJson() : text.toUtf8(), 0);
+}
+
+int printOutput(const CommandOutput& output, bool json) {
+    if (!json)
+        return print(output.text.toUtf8(), output.exitCode);
+    return print(output.json.toJson(QJsonDocument::Indented), output.exitCode);
+}
+
+// "--database F user list" is as good as "user list --database F": leading common options move behind the words.
+QStringList wordsFirst(QStringList arguments) {
+    QStringList moved;
+    while (!arguments.isEmpty() && arguments[0].startsWith(QLatin1String("--")) && arguments[0].size() > 2) {
+        const QString option = arguments.takeFirst();
+        moved << option;
+        for (const OptionSpec& common : commonOptions()) {
+            if (option.mid(2) == common.name && !common.valueName.isEmpty() && !arguments.isEmpty())
+                moved << arguments.takeFirst();
+        }
+    }
+    return arguments + moved;
+}
+
+// Pictures need a QApplication, and none of them a screen: the offscreen platform cannot fail to connect.
+std::unique_ptr<QCoreApplication> makeApplication(bool draws) {
+    static int count = 1;
+    static char name[] = "chiron-cli";
+    static char* values[] = {name, nullptr}; // Qt's own options are not ours: -platform with a bad name would abort
+    if (draws) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        return std::make_unique<QApplication>(count, values);
+    }
+    return std::make_unique<QCoreApplication>(count, values);
+}
+
+bool isGroup(const QString& word) {
+    for (const CommandSpec& command : commandTable()) {
+        if (command.group == word && !command.verb.isEmpty())
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+int runProgram(const QStringList& given) {
+    if (auto allowed = refusePasswordArgument(given); !allowed)
+        return fail({}, allowed.error());
+    const QStringList arguments = wordsFirst(given);
+    const bool json = arguments.contains(QStringLiteral("--json"));
+    const QString first = arguments.value(0);
+    if (first == QLatin1String("--help") || first == QLatin1String("-h") || first == QLatin1String("help")
+        || (first == QLatin1String("--json") && arguments.value(1) == QLatin1String("--help")))
+        return printHelp(overallHelp(), json);
+    if (isGroup(first) && (arguments.value(1) == QLatin1String("--help") || arguments.value(1) == QLatin1String("-h")))
+        return printHelp(groupHelp(first), json);
+    QStringList words = arguments;
+    if (!words.isEmpty() && words[0].startsWith(QLatin1String("--")))
+        words.clear(); // options only: no command
+    const auto found = findCommand(words);
+    if (!found)
+        return fail({}, found.error());
+    const CommandSpec& command = *found->command;
+    const auto parsed = Arguments::parse(command, arguments.mid(found->words));
+    if (!parsed)
+        return fail({}, parsed.error());
+    if (parsed->has(QStringLiteral("help")))
+        return printHelp(commandHelp(command), json);
+    const auto application = makeApplication(command.draws);
+    const auto output = command.run(*parsed);
+    if (!output)
+        return fail(command.name() + QStringLiteral(": "), output.error());
+    return printOutput(*output, json);
+}
+
+} // namespace chiron::cli

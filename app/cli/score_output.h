@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/command.h"
+#include "scoring/score_card.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+namespace chiron::cli {
+
+/// What `train`, `session show` and `score` print about one session.
+struct ScoreView {
+    qint64 sessionId = 0;
+    QString state;
+    scoring::ScoreCard card;
+    QJsonObject loop;      ///< ticks, late, p50_us, p99_us, max_us
+    QJsonObject recording; ///< frames, dropped, bytes
+};
+
+/// [{id, version, value, unit, passed}]; a value that is not defined is null with its reason, passed only where gated.
+QJsonArray metricsJson(const std::vector<scoring::MetricValue>& metrics);
+/// The keys of cli.md's `train`: session_id, state, passed, metrics, trials, loop, recording.
+QJsonObject scoreJson(const ScoreView& view);
+/// The same for people.
+QString scoreText(const ScoreView& view);
+QString metricsText(const std::vector<scoring::MetricValue>& metrics);
+
+} // namespace chiron::cli
