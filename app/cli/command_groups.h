@@ -6,8 +6,14 @@
 namespace chiron::cli {
 
 // One function a file of commands/; each returns its rows of the table.
+std::vector<CommandSpec> initCommands();
+std::vector<CommandSpec> userCommands();
+std::vector<CommandSpec> personCommands();
+std::vector<CommandSpec> exerciseCommands();
+std::vector<CommandSpec> verifyCommands();
 std::vector<CommandSpec> evaluateCommands();
 std::vector<CommandSpec> metricsCommands();
 std::vector<CommandSpec> deviceCommands();
+std::vector<CommandSpec> storageCommands();
 
 } // namespace chiron::cli

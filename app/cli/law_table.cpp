@@ -3,6 +3,7 @@
 
 #include "cli/input_file.h"
 #include "cli/messages.h"
+#include "mechanisms/evaluate_laws.h"
 #include "simulation/evaluate_laws.h"
 
 #include <QJsonObject>
@@ -84,7 +85,7 @@ core::Result<std::vector<double>> readRow(const QList<QByteArray>& fields, const
 const std::vector<const core::LawDescription*>& allLaws() {
     static const std::vector<const core::LawDescription*> laws = [] {
         std::vector<const core::LawDescription*> all;
-        for (const auto& module : {simulation::evaluateLaws()}) {
+        for (const auto& module : {simulation::evaluateLaws(), mechanisms::evaluateLaws()}) {
             for (const core::LawDescription& law : module)
                 all.push_back(&law);
         }

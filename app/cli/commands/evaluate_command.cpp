@@ -9,6 +9,7 @@
 
 #include <QJsonArray>
 #include <QJsonObject>
+#include <cmath>
 
 namespace chiron::cli {
 
@@ -72,7 +73,7 @@ CommandOutput tableOutput(const core::LawDescription& law, const LawTable& in, c
         QStringList cells;
         QJsonArray row;
         for (const double value : values) {
-            cells << exactNumber(value);
+            cells << (std::isfinite(value) ? exactNumber(value) : QStringLiteral("nan"));
             row.append(value);
         }
         csv += cells.join(QLatin1Char(',')) + QLatin1Char('\n');

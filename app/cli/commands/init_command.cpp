@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_groups.h"
+#include "cli/site_access.h"
+#include "cli/text_table.h"
+#include "database/accounts/account_rules.h"
+#include "database/accounts/account_service.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonObject>
+
+namespace chiron::cli {
+
+namespace {
+
+// A database that exists, for instance one that `train` made, gets its administrator if it has none yet.
+core::Result<std::unique_ptr<database::Database>> createOrOpen(const QString& path) {
+    if (QFileInfo::exists(path))
+        return database::Database::openForWriting(path.toStdString(), databaseOptions());
+    if (!QDir().mkpath(QFileInfo(path).absolutePath()))
+        return core::fail(core::ErrorCode::storage, QFileInfo(path).absolutePath().toStdString() + ": the folder could not be made");
+    return database::Database::create(path.toStdString(), databaseOptions());
+}
+
+core::Result<CommandOutput> init(const Arguments& arguments) {
+    const std::string name = arguments.value(QStringLiteral("admin")).toStdString();
+    const auto secrets = readSecrets(arguments, {QStringLiteral("CHIRON_PASSWORD")});
+    if (!secrets)
+        return tl::unexpected(secrets.error());
+    // Before a file is made: a refused password leaves nothing behind.
+    if (auto fits = database::checkName(name); !fits)
+        return tl::unexpected(fits.error());
+    if (auto fits = database::checkPassword(name, (*secrets)[0]); !fits)
+        return tl::unexpected(fits.error());
+    const QString path = databasePath(arguments);
+    const auto database = createOrOpen(path);
+    if (!database)
+        return tl::unexpected(database.error());
+    const auto first = database::AccountService(**database)
+                           .createFirstAdministrator(name, (*secrets)[0], arguments.value(QStringLiteral("display-name")).toStdString());
+    if (!first)
+        return tl::unexpected(first.error());
+    const QString code = QString::fromStdString(first->recoveryCode);
+    const QJsonObject json{{QStringLiteral("database"), path},
+                           {QStringLiteral("schema_version"), (*database)->schemaVersion()},
+                           {QStringLiteral("id"), static_cast<qint64>(first->id)},
+                           {QStringLiteral("recovery_code"), code}};
+    const QString text = alignedPairs({{QStringLiteral("database"), path},
+                                       {QStringLiteral("schema version"), QString::number((*database)->schemaVersion())},
+                                       {QStringLiteral("administrator"), QString::fromStdString(name)},
+                                       {QStringLiteral("recovery code"), code}})
+                         + QStringLiteral("\nWrite the recovery code down: it is shown this once and sets a new password if this one is lost.\n");
+    return CommandOutput{QJsonDocument(json), text, 0};
+}
+
+} // namespace
+
+std::vector<CommandSpec> initCommands() {
+    CommandSpec command;
+    command.group = QStringLiteral("init");
+    command.summary = QStringLiteral("make a new database with its first administrator");
+    command.options = {{QStringLiteral("admin"), QStringLiteral("NAME"), QStringLiteral("login name of the administrator; password as for --as"), true},
+                       {QStringLiteral("display-name"), QStringLiteral("TEXT"), QStringLiteral("the name that others see")}};
+    command.example = QStringLiteral("CHIRON_PASSWORD=... chiron-cli init --admin alice --database site.db");
+    command.run = init;
+    return {command};
+}
+
+} // namespace chiron::cli

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_groups.h"
+#include "cli/initial_password.h"
+#include "cli/input_file.h"
+#include "cli/messages.h"
+#include "cli/person_output.h"
+#include "cli/site_access.h"
+#include "cli/text_table.h"
+#include "database/accounts/account_service.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+namespace chiron::cli {
+
+namespace {
+
+core::Result<database::RoleSet> roles(const Arguments& arguments) {
+    const QString given = arguments.value(QStringLiteral("role"));
+    const auto set = database::rolesFromList(given.toStdString());
+    if (!set)
+        return wrongUse(QStringLiteral("--role: %1: expected some of trainee,trainer,researcher,admin with commas between them").arg(quoted(given)));
+    return *set;
+}
+
+// What a change to somebody's account prints: the account as it is now.
+core::Result<CommandOutput> accountNow(Site& site, database::AccountService& accounts, const std::string& name,
+                                       const QString& initialPassword = {}) {
+    const auto person = accounts.personByName(site.actor, name);
+    if (!person)
+        return tl::unexpected(person.error());
+    QJsonObject json = personJson(*person);
+    QString text = peopleText({*person});
+    if (!initialPassword.isEmpty()) {
+        json[QStringLiteral("initial_password")] = initialPassword;
+        text += QStringLiteral("\nInitial password: %1\nIt is shown this once and must be changed at the first login.\n").arg(initialPassword);
+    }
+    return CommandOutput{QJsonDocument(json), text, 0};
+}
+
+core::Result<CommandOutput> add(const Arguments& arguments) {
+    const auto set = roles(arguments);
+    if (!set)
+        return tl::unexpected(set.error());
+    auto site = openAsPerson(arguments, Opening::forWriting);
+    if (!site)
+        return tl::unexpected(site.error());
+    const NewPassword password = newPasswordOrGenerated(site->secrets);
+    database::AccountService accounts(*site->database);
+    database::PersonRequest request;
+    request.name = arguments.operand(0).toStdString();
+    request.displayName = arguments.value(QStringLiteral("display-name")).toStdString();
+    request.roles = *set;
+    request.password = password.value;
+    request.mustChangePassword = password.generated || arguments.has(QStringLiteral("must-change"));
+    if (auto made = accounts.createPerson(site->actor, request); !made)
+        return tl::unexpected(made.error());
+    return accountNow(*site, accounts, request.name, password.generated ? QString::fromStdString(password.value) : QString());
+}
+
+core::Result<CommandOutput> list(const Arguments& arguments) {
+    auto site = openAsPerson(arguments, Opening::forReading);
+    if (!site)
+        return tl::unexpected(site.error());
+    const auto people = database::AccountService(*site->database).listPeople(site->actor);
+    if (!people)
+        return tl::unexpected(people.error());
+    QJsonArray json;
+    for (const database::Person& person : *people)
+        json.append(personJson(person));
+    return CommandOutput{QJsonDocument(json), peopleText(*people), 0};
+}
+
+core::Result<CommandOutput> setEnabled(const Arguments& arguments, bool enabled) {
+    auto site = openAsPerson(arguments, Opening::forWriting);
+    if (!site)
+        return tl::unexpected(site.error());
+    database::AccountService accounts(*site->database);
+    const std::string name = arguments.operand(0).toStdString();
+    const auto person = accounts.personByName(site->actor, name);
+    if (!person)
+        return tl::unexpected(person.error());
+    if (auto done = accounts.setEnabled(site->actor, person->id, enabled); !done)
+        return tl::unexpected(done.error());
+    return accountNow(*site, accounts, name);
+}
+
+core::Result<CommandOutput> disable(const Arguments& arguments) {
+    return setEnabled(arguments, false);
+}
+
+core::Result<CommandOutput> enable(const Arguments& arguments) {
+    return setEnabled(arguments, true);
+}
+
+core::Result<CommandOutput> role(const Arguments& arguments) {
+    const auto set = roles(arguments);
+    if (!set)
+        return tl::unexpected(set.error());
+    auto site = openAsPerson(arguments, Opening::forWriting);
+    if (!site)
+        return tl::unexpected(site.error());
+    database::AccountService accounts(*site->database);
+    const std::string name = arguments.operand(0).toStdString();
+    const auto person = accounts.personByName(site->actor, name);
+    if (!person)
+        return tl::unexpected(person.error());
+    if (auto done = accounts.setRoles(site->actor, person->id, *set); !done)
+        return tl::unexpected(done.error());
+    return accountNow(*site, accounts, name);
+}
+
+core::Result<CommandOutput> passwd(const Arguments& arguments) {
+    auto site = openAsPerson(arguments, Opening::forWriting);
+    if (!site)
+        return tl::unexpected(site.error());
+    database::AccountService accounts(*site->database);
+    const std::string name = arguments.operand(0).isEmpty() ? site->actor.name() : arguments.operand(0).toStdString();
+    if (name == site->actor.name()) { // one's own: with the old password
+        if (site->secrets[1].empty())
+            return wrongUse(QStringLiteral("new password: none given; expected it in CHIRON_NEW_PASSWORD or, with --password-stdin, "
+                                           "as the second line of stdin"));
+        if (auto done = accounts.changePassword(site->actor, site->secrets[0], site->secrets[1]); !done)
+            return tl::unexpected(done.error());
+        const QJsonObject json{{QStringLiteral("name"), QString::fromStdString(name)}, {QStringLiteral("changed"), true}};
+        return CommandOutput{QJsonDocument(json), QStringLiteral("The password of %1 is changed.\n").arg(printable(QString::fromStdString(name))), 0};
+    }
+    const auto person = accounts.personByName(site->actor, name);
+    if (!person)
+        return tl::unexpected(person.error());
+    const NewPassword password = newPasswordOrGenerated(site->secrets);
+    if (auto done = accounts.resetPassword(site->actor, person->id, password.value); !done)
+        return tl::unexpected(done.error());
+    return accountNow(*site, accounts, name, password.generated ? QString::fromStdString(password.value) : QString());
+}
+
+core::Result<CommandOutput> importCsv(const Arguments& arguments) {
+    constexpr qint64 kLargest = 16 << 20;
+    const auto bytes = readInputFile(arguments.operand(0), kLargest);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    auto site = openAsPerson(arguments, Opening::forWriting);
+    if (!site)
+        return tl::unexpected(site.error());
+    const auto ids = database::AccountService(*site->database).importCsv(site->actor, bytes->toStdString());
+    if (!ids) // the data layer knows lines and columns, we know the file
+        return core::fail(ids.error().code, arguments.operand(0).toStdString() + ": " + ids.error().message);
+    QJsonArray imported;
+    for (const database::PersonId id : *ids)
+        imported.append(static_cast<qint64>(id));
+    return CommandOutput{QJsonDocument(QJsonObject{{QStringLiteral("imported"), static_cast<qint64>(ids->size())}, {QStringLiteral("ids"), imported}}),
+                         QStringLiteral("%1 people imported; each must change the password at the first login.\n").arg(ids->size()), 0};
+}
+
+core::Result<CommandOutput> recover(const Arguments& arguments) {
+    const auto secrets = readSecrets(arguments, {QStringLiteral("CHIRON_RECOVERY_CODE"), QStringLiteral("CHIRON_NEW_PASSWORD")});
+    if (!secrets)
+        return tl::unexpected(secrets.error());
+    if ((*secrets)[1].empty())
+        return wrongUse(QStringLiteral("new password: none given; expected it in CHIRON_NEW_PASSWORD or, with --password-stdin, as the "
+                                       "second line of stdin"));
+    const auto database = database::Database::openForWriting(databasePath(arguments).toStdString(), databaseOptions());
+    if (!database)
+        return tl::unexpected(database.error());
+    const auto code = database::AccountService(**database).recover(arguments.operand(0).toStdString(), (*secrets)[0], (*secrets)[1]);
+    if (!code)
+        return tl::unexpected(code.error());
+    const QString shown = QString::fromStdString(*code);
+    return CommandOutput{QJsonDocument(QJsonObject{{QStringLiteral("name"), arguments.operand(0)}, {QStringLiteral("recovery_code"), shown}}),
+                         QStringLiteral("The password is changed. New recovery code, shown this once: %1\n").arg(shown), 0};
+}
+
+CommandSpec spec(const char* verb, const char* summary, const char* example, core::Result<CommandOutput> (*run)(const Arguments&)) {
+    CommandSpec command;
+    command.group = QStringLiteral("user");
+    command.verb = QLatin1String(verb);
+    command.summary = QLatin1String(summary);
+    command.example = QLatin1String(example);
+    command.run = run;
+    return command;
+}
+
+} // namespace
+
+std::vector<CommandSpec> userCommands() {
+    const OperandSpec name{QStringLiteral("NAME"), QStringLiteral("login name")};
+    const OptionSpec role_{QStringLiteral("role"), QStringLiteral("ROLE,..."), QStringLiteral("some of trainee,trainer,researcher,admin"), true};
+    CommandSpec adding = spec("add", "make an account; its password: CHIRON_NEW_PASSWORD, stdin's second line, or one made up and shown once",
+                              "chiron-cli user add bob --role trainee --as alice", add);
+    adding.operands = {name};
+    adding.options = {role_, {QStringLiteral("display-name"), QStringLiteral("TEXT"), QStringLiteral("the name that others see")},
+                      {QStringLiteral("must-change"), {}, QStringLiteral("the password must be changed at the first login")}};
+    CommandSpec disabling = spec("disable", "close an account; nothing is deleted", "chiron-cli user disable bob --as alice", disable);
+    CommandSpec enabling = spec("enable", "open a closed account again", "chiron-cli user enable bob --as alice", enable);
+    CommandSpec changing = spec("role", "set the roles of a person", "chiron-cli user role bob --role trainee,trainer --as alice", role);
+    disabling.operands = enabling.operands = changing.operands = {name};
+    changing.options = {role_};
+    CommandSpec setting = spec("passwd", "change one's own password, or as an administrator set somebody's", "chiron-cli user passwd --as bob", passwd);
+    setting.operands = {{QStringLiteral("NAME"), QStringLiteral("login name; default: one's own"), false}};
+    CommandSpec importing = spec("import-csv", "make accounts from a CSV file (name,display_name,roles,password), all or none",
+                                 "chiron-cli user import-csv roster.csv --as alice", importCsv);
+    importing.operands = {{QStringLiteral("FILE.csv"), QStringLiteral("the roster")}};
+    CommandSpec recovering = spec("recover", "set a new password with the recovery code (CHIRON_RECOVERY_CODE, CHIRON_NEW_PASSWORD)",
+                                  "chiron-cli user recover alice --password-stdin < secrets.txt", recover);
+    recovering.operands = {name};
+    return {adding, spec("list", "the accounts", "chiron-cli user list --as alice --json", list), disabling, enabling, changing, setting,
+            importing, recovering};
+}
+
+} // namespace chiron::cli

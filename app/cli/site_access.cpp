@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/site_access.h"
+
+#include "cli/input_file.h"
+#include "cli/messages.h"
+#include "database/accounts/account_service.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace chiron::cli {
+
+namespace {
+
+const QString kPassword = QStringLiteral("CHIRON_PASSWORD");
+const QString kNewPassword = QStringLiteral("CHIRON_NEW_PASSWORD");
+
+core::Result<std::unique_ptr<database::Database>> open(const Arguments& arguments, Opening opening) {
+    const QString path = databasePath(arguments);
+    const QFileInfo info(path);
+    if (!info.exists())
+        return core::fail(core::ErrorCode::notFound,
+                          QStringLiteral("--database %1: no such file; expected a Chiron database (chiron-cli init makes one)")
+                              .arg(quoted(path)).toStdString());
+    if (!info.isFile())
+        return badInput(QStringLiteral("--database %1: is not a file; expected a Chiron database").arg(quoted(path)));
+    return opening == Opening::forWriting ? database::Database::openForWriting(path.toStdString(), databaseOptions())
+                                          : database::Database::openReadOnly(path.toStdString(), databaseOptions());
+}
+
+} // namespace
+
+QString databasePath(const Arguments& arguments) {
+    const QString given = arguments.value(QStringLiteral("database"));
+    if (!given.isEmpty())
+        return QFileInfo(given).absoluteFilePath();
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)).filePath(QStringLiteral("chiron/chiron.db"));
+}
+
+database::DatabaseOptions databaseOptions() {
+    database::DatabaseOptions options;
+    options.program = "chiron-cli";
+    return options;
+}
+
+core::Result<std::vector<std::string>> readSecrets(const Arguments& arguments, const std::vector<QString>& variables) {
+    std::vector<std::string> secrets;
+    if (arguments.has(QStringLiteral("password-stdin"))) {
+        constexpr qint64 kLargest = 16384;
+        const auto bytes = readStandardInput(kLargest);
+        if (!bytes)
+            return tl::unexpected(bytes.error());
+        QList<QByteArray> lines = bytes->split('\n');
+        for (std::size_t i = 0; i < variables.size(); ++i) {
+            QByteArray line = lines.value(static_cast<qsizetype>(i));
+            if (line.endsWith('\r'))
+                line.chop(1);
+            secrets.push_back(line.toStdString());
+        }
+    } else {
+        for (const QString& variable : variables) {
+            const QByteArray name = variable.toLatin1();
+            secrets.push_back(qgetenv(name.constData()).toStdString());
+            qunsetenv(name.constData()); // no child or crash report inherits it
+        }
+    }
+    if (secrets.empty() || secrets[0].empty())
+        return wrongUse(QStringLiteral("password: none given; expected it in %1 or, with --password-stdin, as the first line of stdin")
+                            .arg(variables.empty() ? kPassword : variables[0]));
+    return secrets;
+}
+
+core::Result<Site> openAsPerson(const Arguments& arguments, Opening opening) {
+    const QString name = arguments.value(QStringLiteral("as"));
+    if (name.isEmpty())
+        return wrongUse(QStringLiteral("--as is missing: this touches people's data; expected --as NAME with the password in "
+                                       "CHIRON_PASSWORD or by --password-stdin"));
+    auto secrets = readSecrets(arguments, {kPassword, kNewPassword});
+    if (!secrets)
+        return tl::unexpected(secrets.error());
+    auto database = open(arguments, opening);
+    if (!database)
+        return tl::unexpected(database.error());
+    const auto actor = database::AccountService(**database).login(name.toStdString(), (*secrets)[0]);
+    if (!actor)
+        return tl::unexpected(actor.error());
+    return Site{std::move(*database), *actor, std::move(*secrets)};
+}
+
+core::Result<Site> openAsAnybody(const Arguments& arguments, Opening opening) {
+    if (arguments.has(QStringLiteral("as")))
+        return openAsPerson(arguments, opening);
+    auto database = open(arguments, opening);
+    if (!database)
+        return tl::unexpected(database.error());
+    return Site{std::move(*database), database::Actor::anonymous(), {}};
+}
+
+} // namespace chiron::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_process.h"
+
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <QTemporaryDir>
+
+namespace {
+constexpr int kPatience_ms = 120000; // never asserted, only to end a hanging run
+}
+
+CliRun runCli(const QStringList& arguments, const QByteArray& input, const QMap<QString, QString>& variables) {
+    static const QTemporaryDir home; // nothing of the person who runs the tests is read or written
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"CHIRON_PASSWORD", "CHIRON_NEW_PASSWORD", "CHIRON_RECOVERY_CODE", "CHIRON_CONTENT"})
+        environment.remove(QLatin1String(name));
+    environment.insert(QStringLiteral("HOME"), home.path());
+    environment.insert(QStringLiteral("XDG_DATA_HOME"), home.path());
+    environment.insert(QStringLiteral("LC_ALL"), QStringLiteral("C.UTF-8"));
+    for (auto it = variables.begin(); it != variables.end(); ++it)
+        environment.insert(it.key(), it.value());
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(CHIRON_CLI), arguments);
+    process.write(input);
+    process.closeWriteChannel();
+    CliRun run;
+    run.ended = process.waitForFinished(kPatience_ms) && process.exitStatus() == QProcess::NormalExit;
+    run.exitCode = process.exitCode();
+    run.out = process.readAllStandardOutput();
+    run.err = process.readAllStandardError();
+    return run;
+}
+
+QStringList cliCommands() {
+    QStringList names;
+    bool inside = false;
+    for (const QString& line : QString::fromUtf8(runCli({QStringLiteral("--help")}).out).split(QLatin1Char('\n'))) {
+        if (line == QLatin1String("Commands:"))
+            inside = true;
+        else if (inside && line.isEmpty())
+            break;
+        else if (inside)
+            names << line.trimmed().section(QStringLiteral("  "), 0, 0);
+    }
+    return names;
+}

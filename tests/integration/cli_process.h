@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QMap>
+#include <QString>
+#include <QStringList>
+
+/// One run of chiron-cli.
+struct CliRun {
+    bool ended = false; ///< by itself: no signal, no time-out
+    int exitCode = -1;
+    QByteArray out;
+    QByteArray err;
+};
+
+/// Runs the program with an environment of its own: no password, a data folder that holds nothing, other variables added.
+CliRun runCli(const QStringList& arguments, const QByteArray& input = {}, const QMap<QString, QString>& variables = {});
+
+/// The names of all commands ("user add"), read from the program's own help, so that a new one is tested unasked.
+QStringList cliCommands();

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_process.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+
+// What good command lines print: help with an example for everything, one JSON document with --json, numbers that are
+// the law's.
+class TestCliPrints : public QObject {
+    Q_OBJECT
+private slots:
+    void helpOfEveryCommand_data();
+    void helpOfEveryCommand();
+    void helpOfGroupsAndAll();
+    void optionsBeforeTheCommand();
+    void jsonIsOneDocument_data();
+    void jsonIsOneDocument();
+    void lawsAreListed();
+    void hemisphereByHand();
+    void columnsInAnyOrder();
+    void parametersChangeTheLaw();
+    void polarForcesBothWays();
+    void metricsOfAStraightLine();
+    void brokenPipeIsAnError();
+
+private:
+    QString file(const QString& name, const QByteArray& content) {
+        QFile out(m_folder.filePath(name));
+        if (!out.open(QIODevice::WriteOnly) || out.write(content) != content.size())
+            qFatal("the test's own file could not be written");
+        return out.fileName();
+    }
+    QTemporaryDir m_folder;
+};
+
+namespace {
+
+const QByteArray kHeader = "px_m,py_m,pz_m,vx_m_per_s,vy_m_per_s,vz_m_per_s\n";
+
+// Exactly one document: nothing before, nothing after.
+QJsonDocument document(const CliRun& run) {
+    QJsonParseError error;
+    const QJsonDocument json = QJsonDocument::fromJson(run.out, &error);
+    if (!run.ended || run.exitCode != 0 || error.error != QJsonParseError::NoError || json.isNull())
+        qWarning("%s %s", qPrintable(error.errorString()), run.err.constData());
+    return error.error == QJsonParseError::NoError ? json : QJsonDocument();
+}
+
+// The table's first row by column name.
+QMap<QString, double> firstRow(const CliRun& run) {
+    const QStringList lines = QString::fromUtf8(run.out).split(QLatin1Char('\n'));
+    const QStringList names = lines.value(0).split(QLatin1Char(','));
+    const QStringList cells = lines.value(1).split(QLatin1Char(','));
+    QMap<QString, double> row;
+    for (qsizetype i = 0; i < names.size(); ++i)
+        row[names[i]] = cells.value(i).toDouble();
+    return row;
+}
+
+} // namespace
+
+void TestCliPrints::helpOfEveryCommand_data() {
+    QTest::addColumn<QString>("name");
+    for (const QString& name : cliCommands())
+        QTest::newRow(qPrintable(name)) << name;
+}
+
+void TestCliPrints::helpOfEveryCommand() {
+    QFETCH(QString, name);
+    const CliRun run = runCli(name.split(QLatin1Char(' ')) + QStringList{"--help"});
+    QVERIFY(run.ended);
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY(run.err.isEmpty());
+    QVERIFY(run.out.contains("\nUsage: chiron-cli " + name.toUtf8()));
+    const qsizetype example = run.out.indexOf("\nExample:\n");
+    QVERIFY(example > 0);
+    QVERIFY2(run.out.mid(example).contains("chiron-cli " + name.toUtf8()), "the example shows this command");
+    const QJsonDocument json = document(runCli(name.split(QLatin1Char(' ')) + QStringList{"--help", "--json"}));
+    QCOMPARE(json.object().value("help").toString().toUtf8(), run.out);
+}
+
+void TestCliPrints::helpOfGroupsAndAll() {
+    const CliRun all = runCli({"--help"});
+    QCOMPARE(all.exitCode, 0);
+    QVERIFY(all.out.contains("Example:"));
+    for (const QString& name : cliCommands()) {
+        QVERIFY(all.out.contains(name.toUtf8()));
+        if (!name.contains(QLatin1Char(' ')))
+            continue;
+        const CliRun group = runCli({name.section(QLatin1Char(' '), 0, 0), "--help"});
+        QCOMPARE(group.exitCode, 0);
+        QVERIFY(group.out.contains(name.toUtf8()));
+        QVERIFY(group.out.contains("Example:"));
+    }
+}
+
+void TestCliPrints::optionsBeforeTheCommand() {
+    const CliRun before = runCli({"--json", "--database", "x.db", "device", "list"});
+    const CliRun behind = runCli({"device", "list", "--json"});
+    QCOMPARE(before.exitCode, 0);
+    QCOMPARE(before.out, behind.out);
+}
+
+void TestCliPrints::jsonIsOneDocument_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QByteArray>("input");
+    const QString trace = file("line.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.01,1,0,0\n0.02,2,0,0\n0.03,3,0,0\n");
+    QTest::newRow("evaluate --list") << QStringList{"evaluate", "--list"} << QByteArray();
+    QTest::newRow("evaluate") << QStringList{"evaluate", "hemisphere"} << kHeader + "0,0,0.019,0,0,0\n";
+    QTest::newRow("evaluate no rows") << QStringList{"evaluate", "friction"} << QByteArray("normal_force_N,velocity_m_per_s\n");
+    QTest::newRow("metrics") << QStringList{"metrics", trace} << QByteArray();
+    QTest::newRow("device list") << QStringList{"device", "list"} << QByteArray();
+}
+
+void TestCliPrints::jsonIsOneDocument() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QByteArray, input);
+    const CliRun json = runCli(arguments + QStringList{"--json"}, input);
+    QVERIFY(!document(json).isNull());
+    QVERIFY(json.err.isEmpty());
+    const CliRun plain = runCli(arguments, input);
+    QCOMPARE(plain.exitCode, 0);
+    QVERIFY(!plain.out.isEmpty());
+    QVERIFY2(QJsonDocument::fromJson(plain.out).isNull(), "without --json it is for people");
+}
+
+void TestCliPrints::lawsAreListed() {
+    QStringList ids;
+    for (const QJsonValue& law : document(runCli({"evaluate", "--list", "--json"})).array()) {
+        ids << law["id"].toString();
+        QVERIFY(!law["source"].toString().isEmpty());
+        QVERIFY(!law["inputs"].toArray().isEmpty());
+        QVERIFY(!law["outputs"].toArray().isEmpty());
+        for (const QJsonValue& column : law["inputs"].toArray())
+            QVERIFY2(!column["unit"].toString().isEmpty(), qPrintable(column["name"].toString()));
+    }
+    for (const char* id : {"hemisphere", "friction", "polar_forces"})
+        QVERIFY2(ids.contains(QLatin1String(id)), id);
+}
+
+// 1 mm deep at the apex of a 20 mm sphere of 500 N/m: 0.5 N straight up, 0.25 mJ; nothing above the surface.
+void TestCliPrints::hemisphereByHand() {
+    const CliRun run = runCli({"evaluate", "hemisphere"}, kHeader + "0,0,0.019,0,0,0\n0,0,0.0201,0,0,0\n");
+    QCOMPARE(run.exitCode, 0);
+    const auto row = firstRow(run);
+    QVERIFY(qAbs(row["fz_N"] - 0.5) < 1e-12);
+    QVERIFY(qAbs(row["energy_J"] - 0.25e-3) < 1e-15);
+    QCOMPARE(row["fx_N"], 0.0);
+    QVERIFY(run.out.split('\n')[2].startsWith("0,0,0,"));
+}
+
+void TestCliPrints::columnsInAnyOrder() {
+    const CliRun usual = runCli({"evaluate", "hemisphere"}, kHeader + "0.001,0.002,0.018,0,0,0\n");
+    const CliRun other = runCli({"evaluate", "hemisphere"}, "pz_m,vx_m_per_s,py_m,vz_m_per_s,px_m,vy_m_per_s\r\n0.018,0,0.002,0,0.001,0\r\n");
+    QCOMPARE(other.out, usual.out);
+    const CliRun repeated = runCli({"evaluate", "hemisphere", "--with-inputs"}, kHeader + "0.001,0.002,0.018,0,0,0\n");
+    QVERIFY(repeated.out.startsWith(kHeader.trimmed() + ","));
+    QCOMPARE(firstRow(repeated)["py_m"], 0.002);
+    QCOMPARE(firstRow(repeated)["fz_N"], firstRow(usual)["fz_N"]);
+}
+
+void TestCliPrints::parametersChangeTheLaw() {
+    const QString parameters = file("p.json", "{\"stiffness_N_per_m\": 1000, \"centre_x_m\": 0.01}");
+    const auto row = firstRow(runCli({"evaluate", "hemisphere", "--parameters", parameters}, kHeader + "0.01,0,0.019,0,0,0\n"));
+    QVERIFY(qAbs(row["fz_N"] - 1.0) < 1e-12);
+}
+
+// P2's mapping is exact where heading or pitch is zero, and not elsewhere (models.md §2.1).
+void TestCliPrints::polarForcesBothWays() {
+    const QJsonArray laws = document(runCli({"evaluate", "--list", "--json"})).array();
+    for (const QJsonValue& law : laws) {
+        if (law["id"].toString() != QLatin1String("polar_forces"))
+            continue;
+        QStringList outputs;
+        for (const QJsonValue& column : law["outputs"].toArray())
+            outputs << column["name"].toString();
+        const QString all = outputs.join(QLatin1Char(' '));
+        QVERIFY2(all.contains("published") && all.contains("exact"), qPrintable(all));
+        return;
+    }
+    QFAIL("no polar_forces");
+}
+
+void TestCliPrints::metricsOfAStraightLine() {
+    QByteArray csv = "t_s,x_mm,y_mm,z_mm\n";
+    for (int i = 0; i <= 100; ++i)
+        csv += QByteArray::number(i * 0.01, 'f', 2) + "," + QByteArray::number(i) + ",0,0\n";
+    const QJsonObject json = document(runCli({"metrics", file("straight.csv", csv), "--metric", "path_length", "--json"})).object();
+    const QJsonArray metrics = json["metrics"].toArray();
+    QCOMPARE(metrics.size(), 1);
+    QCOMPARE(metrics[0]["id"].toString(), QStringLiteral("path_length"));
+    QCOMPARE(metrics[0]["unit"].toString(), QStringLiteral("mm"));
+    QVERIFY(qAbs(metrics[0]["value"].toDouble() - 100.0) < 1.0); // 100 mm, less what the 20 Hz filter does at the ends
+}
+
+void TestCliPrints::brokenPipeIsAnError() {
+    if (!QFile::exists("/dev/full"))
+        QSKIP("this system has no /dev/full");
+    QProcess process;
+    process.start("/bin/sh", {"-c", QStringLiteral("'%1' evaluate --list > /dev/full").arg(QStringLiteral(CHIRON_CLI))});
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 4);
+    QVERIFY(process.readAllStandardError().contains("stdout"));
+}
+
+QTEST_GUILESS_MAIN(TestCliPrints)
+#include "test_cli_prints.moc"

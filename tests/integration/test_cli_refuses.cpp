@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_process.h"
+
+#include <QtTest>
+
+// Malformed command lines and inputs: each is refused with the right exit status, one line on stderr that names the
+// place, and nothing on stdout; none ends by a signal.
+class TestCliRefuses : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void everyCommand_data();
+    void everyCommand();
+    void oneByOne_data();
+    void oneByOne();
+    void generatedTables_data();
+    void generatedTables();
+    void passwordsAreNotRepeated();
+
+private:
+    void check(const CliRun& run, int exitCode, const QStringList& mentions);
+    void row(const char* name, const QStringList& arguments, int exitCode, const QStringList& mentions,
+             const QByteArray& input = {});
+    QString file(const QString& name, const QByteArray& content);
+    QTemporaryDir m_folder;
+    int m_cases = 0;
+};
+
+namespace {
+const QByteArray kPoint = "px_m,py_m,pz_m,vx_m_per_s,vy_m_per_s,vz_m_per_s\n";
+QStringList words(const char* line) {
+    return QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+} // namespace
+
+void TestCliRefuses::initTestCase() {
+    QVERIFY(m_folder.isValid());
+    QVERIFY2(cliCommands().size() >= 3, "the help lists the commands");
+}
+
+QString TestCliRefuses::file(const QString& name, const QByteArray& content) {
+    const QString path = m_folder.filePath(name);
+    QFile out(path);
+    if (!out.open(QIODevice::WriteOnly) || out.write(content) != content.size())
+        qFatal("the test's own file could not be written");
+    return path;
+}
+
+void TestCliRefuses::check(const CliRun& run, int exitCode, const QStringList& mentions) {
+    ++m_cases;
+    QVERIFY2(run.ended, "ended by a signal or not at all");
+    QVERIFY2(run.exitCode == exitCode, qPrintable(QStringLiteral("exit status %1, expected %2: %3").arg(run.exitCode).arg(exitCode)
+                                                      .arg(QString::fromUtf8(run.err))));
+    QVERIFY2(run.out.isEmpty(), run.out.constData());
+    QVERIFY2(run.err.startsWith("chiron-cli: ") && run.err.endsWith('\n') && run.err.count('\n') == 1, run.err.constData());
+    for (const QString& mention : mentions)
+        QVERIFY2(QString::fromUtf8(run.err).contains(mention), qPrintable(mention + QStringLiteral(" is not in: ") + QString::fromUtf8(run.err)));
+}
+
+void TestCliRefuses::row(const char* name, const QStringList& arguments, int exitCode, const QStringList& mentions,
+                         const QByteArray& input) {
+    QTest::newRow(name) << arguments << exitCode << mentions << input;
+}
+
+void TestCliRefuses::everyCommand_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QStringList>("mentions");
+    for (const QString& name : cliCommands()) {
+        const auto add = [&](const char* what, const QStringList& rest, const QStringList& mentions) {
+            QTest::addRow("%s: %s", qPrintable(name), what) << name.split(QLatin1Char(' ')) + rest << mentions;
+        };
+        add("unknown option", {"--no-such-option"}, {name, "no-such-option"});
+        add("unknown short option", {"-q"}, {name, "'q'"});
+        add("value for a flag", {"--json=yes"}, {name, "json"});
+        add("no value", {"--database"}, {name, "--database"});
+        add("empty value", {"--database="}, {name});
+        add("given twice", {"--as", "one", "--as", "two"}, {name});
+        add("too many", words("a b c d e f g h i j"), {name});
+        add("password", {"--password", "hunter2hunter2"}, {"--password", "CHIRON_PASSWORD"});
+        add("password=", {"--password=hunter2hunter2"}, {"--password", "CHIRON_PASSWORD"});
+    }
+}
+
+void TestCliRefuses::everyCommand() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QStringList, mentions);
+    const CliRun run = runCli(arguments);
+    check(run, 2, mentions);
+    QVERIFY(!run.err.contains("hunter2"));
+}
+
+void TestCliRefuses::oneByOne_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("exitCode");
+    QTest::addColumn<QStringList>("mentions");
+    QTest::addColumn<QByteArray>("input");
+    const QString folder = m_folder.path();
+    row("nothing", {}, 2, {"no command given", "expected"});
+    row("empty word", {""}, 2, {"\"\"", "expected one of"});
+    row("unknown command", {"trian"}, 2, {"\"trian\"", "expected one of"});
+    row("only an option", {"--json"}, 2, {"no command given"});
+    row("option with its value only", words("--database x.db"), 2, {"no command given"});
+    row("dashes alone", {"--"}, 2, {"--"});
+    row("control characters", {QStringLiteral("e\u001b[31mvil\n")}, 2, {"\\u001b", "\\u000a"});
+    row("long word", {QString(5000, QLatin1Char('x'))}, 2, {"…"});
+    row("group alone", {"device"}, 2, {"device", "second word", "list"});
+    row("group with a wrong word", words("device lst"), 2, {"\"lst\"", "list"});
+    // evaluate
+    row("no model", {"evaluate"}, 2, {"MODEL", "hemisphere"});
+    row("unknown model", {"evaluate", "hemisfere"}, 3, {"\"hemisfere\"", "hemisphere"});
+    row("model and list", {"evaluate", "hemisphere", "--list"}, 2, {"--list"});
+    row("empty input", {"evaluate", "hemisphere"}, 3, {"stdin:1", "px_m"});
+    row("only line ends", {"evaluate", "hemisphere"}, 3, {"stdin:1"}, "\n\n\n");
+    row("header without a column", {"evaluate", "hemisphere"}, 3, {"vz_m_per_s", "missing"}, "px_m,py_m,pz_m,vx_m_per_s,vy_m_per_s\n");
+    row("header with a stranger", {"evaluate", "hemisphere"}, 3, {"stdin:1:3", "\"pz_mm\""}, "px_m,py_m,pz_mm,vx_m_per_s,vy_m_per_s,vz_m_per_s\n");
+    row("header with a double", {"evaluate", "hemisphere"}, 3, {"stdin:1:2", "\"px_m\""}, "px_m,px_m,pz_m,vx_m_per_s,vy_m_per_s,vz_m_per_s\n");
+    row("header missing", {"evaluate", "hemisphere"}, 3, {"stdin:1:1", "\"0\""}, "0,0,0,0,0,0\n");
+    row("semicolons", {"evaluate", "hemisphere"}, 3, {"stdin:1:1"}, QByteArray(kPoint).replace(',', ';'));
+    row("binary", {"evaluate", "hemisphere"}, 3, {"stdin:1:1"}, QByteArray("\x7f" "ELF\0\x01\x02", 7));
+    row("empty line between", {"evaluate", "hemisphere"}, 3, {"stdin:3", "1 fields", "6"}, kPoint + "0,0,0,0,0,0\n\n0,0,0,0,0,0\n");
+    const auto parameters = [&](const char* name, const QString& content, int exitCode, const QStringList& mentions) {
+        const QString path = file(QString::fromUtf8(name).replace(QLatin1Char(' '), QLatin1Char('_')) + ".json", content.toUtf8());
+        row(name, {"evaluate", "hemisphere", "--parameters", path}, exitCode, mentions + QStringList{path}, kPoint + "0,0,0,0,0,0\n");
+    };
+    parameters("empty json", "", 3, {":1:1"});
+    parameters("json array", "[1]", 3, {"$"});
+    parameters("json number", "5", 3, {":1:"});
+    parameters("json cut off", "{\"radius_m\": 0.02", 3, {":1:"});
+    parameters("json second line", "{\n \"radius_m\": nope}", 3, {":2:"});
+    parameters("json trailing", "{} {}", 3, {":1:"});
+    parameters("json nan", "{\"radius_m\": NaN}", 3, {":1:"});
+    parameters("json string", "{\"radius_m\": \"0.02\"}", 3, {"$.radius_m", "0.001", "0.2"});
+    parameters("json null", "{\"radius_m\": null}", 3, {"$.radius_m"});
+    parameters("json bool", "{\"radius_m\": true}", 3, {"$.radius_m"});
+    parameters("json too large", "{\"radius_m\": 5}", 3, {"$.radius_m", "5", "0.2"});
+    parameters("json negative", "{\"radius_m\": -0.02}", 3, {"$.radius_m", "-0.02"});
+    parameters("json infinite", "{\"radius_m\": 1e999}", 3, {});
+    parameters("json stranger", "{\"radius_mm\": 20}", 3, {"$.radius_mm", "radius_m"});
+    parameters("json object", "{\"radius_m\": {}}", 3, {"$.radius_m"});
+    row("parameters missing", {"evaluate", "hemisphere", "--parameters", folder + "/none.json"}, 3, {"none.json", "no such file"}, kPoint);
+    row("parameters folder", {"evaluate", "hemisphere", "--parameters", folder}, 3, {folder, "folder"}, kPoint);
+    row("parameters device", {"evaluate", "hemisphere", "--parameters", "/dev/zero"}, 3, {"/dev/zero", "regular"}, kPoint);
+    // metrics
+    row("no trace", {"metrics"}, 2, {"TRACE.csv"});
+    row("empty trace name", {"metrics", ""}, 2, {"TRACE.csv"});
+    row("trace missing", {"metrics", folder + "/none.csv"}, 3, {"none.csv"});
+    row("trace folder", {"metrics", folder}, 3, {folder});
+    const QString good = file("good.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.01,1,0,0\n0.02,2,0,0\n0.03,3,0,0\n");
+    row("unknown metric", {"metrics", good, "--metric", "sparkle"}, 3, {"--metric", "\"sparkle\"", "sparc"});
+    row("second metric unknown", {"metrics", good, "--metric", "sparc,sparkle"}, 3, {"\"sparkle\""});
+    row("metric twice", {"metrics", good, "--metric", "sparc,sparc"}, 2, {"--metric", "item 2"});
+    row("metric list with a hole", {"metrics", good, "--metric", "sparc,,ldlj"}, 2, {"--metric", "item 2"});
+    row("metric list ends open", {"metrics", good, "--metric", "sparc,"}, 2, {"--metric", "item 2"});
+    for (const char* limit : {"abc", "-1", "0", "NaN", "inf", "1e9", "4,0", "4N", "0x4", " "})
+        QTest::addRow("force limit %s", limit) << QStringList{"metrics", good, "--force-limit", limit} << 2
+                                               << QStringList{"--force-limit", QStringLiteral("\"%1\"").arg(limit)} << QByteArray();
+    const auto trace = [&](const char* name, const QByteArray& content, const QString& where) {
+        const QString path = file(QString::fromUtf8(name).replace(QLatin1Char(' '), QLatin1Char('_')) + ".csv", content);
+        row(name, {"metrics", path, "--metric", "path_length"}, 3, {path + where});
+    };
+    trace("trace empty", "", "");
+    trace("trace header only", "t_s,x_mm,y_mm,z_mm\n", "");
+    trace("trace without time", "x_mm,y_mm,z_mm\n0,0,0\n", ":1");
+    trace("trace without z", "t_s,x_mm,y_mm\n0,0,0\n", ":1");
+    trace("trace stranger", "t_s,x_mm,y_mm,z_mm,speed\n0,0,0,0,0\n", ":1");
+    trace("trace word", "t_s,x_mm,y_mm,z_mm\n0,0,zero,0\n", ":2:3");
+    trace("trace nan", "t_s,x_mm,y_mm,z_mm\n0,0,nan,0\n", ":2:3");
+    trace("trace infinite", "t_s,x_mm,y_mm,z_mm\n0,inf,0,0\n", ":2:2");
+    trace("trace short row", "t_s,x_mm,y_mm,z_mm\n0,0,0\n", ":2");
+    trace("trace long row", "t_s,x_mm,y_mm,z_mm\n0,0,0,0,0\n", ":2");
+    trace("trace backwards", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.1,0,0,0\n0.05,0,0,0\n", ":4");
+    trace("trace stands still", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0,1,0,0\n", ":3");
+    trace("trace half a quaternion", "t_s,x_mm,y_mm,z_mm,qw,qx\n0,0,0,0,1,0\n", ":1");
+    trace("trace zero quaternion", "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n0,0,0,0,0,0,0,0\n", ":2");
+    trace("trace tool 9", "t_s,x_mm,y_mm,z_mm,tool\n0,0,0,0,9\n", ":2:5");
+    trace("trace negative buttons", "t_s,x_mm,y_mm,z_mm,buttons\n0,0,0,0,-1\n", ":2:5");
+}
+
+void TestCliRefuses::oneByOne() {
+    QFETCH(QStringList, arguments);
+    QFETCH(int, exitCode);
+    QFETCH(QStringList, mentions);
+    QFETCH(QByteArray, input);
+    check(runCli(arguments, input), exitCode, mentions);
+}
+
+// Every place of a row of every kind of wrong number.
+void TestCliRefuses::generatedTables_data() {
+    QTest::addColumn<QByteArray>("input");
+    QTest::addColumn<QString>("place");
+    for (const char* wrong : {"", "x", "nan", "-inf", "1e999", "0x10", "1 2", "--1", "1,5"}) {
+        for (int column = 1; column <= 6; ++column) {
+            QStringList cells(6, QStringLiteral("0.01"));
+            cells[column - 1] = QLatin1String(wrong);
+            const bool extra = QLatin1String(wrong).contains(QLatin1Char(','));
+            QTest::addRow("%s in column %d", wrong, column)
+                << kPoint + "0,0,0,0,0,0\n" + cells.join(QLatin1Char(',')).toUtf8() + "\n"
+                << (extra ? QStringLiteral("stdin:3: 7 fields") : QStringLiteral("stdin:3:%1:").arg(column));
+        }
+    }
+}
+
+void TestCliRefuses::generatedTables() {
+    QFETCH(QByteArray, input);
+    QFETCH(QString, place);
+    check(runCli({"evaluate", "hemisphere"}, input), 3, {place});
+}
+
+void TestCliRefuses::passwordsAreNotRepeated() {
+    const CliRun run = runCli({"--password=correct horse battery", "device", "list"});
+    check(run, 2, {"--password", "--password-stdin"});
+    QVERIFY(!run.err.contains("horse"));
+    qInfo("%d malformed command lines and inputs", m_cases);
+    QVERIFY(m_cases >= 150);
+}
+
+QTEST_GUILESS_MAIN(TestCliRefuses)
+#include "test_cli_refuses.moc"
