@@ -39,9 +39,7 @@ QString databasePath(const Arguments& arguments) {
 }
 
 database::DatabaseOptions databaseOptions() {
-    database::DatabaseOptions options;
-    options.program = "chiron-cli";
-    return options;
+    return {};
 }
 
 core::Result<std::vector<std::string>> readSecrets(const Arguments& arguments, const std::vector<QString>& variables) {
