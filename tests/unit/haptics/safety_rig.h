@@ -3,8 +3,10 @@
 
 #include "haptics/safety_supervisor.h"
 
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <string>
 #include <vector>
 
 /// Test bench of the supervisor: a made-up device, a tick source, and one call that runs a whole tick.

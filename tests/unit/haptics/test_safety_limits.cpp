@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sample sanity, caps, slew, over-velocity, set-up: exact numbers, at the edge and just past it.
+#include "core/random.h"
+#include "haptics/safety_slew.h"
+#include "unit/haptics/safety_rig.h"
+
+#include <QtTest>
+#include <limits>
+
+using namespace chiron;
+using core::CommandKind;
+using core::ForceState;
+using core::Vec3;
+using haptics::Admission;
+using test::SafetyRig;
+using test::sixAxisDevice;
+namespace guard_bits = core::guard_bits;
+
+class TestSafetyLimits : public QObject {
+    Q_OBJECT
+private slots:
+    void quaternionNormMayBeOffByOnePercent();
+    void nonFinitePosesAreDropped();
+    void jumpsAreMeasuredPerPeriod();
+    void lostPacketsAllowMoreOnlyIfTimePassed();
+    void packetNumbersMustBeNewerAndWrap();
+    void readingTheSamePacketAgainIsNoRepeat();
+    void threeBadInARowFaultAndTwoDoNot();
+    void aBadPacketReadAgainCountsOnce();
+    void rearmTakesTheNewPlace();
+    void stopButtonInARefusedPacketStops();
+    void forceCapIsTheSmallestOfThree();
+    void axisCapsHoldInTheDevicesFrame();
+    void axisCapsFollowThePose();
+    void passiveAxesAreLeftOut();
+    void devicesWithoutTorqueKeepTheirForce();
+    void hugeRequestsKeepTheirDirection();
+    void leftHandedWorkspaceMirrorsForceAndTorque();
+    void risesAreSlewedAndDecreasesAreNot();
+    void turnsAreSlewed();
+    void torqueIsSlewed();
+    void slewNeverExceedsTheTarget();
+    void overVelocityIsLatchedAndDampsOnly();
+    void overVelocityCountsTheHandsSpeed();
+    void configureRefusesNonsense();
+};
+
+void TestSafetyLimits::quaternionNormMayBeOffByOnePercent() {
+    for (const auto& [norm, expected] : {std::pair{1.0099, Admission::fresh}, {0.9901, Admission::fresh},
+                                         {1.0101, Admission::dropped}, {0.9899, Admission::dropped},
+                                         {0.0, Admission::dropped}}) {
+        SafetyRig rig;
+        rig.poses_D[0].q_WT.coeffs() = core::Quat::Identity().coeffs() * norm;
+        rig.tick();
+        QCOMPARE(rig.admissions[0], expected);
+        QCOMPARE((rig.out.guards & guard_bits::kBadSample) != 0, expected == Admission::dropped);
+    }
+}
+
+void TestSafetyLimits::nonFinitePosesAreDropped() {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    SafetyRig rig;
+    rig.tick();
+    rig.poses_D[0].p_WT.y() = nan;
+    rig.tick();
+    QCOMPARE(rig.admissions[0], Admission::dropped);
+    rig.poses_D[0].p_WT.y() = std::numeric_limits<double>::infinity();
+    rig.tick();
+    QCOMPARE(rig.admissions[0], Admission::dropped);
+    rig.poses_D[0] = {};
+    rig.poses_D[0].q_WT.x() = nan;
+    SafetyRig other;
+    other.poses_D[0].q_WT.x() = nan;
+    other.tick();
+    QCOMPARE(other.admissions[0], Admission::dropped);
+    SafetyRig said;
+    said.samples[0].status = core::sample_status::kInvalid; // the driver itself says so
+    said.tick();
+    QCOMPARE(said.admissions[0], Admission::dropped);
+}
+
+void TestSafetyLimits::jumpsAreMeasuredPerPeriod() {
+    SafetyRig rig;
+    rig.tick();
+    rig.poses_D[0].p_WT.x() = 0.0199999;
+    rig.tick();
+    QCOMPARE(rig.admissions[0], Admission::fresh);
+    rig.poses_D[0].p_WT.x() = 0.0199999 + 0.0200001;
+    rig.tick();
+    QCOMPARE(rig.admissions[0], Admission::dropped);
+    rig.tick(); // two periods since the good one: 20 mm is no jump any more
+    QCOMPARE(rig.admissions[0], Admission::fresh);
+    rig.poses_D[0].p_WT.x() = 1e300;
+    rig.tick();
+    QCOMPARE(rig.admissions[0], Admission::dropped);
+}
+
+void TestSafetyLimits::lostPacketsAllowMoreOnlyIfTimePassed() {
+    SafetyRig rig;
+    rig.tick();
+    rig.samples[0].packet += 1000; // a number far ahead in the very next tick is no licence to jump
+    rig.poses_D[0].p_WT.x() = 0.1;
+    rig.tick();
+    QCOMPARE(rig.admissions[0], Admission::dropped);
+    SafetyRig late;
+    late.tick();
+    late.silent = true;
+    late.ticks(5);
+    late.silent = false;
+    late.samples[0].packet += 5;
+    late.poses_D[0].p_WT.x() = 0.1;
+    late.tick();
+    QCOMPARE(late.admissions[0], Admission::fresh);
+}
+
+void TestSafetyLimits::packetNumbersMustBeNewerAndWrap() {
+    SafetyRig rig;
+    rig.samples[0].packet = 0xfffffffeu;
+    rig.tick(); // 0xffffffff
+    QCOMPARE(rig.admissions[0], Admission::fresh);
+    rig.tick(); // 0
+    QCOMPARE(rig.samples[0].packet, 0u);
+    QCOMPARE(rig.admissions[0], Admission::fresh);
+    rig.samples[0].packet = 0xfffffff0u; // older
+    rig.tick();
+    QCOMPARE(rig.admissions[0], Admission::dropped);
+    rig.samples[0].packet = 0xffffffffu; // becomes 0: the number of the good one, other content
+    rig.samples[0].counts[0] = 17;
+    rig.tick();
+    QCOMPARE(rig.admissions[0], Admission::dropped);
+}
+
+void TestSafetyLimits::readingTheSamePacketAgainIsNoRepeat() {
+    SafetyRig rig;
+    rig.arm();
+    rig.silent = true;
+    rig.ticks(1000);
+    QCOMPARE(rig.admissions[0], Admission::repeated);
+    QCOMPARE(rig.out.force, ForceState::on); // age_us is 0 here: only its age could count against it
+    rig.samples[0].arrival_ns += 5;          // a replay has no arrival times: they do not make a packet new
+    rig.tick();
+    QCOMPARE(rig.admissions[0], Admission::repeated);
+}
+
+void TestSafetyLimits::threeBadInARowFaultAndTwoDoNot() {
+    SafetyRig rig;
+    rig.arm();
+    rig.ask(Vec3(0, 0, 1));
+    for (int round = 0; round < 3; ++round) {
+        rig.samples[0].status = core::sample_status::kInvalid;
+        rig.ticks(2);
+        QCOMPARE(rig.out.force, ForceState::on);
+        rig.samples[0].status = 0;
+        rig.tick();
+        QCOMPARE(rig.force(), Vec3(0, 0, 1));
+    }
+    rig.samples[0].status = core::sample_status::kInvalid;
+    rig.ticks(3);
+    QCOMPARE(rig.out.force, ForceState::fault);
+    QCOMPARE(rig.force(), Vec3(0, 0, 0));
+    QVERIFY(rig.out.guards & guard_bits::kSampleFault);
+    rig.samples[0].status = 0;
+    rig.ticks(100);
+    QCOMPARE(rig.out.force, ForceState::fault); // latched
+}
+
+void TestSafetyLimits::aBadPacketReadAgainCountsOnce() {
+    SafetyRig rig;
+    rig.arm();
+    rig.samples[0].status = core::sample_status::kInvalid;
+    rig.tick();
+    rig.silent = true;
+    rig.ticks(4);
+    QCOMPARE(rig.out.force, ForceState::on);
+}
+
+void TestSafetyLimits::rearmTakesTheNewPlace() {
+    SafetyRig rig;
+    rig.arm();
+    rig.poses_D[0].p_WT.x() = 0.3;
+    rig.ticks(3);
+    QCOMPARE(rig.out.force, ForceState::fault);
+    rig.tick({CommandKind::rearm});
+    QCOMPARE(rig.out.force, ForceState::arming);
+    rig.tick();
+    QCOMPARE(rig.admissions[0], Admission::fresh);
+    rig.ticks(4 + 2000);
+    QCOMPARE(rig.out.force, ForceState::on);
+}
+
+void TestSafetyLimits::stopButtonInARefusedPacketStops() {
+    SafetyRig rig;
+    rig.arm();
+    rig.samples[0].status = core::sample_status::kInvalid;
+    rig.samples[0].buttons = core::kButtonStop;
+    rig.tick();
+    QCOMPARE(rig.out.force, ForceState::stopped);
+}
+
+void TestSafetyLimits::forceCapIsTheSmallestOfThree() {
+    const auto capped = [](double device, double exercise, double site) {
+        auto descriptor = sixAxisDevice(100.0);
+        descriptor.maximumForce_N = device;
+        haptics::SafetySettings settings;
+        settings.exerciseForce_N = exercise;
+        settings.siteForce_N = site;
+        SafetyRig rig(descriptor, settings);
+        rig.arm();
+        rig.ask(Vec3(30, 40, 0));
+        rig.ticks(100);
+        return rig.force();
+    };
+    QVERIFY((capped(10, 4, 4) - Vec3(2.4, 3.2, 0)).norm() < 1e-9);
+    QVERIFY((capped(2, 4, 4) - Vec3(1.2, 1.6, 0)).norm() < 1e-9);
+    QVERIFY((capped(10, 1, 4) - Vec3(0.6, 0.8, 0)).norm() < 1e-9);
+    QVERIFY(capped(10, 4, 4).norm() <= 4.0);
+    QCOMPARE(capped(0, 4, 4), Vec3(0, 0, 0)); // a device without force
+}
+
+void TestSafetyLimits::axisCapsHoldInTheDevicesFrame() {
+    auto device = sixAxisDevice(10.0);
+    device.axes[0].continuousRating = 1.0;
+    SafetyRig rig(device);
+    rig.arm();
+    rig.ask(Vec3(2, 1, 0), Vec3(0.04, 0, 0));
+    rig.ticks(10);
+    // Halved as a whole, torque included: the direction of the wrench is kept.
+    QVERIFY((rig.force() - Vec3(1, 0.5, 0)).norm() < 1e-9);
+    QVERIFY(std::abs(rig.out.tools[0].wrench_W.torque.x() - 0.02) < 1e-9);
+    QVERIFY(rig.force().x() <= 1.0);
+    QVERIFY(rig.out.guards & guard_bits::kCap);
+}
+
+void TestSafetyLimits::axisCapsFollowThePose() {
+    // A 0.2 m arm with 0.3 N·m: 1.5 N across it, and 4 N along it, wherever it points.
+    auto device = sixAxisDevice(0.3, 0.0);
+    const test::ArmKinematics arm;
+    SafetyRig rig(device, {}, {}, &arm);
+    rig.arm();
+    rig.ask(Vec3(0, 4, 0));
+    rig.ticks(10);
+    QVERIFY((rig.force() - Vec3(0, 1.5, 0)).norm() < 1e-9);
+    rig.samples[0].counts[0] = 1'570'796; // a quarter turn: y is now along the arm
+    rig.ticks(10);
+    QVERIFY((rig.force() - Vec3(0, 4, 0)).norm() < 1e-9);
+    rig.samples[0].counts[0] = 0; // and back at once: the cap of this pose holds in this tick
+    rig.tick();
+    QVERIFY(0.2 * rig.force().y() <= 0.3);
+}
+
+void TestSafetyLimits::passiveAxesAreLeftOut() {
+    auto device = sixAxisDevice();
+    device.axes[2].continuousRating = 0.0; // measured, not driven
+    SafetyRig rig(device);
+    rig.arm();
+    rig.ask(Vec3(1, 0, 1));
+    rig.ticks(10);
+    QCOMPARE(rig.force(), Vec3(1, 0, 1));
+}
+
+void TestSafetyLimits::devicesWithoutTorqueKeepTheirForce() {
+    auto device = sixAxisDevice();
+    device.maximumTorque_Nm = 0.0;
+    SafetyRig rig(device);
+    rig.arm();
+    rig.ask(Vec3(1, 0, 0), Vec3(0, 0.1, 0));
+    rig.ticks(10);
+    QCOMPARE(rig.force(), Vec3(1, 0, 0));
+    QCOMPARE(rig.out.tools[0].wrench_W.torque, Vec3(0, 0, 0));
+}
+
+void TestSafetyLimits::hugeRequestsKeepTheirDirection() {
+    SafetyRig rig;
+    rig.arm();
+    rig.ask(Vec3(3e307, 4e307, 0));
+    rig.ticks(10);
+    QVERIFY((rig.force() - Vec3(2.4, 3.2, 0)).norm() < 1e-9);
+}
+
+void TestSafetyLimits::leftHandedWorkspaceMirrorsForceAndTorque() {
+    devices::WorkspaceMapping mapping;
+    mapping.leftHanded = true;
+    mapping.scale = 3.0; // does not change forces
+    SafetyRig rig(sixAxisDevice(), {}, mapping);
+    rig.arm();
+    rig.ask(Vec3(1, 2, 3), Vec3(0.01, 0.02, 0.03));
+    rig.ticks(10);
+    QCOMPARE(rig.out.tools[0].wrench_D.force, Vec3(-1, 2, 3));
+    QCOMPARE(rig.out.tools[0].wrench_D.torque, Vec3(0.01, -0.02, -0.03)); // axial: det(H)·H
+}
+
+void TestSafetyLimits::risesAreSlewedAndDecreasesAreNot() {
+    SafetyRig rig;
+    rig.arm();
+    rig.ask(Vec3(3.5, 0, 0));
+    rig.tick();
+    QCOMPARE(rig.force(), Vec3(2, 0, 0));
+    QVERIFY(rig.out.guards & guard_bits::kSlew);
+    rig.tick();
+    QCOMPARE(rig.force(), Vec3(3.5, 0, 0));
+    rig.ask(Vec3(0.25, 0, 0));
+    rig.tick();
+    QCOMPARE(rig.force(), Vec3(0.25, 0, 0));
+    QCOMPARE(rig.out.guards & guard_bits::kSlew, 0u);
+    rig.ask(Vec3(2.25, 0, 0)); // exactly 2 N more is allowed
+    rig.tick();
+    QCOMPARE(rig.force(), Vec3(2.25, 0, 0));
+}
+
+void TestSafetyLimits::turnsAreSlewed() {
+    SafetyRig rig;
+    rig.arm();
+    rig.ask(Vec3(4, 0, 0));
+    rig.ticks(5);
+    rig.ask(Vec3(-4, 0, 0)); // the same magnitude: only the direction turns
+    rig.tick();
+    QVERIFY((rig.force() - Vec3(-2, 0, 0)).norm() < 1e-9);
+    rig.tick();
+    QVERIFY((rig.force() - Vec3(-4, 0, 0)).norm() < 1e-9);
+    rig.ask(Vec3(0, 4, 0));
+    rig.tick();
+    QVERIFY((rig.force() - Vec3(0, 2, 0)).norm() < 1e-9);
+    rig.tick();
+    QVERIFY((rig.force() - Vec3(0, 4, 0)).norm() < 1e-9);
+    rig.ask(4.0 * Vec3(0.6, 0.8, 0)); // from the 3.2 N of it that may stay 2.4 N are left to turn
+    rig.tick();
+    const Vec3 kept(0, 3.2, 0);
+    QVERIFY((rig.force() - (kept + 2.0 * Vec3(1, 0, 0))).norm() < 1e-9);
+}
+
+void TestSafetyLimits::torqueIsSlewed() {
+    SafetyRig rig;
+    rig.arm();
+    rig.ask(Vec3::Zero(), Vec3(0, 0.140, 0));
+    rig.tick();
+    QVERIFY((rig.out.tools[0].wrench_W.torque - Vec3(0, 0.100, 0)).norm() < 1e-12);
+    rig.tick();
+    QVERIFY((rig.out.tools[0].wrench_W.torque - Vec3(0, 0.140, 0)).norm() < 1e-12);
+    rig.ask(Vec3::Zero(), Vec3(0, -0.140, 0));
+    rig.tick();
+    QVERIFY((rig.out.tools[0].wrench_W.torque - Vec3(0, -0.100, 0)).norm() < 1e-12);
+}
+
+void TestSafetyLimits::slewNeverExceedsTheTarget() {
+    core::Random random(20);
+    for (int i = 0; i < 100000; ++i) {
+        const Vec3 last(random.normal(), random.normal(), random.normal());
+        const Vec3 target(random.normal(), random.normal(), random.normal());
+        bool limited = false;
+        const Vec3 shown = haptics::limitSlew(last, target, 0.3, limited);
+        QVERIFY(shown.norm() <= target.norm() * (1.0 + 1e-12));
+        // Never farther from the target than before: it converges.
+        QVERIFY((shown - target).norm() <= (last - target).norm() * (1.0 + 1e-12));
+        QCOMPARE(limited, shown != target);
+    }
+}
+
+void TestSafetyLimits::overVelocityIsLatchedAndDampsOnly() {
+    SafetyRig rig;
+    rig.arm();
+    rig.ask(Vec3(0, 0, 1));
+    rig.states.tools[0].v_WT = Vec3(1.0, 0, 0); // not above
+    rig.tick();
+    QCOMPARE(rig.force(), Vec3(0, 0, 1));
+    rig.states.tools[0].v_WT = Vec3(0.6, 0, 0.81);
+    rig.tick();
+    rig.tick();
+    QVERIFY(rig.out.guards & guard_bits::kOverVelocity);
+    rig.ticks(5);
+    const Vec3 damping = -5.0 * Vec3(0.6, 0, 0.81); // 5.04 N, capped at 4 N
+    QVERIFY((rig.force() - 4.0 * damping.normalized()).norm() < 1e-9);
+    rig.states.tools[0].v_WT = Vec3(0.1, 0, 0);
+    rig.tick();
+    QVERIFY((rig.force() - Vec3(-0.5, 0, 0)).norm() < 1e-12); // slow again: still damping only
+    rig.states.tools[0].v_WT.setZero();
+    rig.ticks(1000);
+    QCOMPARE(rig.force(), Vec3(0, 0, 0));
+    QVERIFY(!rig.out.forceReady);
+    rig.ask(Vec3::Zero());
+    rig.tick({CommandKind::rearm});
+    QCOMPARE(rig.out.force, ForceState::arming);
+}
+
+void TestSafetyLimits::overVelocityCountsTheHandsSpeed() {
+    devices::WorkspaceMapping mapping;
+    mapping.scale = 2.0; // the drawn tool is twice as fast as the hand
+    SafetyRig rig(sixAxisDevice(), {}, mapping);
+    rig.arm();
+    rig.states.tools[0].v_WT = Vec3(1.9, 0, 0);
+    rig.tick();
+    QCOMPARE(rig.out.force, ForceState::on);
+    rig.states.tools[0].v_WT = Vec3(2.1, 0, 0);
+    rig.tick();
+    QCOMPARE(rig.out.force, ForceState::fault);
+}
+
+void TestSafetyLimits::configureRefusesNonsense() {
+    QVERIFY(SafetyRig().accepted);
+    haptics::SafetySettings settings;
+    settings.siteForce_N = std::numeric_limits<double>::quiet_NaN();
+    QVERIFY(!SafetyRig(sixAxisDevice(), settings).accepted);
+    settings = {};
+    settings.armingRamp_ms = 0;
+    QVERIFY(!SafetyRig(sixAxisDevice(), settings).accepted);
+    devices::WorkspaceMapping mapping;
+    mapping.scale = 0.0;
+    QVERIFY(!SafetyRig(sixAxisDevice(), {}, mapping).accepted);
+    auto device = sixAxisDevice();
+    device.period_us = 0;
+    QVERIFY(!SafetyRig(device).accepted);
+    device = sixAxisDevice();
+    device.axes.clear();
+    QVERIFY(!SafetyRig(device).accepted);
+    device = sixAxisDevice();
+    device.axes[3].continuousRating = -1.0;
+    QVERIFY(!SafetyRig(device).accepted);
+    QVERIFY(!SafetyRig(std::vector<devices::DeviceDescriptor>(5, sixAxisDevice()), {}).accepted);
+    QVERIFY(!SafetyRig(std::vector<devices::DeviceDescriptor>{}, {}).accepted);
+}
+
+QTEST_APPLESS_MAIN(TestSafetyLimits)
+#include "test_safety_limits.moc"
