@@ -14,8 +14,15 @@ namespace {
 /// The gain is counted in billionths, so that a ramp of n ticks ends after exactly n ticks.
 constexpr std::uint32_t kFullGain = 1'000'000'000;
 
-constexpr std::uint32_t stepOf(std::uint32_t ramp_ms) noexcept {
+/// A falling ramp is never slower than asked for ...
+constexpr std::uint32_t fallOf(std::uint32_t ramp_ms) noexcept {
     return ramp_ms == 0 ? kFullGain : (kFullGain + ramp_ms - 1) / ramp_ms;
+}
+
+/// ... and a rising one never faster: the division's remainder is made up in the last tick.
+constexpr std::uint32_t raised(std::uint32_t gain, std::uint32_t ramp_ms) noexcept {
+    const std::uint32_t next = gain + kFullGain / std::max(ramp_ms, 1u);
+    return next + ramp_ms >= kFullGain ? kFullGain : next;
 }
 
 std::uint32_t gainOf(double scale) noexcept {
@@ -51,6 +58,7 @@ void SafetyStateMachine::step(const SafetyConditions& in) noexcept {
     }
     stepState(in);
     latchOverVelocity(in);
+    m_rearmed = m_rearmed && m_state != ForceState::stopped && m_state != ForceState::fault;
     noteGuards();
     m_waitsFor = wait(in);
 }
@@ -125,9 +133,11 @@ void SafetyStateMachine::latchOverVelocity(const SafetyConditions& in) noexcept 
     if (!in.tooFast || m_gain == 0 || !m_mask.has(GuardMask::kOverVelocity)) {
         return;
     }
+    // No more damping than force was allowed, and none where force was on its way out: such a ramp ends at zero.
+    const bool leaving = m_state == ForceState::pausing || m_state == ForceState::heldByHeartbeat;
+    m_dampingGain = leaving ? 0 : m_gain;
     m_latched |= guard_bits::kOverVelocity;
     m_state = ForceState::fault;
-    m_dampingGain = m_gain; // no more damping than force was allowed
     m_gain = 0;
 }
 
@@ -225,7 +235,7 @@ void SafetyStateMachine::stepForce(const SafetyConditions& in) noexcept {
     }
     // After a late spell the gain climbs back at the arming ramp's rate, from where it is: no kick.
     m_state = ForceState::ramping;
-    m_gain = std::min(kFullGain, m_gain + stepOf(m_settings.armingRamp_ms));
+    m_gain = raised(m_gain, m_settings.armingRamp_ms);
     if (m_gain == kFullGain) {
         m_state = ForceState::on;
     }
@@ -246,7 +256,7 @@ void SafetyStateMachine::stepDamping(const SafetyConditions& in) noexcept {
 }
 
 void SafetyStateMachine::lowerGain(std::uint32_t ramp_ms) noexcept {
-    m_gain -= std::min(m_gain, stepOf(ramp_ms));
+    m_gain -= std::min(m_gain, fallOf(ramp_ms));
 }
 
 void SafetyStateMachine::followWatchdog(const SafetyConditions& in) noexcept {

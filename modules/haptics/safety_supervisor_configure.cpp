@@ -14,6 +14,8 @@ namespace {
 
 using core::ErrorCode;
 
+constexpr std::uint32_t kLongestRamp_ms = 30'000; ///< the gain is counted in billionths
+
 bool isPositive(double value) {
     return std::isfinite(value) && value > 0.0;
 }
@@ -49,6 +51,12 @@ core::Result<void> checkSettings(const SafetySettings& s) {
         if (!isPositive(value)) {
             return core::fail(ErrorCode::badInput, std::string("safety settings: ") + name + " is " +
                                                        std::to_string(value) + "; it must be finite and above 0");
+        }
+    }
+    for (const std::uint32_t ramp_ms : {s.armingRamp_ms, s.heartbeatRamp_ms, s.pauseRamp_ms}) {
+        if (ramp_ms > kLongestRamp_ms) {
+            return core::fail(ErrorCode::badInput, "safety settings: a ramp of " + std::to_string(ramp_ms) +
+                                                       " ms; at most " + std::to_string(kLongestRamp_ms));
         }
     }
     // The heartbeat's age saturates at 65,535 ms: a limit beyond it would never be reached.

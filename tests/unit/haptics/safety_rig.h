@@ -61,7 +61,8 @@ class SafetyRig {
 public:
     explicit SafetyRig(const devices::DeviceDescriptor& device = sixAxisDevice(),
                        const haptics::SafetySettings& settings = {}, devices::WorkspaceMapping mapping = {},
-                       const devices::IToolKinematics* kinematics = nullptr) {
+                       const devices::IToolKinematics* kinematics = nullptr, haptics::GuardMask mask = {}) {
+        supervisor.setGuardMaskForTests(mask);
         start(std::vector<devices::DeviceDescriptor>{device}, settings, mapping, kinematics);
     }
     SafetyRig(const std::vector<devices::DeviceDescriptor>& devices, const haptics::SafetySettings& settings) {
