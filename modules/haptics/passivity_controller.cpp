@@ -38,7 +38,8 @@ void PassivityController::reset(const SafetySettings& settings) noexcept {
     m_excess_J = 0.0;
 }
 
-double PassivityController::renderedEnergy_J(const PassivityContact& contact, double gain, int count) noexcept {
+double PassivityController::renderedEnergy_J(const PassivityContact& contact, double gain,
+                                             int count) noexcept {
     if (gain <= 0.0) {
         return 0.0;
     }

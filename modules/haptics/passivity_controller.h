@@ -12,26 +12,28 @@ namespace chiron::haptics {
 
 /// What a contact looks like to the passivity stage at one tick.
 struct PassivityContact {
-    double stored_J = 0.0;            ///< U as the scene reports it, at full gain and without caps; finite, >= 0
-    double stiffness_N_per_m = 0.0;   ///< largest active contact stiffness; finite, >= 0
-    double gain = 0.0;                ///< of this tick
-    double gainBefore = 0.0;          ///< of the tick before
-    bool touching = false;            ///< any tool
+    double stored_J = 0.0; ///< U as the scene reports it, at full gain and without caps; finite, >= 0
+    double stiffness_N_per_m = 0.0;                 ///< largest active contact stiffness; finite, >= 0
+    double gain = 0.0;                              ///< of this tick
+    double gainBefore = 0.0;                        ///< of the tick before
+    bool touching = false;                          ///< any tool
     std::array<double, core::kMaxTools> capRatio{}; ///< of the requested wrench at full gain; see capRatio()
     std::array<double, core::kMaxTools> share{};    ///< of U, summing to 1 (by ‖f‖²)
 };
 
-/// Time-domain passivity controller (models.md §5; Hannaford & Ryu 2002): keeps the observer and injects damping.
+/// Time-domain passivity controller (models.md §5; Hannaford & Ryu 2002): keeps the observer and injects
+/// damping.
 ///
-/// U is taken of the force *as rendered*: with gain g and the cap ratio ρ of the requested force a linear spring holds
-/// g U s(2-s), s = min(1, ρ/g) (potential of a spring whose force stops rising at the cap), so that a capped spring,
-/// which is passive, is left alone. A change of gain is credited with the energy it puts in or takes out at this place:
-/// ½Δk x² for the spring.
+/// U is taken of the force *as rendered*: with gain g and the cap ratio ρ of the requested force a linear
+/// spring holds g U s(2-s), s = min(1, ρ/g) (potential of a spring whose force stops rising at the cap), so
+/// that a capped spring, which is passive, is left alone. A change of gain is credited with the energy it
+/// puts in or takes out at this place: ½Δk x² for the spring.
 ///
-/// Damping acts during the coming tick, so the excess is taken as it will be at its end: U - W + ½ g k (‖v‖T)², the
-/// energy that a sampled spring leaks in one tick. When it passes 1 mJ (of the device: W-energy over workspace scale)
-/// f = -α v and τ = -α r² ω are added, α = excess / (T Σ(v² + r²ω²)), at most g·b_max; a force that pushes along the
-/// motion is at most cancelled, never reversed: contact does not pull. r = torque cap / force cap. Thread: haptic.
+/// Damping acts during the coming tick, so the excess is taken as it will be at its end: U - W + ½ g k
+/// (‖v‖T)², the energy that a sampled spring leaks in one tick. When it passes 1 mJ (of the device: W-energy
+/// over workspace scale) f = -α v and τ = -α r² ω are added, α = excess / (T Σ(v² + r²ω²)), at most g·b_max;
+/// a force that pushes along the motion is at most cancelled, never reversed: contact does not pull. r =
+/// torque cap / force cap. Thread: haptic.
 class PassivityController {
 public:
     using Limits = std::array<SafetyToolLimits, core::kMaxTools>;
@@ -39,10 +41,10 @@ public:
 
     void reset(const SafetySettings& settings) noexcept;
 
-    /// Books the last tick's work and, when too much could come back, adds damping to `wrenches` (already multiplied by
-    /// the gain); true if it did. `count` tools.
-    bool apply(const Limits& limits, int count, const core::ToolStates& states, const PassivityContact& contact,
-               Wrenches& wrenches) noexcept;
+    /// Books the last tick's work and, when too much could come back, adds damping to `wrenches` (already
+    /// multiplied by the gain); true if it did. `count` tools.
+    bool apply(const Limits& limits, int count, const core::ToolStates& states,
+               const PassivityContact& contact, Wrenches& wrenches) noexcept;
 
     /// Books what is really shown, after caps and slew.
     void hold(const core::ToolStates& states, const core::ToolWrenches& commanded) noexcept;
@@ -53,8 +55,8 @@ public:
     static double renderedEnergy_J(const PassivityContact& contact, double gain, int count) noexcept;
 
 private:
-    bool inject(const Limits& limits, int count, const core::ToolStates& states, const PassivityContact& contact,
-                Wrenches& wrenches) const noexcept;
+    bool inject(const Limits& limits, int count, const core::ToolStates& states,
+                const PassivityContact& contact, Wrenches& wrenches) const noexcept;
 
     SafetySettings m_settings;
     PassivityObserver m_observer;

@@ -5,11 +5,11 @@
 
 namespace chiron::haptics {
 
-/// Energy that a contact has been given and what it holds (models.md §5; Hannaford & Ryu 2002, time-domain passivity).
-/// W(k) = W(k-1) - f(k-1)·(x(k) - x(k-1)) - τ(k-1)·θ(k-1→k), with the commanded wrench (after caps and slew) in W and
-/// θ the rotation between the two poses. Excess = U - W: what could come out, or has come out, without having been put
-/// in. One contact lasts from the first touch to when no tool touches anything; several tools holding one body exchange
-/// energy through it, so they share the observer.
+/// Energy that a contact has been given and what it holds (models.md §5; Hannaford & Ryu 2002, time-domain
+/// passivity). W(k) = W(k-1) - f(k-1)·(x(k) - x(k-1)) - τ(k-1)·θ(k-1→k), with the commanded wrench (after
+/// caps and slew) in W and θ the rotation between the two poses. Excess = U - W: what could come out, or has
+/// come out, without having been put in. One contact lasts from the first touch to when no tool touches
+/// anything; several tools holding one body exchange energy through it, so they share the observer.
 class PassivityObserver {
 public:
     void reset() noexcept;

@@ -45,7 +45,8 @@ double capRatio(const SafetyToolLimits& limits, const core::DeviceSample& sample
     return std::isnan(result) ? 0.0 : result;
 }
 
-bool applyCaps(const SafetyToolLimits& limits, const core::DeviceSample& sample, core::Wrench& wrench_W) noexcept {
+bool applyCaps(const SafetyToolLimits& limits, const core::DeviceSample& sample,
+               core::Wrench& wrench_W) noexcept {
     const double room = capRatio(limits, sample, wrench_W);
     if (room >= 1.0) {
         return false;

@@ -14,38 +14,38 @@ namespace chiron::haptics {
 
 /// What became of a sample at the sanity stage.
 enum class Admission : std::uint8_t {
-    fresh,   ///< a new good packet: use it
+    fresh,    ///< a new good packet: use it
     repeated, ///< the newest packet read again: nothing new; go on with the last good state
-    dropped, ///< refused: go on with the last good state
+    dropped,  ///< refused: go on with the last good state
 };
 
 /// What the person has to do, or to wait for, before force comes. Shown on the screen.
 enum class ArmingWait : std::uint8_t {
-    nothing,       ///< force is on, or the device renders none
-    firstPacket,   ///< a device has not sent a good packet yet, or its packets are late
-    smallRequest,  ///< move out of contact, or confirm ("Resume here", dead-man) holding the tool still
-    holdStill,     ///< confirmed: hold the tool still
-    ramp,          ///< the gain is rising
-    window,        ///< the window does not answer
-    resume,        ///< paused
-    stopReleased,  ///< the device's stop button is still pressed
-    rearm,         ///< stopped or faulted: re-arm explicitly
+    nothing,      ///< force is on, or the device renders none
+    firstPacket,  ///< a device has not sent a good packet yet, or its packets are late
+    smallRequest, ///< move out of contact, or confirm ("Resume here", dead-man) holding the tool still
+    holdStill,    ///< confirmed: hold the tool still
+    ramp,         ///< the gain is rising
+    window,       ///< the window does not answer
+    resume,       ///< paused
+    stopReleased, ///< the device's stop button is still pressed
+    rearm,        ///< stopped or faulted: re-arm explicitly
 };
 
-/// What the supervisor needs at a tick beside the samples that went through admit(). References are read during the
-/// call only.
+/// What the supervisor needs at a tick beside the samples that went through admit(). References are read
+/// during the call only.
 struct SafetyInput {
-    const core::ToolStates& states;           ///< of the last good samples, with velocities, in W
-    const simulation::SceneOutput& scene;     ///< of this tick: wrenches, energy, events
+    const core::ToolStates& states;       ///< of the last good samples, with velocities, in W
+    const simulation::SceneOutput& scene; ///< of this tick: wrenches, energy, events
     std::array<core::Command, core::kMaxCommandsPerTick> commands{};
-    std::uint16_t heartbeatAge_ms = 0;        ///< age of the newest GUI heartbeat, saturated
+    std::uint16_t heartbeatAge_ms = 0; ///< age of the newest GUI heartbeat, saturated
 };
 
 /// What one tool may do.
 struct SafeTool {
-    core::Wrench wrench_W; ///< "commanded": on the tool, in W, about the tip. Record this one
-    core::Wrench wrench_D; ///< the same in D (Hᵀ; unscaled). Hand this one to the device
-    bool enabled = false;  ///< motors on; false: the wrench is zero
+    core::Wrench wrench_W;   ///< "commanded": on the tool, in W, about the tip. Record this one
+    core::Wrench wrench_D;   ///< the same in D (Hᵀ; unscaled). Hand this one to the device
+    bool enabled = false;    ///< motors on; false: the wrench is zero
     bool noMovement = false; ///< input-only device silent for 2 s
 };
 

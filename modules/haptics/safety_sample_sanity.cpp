@@ -10,8 +10,8 @@ namespace chiron::haptics {
 namespace {
 
 bool isSamePacket(const core::DeviceSample& a, const core::DeviceSample& b) noexcept {
-    return a.packet == b.packet && a.counts == b.counts && a.jawCounts == b.jawCounts && a.buttons == b.buttons &&
-           a.deviceTime_us == b.deviceTime_us && a.status == b.status;
+    return a.packet == b.packet && a.counts == b.counts && a.jawCounts == b.jawCounts &&
+           a.buttons == b.buttons && a.deviceTime_us == b.deviceTime_us && a.status == b.status;
 }
 
 /// Packet numbers wrap: newer means ahead by less than half the range.
@@ -21,7 +21,8 @@ bool isNewer(std::uint32_t packet, std::uint32_t than) noexcept {
 
 } // namespace
 
-void SafetySampleSanity::reset(const SafetySettings& settings, std::uint32_t period_us, bool guarded) noexcept {
+void SafetySampleSanity::reset(const SafetySettings& settings, std::uint32_t period_us,
+                               bool guarded) noexcept {
     *this = SafetySampleSanity();
     m_jump_m = settings.jump_m;
     m_quaternionTolerance = settings.quaternionTolerance;
@@ -32,7 +33,8 @@ void SafetySampleSanity::reset(const SafetySettings& settings, std::uint32_t per
 void SafetySampleSanity::forgetReference() noexcept {
     m_hasReference = false;
     m_bad = 0;
-    // The packet seen last, if it was refused, gets a second look: after a jump the tool may simply be where it says.
+    // The packet seen last, if it was refused, gets a second look: after a jump the tool may simply be where
+    // it says.
     m_hasSeen = m_hasSeen && m_seenWasGood;
 }
 

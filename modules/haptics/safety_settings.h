@@ -5,14 +5,14 @@
 
 namespace chiron::haptics {
 
-/// Every number of the supervisor's table (models.md §5) as data; stored with each session, so that a replay uses the
-/// numbers of its day. Plain and trivially copyable. One tick is 1 ms of executed loop. Ranges are checked by
-/// SafetySupervisor::configure, which refuses a value outside them.
+/// Every number of the supervisor's table (models.md §5) as data; stored with each session, so that a replay
+/// uses the numbers of its day. Plain and trivially copyable. One tick is 1 ms of executed loop. Ranges are
+/// checked by SafetySupervisor::configure, which refuses a value outside them.
 struct SafetySettings {
     // Caps: the smallest of device rating, exercise and site counts.
-    double siteForce_N = 4.0;        ///< > 0; models.md §5
-    double siteTorque_Nm = 0.150;    ///< > 0; models.md §5
-    double exerciseForce_N = 4.0;    ///< > 0; from the level's content
+    double siteForce_N = 4.0;         ///< > 0; models.md §5
+    double siteTorque_Nm = 0.150;     ///< > 0; models.md §5
+    double exerciseForce_N = 4.0;     ///< > 0; from the level's content
     double exerciseTorque_Nm = 0.150; ///< > 0; from the level's content
 
     // Slew, on rising magnitude and on direction; decreases are exempt.
@@ -28,22 +28,22 @@ struct SafetySettings {
     std::uint32_t armingRamp_ms = 2000;  ///< then the gain rises from 0 to 1 in this time
 
     // Over-velocity, speed of the tool in the device's frame.
-    double overVelocity_m_per_s = 1.0;        ///< > this: damping only, latched until re-armed
+    double overVelocity_m_per_s = 1.0;         ///< > this: damping only, latched until re-armed
     double overVelocityDamping_Ns_per_m = 5.0; ///< assumption; never above the device's maximumDamping
 
     // Sample sanity.
-    double quaternionTolerance = 0.01;  ///< |‖q‖ - 1| above this is bad
-    double jump_m = 0.020;              ///< further than this within one device period is bad
+    double quaternionTolerance = 0.01;   ///< |‖q‖ - 1| above this is bad
+    double jump_m = 0.020;               ///< further than this within one device period is bad
     std::uint32_t badPacketsToFault = 3; ///< in a row
 
     // Watchdog; P is the device's declared period.
-    std::uint32_t watchdogStart_us = 5000;   ///< ramp down from max(this, startPeriods·P)
+    std::uint32_t watchdogStart_us = 5000; ///< ramp down from max(this, startPeriods·P)
     std::uint32_t watchdogStartPeriods = 3;
-    std::uint32_t watchdogRamp_us = 10000;   ///< zero this much later
-    std::uint32_t watchdogFault_us = 30000;  ///< latched fault at max(this, faultPeriods·P)
+    std::uint32_t watchdogRamp_us = 10000;  ///< zero this much later
+    std::uint32_t watchdogFault_us = 30000; ///< latched fault at max(this, faultPeriods·P)
     std::uint32_t watchdogFaultPeriods = 10;
     std::uint32_t slowestRendering_us = 4000; ///< a device with a longer period may not render force
-    std::uint32_t noMovement_us = 2000000;   ///< input-only devices: say "no movement"; never a fault
+    std::uint32_t noMovement_us = 2000000;    ///< input-only devices: say "no movement"; never a fault
 
     // Frozen window and pause.
     bool heartbeatWatched = true;          ///< false without a window (headless)
@@ -52,8 +52,9 @@ struct SafetySettings {
     std::uint32_t pauseRamp_ms = 500;
 
     // Passivity.
-    double passivityExcess_J = 0.001;          ///< energy shown beyond what was supplied; above it damping is injected
-    double passivityMinimumSpeed_m_per_s = 0.001; ///< below it nothing is injected: the estimate is encoder noise
+    double passivityExcess_J = 0.001; ///< energy shown beyond what was supplied; above it damping is injected
+    double passivityMinimumSpeed_m_per_s =
+        0.001; ///< below it nothing is injected: the estimate is encoder noise
 };
 
 } // namespace chiron::haptics

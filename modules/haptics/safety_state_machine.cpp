@@ -5,7 +5,6 @@
 
 namespace chiron::haptics {
 
-using core::CommandKind;
 using core::ForceState;
 namespace guard_bits = core::guard_bits;
 
@@ -63,61 +62,6 @@ void SafetyStateMachine::step(const SafetyConditions& in) noexcept {
     m_waitsFor = wait(in);
 }
 
-void SafetyStateMachine::applyCommands(const SafetyConditions& in) noexcept {
-    bool stopAsked = false;
-    for (const core::Command& command : in.commands) {
-        switch (command.kind) {
-        case CommandKind::pause: pause(); break;
-        case CommandKind::resume: resume(); break;
-        case CommandKind::rearm: rearm(in); break;
-        case CommandKind::confirmHold: m_confirmed = m_confirmed || m_state == ForceState::arming; break;
-        case CommandKind::stopForce: stopAsked = true; break;
-        default: break;
-        }
-    }
-    // Stop beats whatever else came in the same tick, in either order.
-    if (stopAsked && m_mask.has(GuardMask::kStop)) {
-        stop();
-    }
-}
-
-void SafetyStateMachine::pause() noexcept {
-    m_paused = true;
-    if (!m_mask.has(GuardMask::kPause)) {
-        return;
-    }
-    if (forceMayFlow()) {
-        m_state = m_gain > 0 ? ForceState::pausing : ForceState::paused;
-    }
-}
-
-void SafetyStateMachine::resume() noexcept {
-    if (!m_paused) {
-        return;
-    }
-    m_paused = false;
-    m_dampingGain = 0;
-    if (m_state == ForceState::pausing || m_state == ForceState::paused) {
-        startArming();
-    }
-}
-
-void SafetyStateMachine::rearm(const SafetyConditions& in) noexcept {
-    if (m_state != ForceState::stopped && m_state != ForceState::fault) {
-        return;
-    }
-    // A cause that still holds keeps the latch; bad packets alone do not: their reference is taken anew.
-    if (in.stopButton || (in.faults & ~guard_bits::kSampleFault) != 0) {
-        return;
-    }
-    m_latched = 0;
-    m_rearmed = true;
-    startArming();
-    if (m_paused) {
-        m_state = ForceState::paused;
-    }
-}
-
 void SafetyStateMachine::latchFaults(const SafetyConditions& in) noexcept {
     const std::uint32_t faults = m_rearmed ? in.faults & ~guard_bits::kSampleFault : in.faults;
     if (faults == 0) {
@@ -133,21 +77,13 @@ void SafetyStateMachine::latchOverVelocity(const SafetyConditions& in) noexcept 
     if (!in.tooFast || m_gain == 0 || !m_mask.has(GuardMask::kOverVelocity)) {
         return;
     }
-    // No more damping than force was allowed, and none where force was on its way out: such a ramp ends at zero.
+    // No more damping than force was allowed, and none where force was on its way out: such a ramp ends at
+    // zero.
     const bool leaving = m_state == ForceState::pausing || m_state == ForceState::heldByHeartbeat;
     m_dampingGain = leaving ? 0 : m_gain;
     m_latched |= guard_bits::kOverVelocity;
     m_state = ForceState::fault;
     m_gain = 0;
-}
-
-void SafetyStateMachine::stop() noexcept {
-    m_gain = 0;
-    m_dampingGain = 0;
-    m_latched |= guard_bits::kStop;
-    if (m_state != ForceState::fault) {
-        m_state = ForceState::stopped;
-    }
 }
 
 void SafetyStateMachine::leaveOldScene() noexcept {
@@ -177,15 +113,24 @@ void SafetyStateMachine::stepState(const SafetyConditions& in) noexcept {
             m_state = m_paused ? ForceState::paused : ForceState::arming;
         }
         break;
-    case ForceState::arming: stepArming(in); break;
+    case ForceState::arming:
+        stepArming(in);
+        break;
     case ForceState::ramping:
     case ForceState::on:
     case ForceState::heldByWatchdog:
-    case ForceState::heldByHeartbeat: stepForce(in); break;
-    case ForceState::pausing: stepPausing(in); break;
-    case ForceState::fault: stepDamping(in); break;
+    case ForceState::heldByHeartbeat:
+        stepForce(in);
+        break;
+    case ForceState::pausing:
+        stepPausing(in);
+        break;
+    case ForceState::fault:
+        stepDamping(in);
+        break;
     case ForceState::paused:
-    case ForceState::stopped: break;
+    case ForceState::stopped:
+        break;
     }
 }
 
@@ -277,30 +222,43 @@ void SafetyStateMachine::noteGuards() noexcept {
     m_guards |= m_latched;
     switch (m_state) {
     case ForceState::arming:
-    case ForceState::ramping: m_guards |= guard_bits::kArming; break;
+    case ForceState::ramping:
+        m_guards |= guard_bits::kArming;
+        break;
     case ForceState::pausing:
-    case ForceState::paused: m_guards |= guard_bits::kPause; break;
-    case ForceState::heldByHeartbeat: m_guards |= guard_bits::kHeartbeat; break;
-    default: break;
+    case ForceState::paused:
+        m_guards |= guard_bits::kPause;
+        break;
+    case ForceState::heldByHeartbeat:
+        m_guards |= guard_bits::kHeartbeat;
+        break;
+    default:
+        break;
     }
 }
 
 ArmingWait SafetyStateMachine::wait(const SafetyConditions& in) const noexcept {
     switch (m_state) {
     case ForceState::off:
-    case ForceState::heldByWatchdog: return ArmingWait::firstPacket;
+    case ForceState::heldByWatchdog:
+        return ArmingWait::firstPacket;
     case ForceState::arming:
         if (!in.allGood || in.watchdogScale < 1.0) {
             return ArmingWait::firstPacket;
         }
         return m_confirmed || in.deadMan ? ArmingWait::holdStill : ArmingWait::smallRequest;
-    case ForceState::ramping: return ArmingWait::ramp;
-    case ForceState::on: return ArmingWait::nothing;
-    case ForceState::heldByHeartbeat: return ArmingWait::window;
+    case ForceState::ramping:
+        return ArmingWait::ramp;
+    case ForceState::on:
+        return ArmingWait::nothing;
+    case ForceState::heldByHeartbeat:
+        return ArmingWait::window;
     case ForceState::pausing:
-    case ForceState::paused: return ArmingWait::resume;
+    case ForceState::paused:
+        return ArmingWait::resume;
     case ForceState::stopped:
-    case ForceState::fault: break;
+    case ForceState::fault:
+        break;
     }
     return in.stopButton ? ArmingWait::stopReleased : ArmingWait::rearm;
 }

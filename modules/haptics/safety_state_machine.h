@@ -14,20 +14,20 @@ namespace chiron::haptics {
 /// What the state machine looks at in one tick, over all tools that render force.
 struct SafetyConditions {
     std::array<core::Command, core::kMaxCommandsPerTick> commands{};
-    std::uint32_t faults = 0;      ///< guard_bits of causes that hold now; any of them latches a fault
-    double watchdogScale = 1.0;    ///< 1 fresh .. 0 late
+    std::uint32_t faults = 0;   ///< guard_bits of causes that hold now; any of them latches a fault
+    double watchdogScale = 1.0; ///< 1 fresh .. 0 late
     std::uint16_t heartbeatAge_ms = 0;
     bool stopButton = false;
     bool deadMan = false;
-    bool allGood = false;          ///< every tool has sent a good packet
+    bool allGood = false; ///< every tool has sent a good packet
     bool sceneChanged = false;
-    bool requestSmall = false;     ///< below the arming thresholds
-    bool still = false;            ///< slower than the still speed
-    bool tooFast = false;          ///< faster than the over-velocity limit
+    bool requestSmall = false; ///< below the arming thresholds
+    bool still = false;        ///< slower than the still speed
+    bool tooFast = false;      ///< faster than the over-velocity limit
 };
 
-/// Decides the one gain (0..1) that every requested force is multiplied by (models.md §5: arming, pause, stop, frozen
-/// window, watchdog's ramp, faults). One step a tick; ramps are counted in executed ticks.
+/// Decides the one gain (0..1) that every requested force is multiplied by (models.md §5: arming, pause,
+/// stop, frozen window, watchdog's ramp, faults). One step a tick; ramps are counted in executed ticks.
 class SafetyStateMachine {
 public:
     void reset(const SafetySettings& settings, GuardMask mask) noexcept;

@@ -14,7 +14,8 @@ namespace guard_bits = core::guard_bits;
 
 namespace {
 
-/// Above this a request is scaled down before any norm is taken, so that squares cannot overflow. Far above any cap.
+/// Above this a request is scaled down before any norm is taken, so that squares cannot overflow. Far above
+/// any cap.
 constexpr double kHuge = 1e6;
 
 bool isFinite(const core::Wrench& w) noexcept {
@@ -24,7 +25,6 @@ bool isFinite(const core::Wrench& w) noexcept {
 double largest(const core::Wrench& w) noexcept {
     return std::max(w.force.cwiseAbs().maxCoeff(), w.torque.cwiseAbs().maxCoeff());
 }
-
 
 } // namespace
 

@@ -16,31 +16,34 @@
 
 namespace chiron::haptics {
 
-/// The last stage before any device, in every mode (models.md §5). Its order: sanity (admit), then in limit(): state
-/// machine, arming gain, passivity and over-velocity damping, caps, slew, caps once more, finite check. After limit()
-/// the caps hold always: per device axis in the device's frame through IToolKinematics::efforts, then the norm of force
-/// and of torque, each wrench scaled as a whole so that its direction is kept.
+/// The last stage before any device, in every mode (models.md §5). Its order: sanity (admit), then in
+/// limit(): state machine, arming gain, passivity and over-velocity damping, caps, slew, caps once more,
+/// finite check. After limit() the caps hold always: per device axis in the device's frame through
+/// IToolKinematics::efforts, then the norm of force and of torque, each wrench scaled as a whole so that its
+/// direction is kept.
 ///
-/// Use, once a tick and in this order: admit() for every tool, the scene, limit(). Record the sample *as read* (dropped
-/// ones too) with its age, so that a replay comes to the same verdicts. Time enters through age_us, heartbeatAge_ms,
-/// the tick's index and, for the age of a packet older than the one just refused, now_ns: all recorded; same inputs,
-/// same bits.
+/// Use, once a tick and in this order: admit() for every tool, the scene, limit(). Record the sample *as
+/// read* (dropped ones too) with its age, so that a replay comes to the same verdicts. Time enters through
+/// age_us, heartbeatAge_ms, the tick's index and, for the age of a packet older than the one just refused,
+/// now_ns: all recorded; same inputs, same bits.
 ///
-/// A device that renders no force (or whose period is too long to) gets zero and is always ready; its bad packets are
-/// dropped but never latch a fault. Not copyable: one supervisor guards one set of devices.
-/// Thread: configure() anywhere before the loop runs; the rest in the haptic thread. Never blocks or allocates there.
+/// A device that renders no force (or whose period is too long to) gets zero and is always ready; its bad
+/// packets are dropped but never latch a fault. Not copyable: one supervisor guards one set of devices.
+/// Thread: configure() anywhere before the loop runs; the rest in the haptic thread. Never blocks or
+/// allocates there.
 class SafetySupervisor {
 public:
     SafetySupervisor() = default;
     SafetySupervisor(const SafetySupervisor&) = delete;
     SafetySupervisor& operator=(const SafetySupervisor&) = delete;
 
-    /// Not in the tick. Fails (badInput) on no or too many tools, settings out of range, a device without period,
-    /// axes or a sound scale. The supervisor starts at `off` with no packet seen.
+    /// Not in the tick. Fails (badInput) on no or too many tools, settings out of range, a device without
+    /// period, axes or a sound scale. The supervisor starts at `off` with no packet seen.
     core::Result<void> configure(const SafetySettings& settings, std::span<const SafetyTool> tools);
 
-    /// Sanity stage of one tool, before the scene. pose_D = kinematics.pose(sample). See SafetySampleSanity::admit.
-    /// Anything but `fresh`: go on with the last good state. 0 <= tool < the configured count.
+    /// Sanity stage of one tool, before the scene. pose_D = kinematics.pose(sample). See
+    /// SafetySampleSanity::admit. Anything but `fresh`: go on with the last good state. 0 <= tool < the
+    /// configured count.
     Admission admit(const realtime::HapticTick& now, int tool, const core::DeviceSample& sample,
                     const core::ToolState& pose_D, std::uint32_t age_us) noexcept;
 
@@ -77,11 +80,11 @@ private:
     std::array<SafetySampleSanity, core::kMaxTools> m_sanity{};
     SafetyStateMachine m_machine;
     PassivityController m_passivity;
-    Wrenches m_last{};      ///< commanded in the tick before
+    Wrenches m_last{}; ///< commanded in the tick before
     double m_lastGain = 0.0;
-    std::uint32_t m_guards = 0;   ///< collected while limit() runs
-    bool m_requestFinite = true;  ///< of this tick
-    bool m_answerFinite = true;   ///< of the tick before: latched as a fault in this one
+    std::uint32_t m_guards = 0;  ///< collected while limit() runs
+    bool m_requestFinite = true; ///< of this tick
+    bool m_answerFinite = true;  ///< of the tick before: latched as a fault in this one
 };
 
 } // namespace chiron::haptics

@@ -50,7 +50,8 @@ core::Result<void> checkSettings(const SafetySettings& s) {
     for (const auto& [name, value] : positive) {
         if (!isPositive(value)) {
             return core::fail(ErrorCode::badInput, std::string("safety settings: ") + name + " is " +
-                                                       std::to_string(value) + "; it must be finite and above 0");
+                                                       std::to_string(value) +
+                                                       "; it must be finite and above 0");
         }
     }
     for (const std::uint32_t ramp_ms : {s.armingRamp_ms, s.heartbeatRamp_ms, s.pauseRamp_ms}) {
@@ -68,14 +69,17 @@ core::Result<void> checkSettings(const SafetySettings& s) {
 }
 
 core::Result<void> checkTool(const SafetyTool& tool, std::size_t index) {
-    const std::string where = "safety supervisor: tool " + std::to_string(index) + " (" + tool.device.driver + "): ";
+    const std::string where =
+        "safety supervisor: tool " + std::to_string(index) + " (" + tool.device.driver + "): ";
     const auto& axes = tool.device.axes;
     if (axes.empty() || axes.size() > static_cast<std::size_t>(core::kMaxCoordinates)) {
-        return core::fail(ErrorCode::badInput, where + std::to_string(axes.size()) + " axes; 1 to 8 are possible");
+        return core::fail(ErrorCode::badInput,
+                          where + std::to_string(axes.size()) + " axes; 1 to 8 are possible");
     }
     for (const auto& axis : axes) {
         if (!std::isfinite(axis.continuousRating) || axis.continuousRating < 0.0) {
-            return core::fail(ErrorCode::badInput, where + "axis " + axis.id + " has a continuous rating of " +
+            return core::fail(ErrorCode::badInput, where + "axis " + axis.id +
+                                                       " has a continuous rating of " +
                                                        std::to_string(axis.continuousRating));
         }
     }
@@ -84,10 +88,11 @@ core::Result<void> checkTool(const SafetyTool& tool, std::size_t index) {
     }
     if (!isPositive(tool.mapping.scale)) {
         return core::fail(ErrorCode::badInput, where + "the workspace scale is " +
-                                                   std::to_string(tool.mapping.scale) + "; it must be above 0");
+                                                   std::to_string(tool.mapping.scale) +
+                                                   "; it must be above 0");
     }
-    for (const double value : {tool.device.maximumForce_N, tool.device.maximumTorque_Nm,
-                               tool.device.maximumDamping_Ns_per_m}) {
+    for (const double value :
+         {tool.device.maximumForce_N, tool.device.maximumTorque_Nm, tool.device.maximumDamping_Ns_per_m}) {
         if (!std::isfinite(value) || value < 0.0) {
             return core::fail(ErrorCode::badInput, where + "a maximum of " + std::to_string(value) +
                                                        " (force, torque or damping)");
@@ -109,7 +114,8 @@ SafetyToolLimits limitsOf(const SafetySettings& settings, const SafetyTool& tool
     for (std::size_t i = 0; i < tool.device.axes.size(); ++i) {
         limits.axisCap[i] = tool.device.axes[i].continuousRating;
     }
-    limits.forceCap_N = std::min({tool.device.maximumForce_N, settings.siteForce_N, settings.exerciseForce_N});
+    limits.forceCap_N =
+        std::min({tool.device.maximumForce_N, settings.siteForce_N, settings.exerciseForce_N});
     limits.torqueCap_Nm =
         std::min({tool.device.maximumTorque_Nm, settings.siteTorque_Nm, settings.exerciseTorque_Nm});
     limits.damping_Ns_per_m = tool.device.maximumDamping_Ns_per_m;
@@ -118,10 +124,11 @@ SafetyToolLimits limitsOf(const SafetySettings& settings, const SafetyTool& tool
 
 } // namespace
 
-core::Result<void> SafetySupervisor::configure(const SafetySettings& settings, std::span<const SafetyTool> tools) {
+core::Result<void> SafetySupervisor::configure(const SafetySettings& settings,
+                                               std::span<const SafetyTool> tools) {
     if (tools.empty() || tools.size() > static_cast<std::size_t>(core::kMaxTools)) {
-        return core::fail(ErrorCode::badInput,
-                          "safety supervisor: " + std::to_string(tools.size()) + " tools; 1 to 4 are possible");
+        return core::fail(ErrorCode::badInput, "safety supervisor: " + std::to_string(tools.size()) +
+                                                   " tools; 1 to 4 are possible");
     }
     if (auto sound = checkSettings(settings); !sound) {
         return sound;

@@ -19,7 +19,8 @@ double usable(double value) noexcept {
 
 } // namespace
 
-PassivityContact SafetySupervisor::contactOf(const SafetyInput& in, const Wrenches& requested) const noexcept {
+PassivityContact SafetySupervisor::contactOf(const SafetyInput& in,
+                                             const Wrenches& requested) const noexcept {
     PassivityContact contact;
     contact.stored_J = usable(in.scene.storedEnergy_J);
     contact.stiffness_N_per_m = usable(in.scene.contactStiffness_N_per_m);
@@ -38,13 +39,15 @@ PassivityContact SafetySupervisor::contactOf(const SafetyInput& in, const Wrench
     for (double& share : contact.share) {
         share = sum > 0.0 ? share / sum : 1.0 / std::max(1, m_count);
     }
-    contact.touching = contact.stored_J > 0.0 || std::any_of(requested.begin(), requested.end(), [](const auto& w) {
-        return w.force != core::Vec3::Zero() || w.torque != core::Vec3::Zero();
-    });
+    contact.touching =
+        contact.stored_J > 0.0 || std::any_of(requested.begin(), requested.end(), [](const auto& w) {
+            return w.force != core::Vec3::Zero() || w.torque != core::Vec3::Zero();
+        });
     return contact;
 }
 
-void SafetySupervisor::applyPassivity(const SafetyInput& in, const Wrenches& requested, Wrenches& wrenches) noexcept {
+void SafetySupervisor::applyPassivity(const SafetyInput& in, const Wrenches& requested,
+                                      Wrenches& wrenches) noexcept {
     if (!m_mask.has(GuardMask::kPassivity)) {
         return;
     }
@@ -60,7 +63,8 @@ void SafetySupervisor::applyOverVelocityDamping(const SafetyInput& in, Wrenches&
     }
     for (int tool = 0; tool < std::min(m_count, in.states.count); ++tool) {
         const auto i = static_cast<std::size_t>(tool);
-        const core::Vec3 v_D = in.states.tools[i].v_WT / m_limits[i].scale; // along W's axes, at the hand's speed
+        const core::Vec3 v_D =
+            in.states.tools[i].v_WT / m_limits[i].scale; // along W's axes, at the hand's speed
         if (!m_limits[i].renders || m_limits[i].forceCap_N <= 0.0 || !v_D.allFinite()) {
             continue;
         }
@@ -84,8 +88,8 @@ void SafetySupervisor::applyCapsAndSlew(Wrenches& wrenches) noexcept {
         if (m_mask.has(GuardMask::kSlew)) {
             w.force = limitSlew(m_last[i].force, w.force, m_settings.slewForce_N_per_ms, slewed);
             w.torque = limitSlew(m_last[i].torque, w.torque, m_settings.slewTorque_Nm_per_ms, slewed);
-            // Part of the last wrench may be in the answer, and the pose has moved since: the caps of *this* pose
-            // hold. Scaling down is a decrease, so the slew still holds too.
+            // Part of the last wrench may be in the answer, and the pose has moved since: the caps of *this*
+            // pose hold. Scaling down is a decrease, so the slew still holds too.
             if (slewed && m_mask.has(GuardMask::kCaps)) {
                 capped = applyCaps(m_limits[i], m_sanity[i].good(), w) || capped;
             }

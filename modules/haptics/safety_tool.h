@@ -24,16 +24,16 @@ struct SafetyToolLimits {
     bool renders = false;   ///< renders force and is fast enough to be allowed to
     bool inProcess = false; ///< age is 0 by definition
     devices::WorkspaceMap map{devices::WorkspaceMapping()}; ///< W <-> D
-    double scale = 1.0;        ///< W per D
+    double scale = 1.0;                                     ///< W per D
     std::uint32_t period_us = 1000;
     std::uint32_t watchdogStart_us = 0;
     std::uint32_t watchdogZero_us = 0;
     std::uint32_t watchdogFault_us = 0;
     int axes = 0;
     std::array<double, core::kMaxCoordinates> axisCap{}; ///< N or N·m; 0: not actuated, left out
-    double forceCap_N = 0.0;  ///< 0: the device gives no force
-    double torqueCap_Nm = 0.0; ///< 0: the device gives no torque
-    double damping_Ns_per_m = 0.0; ///< b_max of the device
+    double forceCap_N = 0.0;                             ///< 0: the device gives no force
+    double torqueCap_Nm = 0.0;                           ///< 0: the device gives no torque
+    double damping_Ns_per_m = 0.0;                       ///< b_max of the device
 };
 
 } // namespace chiron::haptics

@@ -9,8 +9,8 @@
 
 namespace chiron::haptics {
 
-/// The watchdog's thresholds for a device of period P (models.md §5): ramp from max(5 ms, 3P), zero 10 ms later, fault
-/// at max(30 ms, 10P); never a fault before the ramp has ended.
+/// The watchdog's thresholds for a device of period P (models.md §5): ramp from max(5 ms, 3P), zero 10 ms
+/// later, fault at max(30 ms, 10P); never a fault before the ramp has ended.
 inline void setWatchdog(const SafetySettings& settings, SafetyToolLimits& limits) noexcept {
     const auto atLeast = [&limits](std::uint32_t least_us, std::uint32_t periods) {
         const std::uint64_t age_us =

@@ -3,6 +3,7 @@
 
 #include "haptics/safety_settings.h"
 #include "haptics/safety_supervisor.h"
+#include "unit/haptics/safety_oracle_tick.h"
 
 #include <algorithm>
 #include <array>
@@ -13,25 +14,12 @@
 
 namespace chiron::test {
 
-/// What went into one tick, as the generator knows it.
-struct OracleTick {
-    std::array<core::Command, core::kMaxCommandsPerTick> commands{};
-    std::uint16_t heartbeatAge_ms = 0;
-    bool sceneChanged = false;
-    bool stopButton = false;
-    bool deadMan = false;
-    std::array<core::Wrench, core::kMaxTools> requested{}; ///< as asked, rubbish included
-    std::array<core::ToolState, core::kMaxTools> states{};
-    std::array<std::uint32_t, core::kMaxTools> goodAge_us{}; ///< of the newest good packet; 0: none yet
-    std::array<int, core::kMaxTools> badInARow{};
-    bool deviceFault = false;
-};
-
-/// States one invariant for each row of the supervisor's table and checks the answers against them. It keeps its own
-/// books of how much gain each row can at most allow; it shares no code with the supervisor.
+/// States one invariant for each row of the supervisor's table and checks the answers against them. It keeps
+/// its own books of how much gain each row can at most allow; it shares no code with the supervisor.
 class SafetyOracle {
 public:
-    SafetyOracle(const haptics::SafetySettings& settings, const std::vector<devices::DeviceDescriptor>& devices)
+    SafetyOracle(const haptics::SafetySettings& settings,
+                 const std::vector<devices::DeviceDescriptor>& devices)
         : m_settings(settings), m_devices(devices) {}
 
     /// The name of the first row whose invariant does not hold, or an empty string.
@@ -46,7 +34,6 @@ public:
         for (std::size_t i = 0; i < m_devices.size(); ++i) {
             m_last[i] = out.tools[i].wrench_W;
         }
-        m_lastState = out.force;
         ++m_tick;
         return broken;
     }
@@ -76,7 +63,8 @@ private:
             } else if (command.kind == core::CommandKind::resume && m_pausedSince >= 0) {
                 m_pausedSince = -1;
                 withdrawArming();
-            } else if (command.kind == core::CommandKind::rearm && !in.stopButton && (m_stopped || m_faulted || m_overSpeed)) {
+            } else if (command.kind == core::CommandKind::rearm && !in.stopButton &&
+                       (m_stopped || m_faulted || m_overSpeed)) {
                 m_stopped = false;
                 m_faulted = false;
                 m_overSpeed = false;
@@ -94,12 +82,11 @@ private:
         const bool frozen = m_settings.heartbeatWatched && in.heartbeatAge_ms >= m_settings.heartbeatLimit_ms;
         if (frozen && !m_frozenNow) {
             m_frozenSince = m_tick;
-            m_windowPermitted = -1;
         }
-        m_frozenNow = frozen;
         if (frozen) {
             m_windowPermitted = -1;
         }
+        m_frozenNow = frozen;
     }
 
     void noteLatches(const OracleTick& in) {
@@ -111,7 +98,8 @@ private:
             const std::uint32_t limit = std::max(m_settings.watchdogFault_us,
                                                  m_settings.watchdogFaultPeriods * m_devices[i].period_us);
             fault = fault || !isFinite(in.requested[i]) || in.goodAge_us[i] >= limit;
-            fault = fault || (in.badInARow[i] >= static_cast<int>(m_settings.badPacketsToFault) && !rearmed(in));
+            fault =
+                fault || (in.badInARow[i] >= static_cast<int>(m_settings.badPacketsToFault) && !rearmed(in));
         }
         m_faulted = m_faulted || fault;
     }
@@ -142,7 +130,8 @@ private:
                 return "slew";
             }
             const double speed = in.states[i].v_WT.norm();
-            m_overSpeed = m_overSpeed || (speed > m_settings.overVelocity_m_per_s && w.force != core::Vec3::Zero());
+            m_overSpeed =
+                m_overSpeed || (speed > m_settings.overVelocity_m_per_s && w.force != core::Vec3::Zero());
         }
         for (std::size_t i = 0; i < m_devices.size(); ++i) {
             const core::Vec3& f = out.tools[i].wrench_W.force;
@@ -157,7 +146,8 @@ private:
 
     bool capsHold(std::size_t i, const core::Wrench& w) const {
         const auto& device = m_devices[i];
-        const double force = std::min({device.maximumForce_N, m_settings.siteForce_N, m_settings.exerciseForce_N});
+        const double force =
+            std::min({device.maximumForce_N, m_settings.siteForce_N, m_settings.exerciseForce_N});
         const double torque =
             std::min({device.maximumTorque_Nm, m_settings.siteTorque_Nm, m_settings.exerciseTorque_Nm});
         bool hold = w.force.norm() <= force && w.torque.norm() <= torque;
@@ -169,7 +159,8 @@ private:
         return hold;
     }
 
-    /// How far an answer lies from where giving way alone could lead: the segment from zero to the answer before.
+    /// How far an answer lies from where giving way alone could lead: the segment from zero to the answer
+    /// before.
     static double distance(const core::Vec3& before, const core::Vec3& after) {
         double best = after.norm();
         if (before.norm() > 0.0) {
@@ -214,8 +205,9 @@ private:
     }
 
     double armingGain() const {
-        return m_permitted < 0 ? 0.0
-                               : std::min(1.0, static_cast<double>(m_tick - m_permitted) / m_settings.armingRamp_ms);
+        return m_permitted < 0
+                   ? 0.0
+                   : std::min(1.0, static_cast<double>(m_tick - m_permitted) / m_settings.armingRamp_ms);
     }
     double ramp(std::int64_t since, std::uint32_t length) const {
         return std::max(0.0, 1.0 - static_cast<double>(m_tick - since + 1) / length);
@@ -225,9 +217,9 @@ private:
             return 1.0;
         }
         const double down = ramp(m_frozenSince, m_settings.heartbeatRamp_ms);
-        const double up = m_windowPermitted < 0 ? 0.0
-                                                : static_cast<double>(m_tick - m_windowPermitted) /
-                                                      m_settings.armingRamp_ms;
+        const double up = m_windowPermitted < 0
+                              ? 0.0
+                              : static_cast<double>(m_tick - m_windowPermitted) / m_settings.armingRamp_ms;
         return std::min(1.0, std::max(down, up));
     }
     double watchdogGain(const OracleTick& in) const {
@@ -236,14 +228,15 @@ private:
             if (!renders(i)) {
                 continue;
             }
-            const double start =
-                std::max(m_settings.watchdogStart_us, m_settings.watchdogStartPeriods * m_devices[i].period_us);
+            const double start = std::max(m_settings.watchdogStart_us,
+                                          m_settings.watchdogStartPeriods * m_devices[i].period_us);
             gain = std::min(gain, 1.0 - (in.goodAge_us[i] - start) / m_settings.watchdogRamp_us);
         }
         return std::max(0.0, gain);
     }
 
-    /// ‖f‖ <= gain · (what was asked for + the most damping that may be injected), and exactly zero at gain 0.
+    /// ‖f‖ <= gain · (what was asked for + the most damping that may be injected), and exactly zero at gain
+    /// 0.
     bool within(const OracleTick& in, const haptics::SafetyOutput& out, double gain) const {
         for (std::size_t i = 0; i < m_devices.size(); ++i) {
             const core::Wrench& w = out.tools[i].wrench_W;
@@ -284,7 +277,6 @@ private:
     haptics::SafetySettings m_settings;
     std::vector<devices::DeviceDescriptor> m_devices;
     std::array<core::Wrench, core::kMaxTools> m_last{};
-    core::ForceState m_lastState = core::ForceState::off;
     std::int64_t m_tick = 0;
     std::int64_t m_permitted = -1;
     std::int64_t m_pausedSince = -1;

@@ -33,7 +33,8 @@ public:
 /// A 0.2 m arm turned by counts[0] microradians about D's z: one torque axis whose lever depends on the pose.
 class ArmKinematics : public CartesianKinematics {
 public:
-    devices::AxisValues efforts(const core::DeviceSample& sample, const core::Wrench& w) const noexcept override {
+    devices::AxisValues efforts(const core::DeviceSample& sample,
+                                const core::Wrench& w) const noexcept override {
         const double angle = 1e-6 * sample.counts[0];
         return {0.2 * (w.force.y() * std::cos(angle) - w.force.x() * std::sin(angle)), 0, 0, 0, 0, 0, 0, 0};
     }
@@ -65,7 +66,8 @@ public:
         supervisor.setGuardMaskForTests(mask);
         start(std::vector<devices::DeviceDescriptor>{device}, settings, mapping, kinematics);
     }
-    SafetyRig(const std::vector<devices::DeviceDescriptor>& devices, const haptics::SafetySettings& settings) {
+    SafetyRig(const std::vector<devices::DeviceDescriptor>& devices,
+              const haptics::SafetySettings& settings) {
         start(devices, settings, {}, nullptr);
     }
 

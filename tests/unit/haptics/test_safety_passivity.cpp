@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Passivity: the observer's books, the wall that must not throw the hand back, and the passive spring that is left alone.
+// Passivity: the observer's books, the wall that must not throw the hand back, and the passive spring that is
+// left alone.
 #include "core/random.h"
 #include "core/units.h"
 #include "haptics/passivity_controller.h"
@@ -33,8 +34,8 @@ void pressWall(SafetyRig& rig, double x, double v, double k) {
     rig.scene.contactStiffness_N_per_m = d > 0.0 ? k : 0.0;
 }
 
-/// A free mass flies into the wall under the force held for each tick (integrated exactly) and comes back out.
-/// Returns kinetic energy out minus in (J).
+/// A free mass flies into the wall under the force held for each tick (integrated exactly) and comes back
+/// out. Returns kinetic energy out minus in (J).
 double energyReturned(SafetyRig& rig, double mass, double speed, double k, double start) {
     double x = start;
     double v = -speed;
@@ -48,9 +49,10 @@ double energyReturned(SafetyRig& rig, double mass, double speed, double k, doubl
     return 0.5 * mass * (v * v - speed * speed);
 }
 
-std::unique_ptr<SafetyRig> freshRig(std::uint32_t withoutGuard, const haptics::SafetySettings& settings = {}) {
-    auto rig = std::make_unique<SafetyRig>(sixAxisDevice(20.0), settings, devices::WorkspaceMapping(), nullptr,
-                                           GuardMask::without(withoutGuard));
+std::unique_ptr<SafetyRig> freshRig(std::uint32_t withoutGuard,
+                                    const haptics::SafetySettings& settings = {}) {
+    auto rig = std::make_unique<SafetyRig>(sixAxisDevice(20.0), settings, devices::WorkspaceMapping(),
+                                           nullptr, GuardMask::without(withoutGuard));
     rig->arm();
     return rig;
 }
@@ -114,7 +116,8 @@ void TestSafetyPassivity::aWallHitReturnsNoMoreThanOneMillijoule() {
     double worst = -1.0;
     double worstWithout = -1.0;
     for (int i = 0; i < 200; ++i) {
-        // The first case is the design's own: 2 kN/m at 0.5 m/s; then other hands, speeds, walls and phases of the tick.
+        // The first case is the design's own: 2 kN/m at 0.5 m/s; then other hands, speeds, walls and phases
+        // of the tick.
         const double mass = i == 0 ? 0.3 : random.uniform(0.05, 1.0);
         const double speed = i == 0 ? 0.5 : random.uniform(0.05, 0.8);
         const double k = i == 0 ? 2000.0 : random.uniform(500.0, 2000.0);
@@ -156,7 +159,8 @@ void TestSafetyPassivity::aPassiveSpringIsUntouched() {
     QFETCH(double, depth);
     const auto rig = freshRig(0);
     const std::unique_ptr<SafetyRig> bare(freshRig(GuardMask::kPassivity));
-    // A slow press and release, once a second; what a sampled spring itself leaks at this speed stays below 1 mJ.
+    // A slow press and release, once a second; what a sampled spring itself leaks at this speed stays below 1
+    // mJ.
     for (int tick = 0; tick < 1000; ++tick) {
         const double phase = 2.0 * core::kPi * tick * kT;
         const double x = -depth * 0.5 * (1.0 - std::cos(phase));
@@ -212,8 +216,8 @@ void TestSafetyPassivity::anActiveContactIsDamped() {
     const double with = returned(0);
     const double without = returned(GuardMask::kPassivity);
     QVERIFY(std::abs(without - 0.010) < 2e-4); // 0.01 m · (2 N - 1 N), to within the turning tick
-    // b_max = 50 N·s/m at 0.05 m/s can take all 2 N back; what one tick makes (0.1 mJ) is seen only after it. The sum
-    // of 400 products is exact to far better than a nanojoule.
+    // b_max = 50 N·s/m at 0.05 m/s can take all 2 N back; what one tick makes (0.1 mJ) is seen only after it.
+    // The sum of 400 products is exact to far better than a nanojoule.
     QVERIFY(with <= 0.001 + 0.0001 + 1e-9);
     QVERIFY(with > 0.0);
 }
@@ -225,7 +229,7 @@ void TestSafetyPassivity::dampingCancelsButNeverPulls() {
     rig->states.tools[0].v_WT = Vec3(0.5, 0, 0);
     rig->ticks(5);
     QVERIFY(rig->out.guards & guard_bits::kPassivity);
-    QVERIFY(std::abs(rig->force().x()) < 1e-12); // b_max would pull with 24.5 N
+    QVERIFY(std::abs(rig->force().x()) < 1e-12);   // b_max would pull with 24.5 N
     rig->states.tools[0].v_WT = Vec3(-0.01, 0, 0); // moving in: damping adds to the push
     rig->tick();
     QVERIFY(std::abs(rig->force().x() - 1.0) < 1e-12); // 0.5 + 50 · 0.01
@@ -272,8 +276,8 @@ void TestSafetyPassivity::contactEndClearsTheBooks() {
 }
 
 void TestSafetyPassivity::rubbishEnergyDoesNoHarm() {
-    for (const double rubbish : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
-                                 -1.0, 5e-324}) {
+    for (const double rubbish :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1.0, 5e-324}) {
         const auto rig = freshRig(0);
         rig->ask(Vec3(1, 0, 0));
         rig->scene.storedEnergy_J = rubbish;
