@@ -23,7 +23,8 @@ public:
     /// A packet is new when its number, counts, jaw, buttons, device time or status differ from the one seen
     /// last (not its arrival time, which a replay does not have). A jump may be jump_m for each period that
     /// has passed, by the packet numbers and by executed ticks alike, so that a lost packet does not make the
-    /// next one bad.
+    /// next one bad. A driver that has no packet yet sets sample_status::kInvalid, so that its empty sample is no
+    /// reference.
     Admission admit(const realtime::HapticTick& now, const core::DeviceSample& sample,
                     const core::ToolState& pose_D, std::uint32_t age_us) noexcept;
 
