@@ -8,15 +8,13 @@ namespace chiron::devices {
 namespace {
 constexpr std::array kDrivers{
     DriverEntry{"simulated", "Simulated gimbal with a scripted hand", "nothing", DeviceClass::felt},
-    DriverEntry{"keyboard_mouse", "Mouse and keyboard: force is shown, not felt",
-                "a pointer or a keyboard, and a screen", DeviceClass::shown},
+    DriverEntry{"keyboard_mouse", "Mouse and keyboard: force is shown, not felt", "a pointer or a keyboard, and a screen",
+                DeviceClass::shown},
     DriverEntry{"replay", "Recorded trace", "a trace file", DeviceClass::shown},
 };
 } // namespace
 
-std::span<const DriverEntry> driverCatalogue() noexcept {
-    return kDrivers;
-}
+std::span<const DriverEntry> driverCatalogue() noexcept { return kDrivers; }
 
 const DriverEntry* findDriver(std::string_view id) noexcept {
     for (const DriverEntry& entry : kDrivers)

@@ -9,9 +9,8 @@
 
 namespace chiron::devices {
 
-/// Makes the kinematics a descriptor names, so that a stored session can be computed again without its
-/// device. Ids: "cartesian", "gimbal_hprd". Fails (badInput) for an unknown id or for axes that do not fit;
-/// allocates, not in the tick.
+/// Makes the kinematics a descriptor names, so that a stored session can be computed again without its device.
+/// Ids: "cartesian", "gimbal_hprd". Fails (badInput) for an unknown id or for axes that do not fit; allocates, not in the tick.
 core::Result<std::unique_ptr<IToolKinematics>> makeKinematics(const DeviceDescriptor& descriptor);
 
 } // namespace chiron::devices

@@ -59,8 +59,7 @@ void HapticLoop::applyPendingCommands() noexcept {
             m_endWanted = true;
             break;
         case CommandKind::none:
-        case CommandKind::confirmHold: // the supervisor's, like pause and resume: limit() hands it all of
-                                       // them
+        case CommandKind::confirmHold: // the supervisor's, like pause and resume: limit() hands it all of them
         case CommandKind::stopForce:
         case CommandKind::rearm:
             break;

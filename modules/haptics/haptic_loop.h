@@ -33,17 +33,15 @@ struct HapticLoopParts {
     ITickInputs& inputs;             ///< LiveInputs or RecordedInputs
     SafetySupervisor& supervisor;    ///< configured by create(), for these tools
     SafetySettings safety;
-    SceneExchange& scenes;      ///< the scene offered before create() is the first one
-    core::IFrameSink& recorder; ///< every executed tick's frame
+    SceneExchange& scenes;           ///< the scene offered before create() is the first one
+    core::IFrameSink& recorder;      ///< every executed tick's frame
 };
 
-/// The 1 kHz loop of one session: sample -> scene -> supervisor -> device, recorded and shown. A TickTask:
-/// runners and replays call tick(). The same code runs live and in replay; only ITickInputs differs
-/// (architecture.md, Determinism).
+/// The 1 kHz loop of one session: sample -> scene -> supervisor -> device, recorded and shown. A TickTask: runners and
+/// replays call tick(). The same code runs live and in replay; only ITickInputs differs (architecture.md, Determinism).
 ///
-/// Thread: create() and destruction anywhere while no tick runs; tick() and timing() on the haptic thread;
-/// display() and statisticsTap() are read by one other thread each. Destroying it gives its scene back
-/// through the exchange.
+/// Thread: create() and destruction anywhere while no tick runs; tick() and timing() on the haptic thread; display() and
+/// statisticsTap() are read by one other thread each. Destroying it gives its scene back through the exchange.
 class HapticLoop {
 public:
     /// Fails (badInput) on a wrong number of tools, a missing first scene, or what the supervisor refuses.
@@ -52,8 +50,8 @@ public:
     HapticLoop& operator=(const HapticLoop&) = delete;
     ~HapticLoop();
 
-    /// One tick. False when the session is over: after the end command, or when the scene has finished; the
-    /// devices were then commanded zero force in this very tick.
+    /// One tick. False when the session is over: after the end command, or when the scene has finished; the devices were
+    /// then commanded zero force in this very tick.
     bool tick(const realtime::HapticTick& now) noexcept;
 
     /// From PeriodicRunner, after each tick.

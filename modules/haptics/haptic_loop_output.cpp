@@ -6,9 +6,7 @@ namespace chiron::haptics {
 
 namespace {
 
-std::array<double, 3> arrayOf(const core::Vec3& v) noexcept {
-    return {v.x(), v.y(), v.z()};
-}
+std::array<double, 3> arrayOf(const core::Vec3& v) noexcept { return {v.x(), v.y(), v.z()}; }
 
 std::array<double, 3> arrayOf(const core::DisplayPose& pose) noexcept {
     return {pose.normalForce_N, pose.pitch_rad, pose.roll_rad};

@@ -6,9 +6,9 @@
 
 namespace chiron::haptics {
 
-/// Counts of durations in log-spaced buckets: 16 a factor of two, so a percentile is at most 6.25 % above the
-/// true one; below 32 ns every nanosecond has its bucket, from 2³⁵ ns (34 s) on all share the last. Fixed
-/// size, trivially copyable. Thread: one at a time; copy it to hand it on.
+/// Counts of durations in log-spaced buckets: 16 a factor of two, so a percentile is at most 6.25 % above the true one;
+/// below 32 ns every nanosecond has its bucket, from 2³⁵ ns (34 s) on all share the last. Fixed size, trivially copyable.
+/// Thread: one at a time; copy it to hand it on.
 class LatencyHistogram {
 public:
     static constexpr int kSubBits = 4;
@@ -21,8 +21,8 @@ public:
     std::uint64_t count() const noexcept { return m_count; }
     /// Exact largest value, ns; 0 if empty.
     std::int64_t maximum_ns() const noexcept { return m_maximum_ns; }
-    /// The value that a share `fraction` (0..1) of all values does not exceed: upper edge of its bucket, at
-    /// most the maximum. 0 if empty. In µs.
+    /// The value that a share `fraction` (0..1) of all values does not exceed: upper edge of its bucket, at most the
+    /// maximum. 0 if empty. In µs.
     double percentile_us(double fraction) const noexcept;
 
 private:

@@ -9,9 +9,8 @@
 
 namespace chiron::haptics {
 
-/// Inputs of a running session. Commands wait in a ring (at most two are taken a tick), the heartbeat is one
-/// atomic time. Threads: gather() on the haptic thread; post() on one other thread (GUI or session); beat()
-/// on any.
+/// Inputs of a running session. Commands wait in a ring (at most two are taken a tick), the heartbeat is one atomic time.
+/// Threads: gather() on the haptic thread; post() on one other thread (GUI or session); beat() on any.
 class LiveInputs final : public ITickInputs {
 public:
     static constexpr std::size_t kCommandRing = 64;
@@ -24,8 +23,8 @@ public:
     /// Hands a command to the loop; false when 64 are already waiting.
     bool post(const core::Command& command) noexcept { return m_commands.tryPush(command); }
 
-    /// The screen is alive, at this time of the runner's clock (ns). The first call switches the heartbeat
-    /// on; without it (headless runs) its age is always 0.
+    /// The screen is alive, at this time of the runner's clock (ns). The first call switches the heartbeat on; without it
+    /// (headless runs) its age is always 0.
     void beat(std::int64_t now_ns) noexcept { m_lastBeat_ns.store(now_ns, std::memory_order_relaxed); }
 
     void gather(const realtime::HapticTick& now, std::span<devices::IDevice* const> devices,

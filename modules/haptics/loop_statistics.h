@@ -12,8 +12,7 @@ namespace chiron::haptics {
 /// Trivially copyable: a copy is a snapshot. Thread: written by the haptic thread; others get copies.
 class LoopStatistics {
 public:
-    /// A tick that starts more than 100 µs late counts (speed.md).
-    static constexpr std::int64_t kLate_ns = 100'000;
+    static constexpr std::int64_t kLate_ns = 100'000; ///< a tick that starts more than 100 µs late counts (speed.md)
 
     void add(const realtime::TickTiming& timing) noexcept {
         m_lateness.add(timing.lateness_ns);

@@ -8,10 +8,10 @@
 
 namespace chiron::haptics {
 
-/// How scenes enter and leave a running loop without a lock or a delete in the tick: the owner offers a scene
-/// it built, the loop takes it at the start of a tick and hands the old one back, the owner collects and
-/// deletes it. Threads: offer(), collect() by the owner (GUI or session); take(), retire() by the loop.
-/// Destroyed only after the loop has stopped.
+/// How scenes enter and leave a running loop without a lock or a delete in the tick: the owner offers a scene it built,
+/// the loop takes it at the start of a tick and hands the old one back, the owner collects and deletes it.
+/// Threads: offer(), collect() by the owner (GUI or session); take(), retire() by the loop. Destroyed only after the loop
+/// has stopped.
 class SceneExchange {
 public:
     static constexpr std::size_t kCapacity = 4; ///< scenes on their way, not collected yet
@@ -26,14 +26,12 @@ public:
     /// Deletes what the loop gave back; returns how many.
     int collect();
 
-    /// Loop: the next scene, or nullptr.
-    simulation::IScene* take() noexcept {
+    simulation::IScene* take() noexcept { ///< loop: the next scene, or nullptr
         simulation::IScene* scene = nullptr;
         m_offered.tryPop(scene);
         return scene;
     }
-    /// Loop: gives a scene back; there is always room, see offer().
-    void retire(simulation::IScene* scene) noexcept { m_retired.tryPush(scene); }
+    void retire(simulation::IScene* scene) noexcept { m_retired.tryPush(scene); } ///< loop: always has room, see offer()
 
 private:
     realtime::SpscRing<simulation::IScene*, kCapacity> m_offered;

@@ -8,29 +8,27 @@
 
 namespace chiron::realtime {
 
-/// The newest value from one writer to one reader: a triple buffer. Writer and reader never wait for each
-/// other, never allocate, and the reader never sees half a value or an older one than it saw before; values
-/// in between are lost on purpose. Thread: publish() by one thread, read() and latest() by one other.
+/// The newest value from one writer to one reader: a triple buffer. Writer and reader never wait for each other, never
+/// allocate, and the reader never sees half a value or an older one than it saw before; values in between are lost on
+/// purpose. Thread: publish() by one thread, read() and latest() by one other.
 ///
-/// How: three slots; the writer owns one, the reader one, and `m_middle` names the third with a bit that says
-/// whether it is news. Each side exchanges its slot with the middle one (Simpson 1990 describes the family;
-/// the exchange form needs no sequence numbers).
-template <class T> class LatestValue {
-    static_assert(std::is_trivially_copyable_v<T>,
-                  "only values that can be copied bytewise travel between threads");
+/// How: three slots; the writer owns one, the reader one, and `m_middle` names the third with a bit that says whether it
+/// is news. Each side exchanges its slot with the middle one (Simpson 1990 describes the family; the exchange form needs
+/// no sequence numbers).
+template <class T>
+class LatestValue {
+    static_assert(std::is_trivially_copyable_v<T>, "only values that can be copied bytewise travel between threads");
 
 public:
-    explicit LatestValue(const T& initial = T{}) noexcept
-        : m_slots{Slot{initial}, Slot{initial}, Slot{initial}} {}
+    explicit LatestValue(const T& initial = T{}) noexcept : m_slots{Slot{initial}, Slot{initial}, Slot{initial}} {}
     LatestValue(const LatestValue&) = delete;
     LatestValue& operator=(const LatestValue&) = delete;
 
     /// Writer only; wait-free.
     void publish(const T& value) noexcept {
         m_slots[m_writing].value = value;
-        m_writing =
-            m_middle.exchange(static_cast<std::uint8_t>(m_writing | kNews), std::memory_order_acq_rel) &
-            kIndexMask;
+        m_writing = m_middle.exchange(static_cast<std::uint8_t>(m_writing | kNews), std::memory_order_acq_rel) &
+                    kIndexMask;
     }
 
     /// Reader only; wait-free. Copies the newest value; true if it was not read before.

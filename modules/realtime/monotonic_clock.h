@@ -9,8 +9,8 @@ namespace chiron::realtime {
 class MonotonicClock {
 public:
     std::int64_t now_ns() const noexcept;
-    /// Sleeps (clock_nanosleep, absolute) to 100 µs before the deadline, then spins: the kernel's wake-up is
-    /// late by tens of microseconds, the spin is not. Returns at once if the deadline has passed.
+    /// Sleeps (clock_nanosleep, absolute) to 100 µs before the deadline, then spins: the kernel's wake-up is late by
+    /// tens of microseconds, the spin is not. Returns at once if the deadline has passed.
     void waitUntil(std::int64_t deadline_ns) const noexcept;
 
     static constexpr std::int64_t kSpin_ns = 100'000; ///< speed.md: sleep, then spin the last 100 µs

@@ -13,20 +13,21 @@ struct RunReport {
     std::uint64_t skipped = 0; ///< deadlines passed over
 };
 
-/// The 1 kHz runner: absolute deadlines start + k·1 ms on `Clock` (MonotonicClock, or VirtualClock in tests).
-/// Each deadline is served at most once and never to catch up: deadlines that are over when their tick could
-/// start, and the next one if it lies less than half a period after a late start, are skipped and counted, so
-/// two ticks are never closer than half a period. HapticTick::index stays contiguous; a gap shows in now_ns
-/// alone. Thread: run() is called on the haptic thread, after setUpRealtimeThread(); `stop` may be set from
-/// any other.
-template <class Clock> class PeriodicRunner {
+/// The 1 kHz runner: absolute deadlines start + k·1 ms on `Clock` (MonotonicClock, or VirtualClock in tests). Each
+/// deadline is served at most once and never to catch up: deadlines that are over when their tick could start, and the
+/// next one if it lies less than half a period after a late start, are skipped and counted, so two ticks are never
+/// closer than half a period. HapticTick::index stays contiguous; a gap shows in now_ns alone.
+/// Thread: run() is called on the haptic thread, after setUpRealtimeThread(); `stop` may be set from any other.
+template <class Clock>
+class PeriodicRunner {
 public:
     PeriodicRunner(Clock& clock, TickSource& ticks) noexcept : m_clock(clock), m_ticks(ticks) {}
     PeriodicRunner(const PeriodicRunner&) = delete;
     PeriodicRunner& operator=(const PeriodicRunner&) = delete;
 
     /// Runs until `stop` is set or the task asks for it; the first tick starts at once.
-    template <TickTask Task> RunReport run(Task& task, const std::atomic<bool>& stop) noexcept {
+    template <TickTask Task>
+    RunReport run(Task& task, const std::atomic<bool>& stop) noexcept {
         RunReport report;
         std::int64_t deadline_ns = m_clock.now_ns();
         bool goOn = true;
@@ -57,20 +58,19 @@ private:
     TickSource& m_ticks;
 };
 
-/// Runs ticks back to back with now_ns = index · 1 ms: as fast as the machine can, no clock read, the same
-/// every time.
+/// Runs ticks back to back with now_ns = index · 1 ms: as fast as the machine can, no clock read, the same every time.
 class AsFastRunner {
 public:
     explicit AsFastRunner(TickSource& ticks) noexcept : m_ticks(ticks) {}
     AsFastRunner(const AsFastRunner&) = delete;
     AsFastRunner& operator=(const AsFastRunner&) = delete;
 
-    template <TickTask Task> RunReport run(Task& task, const std::atomic<bool>& stop) noexcept {
+    template <TickTask Task>
+    RunReport run(Task& task, const std::atomic<bool>& stop) noexcept {
         RunReport report;
         bool goOn = true;
         while (goOn && !stop.load(std::memory_order_acquire)) {
-            const HapticTick now =
-                m_ticks.next(static_cast<std::int64_t>(m_ticks.executed()) * kTickPeriod_ns);
+            const HapticTick now = m_ticks.next(static_cast<std::int64_t>(m_ticks.executed()) * kTickPeriod_ns);
             goOn = runTick(task, now);
             ++report.executed;
         }

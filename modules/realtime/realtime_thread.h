@@ -14,15 +14,13 @@ struct RealtimeStatus {
     std::string memoryDetail;
 };
 
-/// Above ordinary real-time work, below the kernel's migration threads (99).
-inline constexpr int kHapticPriority = 80;
-/// Assumption: a tick needs a small part of this.
-inline constexpr std::size_t kTouchedStack_bytes = 256 * 1024;
+inline constexpr int kHapticPriority = 80; ///< above ordinary real-time work, below the kernel's migration threads (99)
+inline constexpr std::size_t kTouchedStack_bytes = 256 * 1024; ///< assumption: a tick needs a small part of this
 
-/// Makes the calling thread fit for the tick: model floating-point environment, touched stack, finest timer
-/// slack, SCHED_FIFO and locked memory where permitted. Never fails: without permission the thread runs as an
-/// ordinary one and the status says why. Memory is locked only where the limit is unlimited: a finite limit
-/// would make later allocations of the whole program fail. Blocks; not in the tick.
+/// Makes the calling thread fit for the tick: model floating-point environment, touched stack, finest timer slack,
+/// SCHED_FIFO and locked memory where permitted. Never fails: without permission the thread runs as an ordinary one and
+/// the status says why. Memory is locked only where the limit is unlimited: a finite
+/// limit would make later allocations of the whole program fail. Blocks; not in the tick.
 RealtimeStatus setUpRealtimeThread(int priority = kHapticPriority);
 
 } // namespace chiron::realtime

@@ -8,14 +8,13 @@
 
 namespace chiron::realtime {
 
-/// A wait-free queue from one producer to one consumer, N a power of two. Indices run freely and are masked;
-/// each side keeps a cached copy of the other's index and reads the shared one only when the cache says full
-/// or empty, so that a push costs one release store. Never allocates after construction. Thread: tryPush() by
-/// one thread, tryPop() by one other.
-template <class T, std::size_t N> class SpscRing {
+/// A wait-free queue from one producer to one consumer, N a power of two. Indices run freely and are masked; each side
+/// keeps a cached copy of the other's index and reads the shared one only when the cache says full or empty, so that a
+/// push costs one release store. Never allocates after construction. Thread: tryPush() by one thread, tryPop() by one other.
+template <class T, std::size_t N>
+class SpscRing {
     static_assert(N >= 2 && (N & (N - 1)) == 0, "the capacity is a power of two");
-    static_assert(std::is_trivially_copyable_v<T>,
-                  "only values that can be copied bytewise travel between threads");
+    static_assert(std::is_trivially_copyable_v<T>, "only values that can be copied bytewise travel between threads");
 
 public:
     SpscRing() = default;

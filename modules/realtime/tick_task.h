@@ -17,24 +17,22 @@ struct TickTiming {
     std::uint32_t skipped = 0;    ///< deadlines that were passed over before this tick
 };
 
-/// What a runner drives: `tick(const HapticTick&) noexcept`, returning nothing, or bool with false = stop
-/// after this tick. Optional: `timing(const TickTiming&) noexcept`, called after each tick (the statistics of
-/// the loop).
+/// What a runner drives: `tick(const HapticTick&) noexcept`, returning nothing, or bool with false = stop after this tick.
+/// Optional: `timing(const TickTiming&) noexcept`, called after each tick (the statistics of the loop).
 template <class T>
 concept TickTask = requires(T& task, const HapticTick& now) {
-    { task.tick(now) }
-    noexcept;
+    { task.tick(now) } noexcept;
     requires std::is_same_v<decltype(task.tick(now)), void> || std::is_same_v<decltype(task.tick(now)), bool>;
 };
 
 template <class T>
 concept ObservesTiming = requires(T& task, const TickTiming& timing) {
-    { task.timing(timing) }
-    noexcept;
+    { task.timing(timing) } noexcept;
 };
 
 /// Runs one tick; true to go on.
-template <TickTask Task> bool runTick(Task& task, const HapticTick& now) noexcept {
+template <TickTask Task>
+bool runTick(Task& task, const HapticTick& now) noexcept {
     if constexpr (std::is_same_v<decltype(task.tick(now)), bool>) {
         return task.tick(now);
     } else {

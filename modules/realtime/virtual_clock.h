@@ -5,8 +5,8 @@
 
 namespace chiron::realtime {
 
-/// A clock that moves only when told: PeriodicRunner on it needs no time and is repeatable. waitUntil() jumps
-/// to the deadline plus `wakeDelay_ns`; a task that "takes" time calls advance(). Single thread.
+/// A clock that moves only when told: PeriodicRunner on it needs no time and is repeatable. waitUntil() jumps to the
+/// deadline plus `wakeDelay_ns`; a task that "takes" time calls advance(). Single thread.
 class VirtualClock {
 public:
     explicit VirtualClock(std::int64_t start_ns = 0) noexcept : m_now_ns(start_ns) {}

@@ -22,33 +22,18 @@ namespace {
 constexpr int kTicks = 10'000;
 
 /// One loop for 10,000 ticks with commands on the way; only the ticks themselves are counted.
-ForbiddenCounts guardedRun(haptics::HapticLoop& loop, haptics::LiveInputs& inputs,
-                           devices::PointerMailbox* pointer) {
+ForbiddenCounts guardedRun(haptics::HapticLoop& loop, haptics::LiveInputs& inputs, devices::PointerMailbox* pointer) {
     realtime::TickSource ticks;
     resetForbiddenCounts();
     for (int n = 0; n < kTicks; ++n) {
         switch (n) {
-        case 0:
-            inputs.post({CommandKind::start});
-            break;
-        case 4'000:
-            inputs.post({CommandKind::pause});
-            break;
-        case 4'700:
-            inputs.post({CommandKind::resume});
-            inputs.post({CommandKind::confirmHold});
-            break;
-        case 6'000:
-            inputs.post({CommandKind::stopForce});
-            break;
-        case 6'100:
-            inputs.post({CommandKind::rearm});
-            break;
-        case 8'000:
-            inputs.post({CommandKind::mark});
-            break;
-        default:
-            break;
+        case 0: inputs.post({CommandKind::start}); break;
+        case 4'000: inputs.post({CommandKind::pause}); break;
+        case 4'700: inputs.post({CommandKind::resume}); inputs.post({CommandKind::confirmHold}); break;
+        case 6'000: inputs.post({CommandKind::stopForce}); break;
+        case 6'100: inputs.post({CommandKind::rearm}); break;
+        case 8'000: inputs.post({CommandKind::mark}); break;
+        default: break;
         }
         if (pointer != nullptr)
             pointer->move(1e-6 * (n % 7 - 3), 1e-6 * (n % 5 - 2), n < 3000 ? -20e-6 : 0.0);
@@ -86,10 +71,8 @@ simulation::SphereApexParameters exercise(const QString& kind) {
 std::vector<devices::TracePoint> trace() {
     std::vector<devices::TracePoint> rows;
     for (int n = 0; n <= 90; ++n)
-        rows.push_back({.t_s = 0.1 * n,
-                        .p_WT_m = circlingPath(static_cast<std::uint64_t>(100 * n)),
-                        .q_WT = core::Quat(Eigen::AngleAxisd(0.01 * n, core::Vec3::UnitZ())),
-                        .buttons = n % 40 == 39 ? 1u : 0u});
+        rows.push_back({.t_s = 0.1 * n, .p_WT_m = circlingPath(static_cast<std::uint64_t>(100 * n)),
+                        .q_WT = core::Quat(Eigen::AngleAxisd(0.01 * n, core::Vec3::UnitZ())), .buttons = n % 40 == 39 ? 1u : 0u});
     return rows;
 }
 
@@ -113,25 +96,12 @@ public:
                  simulation::SceneOutput& out) noexcept override {
         out = {};
         switch (m_kind) {
-        case Forbidden::allocate:
-            m_kept.reset(static_cast<char*>(::operator new(8)));
-            break;
-        case Forbidden::release:
-            ::operator delete(m_kept.release());
-            break;
-        case Forbidden::lock:
-            m_mutex.lock();
-            m_mutex.unlock();
-            break;
-        case Forbidden::notify:
-            pthread_cond_signal(&m_condition);
-            break;
-        case Forbidden::raise:
-            raiseAndCatch();
-            break;
-        case Forbidden::write:
-            (void)!::write(-1, "x", 1);
-            break;
+        case Forbidden::allocate: m_kept.reset(static_cast<char*>(::operator new(8))); break;
+        case Forbidden::release: ::operator delete(m_kept.release()); break;
+        case Forbidden::lock: m_mutex.lock(); m_mutex.unlock(); break;
+        case Forbidden::notify: pthread_cond_signal(&m_condition); break;
+        case Forbidden::raise: raiseAndCatch(); break;
+        case Forbidden::write: (void)!::write(-1, "x", 1); break;
         }
     }
 
@@ -173,8 +143,7 @@ private slots:
         BenchDevice device(highPath);
         haptics::LiveInputs inputs;
         FrameStore store;
-        LoopBench bench({{device, {}}}, inputs, store,
-                        std::make_unique<Offender>(static_cast<Forbidden>(kind)));
+        LoopBench bench({{device, {}}}, inputs, store, std::make_unique<Offender>(static_cast<Forbidden>(kind)));
         const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr);
         QVERIFY2(counts.of(static_cast<Forbidden>(kind)) >= 1, words(counts));
     }

@@ -8,10 +8,10 @@
 
 namespace chiron::devices {
 
-/// The mapping between D and W in use: p_WT = o + s·H·p_DT with H = diag(-1,1,1) for a left-handed workspace,
-/// else 1. Velocities are scaled as positions. What turns (angular velocity, torque, the axis of a rotation)
-/// is an axial vector: under the reflection H it maps with det(H)·H, and an orientation with R_W = H R_D H,
-/// which stays a rotation. Forces go back through Hᵀ unscaled. Pure; any thread.
+/// The mapping between D and W in use: p_WT = o + s·H·p_DT with H = diag(-1,1,1) for a left-handed workspace, else 1.
+/// Velocities are scaled as positions. What turns (angular velocity, torque, the axis of a rotation) is an axial vector:
+/// under the reflection H it maps with det(H)·H, and an orientation with R_W = H R_D H, which stays a rotation.
+/// Forces go back through Hᵀ unscaled. Pure; any thread.
 class WorkspaceMap {
 public:
     explicit WorkspaceMap(const WorkspaceMapping& mapping = {}) noexcept
@@ -25,9 +25,7 @@ public:
     core::Vec3 pointToD(const core::Vec3& p_WT) const noexcept {
         return m_polar.cwiseProduct(p_WT - m_origin) / m_scale;
     }
-    core::Vec3 velocityToW(const core::Vec3& v_DT) const noexcept {
-        return m_scale * m_polar.cwiseProduct(v_DT);
-    }
+    core::Vec3 velocityToW(const core::Vec3& v_DT) const noexcept { return m_scale * m_polar.cwiseProduct(v_DT); }
     core::Vec3 angularToW(const core::Vec3& w_DT) const noexcept { return m_axial.cwiseProduct(w_DT); }
     core::Quat orientationToW(const core::Quat& q) const noexcept {
         return {q.w(), m_axial.x() * q.x(), m_axial.y() * q.y(), m_axial.z() * q.z()};
@@ -35,9 +33,7 @@ public:
     core::Wrench wrenchToD(const core::Wrench& w_W) const noexcept {
         return {m_polar.cwiseProduct(w_W.force), m_axial.cwiseProduct(w_W.torque)};
     }
-    core::Wrench wrenchToW(const core::Wrench& w_D) const noexcept {
-        return wrenchToD(w_D); // H is its own inverse
-    }
+    core::Wrench wrenchToW(const core::Wrench& w_D) const noexcept { return wrenchToD(w_D); } // H is its own inverse
 
     /// Pose of the tool in W from one packet; velocities stay zero.
     core::ToolState pose(const IToolKinematics& kinematics, const core::DeviceSample& sample) const noexcept {

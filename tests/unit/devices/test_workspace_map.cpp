@@ -14,9 +14,7 @@ namespace {
 Vec3 randomVector(core::Random& random) {
     return {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
 }
-bool near(const Vec3& a, const Vec3& b) {
-    return (a - b).norm() < 1e-12;
-}
+bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-12; }
 devices::WorkspaceMapping mapping(bool leftHanded, double scale) {
     return {.origin_m = {0.01, -0.02, 0.03}, .scale = scale, .leftHanded = leftHanded};
 }
@@ -43,9 +41,8 @@ private slots:
         QVERIFY(near(w.torque, {0.1, 0.2, 0.3}));
     }
 
-    /// What turns is axial: mapping a lever and a force and then crossing them is mapping their torque, and a
-    /// point on a turning body moves the same whichever is done first. A polar mapping of torque or spin
-    /// fails here.
+    /// What turns is axial: mapping a lever and a force and then crossing them is mapping their torque, and a point on a
+    /// turning body moves the same whichever is done first. A polar mapping of torque or spin fails here.
     void torqueAndSpinAreAxialUnderReflection_data() {
         QTest::addColumn<bool>("leftHanded");
         QTest::newRow("right-handed") << false;
@@ -61,8 +58,7 @@ private slots:
             const Vec3 spin = randomVector(random);
             const core::Wrench w = map.wrenchToW({force, lever.cross(force)});
             QVERIFY(near(w.torque, map.velocityToW(lever).cross(w.force)));
-            QVERIFY(
-                near(map.velocityToW(spin.cross(lever)), map.angularToW(spin).cross(map.velocityToW(lever))));
+            QVERIFY(near(map.velocityToW(spin.cross(lever)), map.angularToW(spin).cross(map.velocityToW(lever))));
         }
     }
 
@@ -75,8 +71,7 @@ private slots:
                 const Vec3 w = randomVector(random);
                 const core::Wrench tissue{randomVector(random), randomVector(random)};
                 const core::Wrench d = map.wrenchToD(tissue);
-                const double inW =
-                    tissue.force.dot(map.velocityToW(v)) + tissue.torque.dot(map.angularToW(w));
+                const double inW = tissue.force.dot(map.velocityToW(v)) + tissue.torque.dot(map.angularToW(w));
                 QVERIFY(std::abs(inW - d.force.dot(v) - d.torque.dot(w)) < 1e-12);
             }
         }
@@ -87,8 +82,7 @@ private slots:
         const Mat3 h = Vec3(-1.0, 1.0, 1.0).asDiagonal();
         core::Random random(3);
         for (int n = 0; n < 100; ++n) {
-            const Quat q =
-                Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
+            const Quat q = Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
             const Mat3 expected = h * q.toRotationMatrix() * h;
             const Mat3 got = map.orientationToW(q).toRotationMatrix();
             QVERIFY((got - expected).norm() < 1e-12);

@@ -88,8 +88,7 @@ private slots:
         int alive = 0;
         auto scene = std::make_unique<ConstantScene>(Vec3(0.1, 0.05, 0.02), &alive);
         const ConstantScene* const watched = scene.get();
-        const devices::WorkspaceMapping mirrored{
-            .origin_m = {0.1, 0.0, -0.02}, .scale = 2.0, .leftHanded = true};
+        const devices::WorkspaceMapping mirrored{.origin_m = {0.1, 0.0, -0.02}, .scale = 2.0, .leftHanded = true};
         LoopBench bench({{right, {}}, {left, mirrored}}, inputs, store, std::move(scene));
         realtime::TickSource ticks;
         run(*bench.loop, ticks, 2500); // arming needs 4 ticks and its ramp 2 s
@@ -129,8 +128,7 @@ private slots:
         haptics::LiveInputs inputs;
         FrameStore store;
         int alive = 0;
-        LoopBench bench({{device, {}}}, inputs, store,
-                        std::make_unique<ConstantScene>(Vec3(0.1, 0, 0), &alive));
+        LoopBench bench({{device, {}}}, inputs, store, std::make_unique<ConstantScene>(Vec3(0.1, 0, 0), &alive));
         realtime::TickSource ticks;
         run(*bench.loop, ticks, 2);
         std::unique_ptr<simulation::IScene> next = std::make_unique<ConstantScene>(Vec3(0.2, 0, 0), &alive);
@@ -156,8 +154,7 @@ private slots:
         FrameStore store;
         int alive = 0;
         {
-            LoopBench bench({{device, {}}}, inputs, store,
-                            std::make_unique<ConstantScene>(Vec3::Zero(), &alive));
+            LoopBench bench({{device, {}}}, inputs, store, std::make_unique<ConstantScene>(Vec3::Zero(), &alive));
             realtime::TickSource ticks;
             std::unique_ptr<simulation::IScene> next;
             for (int n = 0; n < 3; ++n) {
@@ -198,9 +195,7 @@ private slots:
         LoopBench bench({{device, {}}}, inputs, store, apexScene());
         realtime::TickSource ticks;
         const std::vector<std::pair<std::int64_t, std::uint32_t>> cases{
-            {0, 0},          {999, 0},
-            {1'000, 1},      {1'234'567, 1'234},
-            {-5'000'000, 0}, {INT64_C(9'000'000'000'000), UINT32_MAX}};
+            {0, 0}, {999, 0}, {1'000, 1}, {1'234'567, 1'234}, {-5'000'000, 0}, {INT64_C(9'000'000'000'000), UINT32_MAX}};
         for (const auto& [before_ns, expected_us] : cases) {
             device.arrivedBefore_ns = before_ns;
             run(*bench.loop, ticks, 1);

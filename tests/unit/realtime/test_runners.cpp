@@ -17,7 +17,7 @@ constexpr std::int64_t kMs = 1'000'000;
 /// Records what it was given, and takes as long on the virtual clock as its script says.
 struct ScriptedTask {
     VirtualClock* clock = nullptr;
-    std::vector<std::int64_t> durations_ns{};  ///< by tick; 0 beyond the end
+    std::vector<std::int64_t> durations_ns{}; ///< by tick; 0 beyond the end
     std::vector<std::int64_t> wakeDelays_ns{}; ///< of the wake-up after the tick
     std::size_t stopAfter = 0;
     std::vector<std::uint64_t> indices{};

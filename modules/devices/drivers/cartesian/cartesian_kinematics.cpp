@@ -17,8 +17,7 @@ core::Mat3 leftJacobian(const core::Vec3& r) noexcept {
     constexpr double kSmall = 1e-4;
     const bool small = angle < kSmall;
     const double a = small ? 0.5 - angle * angle / 24.0 : (1.0 - std::cos(angle)) / (angle * angle);
-    const double b =
-        small ? 1.0 / 6.0 - angle * angle / 120.0 : (angle - std::sin(angle)) / (angle * angle * angle);
+    const double b = small ? 1.0 / 6.0 - angle * angle / 120.0 : (angle - std::sin(angle)) / (angle * angle * angle);
     core::Mat3 cross;
     cross << 0.0, -r.z(), r.y(), r.z(), 0.0, -r.x(), -r.y(), r.x(), 0.0;
     return core::Mat3::Identity() + a * cross + b * cross * cross;
@@ -27,8 +26,7 @@ core::Mat3 leftJacobian(const core::Vec3& r) noexcept {
 } // namespace
 
 core::Vec3 CartesianKinematics::rotationVector(const core::DeviceSample& sample) const noexcept {
-    return {sample.counts[3] * m_resolution[3], sample.counts[4] * m_resolution[4],
-            sample.counts[5] * m_resolution[5]};
+    return {sample.counts[3] * m_resolution[3], sample.counts[4] * m_resolution[4], sample.counts[5] * m_resolution[5]};
 }
 
 core::ToolState CartesianKinematics::pose(const core::DeviceSample& sample) const noexcept {
@@ -45,8 +43,8 @@ core::ToolState CartesianKinematics::pose(const core::DeviceSample& sample) cons
     return tool;
 }
 
-void CartesianKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates,
-                                   core::Vec3& v_DT, core::Vec3& w_DT) const noexcept {
+void CartesianKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates, core::Vec3& v_DT,
+                                   core::Vec3& w_DT) const noexcept {
     AxisValues rates{};
     for (std::size_t i = 0; i < rates.size(); ++i)
         rates[i] = countRates[i] * m_resolution[i];
@@ -54,8 +52,7 @@ void CartesianKinematics::velocity(const core::DeviceSample& sample, const AxisV
     w_DT = m_turns ? core::Vec3(leftJacobian(rotationVector(sample)) * triple(rates, 3)) : core::Vec3::Zero();
 }
 
-AxisValues CartesianKinematics::efforts(const core::DeviceSample& sample,
-                                        const core::Wrench& wrench_D) const noexcept {
+AxisValues CartesianKinematics::efforts(const core::DeviceSample& sample, const core::Wrench& wrench_D) const noexcept {
     AxisValues efforts{wrench_D.force.x(), wrench_D.force.y(), wrench_D.force.z()};
     if (m_turns) {
         const core::Vec3 generalised = leftJacobian(rotationVector(sample)).transpose() * wrench_D.torque;

@@ -13,29 +13,24 @@ struct KeyboardMouseSettings {
     std::array<double, 3> minimum_m{-0.080, -0.080, -0.030}; ///< workspace in D
     std::array<double, 3> maximum_m{0.080, 0.080, 0.080};
     std::array<double, 3> home_m{0.0, 0.0, 0.060};
-    /// 0 < r ≤ 1: control/display ratio at and above slowestAt_N; 1 switches slowing off.
-    double slowestRatio = 0.3;
-    /// > 0: shown force at which motion is slowest (the site's default force limit).
-    double slowestAt_N = 4.0;
+    double slowestRatio = 0.3;      ///< 0 < r ≤ 1: control/display ratio at and above slowestAt_N; 1 switches it off
+    double slowestAt_N = 4.0;       ///< > 0: shown force at which motion is slowest (the site's default force limit)
 };
 
-/// A mouse and a keyboard as an input-only tool: the window puts movements into the mailbox, the tick turns
-/// them into counts on a 1 µm grid before anything else sees them. Renders no force (class "shown").
-/// Pseudo-haptics: motion slows down in proportion to the force shown,
+/// A mouse and a keyboard as an input-only tool: the window puts movements into the mailbox, the tick turns them into
+/// counts on a 1 µm grid before anything else sees them. Renders no force (class "shown"). Pseudo-haptics: motion slows
+/// down in proportion to the force shown,
 ///   Δp = r(F) · Δp_hand, r(F) = 1 - (1 - r_min) · min(1, F/F_max),
-/// the idea of a changed control/display ratio being Lécuyer et al. 2000 ("Pseudo-haptic feedback: can
-/// isometric input devices simulate force feedback?", IEEE VR); the linear law and its two constants are
-/// assumptions. That the drawn tool stays at the surface is the screen's part, from SceneOutput::p_WProxy.
-/// Stepped in the tick (age 0, device time = index · 1 ms). Threads: mailbox() by the GUI, the rest as
-/// IDevice says.
+/// the idea of a changed control/display ratio being Lécuyer et al. 2000 ("Pseudo-haptic feedback: can isometric input
+/// devices simulate force feedback?", IEEE VR); the linear law and its two constants are assumptions. That the drawn tool
+/// stays at the surface is the screen's part, from SceneOutput::p_WProxy.
+/// Stepped in the tick (age 0, device time = index · 1 ms). Threads: mailbox() by the GUI, the rest as IDevice says.
 class KeyboardMouseDevice final : public IDevice {
 public:
     static constexpr double kGrid_m = 1e-6;
 
-    /// Fails (badInput) where minimum < home < maximum does not hold on each axis, or a ratio or force is out
-    /// of range.
-    static core::Result<std::unique_ptr<KeyboardMouseDevice>>
-    create(const KeyboardMouseSettings& settings = {});
+    /// Fails (badInput) where minimum < home < maximum does not hold on each axis, or a ratio or force is out of range.
+    static core::Result<std::unique_ptr<KeyboardMouseDevice>> create(const KeyboardMouseSettings& settings = {});
 
     PointerMailbox& mailbox() noexcept { return m_mailbox; }
 
@@ -56,7 +51,7 @@ private:
     DeviceDescriptor m_descriptor;
     CartesianKinematics m_kinematics;
     PointerMailbox m_mailbox;
-    PointerTotals m_seen;               ///< what was taken in already
+    PointerTotals m_seen;              ///< what was taken in already
     std::array<double, 3> m_position_m; ///< before rounding, so that slow movement is not lost
     double m_ratio = 1.0;
     std::uint32_t m_packet = 0;

@@ -9,8 +9,7 @@ namespace {
 core::Result<void> check(const KeyboardMouseSettings& s) {
     for (std::size_t i = 0; i < 3; ++i) {
         const bool ordered = s.minimum_m[i] < s.home_m[i] && s.home_m[i] < s.maximum_m[i];
-        const bool small =
-            s.minimum_m[i] >= -1.0 && s.maximum_m[i] <= 1.0; // 1 m: counts stay far inside 32 bits
+        const bool small = s.minimum_m[i] >= -1.0 && s.maximum_m[i] <= 1.0; // 1 m: counts stay far inside 32 bits
         if (!ordered || !small)
             return core::fail(core::ErrorCode::badInput,
                               std::string("keyboard_mouse: workspace of axis ") + "xyz"[i] +
@@ -18,12 +17,10 @@ core::Result<void> check(const KeyboardMouseSettings& s) {
     }
     if (!(s.slowestRatio > 0.0 && s.slowestRatio <= 1.0))
         return core::fail(core::ErrorCode::badInput, "keyboard_mouse: slowestRatio is " +
-                                                         std::to_string(s.slowestRatio) +
-                                                         ", expected 0 < r <= 1");
+                                                         std::to_string(s.slowestRatio) + ", expected 0 < r <= 1");
     if (!(s.slowestAt_N > 0.0 && s.slowestAt_N <= 100.0))
         return core::fail(core::ErrorCode::badInput, "keyboard_mouse: slowestAt_N is " +
-                                                         std::to_string(s.slowestAt_N) +
-                                                         ", expected 0 < F <= 100 N");
+                                                         std::to_string(s.slowestAt_N) + ", expected 0 < F <= 100 N");
     return {};
 }
 
@@ -45,16 +42,14 @@ DeviceDescriptor describe(const KeyboardMouseSettings& s) {
 
 } // namespace
 
-core::Result<std::unique_ptr<KeyboardMouseDevice>>
-KeyboardMouseDevice::create(const KeyboardMouseSettings& settings) {
+core::Result<std::unique_ptr<KeyboardMouseDevice>> KeyboardMouseDevice::create(const KeyboardMouseSettings& settings) {
     if (auto checked = check(settings); !checked)
         return tl::unexpected(checked.error());
     DeviceDescriptor descriptor = describe(settings);
     auto kinematics = CartesianKinematics::create(descriptor);
     if (!kinematics)
         return tl::unexpected(kinematics.error());
-    return std::unique_ptr<KeyboardMouseDevice>(
-        new KeyboardMouseDevice(settings, std::move(descriptor), *kinematics));
+    return std::unique_ptr<KeyboardMouseDevice>(new KeyboardMouseDevice(settings, std::move(descriptor), *kinematics));
 }
 
 KeyboardMouseDevice::KeyboardMouseDevice(const KeyboardMouseSettings& settings, DeviceDescriptor descriptor,

@@ -8,9 +8,7 @@
 namespace chiron::devices {
 
 namespace {
-bool allFinite(double x, double y, double z) noexcept {
-    return std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
-}
+bool allFinite(double x, double y, double z) noexcept { return std::isfinite(x) && std::isfinite(y) && std::isfinite(z); }
 } // namespace
 
 void PointerMailbox::move(double dx_m, double dy_m, double dz_m) noexcept {

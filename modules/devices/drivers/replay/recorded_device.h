@@ -7,8 +7,8 @@
 
 namespace chiron::devices {
 
-/// A device of the past: descriptor and kinematics as a session stored them, and whatever packet it is given.
-/// Replays put it where the real device was; it takes commands and does nothing with them. Thread: one.
+/// A device of the past: descriptor and kinematics as a session stored them, and whatever packet it is given. Replays
+/// put it where the real device was; it takes commands and does nothing with them. Thread: one.
 class RecordedDevice final : public IDevice {
 public:
     /// Fails (badInput) when the descriptor's kinematics is unknown or does not fit its axes.
@@ -16,8 +16,7 @@ public:
 
     ~RecordedDevice() override;
 
-    /// What read() gives from now on.
-    void setSample(const core::DeviceSample& sample) noexcept { m_sample = sample; }
+    void setSample(const core::DeviceSample& sample) noexcept { m_sample = sample; } ///< what read() gives from now on
 
     const DeviceDescriptor& descriptor() const noexcept override { return m_descriptor; }
     const IToolKinematics& kinematics() const noexcept override { return *m_kinematics; }

@@ -20,22 +20,20 @@ struct TracePoint {
     std::uint32_t buttons = 0;
 };
 
-/// Plays a trace: resampled to one sample a tick from its first row on, positions and jaw linearly,
-/// orientation by slerp, buttons held from row to row (one that is pressed and released between two ticks
-/// shows for one tick), quantised to 1 µm and 1 µrad before anything else sees it. After the last row the
-/// last pose stays and finished() is true. Input-only (class "shown"): nobody feels what it is commanded.
-/// Orientation travels as a rotation vector that is continued without a jump (kinematics "cartesian", six
-/// axes). Stepped in the tick (age 0, device time = index · 1 ms). Thread: read() on the haptic thread;
-/// finished() from any; the rest not in the tick.
+/// Plays a trace: resampled to one sample a tick from its first row on, positions and jaw linearly, orientation by slerp,
+/// buttons held from row to row (one that is pressed and released between two ticks shows for one tick), quantised to
+/// 1 µm and 1 µrad before anything else sees it. After the last row the last pose stays and finished() is true.
+/// Input-only (class "shown"): nobody feels what it is commanded. Orientation travels as a rotation vector that is
+/// continued without a jump (kinematics "cartesian", six axes). Stepped in the tick (age 0, device time = index · 1 ms).
+/// Thread: read() on the haptic thread; finished() from any; the rest not in the tick.
 class ReplayDevice final : public IDevice {
 public:
     static constexpr double kGrid_m = 1e-6;
     static constexpr double kGrid_rad = 1e-6;
     static constexpr double kMaximumLength_s = 4.0 * 3600.0; ///< so that a bad time cannot ask for all memory
 
-    /// Fails (badInput), naming the row (1-based), for: no rows; a value that is not finite; time that does
-    /// not increase; a position beyond 10 m or a jaw beyond 2π; an orientation that is not a unit quaternion
-    /// within 1 %, or is missing in some rows.
+    /// Fails (badInput), naming the row (1-based), for: no rows; a value that is not finite; time that does not increase;
+    /// a position beyond 10 m or a jaw beyond 2π; an orientation that is not a unit quaternion within 1 %, or is missing in some rows.
     static core::Result<std::unique_ptr<ReplayDevice>> create(const std::vector<TracePoint>& trace);
 
     bool finished() const noexcept { return m_finished.load(std::memory_order_acquire); }
@@ -55,8 +53,7 @@ private:
         std::int32_t jawCounts = 0;
         std::uint32_t buttons = 0;
     };
-    ReplayDevice(DeviceDescriptor descriptor, const CartesianKinematics& kinematics,
-                 std::vector<Step> samples);
+    ReplayDevice(DeviceDescriptor descriptor, const CartesianKinematics& kinematics, std::vector<Step> samples);
     static std::vector<Step> resample(const std::vector<TracePoint>& trace);
 
     DeviceDescriptor m_descriptor;
