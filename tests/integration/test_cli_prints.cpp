@@ -112,6 +112,8 @@ void TestCliPrints::jsonIsOneDocument_data() {
     QTest::newRow("evaluate no rows") << QStringList{"evaluate", "friction"} << QByteArray("normal_force_N,velocity_m_per_s\n");
     QTest::newRow("metrics") << QStringList{"metrics", trace} << QByteArray();
     QTest::newRow("device list") << QStringList{"device", "list"} << QByteArray();
+    QTest::newRow("exercise list") << QStringList{"exercise", "list"} << QByteArray();
+    QTest::newRow("exercise show") << QStringList{"exercise", "show", "sphere_apex", "--language", "el"} << QByteArray();
 }
 
 void TestCliPrints::jsonIsOneDocument() {

@@ -16,6 +16,8 @@ namespace chiron::cli {
 namespace {
 
 core::Result<database::RoleSet> roles(const Arguments& arguments) {
+    if (const auto words = arguments.list(QStringLiteral("role")); !words)
+        return tl::unexpected(words.error());
     const QString given = arguments.value(QStringLiteral("role"));
     const auto set = database::rolesFromList(given.toStdString());
     if (!set)
