@@ -60,8 +60,7 @@ const VelocityEstimator::Rates& VelocityEstimator::update(const core::DeviceSamp
         // Serial-number arithmetic: the packet counter may wrap round.
         if (static_cast<std::int32_t>(sample.packet - m_packet) <= 0)
             return m_rates;
-        const std::uint64_t last_us = entry(0).time_us;
-        if (sample.deviceTime_us <= last_us || sample.deviceTime_us - last_us > kWindow_us)
+        if (sample.deviceTime_us <= entry(0).time_us)
             reset();
     }
     push(sample);
@@ -75,6 +74,7 @@ void VelocityEstimator::push(const core::DeviceSample& sample) noexcept {
     m_history[static_cast<std::size_t>(m_newest)] = {sample.deviceTime_us, sample.counts};
     m_packet = sample.packet;
     m_size = std::min(m_size + 1, kCapacity);
+    // After a gap of more than the window this leaves the newest sample alone.
     while (sample.deviceTime_us - entry(m_size - 1).time_us > kWindow_us)
         --m_size;
 }

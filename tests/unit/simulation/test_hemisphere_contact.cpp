@@ -36,6 +36,7 @@ private slots:
     void closedFormsOnPlaneAndApex();
     void zeroDepthZeroForce();
     void dampingVanishesAtRestAndAtFirstContact();
+    void frictionDragsAtMuN();
     void dimpleLowersTheSurface();
     void neverPulls();
     void forceIsContinuous_data();
@@ -102,6 +103,23 @@ void TestHemisphereContact::dampingVanishesAtRestAndAtFirstContact() {
         damped.respond({0.05, 0.03, -1e-9}, {0, 0, -1.0}); // 1 nm deep at 1 m/s: 50 N unweighted
     QVERIFY(touch.inContact);
     QVERIFY(touch.force.norm() < 50.0 * 1e-9 / 0.0005 + 2000.0 * 1e-9);
+}
+
+// Dragged over the plane 2 mm deep (1 N): first the bristle's spring, then μ N against the motion; lifting
+// the tool forgets it.
+void TestHemisphereContact::frictionDragsAtMuN() {
+    auto law = plainParameters();
+    law.friction = 0.3;
+    const HemisphereContact contact(law);
+    BristleFriction bristle;
+    Vec3 force;
+    for (int n = 0; n <= 20; ++n) {
+        force = contact.respond({0.05 + n * 1e-4, 0.03, -0.002}, Vec3::Zero(), bristle).force;
+        QVERIFY((force - Vec3(-std::min(0.3, n * 0.1), 0.0, 1.0)).norm() < 1e-9);
+    }
+    contact.respond({0.05, 0.03, 0.002}, Vec3::Zero(), bristle); // lifted: forgotten
+    force = contact.respond({0.05, 0.03, -0.002}, Vec3::Zero(), bristle).force;
+    QVERIFY((force - Vec3(0.0, 0.0, 1.0)).norm() < 1e-12);
 }
 
 void TestHemisphereContact::dimpleLowersTheSurface() {
