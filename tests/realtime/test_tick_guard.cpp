@@ -5,6 +5,7 @@
 #include "devices/drivers/simulated/simulated_device.h"
 #include "haptics/recorded_inputs.h"
 #include "mechanisms/scripted_motion.h"
+#include "operators/sphere_apex/sphere_apex_operator.h"
 #include "realtime/tick_guard.h"
 #include "support/haptic_bench.h"
 
@@ -22,18 +23,33 @@ namespace {
 constexpr int kTicks = 10'000;
 
 /// One loop for 10,000 ticks with commands on the way; only the ticks themselves are counted.
-ForbiddenCounts guardedRun(haptics::HapticLoop& loop, haptics::LiveInputs& inputs, devices::PointerMailbox* pointer) {
+ForbiddenCounts guardedRun(haptics::HapticLoop& loop, haptics::LiveInputs& inputs,
+                           devices::PointerMailbox* pointer) {
     realtime::TickSource ticks;
     resetForbiddenCounts();
     for (int n = 0; n < kTicks; ++n) {
         switch (n) {
-        case 0: inputs.post({CommandKind::start}); break;
-        case 4'000: inputs.post({CommandKind::pause}); break;
-        case 4'700: inputs.post({CommandKind::resume}); inputs.post({CommandKind::confirmHold}); break;
-        case 6'000: inputs.post({CommandKind::stopForce}); break;
-        case 6'100: inputs.post({CommandKind::rearm}); break;
-        case 8'000: inputs.post({CommandKind::mark}); break;
-        default: break;
+        case 0:
+            inputs.post({CommandKind::start});
+            break;
+        case 4'000:
+            inputs.post({CommandKind::pause});
+            break;
+        case 4'700:
+            inputs.post({CommandKind::resume});
+            inputs.post({CommandKind::confirmHold});
+            break;
+        case 6'000:
+            inputs.post({CommandKind::stopForce});
+            break;
+        case 6'100:
+            inputs.post({CommandKind::rearm});
+            break;
+        case 8'000:
+            inputs.post({CommandKind::mark});
+            break;
+        default:
+            break;
         }
         if (pointer != nullptr)
             pointer->move(1e-6 * (n % 7 - 3), 1e-6 * (n % 5 - 2), n < 3000 ? -20e-6 : 0.0);
@@ -71,8 +87,10 @@ simulation::SphereApexParameters exercise(const QString& kind) {
 std::vector<devices::TracePoint> trace() {
     std::vector<devices::TracePoint> rows;
     for (int n = 0; n <= 90; ++n)
-        rows.push_back({.t_s = 0.1 * n, .p_WT_m = circlingPath(static_cast<std::uint64_t>(100 * n)),
-                        .q_WT = core::Quat(Eigen::AngleAxisd(0.01 * n, core::Vec3::UnitZ())), .buttons = n % 40 == 39 ? 1u : 0u});
+        rows.push_back({.t_s = 0.1 * n,
+                        .p_WT_m = circlingPath(static_cast<std::uint64_t>(100 * n)),
+                        .q_WT = core::Quat(Eigen::AngleAxisd(0.01 * n, core::Vec3::UnitZ())),
+                        .buttons = n % 40 == 39 ? 1u : 0u});
     return rows;
 }
 
@@ -96,12 +114,25 @@ public:
                  simulation::SceneOutput& out) noexcept override {
         out = {};
         switch (m_kind) {
-        case Forbidden::allocate: m_kept.reset(static_cast<char*>(::operator new(8))); break;
-        case Forbidden::release: ::operator delete(m_kept.release()); break;
-        case Forbidden::lock: m_mutex.lock(); m_mutex.unlock(); break;
-        case Forbidden::notify: pthread_cond_signal(&m_condition); break;
-        case Forbidden::raise: raiseAndCatch(); break;
-        case Forbidden::write: (void)!::write(-1, "x", 1); break;
+        case Forbidden::allocate:
+            m_kept.reset(static_cast<char*>(::operator new(8)));
+            break;
+        case Forbidden::release:
+            ::operator delete(m_kept.release());
+            break;
+        case Forbidden::lock:
+            m_mutex.lock();
+            m_mutex.unlock();
+            break;
+        case Forbidden::notify:
+            pthread_cond_signal(&m_condition);
+            break;
+        case Forbidden::raise:
+            raiseAndCatch();
+            break;
+        case Forbidden::write:
+            (void)!::write(-1, "x", 1);
+            break;
         }
     }
 
@@ -143,7 +174,8 @@ private slots:
         BenchDevice device(highPath);
         haptics::LiveInputs inputs;
         FrameStore store;
-        LoopBench bench({{device, {}}}, inputs, store, std::make_unique<Offender>(static_cast<Forbidden>(kind)));
+        LoopBench bench({{device, {}}}, inputs, store,
+                        std::make_unique<Offender>(static_cast<Forbidden>(kind)));
         const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr);
         QVERIFY2(counts.of(static_cast<Forbidden>(kind)) >= 1, words(counts));
     }
@@ -202,6 +234,34 @@ private slots:
         for (const core::HapticFrame& frame : store.frames)
             strongest_N = std::max(strongest_N, frame.tool[0].commanded[2]);
         QVERIFY(strongest_N > 0.1);
+    }
+
+    void scriptedTrainees_data() {
+        QTest::addColumn<QString>("name");
+        for (const std::string_view name : operators::sphereApexOperatorNames())
+            QTest::newRow(std::string(name).c_str())
+                << QString::fromUtf8(name.data(), static_cast<int>(name.size()));
+    }
+    void scriptedTrainees() {
+        QFETCH(QString, name);
+        auto trainee = std::move(*operators::makeSphereApexOperator(name.toStdString(), 5));
+        const auto device = std::move(*devices::SimulatedDevice::create({}, std::move(trainee)));
+        QVERIFY(device->open().has_value());
+        haptics::LiveInputs inputs;
+        FrameStore store(60'000);
+        LoopBench bench({{*device, {}}}, inputs, store, apexScene(benchExercise(2, 25.0)));
+        realtime::TickSource ticks;
+        inputs.post({CommandKind::start});
+        resetForbiddenCounts();
+        bool on = true;
+        for (std::int64_t n = 0; on && n < 60'000; ++n) {
+            const realtime::HapticTick now = ticks.next(n * 1'000'000);
+            const TickGuard guard;
+            on = bench.loop->tick(now);
+        }
+        QVERIFY2(forbiddenCounts().total() == 0, words(forbiddenCounts()));
+        QVERIFY(!on); // both trials are over: every stage of a search was seen
+        QVERIFY(store.frames.size() > kTicks);
     }
 
     void recordedFrames() {

@@ -11,6 +11,7 @@ namespace chiron::operators {
 class MidpointsTechnique final : public ApexTechnique {
 public:
     explicit MidpointsTechnique(const SphereApexOperatorSettings& settings) noexcept;
+    ~MidpointsTechnique() override; ///< beside the trainees' making: a deleting destructor frees
     void begin(const Percept& felt) noexcept override;
     SurfaceWish look(const Percept& felt) noexcept override;
     core::Vec2 estimate() const noexcept override { return m_middle; }

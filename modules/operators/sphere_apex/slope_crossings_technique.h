@@ -14,6 +14,7 @@ namespace chiron::operators {
 class SlopeCrossingsTechnique final : public ApexTechnique {
 public:
     explicit SlopeCrossingsTechnique(const SphereApexOperatorSettings& settings) noexcept;
+    ~SlopeCrossingsTechnique() override; ///< beside the trainees' making: a deleting destructor frees
     void begin(const Percept& felt) noexcept override;
     SurfaceWish look(const Percept& felt) noexcept override;
     core::Vec2 estimate() const noexcept override { return m_apex; }

@@ -155,5 +155,8 @@ ScriptedTrainee::ScriptedTrainee(const SphereApexOperatorSettings& settings, std
       m_path(settings.scanRadius_m, settings.scanSpacing_m) {}
 
 ScriptedTrainee::~ScriptedTrainee() = default;
+WanderTechnique::~WanderTechnique() = default;
+MidpointsTechnique::~MidpointsTechnique() = default;
+SlopeCrossingsTechnique::~SlopeCrossingsTechnique() = default;
 
 } // namespace chiron::operators

@@ -11,6 +11,7 @@ namespace chiron::operators {
 class WanderTechnique final : public ApexTechnique {
 public:
     WanderTechnique(const SphereApexOperatorSettings& settings, std::uint64_t seed) noexcept;
+    ~WanderTechnique() override; ///< beside the trainees' making: a deleting destructor frees
     void begin(const Percept& felt) noexcept override;
     void resume(const Percept& felt) noexcept override;
     SurfaceWish look(const Percept& felt) noexcept override;
