@@ -6,6 +6,7 @@
 #include "database/audit/audit_trail.h"
 #include "database/integrity/digested_row.h"
 #include "database/schema/migration_runner.h"
+#include "database/writer_lock.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -15,24 +16,6 @@
 
 namespace chiron::database {
 namespace {
-
-core::Result<std::unique_ptr<QLockFile>> takeLock(const std::string& file) {
-    const QString name = QString::fromStdString(file + ".lock");
-    auto lock = std::make_unique<QLockFile>(name);
-    lock->setStaleLockTime(0); // age never makes a lock stale; only the death of its holder does
-    if (lock->tryLock(300)) {
-        return lock;
-    }
-    if (lock->error() != QLockFile::LockFailedError) {
-        return core::fail(core::ErrorCode::storage, file + ".lock: cannot be created (folder missing or not writable)");
-    }
-    qint64 pid = 0;
-    QString host;
-    QString program;
-    lock->getLockInfo(&pid, &host, &program);
-    return core::fail(core::ErrorCode::locked, file + ": " + program.toStdString() + " (process " +
-                                                   std::to_string(pid) + ") has it open for writing");
-}
 
 core::Result<void> fillNew(Connection& connection, const DatabaseOptions& options) {
     auto done = connection.begin();
@@ -86,7 +69,7 @@ Database::~Database() {
 
 core::Result<std::unique_ptr<Database>> Database::create(const std::string& file, const DatabaseOptions& options) {
     std::unique_ptr<Database> database(new Database(file, options));
-    auto lock = takeLock(file);
+    auto lock = takeWriterLock(file);
     if (!lock) {
         return tl::unexpected(lock.error());
     }
@@ -133,7 +116,7 @@ core::Result<std::unique_ptr<Database>> Database::openForWriting(const std::stri
     if (!present) {
         return tl::unexpected(present.error());
     }
-    auto lock = takeLock(file);
+    auto lock = takeWriterLock(file);
     if (!lock) {
         return tl::unexpected(lock.error());
     }

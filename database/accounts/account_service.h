@@ -31,7 +31,7 @@ class AccountService {
 public:
     explicit AccountService(Database& database) : m_database(database) {}
 
-    /// Only while the database has no administrator. Failure: notAllowed otherwise; badInput with the rules.
+    /// Only while the database has no people. Failure: wrongUse otherwise; badInput with the rules.
     core::Result<FirstAdministrator> createFirstAdministrator(const std::string& name, const std::string& password,
                                                               const std::string& displayName = {});
 

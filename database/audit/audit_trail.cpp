@@ -43,14 +43,6 @@ core::Result<std::optional<AuditLink>> lastLink(Connection& connection) {
     return std::optional(link);
 }
 
-core::Result<std::string> uuidOf(Connection& connection) {
-    const auto uuid = selectText(connection, "SELECT value FROM meta WHERE key = 'uuid'");
-    if (!uuid) {
-        return tl::unexpected(uuid.error());
-    }
-    return uuid->value_or("");
-}
-
 std::string detailOf(const AuditNote& note) {
     if (!note.row) {
         return note.detail;
@@ -86,10 +78,19 @@ std::string_view token(ActorKind kind) noexcept {
     return {};
 }
 
-RowDigest auditGenesis(const SiteKey& key, const std::string& databaseUuid) {
+core::Result<std::string> databaseIdentity(Connection& connection) {
+    const auto text = selectText(connection, "SELECT group_concat(key || '=' || value, ';') FROM (SELECT key, value FROM "
+                                             "meta WHERE key IN ('uuid', 'created_utc', 'demonstration') ORDER BY key)");
+    if (!text) {
+        return tl::unexpected(text.error());
+    }
+    return text->value_or("");
+}
+
+RowDigest auditGenesis(const SiteKey& key, const std::string& identity) {
     Blob bytes;
     appendBytes(bytes, "chiron-audit-1");
-    appendBytes(bytes, databaseUuid);
+    appendBytes(bytes, identity);
     return key.mac(bytes);
 }
 
@@ -113,9 +114,9 @@ core::Result<void> appendAudit(Connection& connection, const Actor& actor, const
         return core::fail(core::ErrorCode::storage, connection.file() + ": no site key, so nothing can be audited");
     }
     auto last = lastLink(connection);
-    auto uuid = uuidOf(connection);
-    if (!last || !uuid) {
-        return tl::unexpected(!last ? last.error() : uuid.error());
+    auto identity = databaseIdentity(connection);
+    if (!last || !identity) {
+        return tl::unexpected(!last ? last.error() : identity.error());
     }
     AuditLink link;
     link.sequence = *last ? (*last)->sequence + 1 : 1;
@@ -126,7 +127,7 @@ core::Result<void> appendAudit(Connection& connection, const Actor& actor, const
     link.target = note.target;
     link.targetId = note.targetId;
     link.detailJson = detailOf(note);
-    link.previous = *last ? (*last)->mac : toBlob(auditGenesis(*key, *uuid));
+    link.previous = *last ? (*last)->mac : toBlob(auditGenesis(*key, *identity));
     link.mac = toBlob(auditMac(*key, link));
     auto done = Query::run(connection,
                            "INSERT INTO audit (sequence, utc, actor_kind, actor_id, action, target, target_id, "

@@ -39,12 +39,14 @@ struct AuditHead {
 };
 
 /// Appends an entry in the running transaction: mac = keyed BLAKE2b over its fields and the mac before it; the first
-/// one follows a genesis made from the database's uuid, so chains of two databases cannot be spliced.
+/// one follows a genesis made from the database's identity, so chains of two databases cannot be spliced.
 core::Result<void> appendAudit(Connection& connection, const Actor& actor, const AuditNote& note);
 
 /// The code that an entry must have.
 RowDigest auditMac(const SiteKey& key, const AuditLink& link);
-RowDigest auditGenesis(const SiteKey& key, const std::string& databaseUuid);
+RowDigest auditGenesis(const SiteKey& key, const std::string& identity);
+/// What a database is: uuid, creation date, demonstration marker; the genesis covers it.
+core::Result<std::string> databaseIdentity(Connection& connection);
 core::Result<AuditHead> auditHead(Connection& connection);
 
 /// The head file "<site folder>/audit_head.json", signed with the key: count and hash as of the last commit.

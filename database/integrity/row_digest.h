@@ -21,6 +21,9 @@ struct DigestedTable {
     std::string_view name;
     std::vector<std::string_view> key;
     std::vector<std::string_view> columns;
+    std::string_view hashedColumn{};  ///< a payload or text that hashColumn covers; empty: none
+    std::string_view hashColumn{};
+    std::string_view erasedSql{};     ///< expression that is 1 where an erasure has emptied hashedColumn
 };
 
 /// All of them, parents first.

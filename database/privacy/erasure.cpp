@@ -48,9 +48,9 @@ core::Result<void> overwriteIdentity(Connection& connection, const Actor& byWhom
 }
 
 core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, PersonId id) {
-    auto comments = Query::run(connection, "UPDATE session_comment SET text = '' WHERE author_id = ?1 OR session_id IN "
-                                           "(SELECT id FROM session WHERE person_id = ?1)", {id});
-    auto reasons = Query::run(connection, "UPDATE session SET void_reason = '' WHERE voided_by = ?1 OR person_id = ?1", {id});
+    auto comments = Query::run(connection, "UPDATE session_comment SET text = '' WHERE author_id = ? OR session_id IN "
+                                           "(SELECT id FROM session WHERE person_id = ?)", {id, id});
+    auto reasons = Query::run(connection, "UPDATE session SET void_reason = '' WHERE voided_by = ? OR person_id = ?", {id, id});
     if (!comments || !reasons) {
         return tl::unexpected(!comments ? comments.error() : reasons.error());
     }

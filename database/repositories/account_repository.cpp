@@ -61,7 +61,7 @@ core::Result<PersonId> AccountRepository::createFirstAdministrator(const NewPers
         return tl::unexpected(any.error());
     }
     if (any->value_or(1) != 0) {
-        return core::fail(core::ErrorCode::notAllowed, "this database has people already; an administrator adds more");
+        return core::fail(core::ErrorCode::wrongUse, "this database has people already; an administrator adds more");
     }
     NewPerson administrator = person;
     administrator.roles = {Role::admin};

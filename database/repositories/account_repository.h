@@ -16,7 +16,7 @@ class AccountRepository {
 public:
     AccountRepository(Connection& connection, Actor actor) : m_connection(connection), m_actor(std::move(actor)) {}
 
-    /// Failure: notAllowed when there is an administrator already.
+    /// Failure: wrongUse when there are people already.
     core::Result<PersonId> createFirstAdministrator(const NewPerson& person, const std::string& recoveryCodeHash);
     /// Counts the attempt as failed until finishLogin says otherwise. Failure: notAllowed while the account must wait.
     core::Result<LoginAttempt> beginLogin(const std::string& name);

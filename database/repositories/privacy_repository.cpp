@@ -47,8 +47,8 @@ core::Result<std::vector<SessionComment>> commentsBy(Connection& connection, Per
 core::Result<std::vector<AuditEntry>> auditOf(Connection& connection, PersonId person) {
     auto query = Query::run(connection,
                             "SELECT sequence, utc, actor_kind, actor_id, action, target, target_id, detail_json FROM audit "
-                            "WHERE (actor_id = ?1 AND actor_kind = 'person') OR (target IN ('person', 'credential') AND "
-                            "target_id = ?1) ORDER BY sequence", {person});
+                            "WHERE (actor_id = ? AND actor_kind = 'person') OR (target IN ('person', 'credential') AND "
+                            "target_id = ?) ORDER BY sequence", {person, person});
     if (!query) {
         return tl::unexpected(query.error());
     }

@@ -117,8 +117,9 @@ core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std:
     if (auto allowed = authoriseForSession(m_connection, m_actor, Action::scores, session); !allowed) {
         return tl::unexpected(allowed.error());
     }
-    auto set = Query::run(m_connection, "SELECT id, passed, trials FROM score_set WHERE session_id = ?1 AND (?2 = 0 OR ordinal = ?2) "
-                                        "ORDER BY ordinal DESC LIMIT 1", {session, std::int64_t{wanted.value_or(0)}});
+    auto set = Query::run(m_connection, "SELECT id, passed, trials FROM score_set WHERE session_id = ? AND ordinal BETWEEN ? AND ? "
+                                        "ORDER BY ordinal DESC LIMIT 1",
+                          {session, std::int64_t{wanted.value_or(1)}, std::int64_t{wanted.value_or(1'000'000)}});
     const auto found = set ? set->next() : tl::unexpected(set.error());
     if (!found) {
         return tl::unexpected(found.error());

@@ -160,7 +160,12 @@ core::Result<void> copyDatabase(Connection& from, const std::string& toFile) {
     }
     const std::string partial = toFile + ".partial";
     QFile::remove(QString::fromStdString(partial)); // left by a copy that was killed
+    // VACUUM INTO only reads `from`, but counts as writing for query_only (the file itself may be opened read-only).
+    (void)from.execute("PRAGMA query_only=OFF");
     auto copied = Query::run(from, "VACUUM INTO ?", {partial});
+    if (!from.isWritable()) {
+        (void)from.execute("PRAGMA query_only=ON");
+    }
     core::Result<void> done;
     if (!copied) {
         done = tl::unexpected(copied.error());

@@ -28,6 +28,7 @@ struct RestoreRequest {
 };
 
 struct RestoreInfo {
+    std::string databaseFile;
     std::string keptOldFile;  ///< where the file that stood there is now; empty if there was none
     int erasuresApplied = 0;
 };

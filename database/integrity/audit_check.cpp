@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/integrity/audit_check.h"
+
+#include "database/query.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <map>
+
+namespace chiron::database {
+namespace {
+
+using Target = std::pair<std::string, std::int64_t>;
+
+class ChainCheck {
+public:
+    ChainCheck(const SiteKey& key, Blob genesis, const std::optional<AuditHead>& head, VerifyReport& report)
+        : m_key(key), m_previous(std::move(genesis)), m_head(head), m_report(report) {}
+
+    void link(const AuditLink& link) {
+        const std::string row = "sequence=" + std::to_string(link.sequence);
+        ++m_report.rowsChecked;
+        if (link.sequence != m_sequence + 1) {
+            report(row, "gap or reordering: expected sequence " + std::to_string(m_sequence + 1));
+        }
+        if (link.previous != m_previous) {
+            report(row, "does not follow the entry before it (removed, reordered or spliced)");
+        }
+        if (link.mac != toBlob(auditMac(m_key, link))) {
+            report(row, "was changed, or written without this site's key");
+        }
+        if (m_head && link.sequence == m_head->count) {
+            m_headSeen = hex(link.mac) == m_head->hash;
+        }
+        const QJsonObject detail = QJsonDocument::fromJson(QByteArray::fromStdString(link.detailJson)).object();
+        if (detail.contains("row")) {
+            m_rows[{link.target, link.targetId}] = detail["row"].toString().toStdString();
+        }
+        m_sequence = link.sequence;
+        m_previous = link.mac;
+    }
+    void finish() {
+        if (m_head && m_head->count > 0 && !m_headSeen) {
+            report("sequence=" + std::to_string(m_head->count),
+                   "cut off: the chain does not contain the head that the site keeps (" + m_head->hash.substr(0, 16) + "...)");
+        }
+    }
+    void report(const std::string& row, const std::string& detail) {
+        m_report.findings.push_back({"audit", "audit", row, detail});
+    }
+    const std::map<Target, std::string>& rows() const { return m_rows; }
+
+private:
+    const SiteKey& m_key;
+    Blob m_previous;
+    std::optional<AuditHead> m_head;
+    VerifyReport& m_report;
+    std::int64_t m_sequence = 0;
+    bool m_headSeen = false;
+    std::map<Target, std::string> m_rows;
+};
+
+AuditLink linkOf(const Query& row) {
+    AuditLink link;
+    link.sequence = row.integer(0);
+    link.utc = row.text(1);
+    link.actorKind = row.text(2);
+    link.actor = row.integer(3);
+    link.action = row.text(4);
+    link.target = row.text(5);
+    link.targetId = row.integer(6);
+    link.detailJson = row.text(7);
+    link.previous = row.blob(8);
+    link.mac = row.blob(9);
+    return link;
+}
+
+// A row that was changed together with its digest by somebody without the key shows here.
+void checkVouchedRows(Connection& connection, const std::map<Target, std::string>& rows, VerifyReport& report) {
+    for (const auto& [target, expected] : rows) {
+        const auto& [table, id] = target;
+        if (table != "person" && table != "session" && table != "score_set" && table != "session_comment") {
+            continue;
+        }
+        const auto digest = selectText(connection, "SELECT lower(hex(digest)) FROM " + table + " WHERE id = ?", {id});
+        const std::string row = "id=" + std::to_string(id);
+        if (!digest) {
+            report.findings.push_back({"unreadable", table, row, digest.error().message});
+        } else if (!*digest) {
+            report.findings.push_back({"missing", table, row, "the audit chain knows this row, the table has it no more"});
+        } else if (**digest != expected) {
+            report.findings.push_back({"audit", table, row, "was changed without an entry in the audit chain"});
+        }
+    }
+}
+
+} // namespace
+
+void checkAudit(Connection& connection, const SiteKey& key, const std::optional<AuditHead>& head, VerifyReport& report) {
+    const auto identity = databaseIdentity(connection);
+    const Blob genesis = toBlob(auditGenesis(key, identity.value_or("")));
+    ChainCheck chain(key, genesis, head, report);
+    auto query = Query::run(connection, "SELECT sequence, utc, actor_kind, actor_id, action, target, target_id, detail_json, "
+                                        "previous, mac FROM audit ORDER BY sequence");
+    if (!query) {
+        chain.report("", query.error().message);
+        return;
+    }
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        chain.link(linkOf(*query));
+    }
+    if (!row) {
+        report.findings.push_back({"unreadable", "audit", "", row.error().message});
+    }
+    chain.finish();
+    checkVouchedRows(connection, chain.rows(), report);
+}
+
+} // namespace chiron::database

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/audit/audit_trail.h"
+#include "database/integrity/verifier.h"
+
+#include <optional>
+
+namespace chiron::database {
+
+/// Checks the audit chain: codes (edit), numbers (gap, reorder), links (splice), the head it must contain (truncation), and that the
+/// rows it vouches for are as they were at their last entry.
+void checkAudit(Connection& connection, const SiteKey& key, const std::optional<AuditHead>& head, VerifyReport& report);
+
+} // namespace chiron::database

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/connection.h"
+#include "database/integrity/row_digest.h"
+#include "database/integrity/verifier.h"
+
+#include <functional>
+#include <set>
+#include <utility>
+
+namespace chiron::database {
+
+/// Reads every row of a digested table and compares its digest, and the hash of its payload or text. Damage on the way
+/// stops neither: rows that cannot be read are named by their numbers, and reading goes on behind them.
+class RowScan {
+public:
+    using Visitor = std::function<void(const std::vector<Value>& values)>;
+
+    RowScan(Connection& connection, const DigestedTable& table, VerifyReport& report)
+        : m_connection(connection), m_table(table), m_report(report) {}
+    /// visit gets the covered values of each row that could be read, damaged or not.
+    void run(const Visitor& visit = {});
+
+private:
+    enum class Pass { finished, broken };
+    Pass readFrom(std::int64_t after, std::int64_t& last, const Visitor& visit);
+    void checkRow(const class Query& query, const Visitor& visit);
+    void report(const std::string& kind, const std::string& row, const std::string& detail);
+    std::string sql() const;
+    std::string keyOf(const std::vector<Value>& values) const;
+
+    Connection& m_connection;
+    const DigestedTable& m_table;
+    VerifyReport& m_report;
+    std::string m_words; ///< SQLite's of the last failure
+};
+
+/// A value for people, as in "session_id=3".
+std::string printable(const Value& value);
+
+} // namespace chiron::database

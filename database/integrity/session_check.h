@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/integrity/verifier.h"
+
+#include <map>
+#include <set>
+
+namespace chiron::database {
+
+/// What the row scan saw, by owner.
+struct SeenRows {
+    std::map<std::int64_t, std::set<std::int64_t>> chunks; ///< session -> sequences
+    std::map<std::int64_t, std::int64_t> scores;           ///< score set -> number
+    std::set<std::int64_t> sessions;
+};
+
+/// Checks what belongs together: no chunk or score missing, seals as stored when the session ended; then, if given, the scores
+/// themselves.
+void checkSessions(Connection& connection, const SeenRows& seen, const ScoreCheck& check, VerifyReport& report);
+
+} // namespace chiron::database

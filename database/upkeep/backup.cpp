@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/clock.h"
+#include "database/access/authorise.h"
+#include "database/integrity/snapshot_check.h"
+#include "database/privacy/erasure.h"
+#include "database/schema/migration_runner.h"
+#include "database/upkeep/snapshot_folder.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace chiron::database {
+namespace {
+
+std::string firstOf(const VerifyReport& report) {
+    const Finding& finding = report.findings.front();
+    return finding.kind + " " + finding.table + " " + finding.row + ": " + finding.detail;
+}
+
+core::Result<void> writeErasures(Connection& reader, const std::string& siteFolder, const std::string& file) {
+    auto erasures = readErasureList(erasureListFile(siteFolder));
+    const auto stored = storedErasures(reader);
+    if (!erasures || !stored) {
+        return tl::unexpected(!erasures ? erasures.error() : stored.error());
+    }
+    for (const Erasure& erasure : *stored) {
+        std::erase_if(*erasures, [&](const Erasure& e) { return e.person == erasure.person; });
+        erasures->push_back(erasure);
+    }
+    return saveErasureList(file, *erasures);
+}
+
+// Everything but the rename; the folder is thrown away when this fails.
+core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const std::string& folder, const std::string& kind,
+                                const SiteKey& key, const SnapshotExtra& extra) {
+    const std::string copy = folder + "/" + kSnapshotFile;
+    auto done = copyDatabase(reader, copy);
+    done = done ? writeErasures(reader, database.siteFolder(), folder + "/" + kErasuresFile) : done;
+    if (!done) {
+        return tl::unexpected(done.error());
+    }
+    auto snapshot = Connection::open(copy, Connection::Mode::readOnly);
+    auto head = snapshot ? auditHead(**snapshot) : tl::unexpected(snapshot.error());
+    if (!head) {
+        return tl::unexpected(head.error());
+    }
+    if (const VerifyReport report = verifySnapshot(copy, &key, *head); !report.ok()) {
+        return core::fail(core::ErrorCode::doesNotHold, "the copy does not verify, nothing was kept: " + firstOf(report));
+    }
+    std::vector<std::string> files{kSnapshotFile, kErasuresFile};
+    if (extra) {
+        auto more = extra(**snapshot, folder);
+        if (!more) {
+            return tl::unexpected(more.error());
+        }
+        files.insert(files.end(), more->begin(), more->end());
+    }
+    snapshot->reset();
+    Manifest manifest{kind, core::utcNowIso8601(), database.schemaVersion(), *head, {}};
+    for (const std::string& name : files) {
+        const auto digest = fileDigest(folder + "/" + name);
+        if (!digest) {
+            return tl::unexpected(digest.error());
+        }
+        manifest.files[name] = *digest;
+    }
+    if (auto written = writeManifest(folder, manifest, key); !written) {
+        return tl::unexpected(written.error());
+    }
+    return SnapshotInfo{folder, kSnapshotFile, manifest.files[kSnapshotFile], head->count, head->hash,
+                        static_cast<std::uint64_t>(QFileInfo(QString::fromStdString(copy)).size())};
+}
+
+} // namespace
+
+core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& reader, const std::string& folder,
+                                               const std::string& kind, const SnapshotExtra& extra) {
+    const auto key = SiteKey::load(database.siteFolder());
+    if (!key) {
+        return tl::unexpected(key.error());
+    }
+    const QString target = QString::fromStdString(folder);
+    if (QFileInfo::exists(target)) {
+        return core::fail(core::ErrorCode::badInput, folder + ": exists already; a new folder is needed");
+    }
+    const QString partial = target + QStringLiteral(".partial");
+    QDir(partial).removeRecursively(); // left by one that was killed
+    if (!QDir().mkpath(partial)) {
+        return core::fail(core::ErrorCode::storage, folder + ": cannot be created");
+    }
+    auto info = fill(database, reader, partial.toStdString(), kind, **key, extra);
+    if (info && !QDir().rename(partial, target)) {
+        info = core::fail(core::ErrorCode::storage, folder + ": cannot be put in place");
+    }
+    if (!info) {
+        QDir(partial).removeRecursively();
+        return info;
+    }
+    info->folder = folder;
+    const auto flushed = flushToDisk(QFileInfo(target).absolutePath().toStdString());
+    return flushed ? info : core::Result<SnapshotInfo>(tl::unexpected(flushed.error()));
+}
+
+core::Result<SnapshotInfo> Upkeep::backup(Database& database, const Actor& actor, const std::string& folder) {
+    auto reader = database.openReader();
+    if (!reader) {
+        return tl::unexpected(reader.error());
+    }
+    if (const auto scope = authorise(**reader, actor, Action::backup); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    const auto info = writeSnapshotFolder(database, **reader, folder, "backup", {});
+    if (!info || !database.isWritable()) {
+        return info;
+    }
+    const auto audited = database.write([&](WriteContext& writing) {
+        return appendAudit(writing.connection(), actor, {"backup", "meta", 0, std::nullopt, "{\"blake2b\":\"" + info->blake2b + "\"}"});
+    });
+    return audited ? info : tl::unexpected(audited.error());
+}
+
+} // namespace chiron::database

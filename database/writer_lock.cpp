@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/writer_lock.h"
+
+namespace chiron::database {
+
+core::Result<std::unique_ptr<QLockFile>> takeWriterLock(const std::string& file) {
+    const QString name = QString::fromStdString(file + ".lock");
+    auto lock = std::make_unique<QLockFile>(name);
+    lock->setStaleLockTime(0); // age never makes a lock stale; only the death of its holder does
+    if (lock->tryLock(300)) {
+        return lock;
+    }
+    if (lock->error() != QLockFile::LockFailedError) {
+        return core::fail(core::ErrorCode::storage, file + ".lock: cannot be created (folder missing or not writable)");
+    }
+    qint64 pid = 0;
+    QString host;
+    QString program;
+    lock->getLockInfo(&pid, &host, &program);
+    return core::fail(core::ErrorCode::locked, file + ": " + program.toStdString() + " (process " +
+                                                   std::to_string(pid) + ") has it open for writing");
+}
+
+} // namespace chiron::database
