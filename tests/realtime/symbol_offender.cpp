@@ -5,9 +5,13 @@
 
 std::mutex g_mutex;
 
-int* offendByAllocation(int n) { return new int[static_cast<std::size_t>(n)]; }
+int* offendByAllocation(int n) {
+    return new int[static_cast<std::size_t>(n)];
+}
 
-void offendByLock() { const std::lock_guard<std::mutex> lock(g_mutex); }
+void offendByLock() {
+    const std::lock_guard<std::mutex> lock(g_mutex);
+}
 
 void offendByException(int n) {
     if (n > 0)

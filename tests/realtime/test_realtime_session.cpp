@@ -36,8 +36,9 @@ bool sameBits(const core::HapticFrame& a, const core::HapticFrame& b) {
 
 } // namespace
 
-/// A session on real threads: the loop on its own, a window that moves the pointer, posts commands, sends heartbeats
-/// and reads the screen's state. No time is asserted: only that nothing is lost, goes back or differs in the replay.
+/// A session on real threads: the loop on its own, a window that moves the pointer, posts commands, sends
+/// heartbeats and reads the screen's state. No time is asserted: only that nothing is lost, goes back or
+/// differs in the replay.
 class TestRealtimeSession : public QObject {
     Q_OBJECT
 private slots:
@@ -66,7 +67,8 @@ private slots:
               bench.loop->statistics().lateness().percentile_us(0.99),
               1e-3 * static_cast<double>(bench.loop->statistics().lateness().maximum_ns()),
               bench.loop->statistics().duration().percentile_us(0.5),
-              bench.loop->statistics().duration().percentile_us(0.99), static_cast<unsigned long long>(report.skipped));
+              bench.loop->statistics().duration().percentile_us(0.99),
+              static_cast<unsigned long long>(report.skipped));
         QCOMPARE(backwards, 0);
         QCOMPARE(report.executed, kTicks);
         QCOMPARE(store.frames.size(), kTicks);
@@ -78,8 +80,8 @@ private slots:
 
 private:
     /// The window's side, until the loop is done. Returns how often the screen's state went back.
-    static int playWindow(devices::KeyboardMouseDevice& device, haptics::LiveInputs& inputs, haptics::HapticLoop& loop,
-                          const std::atomic<bool>& done) {
+    static int playWindow(devices::KeyboardMouseDevice& device, haptics::LiveInputs& inputs,
+                          haptics::HapticLoop& loop, const std::atomic<bool>& done) {
         int backwards = 0;
         std::uint64_t last = 0;
         inputs.post({CommandKind::start});

@@ -6,68 +6,15 @@
 #include "haptics/recorded_inputs.h"
 #include "mechanisms/scripted_motion.h"
 #include "operators/sphere_apex/sphere_apex_operator.h"
-#include "realtime/tick_guard.h"
-#include "support/haptic_bench.h"
+#include "realtime/guarded_run.h"
 
 #include <QtTest>
-#include <mutex>
-#include <new>
-#include <unistd.h>
 
 using namespace chiron;
 using namespace chiron::tests;
 using core::CommandKind;
 
 namespace {
-
-constexpr int kTicks = 10'000;
-
-/// One loop for 10,000 ticks with commands on the way; only the ticks themselves are counted.
-ForbiddenCounts guardedRun(haptics::HapticLoop& loop, haptics::LiveInputs& inputs,
-                           devices::PointerMailbox* pointer) {
-    realtime::TickSource ticks;
-    resetForbiddenCounts();
-    for (int n = 0; n < kTicks; ++n) {
-        switch (n) {
-        case 0:
-            inputs.post({CommandKind::start});
-            break;
-        case 4'000:
-            inputs.post({CommandKind::pause});
-            break;
-        case 4'700:
-            inputs.post({CommandKind::resume});
-            inputs.post({CommandKind::confirmHold});
-            break;
-        case 6'000:
-            inputs.post({CommandKind::stopForce});
-            break;
-        case 6'100:
-            inputs.post({CommandKind::rearm});
-            break;
-        case 8'000:
-            inputs.post({CommandKind::mark});
-            break;
-        default:
-            break;
-        }
-        if (pointer != nullptr)
-            pointer->move(1e-6 * (n % 7 - 3), 1e-6 * (n % 5 - 2), n < 3000 ? -20e-6 : 0.0);
-        inputs.beat(static_cast<std::int64_t>(n) * 1'000'000);
-        const realtime::HapticTick now = ticks.next(static_cast<std::int64_t>(n) * 1'000'000);
-        const TickGuard guard;
-        loop.tick(now);
-        loop.timing({n * 10, n, 0});
-    }
-    return forbiddenCounts();
-}
-
-QByteArray words(const ForbiddenCounts& counts) {
-    QByteArray text;
-    for (std::size_t i = 0; i < kForbiddenNames.size(); ++i)
-        text += QByteArray(kForbiddenNames[i]) + "=" + QByteArray::number(counts.count[i]) + " ";
-    return text;
-}
 
 simulation::SphereApexParameters exercise(const QString& kind) {
     simulation::SphereApexParameters p = benchExercise(3, 3.0);
@@ -106,52 +53,6 @@ std::unique_ptr<devices::SimulatedDevice> gimbal(std::uint64_t seed) {
     return device;
 }
 
-/// Does one forbidden thing in each tick.
-class Offender final : public simulation::IScene {
-public:
-    explicit Offender(Forbidden kind) : m_kind(kind) {}
-    void respond(const realtime::HapticTick&, const simulation::SceneInput&,
-                 simulation::SceneOutput& out) noexcept override {
-        out = {};
-        switch (m_kind) {
-        case Forbidden::allocate:
-            m_kept.reset(static_cast<char*>(::operator new(8)));
-            break;
-        case Forbidden::release:
-            ::operator delete(m_kept.release());
-            break;
-        case Forbidden::lock:
-            m_mutex.lock();
-            m_mutex.unlock();
-            break;
-        case Forbidden::notify:
-            pthread_cond_signal(&m_condition);
-            break;
-        case Forbidden::raise:
-            raiseAndCatch();
-            break;
-        case Forbidden::write:
-            (void)!::write(-1, "x", 1);
-            break;
-        }
-    }
-
-private:
-    struct Raw {
-        void operator()(char* p) const { ::operator delete(p); }
-    };
-    static void raiseAndCatch() noexcept {
-        try {
-            throw 1;
-        } catch (int) {
-        }
-    }
-    Forbidden m_kind;
-    std::unique_ptr<char, Raw> m_kept{static_cast<char*>(::operator new(8))};
-    std::mutex m_mutex;
-    pthread_cond_t m_condition = PTHREAD_COND_INITIALIZER;
-};
-
 } // namespace
 
 class TestTickGuard : public QObject {
@@ -164,22 +65,6 @@ class TestTickGuard : public QObject {
     }
 
 private slots:
-    void theGuardFindsEachOffence_data() {
-        QTest::addColumn<int>("kind");
-        for (std::size_t i = 0; i < kForbiddenNames.size(); ++i)
-            QTest::newRow(kForbiddenNames[i]) << static_cast<int>(i);
-    }
-    void theGuardFindsEachOffence() {
-        QFETCH(int, kind);
-        BenchDevice device(highPath);
-        haptics::LiveInputs inputs;
-        FrameStore store;
-        LoopBench bench({{device, {}}}, inputs, store,
-                        std::make_unique<Offender>(static_cast<Forbidden>(kind)));
-        const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr);
-        QVERIFY2(counts.of(static_cast<Forbidden>(kind)) >= 1, words(counts));
-    }
-
     void benchDevicesAndSphereApex_data() { everyExercise(); }
     void benchDevicesAndSphereApex() {
         QFETCH(QString, kind);

@@ -29,8 +29,7 @@ void note(Forbidden kind) noexcept {
         ++t_counts[static_cast<std::size_t>(kind)];
 }
 
-template <class Function>
-Function* next(const char* name) noexcept {
+template <class Function> Function* next(const char* name) noexcept {
     return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
 }
 } // namespace
@@ -42,11 +41,19 @@ std::uint64_t ForbiddenCounts::total() const {
     return sum;
 }
 
-TickGuard::TickGuard() noexcept { t_inTick = true; }
-TickGuard::~TickGuard() { t_inTick = false; }
+TickGuard::TickGuard() noexcept {
+    t_inTick = true;
+}
+TickGuard::~TickGuard() {
+    t_inTick = false;
+}
 
-ForbiddenCounts forbiddenCounts() noexcept { return {t_counts}; }
-void resetForbiddenCounts() noexcept { t_counts = {}; }
+ForbiddenCounts forbiddenCounts() noexcept {
+    return {t_counts};
+}
+void resetForbiddenCounts() noexcept {
+    t_counts = {};
+}
 
 } // namespace chiron::tests
 
@@ -102,7 +109,8 @@ int pthread_cond_broadcast(pthread_cond_t* condition) noexcept {
     return original(condition);
 }
 ssize_t write(int file, const void* data, std::size_t size) {
-    static ssize_t (*const original)(int, const void*, std::size_t) = next<ssize_t(int, const void*, std::size_t)>("write");
+    static ssize_t (*const original)(int, const void*, std::size_t) =
+        next<ssize_t(int, const void*, std::size_t)>("write");
     note(Forbidden::write);
     return original(file, data, size);
 }

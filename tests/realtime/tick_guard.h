@@ -4,12 +4,15 @@
 #include <array>
 #include <cstdint>
 
-/// Counts what a tick must not do. The program that links tick_guard.cpp has its own malloc, free, pthread_mutex_lock,
-/// __cxa_throw and so on, which pass on to the C library and, while the calling thread is inside a TickGuard, count.
+/// Counts what a tick must not do. The program that links tick_guard.cpp has its own malloc, free,
+/// pthread_mutex_lock,
+/// __cxa_throw and so on, which pass on to the C library and, while the calling thread is inside a TickGuard,
+/// count.
 namespace chiron::tests {
 
 enum class Forbidden { allocate, release, lock, notify, raise, write };
-inline constexpr std::array<const char*, 6> kForbiddenNames{"allocate", "free", "lock", "notify", "throw", "write"};
+inline constexpr std::array<const char*, 6> kForbiddenNames{"allocate", "free",  "lock",
+                                                            "notify",   "throw", "write"};
 
 struct ForbiddenCounts {
     std::array<std::uint64_t, kForbiddenNames.size()> count{};
