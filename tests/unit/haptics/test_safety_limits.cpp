@@ -21,6 +21,7 @@ private slots:
     void forceCapIsTheSmallestOfThree();
     void axisCapsHoldInTheDevicesFrame();
     void axisCapsFollowThePose();
+    void capsHoldWhereTheSlewKeepsPartOfTheLastForce();
     void passiveAxesAreLeftOut();
     void devicesWithoutTorqueKeepTheirForce();
     void hugeRequestsKeepTheirDirection();
@@ -83,6 +84,25 @@ void TestSafetyLimits::axisCapsFollowThePose() {
     rig.samples[0].counts[0] = 0; // and back at once: the cap of this pose holds in this tick
     rig.tick();
     QVERIFY(0.2 * rig.force().y() <= 0.3);
+}
+
+void TestSafetyLimits::capsHoldWhereTheSlewKeepsPartOfTheLastForce() {
+    auto device = sixAxisDevice(0.3, 0.0);
+    haptics::SafetySettings settings;
+    settings.slewForce_N_per_ms = 0.1;
+    const test::ArmKinematics arm;
+    SafetyRig rig(device, settings, {}, &arm);
+    rig.arm();
+    rig.samples[0].counts[0] = 785'398; // the arm points along x = y: so may 4 N
+    rig.ask(Vec3(2.8, 2.8, 0));
+    rig.ticks(100);
+    QVERIFY(rig.force().norm() > 3.9);
+    rig.samples[0].counts[0] = 0; // now it lies along x, where y may have 1.5 N; x alone is asked for
+    rig.ask(Vec3(4, 0, 0));
+    rig.tick();
+    QVERIFY(rig.out.guards & guard_bits::kSlew); // 2 N of the old y are still there before the last caps
+    QVERIFY(0.2 * rig.force().y() <= 0.3);
+    QVERIFY(rig.force().y() > 1.4);
 }
 
 void TestSafetyLimits::passiveAxesAreLeftOut() {
