@@ -29,16 +29,15 @@ private:
     std::vector<Exercise> m_exercises;
 };
 
-/// The content folder: `explicitDirectory` if not empty, else the environment's CHIRON_CONTENT, else the installed
-/// share folder, else the source tree. Failure: notFound, naming every place looked at.
+/// The content folder: `explicitDirectory` if not empty, else the environment's CHIRON_CONTENT, else the
+/// installed share folder, else the source tree. Failure: notFound, naming every place looked at.
 core::Result<std::string> findContentDirectory(const std::string& explicitDirectory = {});
 
-/// A level from the canonical JSON that a session stored. Reads no file: editing a level later changes no old score
-/// and no old replay. The result's resolvedJson and resolvedSha256 are those of the bytes given. Types are checked,
-/// ranges not: today's schema must not refuse yesterday's session. A parameter made since then is absent and leaves the
-/// struct's default.
-/// Failure (badInput): not JSON, another format number, an unknown parameter (a newer program's), or a key missing or
-/// of the wrong type, with its path. Thread: any.
+/// A level from the canonical JSON that a session stored. Reads no file: editing a level later changes no old
+/// score and no old replay. The result's resolvedJson and resolvedSha256 are those of the bytes given. Types
+/// are checked, ranges not: today's schema must not refuse yesterday's session. A parameter made since then
+/// is absent and leaves the struct's default. Failure (badInput): not JSON, another format number, an unknown
+/// parameter (a newer program's), or a key missing or of the wrong type, with its path. Thread: any.
 core::Result<ExerciseLevel> fromResolvedJson(std::string_view json);
 
 } // namespace chiron::catalogue

@@ -16,15 +16,17 @@ namespace {
 core::Result<void> checkNumbers(const std::vector<ExerciseLevel>& levels, const QString& folder) {
     for (std::size_t i = 0; i < levels.size(); ++i)
         if (levels[i].number != static_cast<int>(i) + 1)
-            return core::fail(core::ErrorCode::badInput,
-                              QStringLiteral("%1/levels/%2.json: $.number: %3: expected %4: levels are numbered from 1, "
-                                             "each number once, none left out")
-                                  .arg(folder, QString::fromStdString(levels[i].id))
-                                  .arg(levels[i].number)
-                                  .arg(i + 1)
-                                  .toStdString());
+            return core::fail(
+                core::ErrorCode::badInput,
+                QStringLiteral("%1/levels/%2.json: $.number: %3: expected %4: levels are numbered from 1, "
+                               "each number once, none left out")
+                    .arg(folder, QString::fromStdString(levels[i].id))
+                    .arg(levels[i].number)
+                    .arg(i + 1)
+                    .toStdString());
     if (levels.empty())
-        return core::fail(core::ErrorCode::badInput, (folder + "/levels: no level: expected at least one").toStdString());
+        return core::fail(core::ErrorCode::badInput,
+                          (folder + "/levels: no level: expected at least one").toStdString());
     return {};
 }
 
@@ -81,11 +83,13 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
     if (!exerciseSchema)
         return tl::unexpected(exerciseSchema.error());
     Problems problems;
-    const QJsonObject resolved = validated(json->root(), **exerciseSchema, QStringLiteral("$"), problems).toObject();
+    const QJsonObject resolved =
+        validated(json->root(), **exerciseSchema, QStringLiteral("$"), problems).toObject();
     const QString id = resolved["id"].toString();
     checkName(resolved, QFileInfo(folder).fileName(), problems);
     if (findExerciseKind(id.toStdString()) == nullptr)
-        problems.push_back({QStringLiteral("$.id"), quoted(id), QStringLiteral("an exercise this program knows")});
+        problems.push_back(
+            {QStringLiteral("$.id"), quoted(id), QStringLiteral("an exercise this program knows")});
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
     Exercise out;
@@ -94,7 +98,8 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
     out.version = reader.integer("version");
     out.title = reader.translated("title");
     out.objective = reader.translated("objective");
-    for (const QFileInfo& file : QDir(folder + "/levels").entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
+    for (const QFileInfo& file :
+         QDir(folder + "/levels").entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
         auto read = level(file.filePath(), resolved);
         if (!read)
             return tl::unexpected(read.error());
@@ -117,8 +122,9 @@ core::Result<std::vector<Exercise>> ContentReader::exercises() {
         out.push_back(std::move(*read));
     }
     if (out.empty())
-        return core::fail(core::ErrorCode::badInput,
-                          (folder.path() + ": no exercise: expected a folder for each exercise").toStdString());
+        return core::fail(
+            core::ErrorCode::badInput,
+            (folder.path() + ": no exercise: expected a folder for each exercise").toStdString());
     return out;
 }
 

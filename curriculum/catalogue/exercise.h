@@ -26,8 +26,8 @@ struct MetricChoice {
     int version = 1;
 };
 
-/// How a level that needs a device with force is offered on one without: the force is shown, not felt, by these cues,
-/// and its scores are a series of their own.
+/// How a level that needs a device with force is offered on one without: the force is shown, not felt, by
+/// these cues, and its scores are a series of their own.
 struct ShownForceVariant {
     std::vector<std::string> cues;
     Translated note;
@@ -39,15 +39,17 @@ struct ExerciseLevel {
     Translated title;
     Translated objective;
     Translated measured; ///< what is measured, in words
-    std::vector<std::string> cues; ///< object, tool, arrow, bars, numbers, plots, sound, coverage: all else is off
-    bool needsForce = false;       ///< no visible object: needs a device that renders force
+    std::vector<std::string>
+        cues;                ///< object, tool, arrow, bars, numbers, plots, sound, coverage: all else is off
+    bool needsForce = false; ///< no visible object: needs a device that renders force
     std::optional<ShownForceVariant> shownForce;
     ExerciseParameters parameters;
     std::vector<MetricChoice> metrics; ///< in the order shown
     std::vector<scoring::Gate> gates;
-    std::string exercise;       ///< id of the exercise
+    std::string exercise; ///< id of the exercise
     int exerciseVersion = 1;
-    std::string resolvedJson;   ///< canonical JSON of the level with every default filled in: what a session stores
+    std::string
+        resolvedJson; ///< canonical JSON of the level with every default filled in: what a session stores
     std::string resolvedSha256; ///< of those bytes, lower-case hex
 };
 

@@ -9,12 +9,13 @@
 
 namespace chiron::catalogue {
 
-/// A kind of exercise that the code can run: which schema its levels' parameters follow and how they become a struct.
+/// A kind of exercise that the code can run: which schema its levels' parameters follow and how they become a
+/// struct.
 struct ExerciseKind {
     std::string_view id;
     std::string_view parametersSchema; ///< file in content/schema, without .json
-    /// From the level's `parameters` with every default filled in. A key that is not there (content stored before the
-    /// key was made) leaves the struct's own default, which must mean what the code did before.
+    /// From the level's `parameters` with every default filled in. A key that is not there (content stored
+    /// before the key was made) leaves the struct's own default, which must mean what the code did before.
     ExerciseParameters (*read)(const ObjectReader& parameters, const std::vector<std::string>& cues);
     /// What no single key's range can say.
     void (*check)(const ExerciseParameters& parameters, const QString& path, Problems& problems);

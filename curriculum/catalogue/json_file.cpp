@@ -14,10 +14,12 @@ namespace {
 constexpr qsizetype kLargest = qsizetype{1} << 20;
 constexpr std::size_t kMostProblems = 20;
 
-tl::unexpected<core::Error> refuse(const QString& name, const QByteArray& bytes, qsizetype offset, const QString& text) {
+tl::unexpected<core::Error> refuse(const QString& name, const QByteArray& bytes, qsizetype offset,
+                                   const QString& text) {
     const TextPlace place = placeOf(bytes, offset);
-    return core::fail(core::ErrorCode::badInput,
-                      QStringLiteral("%1:%2:%3: %4").arg(name).arg(place.line).arg(place.column).arg(text).toStdString());
+    return core::fail(
+        core::ErrorCode::badInput,
+        QStringLiteral("%1:%2:%3: %4").arg(name).arg(place.line).arg(place.column).arg(text).toStdString());
 }
 
 bool isUtf8(const QByteArray& bytes, QStringDecoder::Flag flag) {
@@ -31,7 +33,8 @@ bool isUtf8(const QByteArray& bytes, QStringDecoder::Flag flag) {
 qsizetype firstBadByte(const QByteArray& bytes) {
     if (isUtf8(bytes, QStringDecoder::Flag::Stateless))
         return -1;
-    qsizetype good = 0; // bisect: prefixes are good up to the fault; a sequence cut by the prefix's end is no fault
+    qsizetype good =
+        0; // bisect: prefixes are good up to the fault; a sequence cut by the prefix's end is no fault
     qsizetype bad = bytes.size() + 1;
     while (bad - good > 1) {
         const qsizetype middle = (good + bad) / 2;
@@ -48,20 +51,25 @@ core::Result<JsonFile> JsonFile::read(const QString& path) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return core::fail(core::ErrorCode::notFound,
-                          QStringLiteral("%1: %2: expected a file that can be read").arg(path, file.errorString()).toStdString());
+                          QStringLiteral("%1: %2: expected a file that can be read")
+                              .arg(path, file.errorString())
+                              .toStdString());
     return parse(file.read(kLargest + 1), path);
 }
 
 core::Result<JsonFile> JsonFile::parse(const QByteArray& bytes, const QString& name) {
     if (bytes.size() > kLargest)
-        return refuse(name, bytes, 0, QStringLiteral("$: longer than 1 MiB: expected a content file of at most 1 MiB"));
+        return refuse(name, bytes, 0,
+                      QStringLiteral("$: longer than 1 MiB: expected a content file of at most 1 MiB"));
     if (const qsizetype bad = firstBadByte(bytes); bad >= 0)
-        return refuse(name, bytes, bad, QStringLiteral("$: byte 0x%1: expected UTF-8")
-                                            .arg(static_cast<int>(static_cast<uchar>(bytes[bad])), 2, 16, QLatin1Char('0')));
+        return refuse(name, bytes, bad,
+                      QStringLiteral("$: byte 0x%1: expected UTF-8")
+                          .arg(static_cast<int>(static_cast<uchar>(bytes[bad])), 2, 16, QLatin1Char('0')));
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
     if (error.error != QJsonParseError::NoError)
-        return refuse(name, bytes, error.offset, QStringLiteral("$: %1: expected JSON").arg(error.errorString()));
+        return refuse(name, bytes, error.offset,
+                      QStringLiteral("$: %1: expected JSON").arg(error.errorString()));
     if (!document.isObject())
         return refuse(name, bytes, 0, QStringLiteral("$: an array: expected an object"));
     JsonFile file;

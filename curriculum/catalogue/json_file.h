@@ -11,11 +11,11 @@
 
 namespace chiron::catalogue {
 
-/// A JSON file of the content: parsed strictly, with the place of every value, so that faults found later can name
-/// line and column.
+/// A JSON file of the content: parsed strictly, with the place of every value, so that faults found later can
+/// name line and column.
 ///
-/// Strict beyond Qt's parser: UTF-8 only, an object at the top, no key twice in one object, numbers and escapes of RFC
-/// 8259 only, at most 16 levels deep and 1 MiB long.
+/// Strict beyond Qt's parser: UTF-8 only, an object at the top, no key twice in one object, numbers and
+/// escapes of RFC 8259 only, at most 16 levels deep and 1 MiB long.
 class JsonFile {
 public:
     /// Failure (notFound, badInput): `file:line:column: ...: expected ...`.
@@ -25,8 +25,8 @@ public:
     const QJsonObject& root() const { return m_root; }
     const QString& name() const { return m_name; }
 
-    /// All problems as one Error, a line each (at most 20): `file:line:column: $.path: found: expected ...`. The place
-    /// of something missing is that of what should hold it.
+    /// All problems as one Error, a line each (at most 20): `file:line:column: $.path: found: expected ...`.
+    /// The place of something missing is that of what should hold it.
     core::Error error(const Problems& problems) const;
 
 private:

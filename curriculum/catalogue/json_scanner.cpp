@@ -8,7 +8,9 @@ namespace chiron::catalogue {
 
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
 
 /// RFC 8259's number: -? (0 | [1-9][0-9]*) (\\. [0-9]+)? ([eE] [+-]? [0-9]+)?
 bool isNumber(const QByteArray& text) {
@@ -74,7 +76,8 @@ void JsonScanner::scalar(const QString& path) {
         ++m_pos;
     const QByteArray token = m_text.mid(start, m_pos - start).trimmed();
     if (token != "true" && token != "false" && token != "null" && !isNumber(token))
-        m_problems.push_back({path, QString::fromUtf8(token.left(40)), QStringLiteral("a number as JSON writes it")});
+        m_problems.push_back(
+            {path, QString::fromUtf8(token.left(40)), QStringLiteral("a number as JSON writes it")});
 }
 
 void JsonScanner::object(const QString& path, int depth) {
@@ -128,7 +131,8 @@ QString JsonScanner::string(const QString& path) {
         escaped = escaped || escape;
         m_pos += escape ? 1 : 0;
         if (m_pos < m_text.size() && escape && !QByteArray("\"\\/bfnrtu").contains(m_text[m_pos]))
-            m_problems.push_back({path, QStringLiteral("an unknown escape"), QStringLiteral("an escape of JSON")});
+            m_problems.push_back(
+                {path, QStringLiteral("an unknown escape"), QStringLiteral("an escape of JSON")});
         ++m_pos;
     }
     m_pos = qMin(m_pos + 1, m_text.size()); // Qt has refused a text without its end

@@ -43,8 +43,9 @@ void checkMetrics(const ExerciseLevel& level, Problems& problems) {
 void checkGates(const ExerciseLevel& level, const QJsonArray& json, Problems& problems) {
     for (std::size_t i = 0; i < level.gates.size(); ++i) {
         const scoring::Gate& gate = level.gates[i];
-        const auto metric = std::find_if(level.metrics.begin(), level.metrics.end(),
-                                         [&](const MetricChoice& choice) { return choice.id == gate.metric; });
+        const auto metric =
+            std::find_if(level.metrics.begin(), level.metrics.end(),
+                         [&](const MetricChoice& choice) { return choice.id == gate.metric; });
         if (metric == level.metrics.end()) {
             problems.push_back({at("gates", i, "metric"), quoted(QString::fromStdString(gate.metric)),
                                 QStringLiteral("one of the level's own metrics")});
@@ -54,7 +55,8 @@ void checkGates(const ExerciseLevel& level, const QJsonArray& json, Problems& pr
         const QString unit = json[static_cast<qsizetype>(i)].toObject()["unit"].toString();
         if (definition != nullptr && unit.toStdString() != definition->unit)
             problems.push_back({at("gates", i, "unit"), quoted(unit),
-                                QStringLiteral("the metric's unit, %1").arg(quoted(QString::fromStdString(std::string(definition->unit))))});
+                                QStringLiteral("the metric's unit, %1")
+                                    .arg(quoted(QString::fromStdString(std::string(definition->unit))))});
         if (!gate.minimum && !gate.maximum)
             problems.push_back({at("gates", i, "maximum"), QStringLiteral("missing"),
                                 QStringLiteral("minimum or maximum or both")});
@@ -74,8 +76,9 @@ void checkLevel(const ExerciseLevel& level, const QJsonObject& json, Problems& p
     checkMetrics(level, problems);
     checkGates(level, json["gates"].toArray(), problems);
     if (!contains(level.cues, "object") && !level.needsForce)
-        problems.push_back({QStringLiteral("$.needs_force"), QStringLiteral("false"),
-                            QStringLiteral("true, since the cue object is off and nothing else tells where it is")});
+        problems.push_back(
+            {QStringLiteral("$.needs_force"), QStringLiteral("false"),
+             QStringLiteral("true, since the cue object is off and nothing else tells where it is")});
     if (level.shownForce && !level.needsForce)
         problems.push_back({QStringLiteral("$.shown_force_variant"), QStringLiteral("given"),
                             QStringLiteral("none: the level runs without force as it is")});

@@ -6,8 +6,9 @@
 
 namespace chiron::catalogue {
 
-/// What a level of any exercise must keep beyond its keys' ranges: metrics that exist, gates on the level's own metrics
-/// in their units, force where nothing is seen, a shown-force variant only there. Paths are those of the level's file.
+/// What a level of any exercise must keep beyond its keys' ranges: metrics that exist, gates on the level's
+/// own metrics in their units, force where nothing is seen, a shown-force variant only there. Paths are those
+/// of the level's file.
 void checkLevel(const ExerciseLevel& level, const QJsonObject& json, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -11,7 +11,8 @@ QJsonValue ObjectReader::member(const QString& key, QJsonValue::Type type, const
     if (value.type() == type)
         return value;
     m_problems.push_back({memberPath(m_path, key),
-                          value.isUndefined() ? QStringLiteral("missing") : QStringLiteral("another type"), expected});
+                          value.isUndefined() ? QStringLiteral("missing") : QStringLiteral("another type"),
+                          expected});
     return QJsonValue(type);
 }
 
@@ -22,14 +23,16 @@ std::string ObjectReader::text(const QString& key) const {
 double ObjectReader::number(const QString& key) const {
     const double value = member(key, QJsonValue::Double, QStringLiteral("a number")).toDouble();
     if (!std::isfinite(value))
-        m_problems.push_back({memberPath(m_path, key), QStringLiteral("not finite"), QStringLiteral("a number")});
+        m_problems.push_back(
+            {memberPath(m_path, key), QStringLiteral("not finite"), QStringLiteral("a number")});
     return value;
 }
 
 int ObjectReader::integer(const QString& key) const {
     const double value = number(key);
     if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) {
-        m_problems.push_back({memberPath(m_path, key), QString::number(value), QStringLiteral("a whole number")});
+        m_problems.push_back(
+            {memberPath(m_path, key), QString::number(value), QStringLiteral("a whole number")});
         return 0;
     }
     return static_cast<int>(value);
@@ -62,7 +65,8 @@ std::vector<std::string> ObjectReader::texts(const QString& key) const {
     return out;
 }
 
-void ObjectReader::eachObject(const QString& key, const std::function<void(const ObjectReader&)>& visit) const {
+void ObjectReader::eachObject(const QString& key,
+                              const std::function<void(const ObjectReader&)>& visit) const {
     const QJsonArray array = member(key, QJsonValue::Array, QStringLiteral("an array of objects")).toArray();
     for (qsizetype i = 0; i < array.size(); ++i) {
         const QString at = elementPath(memberPath(m_path, key), i);
@@ -73,7 +77,8 @@ void ObjectReader::eachObject(const QString& key, const std::function<void(const
 }
 
 ObjectReader ObjectReader::object(const QString& key) const {
-    return {member(key, QJsonValue::Object, QStringLiteral("an object")).toObject(), memberPath(m_path, key), m_problems};
+    return {member(key, QJsonValue::Object, QStringLiteral("an object")).toObject(), memberPath(m_path, key),
+            m_problems};
 }
 
 } // namespace chiron::catalogue

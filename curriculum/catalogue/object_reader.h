@@ -10,7 +10,8 @@
 
 namespace chiron::catalogue {
 
-/// Typed members of a JSON object. What is missing or of another type is added to the problems and read as empty.
+/// Typed members of a JSON object. What is missing or of another type is added to the problems and read as
+/// empty.
 class ObjectReader {
 public:
     ObjectReader(const QJsonObject& object, QString path, Problems& problems)

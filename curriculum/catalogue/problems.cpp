@@ -22,8 +22,8 @@ std::size_t edits(const QString& a, const QString& b) {
         std::size_t diagonal = row[0]++;
         for (std::size_t j = 1; j < row.size(); ++j) {
             const std::size_t above = row[j];
-            row[j] = std::min({above + 1, row[j - 1] + 1,
-                               diagonal + (a[i] == b[static_cast<qsizetype>(j) - 1] ? 0U : 1U)});
+            row[j] = std::min(
+                {above + 1, row[j - 1] + 1, diagonal + (a[i] == b[static_cast<qsizetype>(j) - 1] ? 0U : 1U)});
             diagonal = above;
         }
     }
@@ -36,7 +36,9 @@ QString memberPath(const QString& parent, const QString& key) {
     return isPlain(key) ? parent + u'.' + key : parent + u'[' + quoted(key) + u']';
 }
 
-QString elementPath(const QString& parent, qsizetype index) { return parent + u'[' + QString::number(index) + u']'; }
+QString elementPath(const QString& parent, qsizetype index) {
+    return parent + u'[' + QString::number(index) + u']';
+}
 
 QString quoted(const QString& text) {
     constexpr qsizetype kLongest = 40;

@@ -8,12 +8,12 @@
 
 namespace chiron::catalogue {
 
-/// The document that a session stores: `format`, the exercise's id, version and texts, and the level, every default
-/// filled in.
+/// The document that a session stores: `format`, the exercise's id, version and texts, and the level, every
+/// default filled in.
 QJsonObject resolvedDocument(const QJsonObject& exercise, const QJsonObject& level);
 
-/// The one way from JSON to an ExerciseLevel, for today's files and for stored sessions alike. Paths in `problems` are
-/// those of the level's own object, from "$".
+/// The one way from JSON to an ExerciseLevel, for today's files and for stored sessions alike. Paths in
+/// `problems` are those of the level's own object, from "$".
 ExerciseLevel levelFromResolved(const QJsonObject& document, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -14,21 +14,22 @@
 
 namespace chiron::catalogue {
 
-/// What one value of a content file may be: a subset of JSON Schema (2020-12) with `unit` beside it. Keywords: type,
-/// title, description, unit, default, minimum, maximum, enum, format ("identifier"), minLength, maxLength, properties,
-/// required, items, minItems, maxItems, uniqueItems, $ref (a file of the same folder), $schema, $id. Objects are
-/// closed: a key that is not in `properties` is refused. No patterns, so no regular expressions.
+/// What one value of a content file may be: a subset of JSON Schema (2020-12) with `unit` beside it.
+/// Keywords: type, title, description, unit, default, minimum, maximum, enum, format ("identifier"),
+/// minLength, maxLength, properties, required, items, minItems, maxItems, uniqueItems, $ref (a file of the
+/// same folder), $schema, $id. Objects are closed: a key that is not in `properties` is refused. No patterns,
+/// so no regular expressions.
 struct Schema {
     enum class Type { object, array, string, number, integer, boolean };
 
     Type type = Type::object;
-    QString unit;        ///< "" where it has none
+    QString unit; ///< "" where it has none
     QString description;
     QJsonValue defaultValue = QJsonValue::Undefined;
     std::optional<double> minimum; ///< of the number, the text's length or the array's size; inclusive
     std::optional<double> maximum;
-    bool identifier = false;   ///< string: lower-case letters, digits and _, a letter first
-    bool unique = false;       ///< array: no element twice
+    bool identifier = false;    ///< string: lower-case letters, digits and _, a letter first
+    bool unique = false;        ///< array: no element twice
     std::vector<QString> oneOf; ///< string: the values allowed; empty = any
     std::map<QString, std::unique_ptr<Schema>> properties;
     std::vector<QString> required;
@@ -41,12 +42,13 @@ struct Schema {
     Schema& operator=(const Schema&) = delete;
 };
 
-/// Reads `<directory>/<name>.json` with what it refers to. Failure: badInput as JsonFile has it; a keyword that is not
-/// in the subset, a property without description, a number without unit, or a default its own schema refuses.
+/// Reads `<directory>/<name>.json` with what it refers to. Failure: badInput as JsonFile has it; a keyword
+/// that is not in the subset, a property without description, a number without unit, or a default its own
+/// schema refuses.
 core::Result<Schema> readSchema(const QString& directory, const QString& name);
 
-/// Checks `value` against `schema`, adds what is wrong to `problems`, and returns the value with every default filled
-/// in (meaningful only if nothing was added).
+/// Checks `value` against `schema`, adds what is wrong to `problems`, and returns the value with every
+/// default filled in (meaningful only if nothing was added).
 QJsonValue validated(const QJsonValue& value, const Schema& schema, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -13,16 +13,17 @@ namespace {
 
 const std::map<QString, Schema::Type>& typeNames() {
     static const std::map<QString, Schema::Type> kNames{
-        {"object", Schema::Type::object}, {"array", Schema::Type::array},     {"string", Schema::Type::string},
-        {"number", Schema::Type::number}, {"integer", Schema::Type::integer}, {"boolean", Schema::Type::boolean}};
+        {"object", Schema::Type::object},   {"array", Schema::Type::array},
+        {"string", Schema::Type::string},   {"number", Schema::Type::number},
+        {"integer", Schema::Type::integer}, {"boolean", Schema::Type::boolean}};
     return kNames;
 }
 
 const QSet<QString>& keywords() {
-    static const QSet<QString> kKeywords{
-        "type",      "title",     "description", "unit",     "default", "minimum",  "maximum",  "enum",        "format",
-        "minLength", "maxLength", "properties",  "required", "items",   "minItems", "maxItems", "uniqueItems", "$ref",
-        "$schema",   "$id"};
+    static const QSet<QString> kKeywords{"type",      "title",       "description", "unit",    "default",
+                                         "minimum",   "maximum",     "enum",        "format",  "minLength",
+                                         "maxLength", "properties",  "required",    "items",   "minItems",
+                                         "maxItems",  "uniqueItems", "$ref",        "$schema", "$id"};
     return kKeywords;
 }
 
@@ -34,7 +35,8 @@ public:
         constexpr int kDeepestReference = 8;
         if (depth > kDeepestReference)
             return core::fail(core::ErrorCode::badInput,
-                              (m_directory + "/" + name + ".json: $: $ref runs in a circle: expected a tree").toStdString());
+                              (m_directory + "/" + name + ".json: $: $ref runs in a circle: expected a tree")
+                                  .toStdString());
         const auto json = JsonFile::read(m_directory + "/" + name + ".json");
         if (!json)
             return tl::unexpected(json.error());
@@ -64,7 +66,8 @@ private:
         } else if (const auto type = typeNames().find(json["type"].toString()); type != typeNames().end()) {
             schema.type = type->second;
         } else {
-            problems.push_back({memberPath(path, "type"), quoted(json["type"].toString()), QStringLiteral("a JSON type")});
+            problems.push_back(
+                {memberPath(path, "type"), quoted(json["type"].toString()), QStringLiteral("a JSON type")});
         }
         limits(json, schema);
         texts(json, path, schema, problems);
@@ -94,18 +97,22 @@ private:
             schema.description = json["description"].toString();
         schema.unit = json["unit"].toString();
         if (schema.description.isEmpty())
-            problems.push_back({memberPath(path, "description"), QStringLiteral("missing"), QStringLiteral("what it means")});
+            problems.push_back({memberPath(path, "description"), QStringLiteral("missing"),
+                                QStringLiteral("what it means")});
         const bool numeric = schema.type == Schema::Type::number || schema.type == Schema::Type::integer;
         if (numeric && (schema.unit.isEmpty() || !schema.minimum || !schema.maximum))
-            problems.push_back({path, QStringLiteral("a number without unit or range"),
-                                QStringLiteral("\"unit\" (\"1\" for a pure number), \"minimum\" and \"maximum\"")});
+            problems.push_back(
+                {path, QStringLiteral("a number without unit or range"),
+                 QStringLiteral("\"unit\" (\"1\" for a pure number), \"minimum\" and \"maximum\"")});
     }
 
-    void children(const QJsonObject& json, const QString& path, int depth, Schema& schema, Problems& problems) {
+    void children(const QJsonObject& json, const QString& path, int depth, Schema& schema,
+                  Problems& problems) {
         const QJsonObject properties = json["properties"].toObject();
         for (auto it = properties.begin(); it != properties.end(); ++it)
             schema.properties[it.key()] = std::make_unique<Schema>(
-                node(it.value().toObject(), memberPath(memberPath(path, "properties"), it.key()), depth, problems));
+                node(it.value().toObject(), memberPath(memberPath(path, "properties"), it.key()), depth,
+                     problems));
         for (const QJsonValue value : json["required"].toArray()) {
             schema.required.push_back(value.toString());
             if (!schema.properties.contains(value.toString()))
@@ -113,8 +120,8 @@ private:
                                     QStringLiteral("keys of \"properties\"")});
         }
         if (json.contains("items"))
-            schema.items =
-                std::make_unique<Schema>(node(json["items"].toObject(), memberPath(path, "items"), depth, problems));
+            schema.items = std::make_unique<Schema>(
+                node(json["items"].toObject(), memberPath(path, "items"), depth, problems));
     }
 
     QString m_directory;

@@ -41,7 +41,8 @@ bool hasType(const QJsonValue& value, Schema::Type type) {
     case Schema::Type::number:
         return value.isDouble() && std::isfinite(value.toDouble());
     case Schema::Type::integer:
-        return value.isDouble() && std::isfinite(value.toDouble()) && value.toDouble() == std::floor(value.toDouble());
+        return value.isDouble() && std::isfinite(value.toDouble()) &&
+               value.toDouble() == std::floor(value.toDouble());
     case Schema::Type::boolean:
         break;
     }
@@ -68,8 +69,9 @@ QString range(const Schema& schema, const QString& what) {
     const QString most = schema.maximum ? QString::number(*schema.maximum) : QString();
     QString text = what;
     if (!least.isEmpty() || !most.isEmpty())
-        text += QStringLiteral(", %1 to %2").arg(least.isEmpty() ? QStringLiteral("any") : least,
-                                                 most.isEmpty() ? QStringLiteral("any") : most);
+        text += QStringLiteral(", %1 to %2")
+                    .arg(least.isEmpty() ? QStringLiteral("any") : least,
+                         most.isEmpty() ? QStringLiteral("any") : most);
     return schema.unit.isEmpty() || schema.unit == QLatin1String("1") ? text : text + u' ' + schema.unit;
 }
 
@@ -78,27 +80,34 @@ bool inRange(const Schema& schema, double size) {
 }
 
 bool isIdentifier(const QString& text) {
-    return !text.isEmpty() && text[0] >= u'a' && text[0] <= u'z' && std::all_of(text.begin(), text.end(), [](QChar c) {
-        return c == u'_' || (c >= u'a' && c <= u'z') || (c >= u'0' && c <= u'9');
-    });
+    return !text.isEmpty() && text[0] >= u'a' && text[0] <= u'z' &&
+           std::all_of(text.begin(), text.end(), [](QChar c) {
+               return c == u'_' || (c >= u'a' && c <= u'z') || (c >= u'0' && c <= u'9');
+           });
 }
 
 void checkText(const QString& text, const Schema& schema, const QString& path, Problems& problems) {
-    if (!schema.oneOf.empty() && std::find(schema.oneOf.begin(), schema.oneOf.end(), text) == schema.oneOf.end()) {
+    if (!schema.oneOf.empty() &&
+        std::find(schema.oneOf.begin(), schema.oneOf.end(), text) == schema.oneOf.end()) {
         QString all;
         for (const QString& value : schema.oneOf)
             all += (all.isEmpty() ? QString() : QStringLiteral(", ")) + value;
-        problems.push_back({path, quoted(text), QStringLiteral("one of ") + all + didYouMean(text, schema.oneOf)});
+        problems.push_back(
+            {path, quoted(text), QStringLiteral("one of ") + all + didYouMean(text, schema.oneOf)});
     }
     if (!inRange(schema, static_cast<double>(text.size())))
-        problems.push_back({path, quoted(text), range(schema, QStringLiteral("a text of so many characters"))});
+        problems.push_back(
+            {path, quoted(text), range(schema, QStringLiteral("a text of so many characters"))});
     if (schema.identifier && !isIdentifier(text))
-        problems.push_back({path, quoted(text), QStringLiteral("lower-case letters, digits and _, a letter first")});
-    if (std::any_of(text.begin(), text.end(), [](QChar c) { return c.unicode() < 0x20 || c.unicode() == 0x7f; }))
+        problems.push_back(
+            {path, quoted(text), QStringLiteral("lower-case letters, digits and _, a letter first")});
+    if (std::any_of(text.begin(), text.end(),
+                    [](QChar c) { return c.unicode() < 0x20 || c.unicode() == 0x7f; }))
         problems.push_back({path, quoted(text), QStringLiteral("a text without control characters")});
 }
 
-QJsonValue checkedArray(const QJsonArray& array, const Schema& schema, const QString& path, Problems& problems) {
+QJsonValue checkedArray(const QJsonArray& array, const Schema& schema, const QString& path,
+                        Problems& problems) {
     if (!inRange(schema, static_cast<double>(array.size())))
         problems.push_back({path, shown(array), range(schema, QStringLiteral("an array of so many"))});
     QJsonArray out;
@@ -116,7 +125,8 @@ QJsonValue checkedArray(const QJsonArray& array, const Schema& schema, const QSt
     return out;
 }
 
-QJsonValue checkedObject(const QJsonObject& object, const Schema& schema, const QString& path, Problems& problems) {
+QJsonValue checkedObject(const QJsonObject& object, const Schema& schema, const QString& path,
+                         Problems& problems) {
     std::vector<QString> known;
     for (const auto& [key, ignored] : schema.properties)
         known.push_back(key);

@@ -11,7 +11,7 @@ using Parameters = simulation::SphereApexParameters;
 
 struct Key {
     const char* name;
-    double Parameters::* member;
+    double Parameters::*member;
     double perUnit; ///< content's units in one SI unit
 };
 
@@ -38,7 +38,9 @@ constexpr Key kKeys[] = {
     {"maximum_force_N", &Parameters::maximumForce_N, 1.0},
 };
 
-QString mm(double length_m) { return QString::number(core::mmFromM(length_m)) + QStringLiteral(" mm"); }
+QString mm(double length_m) {
+    return QString::number(core::mmFromM(length_m)) + QStringLiteral(" mm");
+}
 
 void checkOrder(double low, double high, const QString& path, const char* key, Problems& problems) {
     if (low > high)
@@ -60,8 +62,9 @@ ExerciseParameters readSphereApex(const ObjectReader& parameters, const std::vec
         p.trials = parameters.integer("trials");
     for (const QString& key : parameters.json().keys())
         if (std::find(known.begin(), known.end(), key) == known.end())
-            parameters.problems().push_back({memberPath(parameters.path(), key), QStringLiteral("unknown key"),
-                                             QStringLiteral("a parameter of sphere_apex") + didYouMean(key, known)});
+            parameters.problems().push_back(
+                {memberPath(parameters.path(), key), QStringLiteral("unknown key"),
+                 QStringLiteral("a parameter of sphere_apex") + didYouMean(key, known)});
     p.cues = cues;
     return p;
 }
@@ -79,11 +82,13 @@ void checkSphereApex(const ExerciseParameters& parameters, const QString& path, 
         return;
     if (p.dimpleOffset_m < p.dimpleRadius_m)
         problems.push_back({memberPath(path, "dimple_offset_mm"), mm(p.dimpleOffset_m),
-                            QStringLiteral("at least dimple_radius_mm = %1, so that the apex stays whole").arg(mm(p.dimpleRadius_m))});
+                            QStringLiteral("at least dimple_radius_mm = %1, so that the apex stays whole")
+                                .arg(mm(p.dimpleRadius_m))});
     if (p.dimpleOffset_m + p.dimpleRadius_m > p.radius_m)
-        problems.push_back({memberPath(path, "dimple_radius_mm"), mm(p.dimpleRadius_m),
-                            QStringLiteral("at most radius_mm - dimple_offset_mm = %1, so that it lies on the ball")
-                                .arg(mm(p.radius_m - p.dimpleOffset_m))});
+        problems.push_back(
+            {memberPath(path, "dimple_radius_mm"), mm(p.dimpleRadius_m),
+             QStringLiteral("at most radius_mm - dimple_offset_mm = %1, so that it lies on the ball")
+                 .arg(mm(p.radius_m - p.dimpleOffset_m))});
 }
 
 } // namespace chiron::catalogue

@@ -30,8 +30,9 @@ struct Measurement {
     static Measurement undefined(std::string why) { return {std::nullopt, std::move(why)}; }
 };
 
-/// One metric in one version (models.md §6). Filter, rate and thresholds belong to the version: changing any of them
-/// is a new entry beside the old one, so that stored scores stay explicable and can be recomputed under either.
+/// One metric in one version (models.md §6). Filter, rate and thresholds belong to the version: changing any
+/// of them is a new entry beside the old one, so that stored scores stay explicable and can be recomputed
+/// under either.
 struct MetricDefinition {
     std::string_view id; ///< snake_case
     int version = 1;
@@ -42,7 +43,8 @@ struct MetricDefinition {
     MetricTools tools = MetricTools::first;
     std::string_view definition; ///< one sentence with the equation
     std::string_view source;     ///< paper and equation, or models.md §
-    /// The value over these trials: called with one trial for `trials[]`, with all of them where aggregate is pooled.
+    /// The value over these trials: called with one trial for `trials[]`, with all of them where aggregate is
+    /// pooled.
     Measurement (*measure)(std::span<const PreparedTrial> trials) = nullptr;
 };
 

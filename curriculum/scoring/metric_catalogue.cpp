@@ -5,25 +5,25 @@
 
 namespace chiron::scoring {
 
-// One line a metric: the function in metrics/<id>.cpp that describes it. A new version of a metric is a line beside
-// the old one.
-#define CHIRON_METRICS(METRIC)                                                                                         \
-    METRIC(timeMetric)                                                                                                 \
-    METRIC(pathLengthMetric)                                                                                           \
-    METRIC(pathInefficiencyMetric)                                                                                     \
-    METRIC(sparcMetric)                                                                                                \
-    METRIC(ldljMetric)                                                                                                 \
-    METRIC(forceMaxMetric)                                                                                             \
-    METRIC(forceMeanMetric)                                                                                            \
-    METRIC(forceRmsMetric)                                                                                             \
-    METRIC(forceP95Metric)                                                                                             \
-    METRIC(forcePeakRateMetric)                                                                                        \
-    METRIC(forceImpulseOverLimitMetric)                                                                                \
-    METRIC(forceTimeOverLimitMetric)                                                                                   \
-    METRIC(apexErrorMeanMetric)                                                                                        \
-    METRIC(apexErrorSdMetric)                                                                                          \
-    METRIC(apexBiasXMetric)                                                                                            \
-    METRIC(apexBiasYMetric)                                                                                            \
+// One line a metric: the function in metrics/<id>.cpp that describes it. A new version of a metric is a line
+// beside the old one.
+#define CHIRON_METRICS(METRIC)                                                                               \
+    METRIC(timeMetric)                                                                                       \
+    METRIC(pathLengthMetric)                                                                                 \
+    METRIC(pathInefficiencyMetric)                                                                           \
+    METRIC(sparcMetric)                                                                                      \
+    METRIC(ldljMetric)                                                                                       \
+    METRIC(forceMaxMetric)                                                                                   \
+    METRIC(forceMeanMetric)                                                                                  \
+    METRIC(forceRmsMetric)                                                                                   \
+    METRIC(forceP95Metric)                                                                                   \
+    METRIC(forcePeakRateMetric)                                                                              \
+    METRIC(forceImpulseOverLimitMetric)                                                                      \
+    METRIC(forceTimeOverLimitMetric)                                                                         \
+    METRIC(apexErrorMeanMetric)                                                                              \
+    METRIC(apexErrorSdMetric)                                                                                \
+    METRIC(apexBiasXMetric)                                                                                  \
+    METRIC(apexBiasYMetric)                                                                                  \
     METRIC(apexMissesMetric)
 
 #define CHIRON_DECLARE_METRIC(function) MetricDefinition function();
@@ -39,8 +39,8 @@ std::span<const MetricDefinition> metricCatalogue() {
 const MetricDefinition* findMetric(std::string_view id, int version) {
     const MetricDefinition* found = nullptr;
     for (const MetricDefinition& metric : metricCatalogue())
-        if (metric.id == id && (version == 0 ? found == nullptr || metric.version > found->version
-                                             : metric.version == version))
+        if (metric.id == id &&
+            (version == 0 ? found == nullptr || metric.version > found->version : metric.version == version))
             found = &metric;
     return found;
 }

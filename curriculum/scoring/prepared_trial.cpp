@@ -23,8 +23,12 @@ struct Samples {
     std::vector<core::Vec3> p;
 };
 
-Microseconds microseconds(double t_s) { return static_cast<Microseconds>(std::llround(t_s * 1e6)); }
-double seconds(Microseconds t) { return static_cast<double>(t) / 1e6; }
+Microseconds microseconds(double t_s) {
+    return static_cast<Microseconds>(std::llround(t_s * 1e6));
+}
+double seconds(Microseconds t) {
+    return static_cast<double>(t) / 1e6;
+}
 
 Microseconds medianStep(const ToolTrace& tool) {
     std::vector<Microseconds> steps;
@@ -65,7 +69,8 @@ Samples onEvenGrid(const Samples& in, Microseconds step) {
             ++i;
         core::Vec3 p = in.p[i];
         if (t > in.t[i]) {
-            const double share = static_cast<double>(t - in.t[i]) / static_cast<double>(in.t[i + 1] - in.t[i]);
+            const double share =
+                static_cast<double>(t - in.t[i]) / static_cast<double>(in.t[i + 1] - in.t[i]);
             p += share * (in.p[i + 1] - in.p[i]);
         }
         out.t.push_back(t);
@@ -132,8 +137,8 @@ std::vector<std::span<const double>> subMovements(const PreparedTrial& trial, co
     if (!trial.movementStart_s)
         return found;
     const double threshold = kSubMovementShare * motion.peakSpeed_m_per_s;
-    const auto shortest =
-        static_cast<std::size_t>(std::ceil(kSubMovementDuration_s / motion.dt_s - 1e-9)); // whole steps, rounding safe
+    const auto shortest = static_cast<std::size_t>(
+        std::ceil(kSubMovementDuration_s / motion.dt_s - 1e-9)); // whole steps, rounding safe
     for (const MotionRun& run : motion.runs) {
         const std::span<const double> speed(run.speed_m_per_s);
         std::size_t first = 0;

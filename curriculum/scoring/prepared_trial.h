@@ -15,7 +15,8 @@ namespace chiron::scoring {
 struct MotionRun {
     std::vector<double> t_s;
     std::vector<core::Vec3> p_WT_m;
-    std::vector<double> speed_m_per_s; ///< first differences: [i] from sample i to i + 1, one fewer than samples
+    std::vector<double>
+        speed_m_per_s; ///< first differences: [i] from sample i to i + 1, one fewer than samples
 };
 
 /// A trial's motion, low-passed and at 100 Hz; a trace slower than that as it is (models.md §6).
@@ -30,30 +31,30 @@ struct PreparedTrial {
     const TrialTrace* trial = nullptr;
     const ToolTrace* tool = nullptr; ///< the first tool; null if the trial has no samples
     double forceLimit_N = 4.0;
-    Motion motion;     ///< low-passed at 20 Hz
-    Motion jerkMotion; ///< low-passed at 6 Hz, for LDLJ
+    Motion motion;                         ///< low-passed at 20 Hz
+    Motion jerkMotion;                     ///< low-passed at 6 Hz, for LDLJ
     std::optional<double> movementStart_s; ///< start of the first 50 ms above 5 mm/s
     std::optional<double> contactStart_s;  ///< first sample with tissue force over 0.02 N
 };
 
-inline constexpr double kContactForce_N = 0.02;           ///< models.md §6: also what "non-zero" force means
-inline constexpr double kMovementSpeed_m_per_s = 0.005;   ///< models.md §6
-inline constexpr double kMovementDuration_s = 0.05;       ///< models.md §6
-inline constexpr double kSubMovementShare = 0.05;         ///< of the trial's peak speed, models.md §6
-inline constexpr double kSubMovementDuration_s = 0.1;     ///< models.md §6
+inline constexpr double kContactForce_N = 0.02;         ///< models.md §6: also what "non-zero" force means
+inline constexpr double kMovementSpeed_m_per_s = 0.005; ///< models.md §6
+inline constexpr double kMovementDuration_s = 0.05;     ///< models.md §6
+inline constexpr double kSubMovementShare = 0.05;       ///< of the trial's peak speed, models.md §6
+inline constexpr double kSubMovementDuration_s = 0.1;   ///< models.md §6
 
 /// `trial` must be on the stored grids (trace_grid.h) and outlive the result.
 PreparedTrial prepareTrial(const TrialTrace& trial, double forceLimit_N);
 
 /// The trial's motion after a low-pass at `cutOff_Hz`.
 ///
-/// Faster than 100 Hz (median step below 9.5 ms): each run is laid linearly on its even grid of the median step,
-/// low-passed with zero phase (low_pass.h) and read at every 10 ms. A run ends at a pause and at a gap of more than
-/// 100 median steps.
+/// Faster than 100 Hz (median step below 9.5 ms): each run is laid linearly on its even grid of the median
+/// step, low-passed with zero phase (low_pass.h) and read at every 10 ms. A run ends at a pause and at a gap
+/// of more than 100 median steps.
 Motion motionOf(const ToolTrace& tool, double cutOff_Hz);
 
-/// Speed profiles of the sub-movements: stretches above 5 % of the trial's peak speed for at least 100 ms. Empty where
-/// the trial has no movement start, so that a still hand's noise is no movement.
+/// Speed profiles of the sub-movements: stretches above 5 % of the trial's peak speed for at least 100 ms.
+/// Empty where the trial has no movement start, so that a still hand's noise is no movement.
 std::vector<std::span<const double>> subMovements(const PreparedTrial& trial, const Motion& motion);
 
 } // namespace chiron::scoring

@@ -24,14 +24,16 @@ core::Result<std::vector<const MetricDefinition*>> resolve(std::span<const Metri
     };
     const auto unknown = [](const std::string& id, int version) {
         return core::fail(core::ErrorCode::badInput,
-                          "metric \"" + id + "\"" + (version == 0 ? "" : " version " + std::to_string(version)) +
+                          "metric \"" + id + "\"" +
+                              (version == 0 ? "" : " version " + std::to_string(version)) +
                               ": expected an id and version of the metric catalogue");
     };
     for (const MetricRequest& request : requests)
         if (!add(request.id, request.version))
             return unknown(request.id, request.version);
     for (const Gate& gate : gates) {
-        const bool there = std::any_of(metrics.begin(), metrics.end(), [&](auto* m) { return m->id == gate.metric; });
+        const bool there =
+            std::any_of(metrics.begin(), metrics.end(), [&](auto* m) { return m->id == gate.metric; });
         if (!there && !add(gate.metric, 0))
             return unknown(gate.metric, 0);
     }
@@ -39,7 +41,8 @@ core::Result<std::vector<const MetricDefinition*>> resolve(std::span<const Metri
 }
 
 MetricValue valueOf(const MetricDefinition& metric, const Measurement& measured) {
-    return {std::string(metric.id), metric.version, std::string(metric.unit), measured.value, measured.reason, {}};
+    return {std::string(metric.id), metric.version,  std::string(metric.unit),
+            measured.value,         measured.reason, {}};
 }
 
 /// Trials without a value are left out; without any, the first reason stands.

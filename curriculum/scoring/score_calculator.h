@@ -18,11 +18,11 @@ struct MetricRequest {
 
 /// Scores a session: the requested metrics in the order given, then gated ones that were not requested.
 ///
-/// Per trial and for the session (`MetricDefinition::aggregate`). Deterministic: the trace is first brought onto the
-/// stored grids (trace_grid.h), so a live trace, one read from the recording and one exported as CSV and read back
-/// give the same doubles. `completed`: whether the session ended by itself; only then can it pass (data.md, States).
-/// Failure: an unknown metric or version (badInput), vectors of unequal length in a trace (badInput).
-/// Thread: any, holds no state; allocates, so never in the tick.
+/// Per trial and for the session (`MetricDefinition::aggregate`). Deterministic: the trace is first brought
+/// onto the stored grids (trace_grid.h), so a live trace, one read from the recording and one exported as CSV
+/// and read back give the same doubles. `completed`: whether the session ended by itself; only then can it
+/// pass (data.md, States). Failure: an unknown metric or version (badInput), vectors of unequal length in a
+/// trace (badInput). Thread: any, holds no state; allocates, so never in the tick.
 core::Result<ScoreCard> calculateScore(const SessionTrace& trace, std::span<const MetricRequest> metrics,
                                        std::span<const Gate> gates, bool completed);
 

@@ -20,14 +20,15 @@ struct MetricValue {
     std::string unit;
     std::optional<double> value; ///< absent with a reason where it is not defined
     std::string reason;
-    std::optional<bool> passed;  ///< only where the level gates this metric
+    std::optional<bool> passed; ///< only where the level gates this metric
 };
 
 /// What a session scored: pooled metrics as the catalogue's aggregates say, and each trial's own.
 struct ScoreCard {
     std::vector<MetricValue> metrics;
     std::vector<std::vector<MetricValue>> trials;
-    bool passed = false; ///< every gate holds and the session is completed; gates on absent values do not hold
+    bool passed =
+        false; ///< every gate holds and the session is completed; gates on absent values do not hold
 };
 
 } // namespace chiron::scoring

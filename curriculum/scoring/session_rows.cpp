@@ -51,8 +51,10 @@ TraceRows rowsOf(const SessionTrace& trace) {
                 row.t_s = samples.t_s[i];
                 row.p_WT_m = samples.p_WT_m[i];
                 row.tissue_N = samples.tissue_N[i];
-                row.commanded_N = samples.commanded_N.empty() ? core::Vec3::Zero().eval() : samples.commanded_N[i];
-                row.measured_N = samples.measured_N.empty() ? core::Vec3::Zero().eval() : samples.measured_N[i];
+                row.commanded_N =
+                    samples.commanded_N.empty() ? core::Vec3::Zero().eval() : samples.commanded_N[i];
+                row.measured_N =
+                    samples.measured_N.empty() ? core::Vec3::Zero().eval() : samples.measured_N[i];
                 row.paused = !samples.paused.empty() && samples.paused[i] != 0;
                 out.rows.push_back(row);
             }

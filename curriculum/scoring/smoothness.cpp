@@ -24,7 +24,8 @@ std::vector<double> normalisedSpectrum(std::span<const double> speed, double dt_
     std::vector<std::complex<double>> spectrum;
     Eigen::FFT<double> fft;
     fft.fwd(spectrum, padded);
-    // The paper divides by the largest amplitude; a profile that is nowhere negative has it at zero frequency.
+    // The paper divides by the largest amplitude; a profile that is nowhere negative has it at zero
+    // frequency.
     const double largest = std::abs(spectrum.front());
     const double step_Hz = 1.0 / (dt_s * static_cast<double>(points));
     std::vector<double> out;

@@ -7,11 +7,12 @@
 
 namespace chiron::scoring {
 
-/// Spectral arc length of one movement's speed profile (Balasubramanian et al. 2015, J NeuroEng Rehabil 12:112, eq. 5):
-/// −∫ √((1/ω_c)² + (dV̂/dω)²) dω over 0…ω_c, V̂ the amplitude spectrum over its value at zero, as the authors' program
-/// has it: zero padding to 2^(⌈log₂ n⌉+4) points, cut-off the last frequency ≤ 10 Hz where V̂ ≥ 0.05.
-/// `speed`: evenly spaced by `dt_s`, any unit, ≥ 0. Dimensionless, below zero; nearer zero is smoother.
-/// v = e^{−5t²}, t ∈ [−1,1) at 100 Hz gives −1.41403. Undefined: no speed above zero, or fewer than two frequencies.
+/// Spectral arc length of one movement's speed profile (Balasubramanian et al. 2015, J NeuroEng Rehabil
+/// 12:112, eq. 5): −∫ √((1/ω_c)² + (dV̂/dω)²) dω over 0…ω_c, V̂ the amplitude spectrum over its value at zero,
+/// as the authors' program has it: zero padding to 2^(⌈log₂ n⌉+4) points, cut-off the last frequency ≤ 10 Hz
+/// where V̂ ≥ 0.05. `speed`: evenly spaced by `dt_s`, any unit, ≥ 0. Dimensionless, below zero; nearer zero is
+/// smoother. v = e^{−5t²}, t ∈ [−1,1) at 100 Hz gives −1.41403. Undefined: no speed above zero, or fewer than
+/// two frequencies.
 Measurement spectralArcLength(std::span<const double> speed, double dt_s);
 
 /// Log dimensionless jerk of one movement (the same paper, eq. 3 in its logarithmic form):

@@ -10,9 +10,10 @@
 
 namespace chiron::scoring {
 
-/// One tool's samples of one trial as metrics see them. All vectors have the same length. Times are the device's clock
-/// (s, from the session's first frame, whole microseconds); positions are rounded to 1 nm and forces to the stored 1 mN,
-/// so that a trace exported as CSV and read back gives the same doubles and so the same scores.
+/// One tool's samples of one trial as metrics see them. All vectors have the same length. Times are the
+/// device's clock (s, from the session's first frame, whole microseconds); positions are rounded to 1 nm and
+/// forces to the stored 1 mN, so that a trace exported as CSV and read back gives the same doubles and so the
+/// same scores.
 struct ToolTrace {
     std::vector<double> t_s;
     std::vector<core::Vec3> p_WT_m;

@@ -12,15 +12,16 @@ namespace chiron::scoring {
 /// A session as metrics see it, from a trace file's rows.
 ///
 /// Trials: the `trial` column, rows whose phase is running only; without it the file is one trial, which for
-/// `sphere_apex` ends at the first mark. Mark: the mark columns, else the first row of tool 0 whose button bit 0 is
-/// newly down; without one the last position is scored and `marked` stays false. Contact at the mark: the column,
-/// else tissue force over 0.02 N at that row, else (no forces in the file) not judged and taken as contact. Apex
-/// truth: the target columns. Limit: `force_limit_N`, else `defaultForceLimit_N`.
+/// `sphere_apex` ends at the first mark. Mark: the mark columns, else the first row of tool 0 whose button
+/// bit 0 is newly down; without one the last position is scored and `marked` stays false. Contact at the
+/// mark: the column, else tissue force over 0.02 N at that row, else (no forces in the file) not judged and
+/// taken as contact. Apex truth: the target columns. Limit: `force_limit_N`, else `defaultForceLimit_N`.
 /// Failure (badInput): no row left to score; target columns that change inside a trial.
 core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_view exercise,
                                              double defaultForceLimit_N = 4.0);
 
-/// The rows of a session's trials in time order, with every column it has; buildSessionTrace gives the same scores.
+/// The rows of a session's trials in time order, with every column it has; buildSessionTrace gives the same
+/// scores.
 TraceRows rowsOf(const SessionTrace& trace);
 
 } // namespace chiron::scoring

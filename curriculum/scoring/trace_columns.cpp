@@ -14,21 +14,31 @@ constexpr std::string_view kTimeText = "seconds, -1e7 to 1e7";
 constexpr std::string_view kLengthText = "millimetres, -1e6 to 1e6";
 constexpr std::string_view kForceText = "newtons, -1e6 to 1e6";
 
-#define CHIRON_ACCESS(expression)                                                                                      \
-    [](const TraceRow& row) -> double { return static_cast<double>(row.expression); },                                 \
+#define CHIRON_ACCESS(expression)                                                                            \
+    [](const TraceRow& row) -> double { return static_cast<double>(row.expression); },                       \
         [](TraceRow& row, double value) { row.expression = static_cast<decltype(row.expression)>(value); }
-#define CHIRON_VECTOR_ACCESS(member, axis)                                                                             \
-    [](const TraceRow& row) -> double { return row.member.axis(); },                                                   \
+#define CHIRON_VECTOR_ACCESS(member, axis)                                                                   \
+    [](const TraceRow& row) -> double { return row.member.axis(); },                                         \
         [](TraceRow& row, double value) { row.member.axis() = value; }
-#define CHIRON_LENGTH(name, group, member, axis)                                                                       \
-    TraceColumn{name, ColumnKind::length, group, -kFurthest_mm, kFurthest_mm, kLengthText, CHIRON_VECTOR_ACCESS(member, axis)}
-#define CHIRON_FORCE(name, group, member, axis)                                                                        \
-    TraceColumn{name, ColumnKind::force, group, -kStrongest_N, kStrongest_N, kForceText, CHIRON_VECTOR_ACCESS(member, axis)}
-#define CHIRON_QUATERNION(name, axis)                                                                                  \
-    TraceColumn{name, ColumnKind::number, &TraceColumns::orientation, -1.01, 1.01,                                     \
-                "part of a unit quaternion, -1.01 to 1.01", CHIRON_VECTOR_ACCESS(q_WT, axis)}
-#define CHIRON_FLAG(name, group, member)                                                                               \
-    TraceColumn{name, ColumnKind::integer, group, 0.0, 1.0, "0 or 1", CHIRON_ACCESS(member)}
+#define CHIRON_LENGTH(name, group, member, axis)                                                             \
+    TraceColumn {                                                                                            \
+        name, ColumnKind::length, group, -kFurthest_mm, kFurthest_mm, kLengthText,                           \
+            CHIRON_VECTOR_ACCESS(member, axis)                                                               \
+    }
+#define CHIRON_FORCE(name, group, member, axis)                                                              \
+    TraceColumn {                                                                                            \
+        name, ColumnKind::force, group, -kStrongest_N, kStrongest_N, kForceText,                             \
+            CHIRON_VECTOR_ACCESS(member, axis)                                                               \
+    }
+#define CHIRON_QUATERNION(name, axis)                                                                        \
+    TraceColumn {                                                                                            \
+        name, ColumnKind::number, &TraceColumns::orientation, -1.01, 1.01,                                   \
+            "part of a unit quaternion, -1.01 to 1.01", CHIRON_VECTOR_ACCESS(q_WT, axis)                     \
+    }
+#define CHIRON_FLAG(name, group, member)                                                                     \
+    TraceColumn {                                                                                            \
+        name, ColumnKind::integer, group, 0.0, 1.0, "0 or 1", CHIRON_ACCESS(member)                          \
+    }
 
 constexpr double kMostButtons = 4294967295.0;
 
@@ -41,10 +51,12 @@ const auto kColumns = std::to_array<TraceColumn>({
     CHIRON_QUATERNION("qx", x),
     CHIRON_QUATERNION("qy", y),
     CHIRON_QUATERNION("qz", z),
-    {"jaw_deg", ColumnKind::angle, &TraceColumns::jaw, -360.0, 360.0, "degrees, -360 to 360", CHIRON_ACCESS(jaw_rad)},
-    {"buttons", ColumnKind::integer, &TraceColumns::buttons, 0.0, kMostButtons, "a whole number, 0 to 4294967295",
-     CHIRON_ACCESS(buttons)},
-    {"tool", ColumnKind::integer, &TraceColumns::tool, 0.0, 3.0, "a whole number, 0 to 3", CHIRON_ACCESS(tool)},
+    {"jaw_deg", ColumnKind::angle, &TraceColumns::jaw, -360.0, 360.0, "degrees, -360 to 360",
+     CHIRON_ACCESS(jaw_rad)},
+    {"buttons", ColumnKind::integer, &TraceColumns::buttons, 0.0, kMostButtons,
+     "a whole number, 0 to 4294967295", CHIRON_ACCESS(buttons)},
+    {"tool", ColumnKind::integer, &TraceColumns::tool, 0.0, 3.0, "a whole number, 0 to 3",
+     CHIRON_ACCESS(tool)},
     CHIRON_FORCE("fx_N", &TraceColumns::tissue, tissue_N, x),
     CHIRON_FORCE("fy_N", &TraceColumns::tissue, tissue_N, y),
     CHIRON_FORCE("fz_N", &TraceColumns::tissue, tissue_N, z),
@@ -68,15 +80,17 @@ const auto kColumns = std::to_array<TraceColumn>({
     CHIRON_LENGTH("mark_z_mm", &TraceColumns::mark, p_WMark_m, z),
     CHIRON_LENGTH("target_x_mm", &TraceColumns::target, target_m, x),
     CHIRON_LENGTH("target_y_mm", &TraceColumns::target, target_m, y),
-    {"target_radius_mm", ColumnKind::length, &TraceColumns::target, 1e-6, kFurthest_mm, "millimetres, 1e-6 to 1e6",
-     CHIRON_ACCESS(targetRadius_m)},
-    {"force_limit_N", ColumnKind::force, &TraceColumns::forceLimit, 0.001, kStrongest_N, "newtons, 0.001 to 1e6",
-     CHIRON_ACCESS(forceLimit_N)},
+    {"target_radius_mm", ColumnKind::length, &TraceColumns::target, 1e-6, kFurthest_mm,
+     "millimetres, 1e-6 to 1e6", CHIRON_ACCESS(targetRadius_m)},
+    {"force_limit_N", ColumnKind::force, &TraceColumns::forceLimit, 0.001, kStrongest_N,
+     "newtons, 0.001 to 1e6", CHIRON_ACCESS(forceLimit_N)},
 });
 
 } // namespace
 
-std::span<const TraceColumn> traceColumns() { return kColumns; }
+std::span<const TraceColumn> traceColumns() {
+    return kColumns;
+}
 
 int findTraceColumn(std::string_view name) {
     for (std::size_t i = 0; i < kColumns.size(); ++i)

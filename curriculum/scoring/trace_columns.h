@@ -11,23 +11,23 @@ namespace chiron::scoring {
 
 /// How a column's text maps to a row: one table for the reader and the writer.
 enum class ColumnKind {
-    time,          ///< s, whole µs in the file
-    length,        ///< mm, whole nm in the file
-    force,         ///< N, whole mN in the file
-    number,        ///< any finite number, shortest decimals that read back alike
-    angle,         ///< degrees in the file, rad here
+    time,   ///< s, whole µs in the file
+    length, ///< mm, whole nm in the file
+    force,  ///< N, whole mN in the file
+    number, ///< any finite number, shortest decimals that read back alike
+    angle,  ///< degrees in the file, rad here
     integer,
-    phase,         ///< idle, ready, running, between, finished
+    phase, ///< idle, ready, running, between, finished
 };
 
 /// One column: its name, the group that comes or stays away together, and where its value lives in a row.
 struct TraceColumn {
     std::string_view name;
     ColumnKind kind = ColumnKind::number;
-    bool TraceColumns::* group = nullptr; ///< null: always there
-    double least = 0.0; ///< range in the file's unit, both ends included
+    bool TraceColumns::*group = nullptr; ///< null: always there
+    double least = 0.0;                  ///< range in the file's unit, both ends included
     double most = 0.0;
-    std::string_view expected; ///< for messages
+    std::string_view expected;                    ///< for messages
     double (*get)(const TraceRow& row) = nullptr; ///< SI; integers and phases as numbers
     void (*set)(TraceRow& row, double value) = nullptr;
 };

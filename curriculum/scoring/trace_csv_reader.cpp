@@ -60,10 +60,11 @@ public:
     }
 
 private:
-    tl::unexpected<core::Error> refuse(std::size_t column, const std::string& found, const std::string& expected) const {
+    tl::unexpected<core::Error> refuse(std::size_t column, const std::string& found,
+                                       const std::string& expected) const {
         return core::fail(core::ErrorCode::badInput, m_out.source + ":" + std::to_string(m_line) + ":" +
-                                                         std::to_string(column) + ": " + found + ": expected " +
-                                                         expected);
+                                                         std::to_string(column) + ": " + found +
+                                                         ": expected " + expected);
     }
 
     bool nextLine(std::string_view& line) {
@@ -131,13 +132,15 @@ private:
             start = end + 1;
         }
         if (start <= line.size())
-            return refuse(m_columns.size() + 1, "row with more values: " + shown(line.substr(start)), columnCount());
+            return refuse(m_columns.size() + 1, "row with more values: " + shown(line.substr(start)),
+                          columnCount());
         return accept(row);
     }
 
     std::string columnCount() const { return std::to_string(m_columns.size()) + " values as in the header"; }
 
-    core::Result<double> readValue(const TraceColumn& column, std::string_view text, std::size_t number) const {
+    core::Result<double> readValue(const TraceColumn& column, std::string_view text,
+                                   std::size_t number) const {
         const auto refused = [&] {
             return refuse(number, std::string(column.name) + " " + shown(text), std::string(column.expected));
         };
@@ -162,7 +165,8 @@ private:
         case ColumnKind::time:
             return onMicroseconds(value);
         case ColumnKind::length:
-            return std::nearbyint(value * 1e6) / 1e9 + 0.0; // whole nm; the double nearest to the written decimal
+            return std::nearbyint(value * 1e6) / 1e9 +
+                   0.0; // whole nm; the double nearest to the written decimal
         case ColumnKind::force:
             return onMillinewtons(value);
         case ColumnKind::angle:
@@ -179,12 +183,13 @@ private:
         double& last = m_lastTime[row.tool];
         if (!(row.t_s > last))
             return refuse(columnOf("t_s"), "t_s " + std::to_string(row.t_s),
-                          "a time later than tool " + std::to_string(row.tool) + "'s last, " + std::to_string(last) +
-                              " (to whole microseconds)");
+                          "a time later than tool " + std::to_string(row.tool) + "'s last, " +
+                              std::to_string(last) + " (to whole microseconds)");
         last = row.t_s;
         const double norm = row.q_WT.norm();
         if (std::abs(norm - 1.0) > 1e-3)
-            return refuse(columnOf("qw"), "quaternion of length " + std::to_string(norm), "length 1 to within 0.001");
+            return refuse(columnOf("qw"), "quaternion of length " + std::to_string(norm),
+                          "length 1 to within 0.001");
         if (std::abs(norm - 1.0) > 1e-12) // already unit: keep the bits that were written
             row.q_WT.normalize();
         m_out.rows.push_back(row);

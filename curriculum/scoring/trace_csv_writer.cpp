@@ -42,7 +42,9 @@ void appendDecimal(std::string& out, std::int64_t count, int decimals) {
 }
 
 /// As trace_grid.h rounds.
-std::int64_t nearest(double count) { return static_cast<std::int64_t>(std::nearbyint(count)); }
+std::int64_t nearest(double count) {
+    return static_cast<std::int64_t>(std::nearbyint(count));
+}
 
 void appendShortest(std::string& out, double value) {
     std::array<char, 40> text{};

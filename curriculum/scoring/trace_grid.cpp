@@ -28,7 +28,8 @@ core::Result<ToolTrace> toolOnGrids(const ToolTrace& raw) {
     if (!sameLength(raw.p_WT_m, n, false) || !sameLength(raw.tissue_N, n, false) ||
         !sameLength(raw.commanded_N, n, true) || !sameLength(raw.measured_N, n, true) ||
         (raw.paused.size() != n && !raw.paused.empty()))
-        return core::fail(core::ErrorCode::badInput, "trace: its columns differ in length: expected one value a sample");
+        return core::fail(core::ErrorCode::badInput,
+                          "trace: its columns differ in length: expected one value a sample");
     ToolTrace out;
     double last = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
@@ -50,9 +51,15 @@ core::Result<ToolTrace> toolOnGrids(const ToolTrace& raw) {
 
 } // namespace
 
-double onMicroseconds(double t_s) { return onGrid(t_s, 1e6); }
-double onNanometres(double x_m) { return onGrid(x_m, 1e9); }
-double onMillinewtons(double f_N) { return onGrid(f_N, 1e3); }
+double onMicroseconds(double t_s) {
+    return onGrid(t_s, 1e6);
+}
+double onNanometres(double x_m) {
+    return onGrid(x_m, 1e9);
+}
+double onMillinewtons(double f_N) {
+    return onGrid(f_N, 1e3);
+}
 
 core::Result<SessionTrace> onStoredGrids(const SessionTrace& trace) {
     SessionTrace out;

@@ -9,8 +9,8 @@ namespace {
 
 const QString kMarker = QStringLiteral("@@spoiled@@");
 
-QJsonValue replaced(const QJsonValue& value, const std::vector<std::variant<QString, qsizetype>>& steps, std::size_t depth,
-                    const QJsonValue& with) {
+QJsonValue replaced(const QJsonValue& value, const std::vector<std::variant<QString, qsizetype>>& steps,
+                    std::size_t depth, const QJsonValue& with) {
     if (depth == steps.size())
         return with;
     if (const auto* key = std::get_if<QString>(&steps[depth])) {
@@ -63,10 +63,10 @@ QByteArray ContentMutator::withRaw(const Node& node, const QByteArray& raw) cons
 Mutation ContentMutator::mutate(int kind) {
     using Way = Mutation (ContentMutator::*)();
     static constexpr Way kWays[kKinds] = {
-        &ContentMutator::typeChange,   &ContentMutator::rangeBreak,     &ContentMutator::unknownKey,
-        &ContentMutator::misspeltKey,  &ContentMutator::removedKey,     &ContentMutator::duplicateKey,
-        &ContentMutator::truncation,   &ContentMutator::notANumber,     &ContentMutator::hugeNumber,
-        &ContentMutator::wrongEncoding, &ContentMutator::deepNesting,   &ContentMutator::brokenPunctuation,
+        &ContentMutator::typeChange,       &ContentMutator::rangeBreak,  &ContentMutator::unknownKey,
+        &ContentMutator::misspeltKey,      &ContentMutator::removedKey,  &ContentMutator::duplicateKey,
+        &ContentMutator::truncation,       &ContentMutator::notANumber,  &ContentMutator::hugeNumber,
+        &ContentMutator::wrongEncoding,    &ContentMutator::deepNesting, &ContentMutator::brokenPunctuation,
         &ContentMutator::controlCharacter, &ContentMutator::hugeText};
     return (this->*kWays[kind])();
 }
@@ -99,7 +99,8 @@ Mutation ContentMutator::unknownKey() {
 }
 
 Mutation ContentMutator::misspeltKey() {
-    const Node& node = anyNode([](const Node& n) { return n.value.isObject() && !n.value.toObject().isEmpty(); });
+    const Node& node =
+        anyNode([](const Node& n) { return n.value.isObject() && !n.value.toObject().isEmpty(); });
     QJsonObject object = node.value.toObject();
     const QStringList keys = object.keys();
     const QString key = keys[static_cast<qsizetype>(m_random.below(static_cast<std::uint64_t>(keys.size())))];
@@ -125,7 +126,8 @@ Mutation ContentMutator::removedKey() {
 }
 
 Mutation ContentMutator::duplicateKey() {
-    const Node& node = anyNode([](const Node& n) { return n.value.isObject() && !n.value.toObject().isEmpty(); });
+    const Node& node =
+        anyNode([](const Node& n) { return n.value.isObject() && !n.value.toObject().isEmpty(); });
     QJsonObject object = node.value.toObject();
     const QStringList keys = object.keys();
     const QString key = keys[static_cast<qsizetype>(m_random.below(static_cast<std::uint64_t>(keys.size())))];
@@ -142,7 +144,8 @@ Mutation ContentMutator::truncation() {
 
 Mutation ContentMutator::notANumber() {
     const Node& node = anyNode([](const Node& n) { return n.value.isDouble(); });
-    const QByteArray raws[] = {"NaN", "nan", "Infinity", "-Infinity", "0x10", "+5", ".5", "1_000", "--1", "1e"};
+    const QByteArray raws[] = {"NaN", "nan", "Infinity", "-Infinity", "0x10",
+                               "+5",  ".5",  "1_000",    "--1",       "1e"};
     return {"not a number", withRaw(node, raws[m_random.below(10)]), {}, false};
 }
 
@@ -155,12 +158,14 @@ Mutation ContentMutator::hugeNumber() {
 Mutation ContentMutator::wrongEncoding() {
     const auto way = m_random.below(4);
     if (way < 2) {
-        QStringEncoder encoder(way == 0 ? QStringEncoder::Utf16LE : QStringEncoder::Utf16BE, QStringEncoder::Flag::WriteBom);
+        QStringEncoder encoder(way == 0 ? QStringEncoder::Utf16LE : QStringEncoder::Utf16BE,
+                               QStringEncoder::Flag::WriteBom);
         return {"UTF-16", encoder(QString::fromUtf8(m_valid)), {}, true};
     }
     QByteArray text = m_valid;
     const char bytes[] = {'\xe4', '\xff', '\xc0', '\x80'};
-    text.insert(static_cast<qsizetype>(m_random.below(static_cast<std::uint64_t>(text.size() - 2))), bytes[m_random.below(4)]);
+    text.insert(static_cast<qsizetype>(m_random.below(static_cast<std::uint64_t>(text.size() - 2))),
+                bytes[m_random.below(4)]);
     return {"stray byte", text, {}, true};
 }
 
@@ -191,12 +196,14 @@ Mutation ContentMutator::brokenPunctuation() {
 
 Mutation ContentMutator::controlCharacter() {
     const Node& node = anyNode([](const Node& n) { return n.value.isString(); });
-    return {"control character", withRaw(node, "\"a\\u000" + QByteArray::number(1 + static_cast<int>(m_random.below(8))) + "b\""),
+    return {"control character",
+            withRaw(node, "\"a\\u000" + QByteArray::number(1 + static_cast<int>(m_random.below(8))) + "b\""),
             node.path, false};
 }
 
 Mutation ContentMutator::hugeText() {
     const Node& node = anyNode([](const Node& n) { return n.value.isString(); });
     const auto length = static_cast<qsizetype>(1000 + m_random.below(2000000));
-    return {"huge text", withRaw(node, '"' + QByteArray(length, 'x') + '"'), length > 1000000 ? QString() : node.path, false};
+    return {"huge text", withRaw(node, '"' + QByteArray(length, 'x') + '"'),
+            length > 1000000 ? QString() : node.path, false};
 }

@@ -13,9 +13,9 @@
 /// One way of spoiling a valid content file.
 struct Mutation {
     QString kind;
-    QByteArray text;      ///< the spoiled file
-    QString path;         ///< JSON path that the message must name; empty where only line and column can be known
-    bool syntax = false;  ///< not JSON any more: the message names line and column, path "$"
+    QByteArray text; ///< the spoiled file
+    QString path;    ///< JSON path that the message must name; empty where only line and column can be known
+    bool syntax = false; ///< not JSON any more: the message names line and column, path "$"
 };
 
 /// Spoils a valid JSON file in seeded ways, each of which a loader must refuse.

@@ -47,7 +47,9 @@ void TestContent::shippedContentIsValid() {
 void TestContent::sphereApexHasItsFourLevels() {
     const auto& levels = shipped().find("sphere_apex")->levels;
     QCOMPARE(levels.size(), std::size_t{4});
-    const auto parameters = [&](std::size_t i) { return std::get<simulation::SphereApexParameters>(levels[i].parameters); };
+    const auto parameters = [&](std::size_t i) {
+        return std::get<simulation::SphereApexParameters>(levels[i].parameters);
+    };
     QVERIFY(levels[0].cues.size() > 0 && levels[0].cues[0] == "object" && !levels[0].needsForce);
     // P2's condition: R = 20 mm, ten spheres, nothing to see.
     QCOMPARE(parameters(1).radius_m, 0.020);
@@ -69,9 +71,11 @@ void TestContent::everyTextIsInThreeLanguages() {
     for (const Exercise& exercise : shipped().exercises()) {
         QVERIFY(complete(exercise.title) && complete(exercise.objective));
         for (const ExerciseLevel& level : exercise.levels) {
-            QVERIFY2(complete(level.title) && complete(level.objective) && complete(level.measured), level.id.c_str());
+            QVERIFY2(complete(level.title) && complete(level.objective) && complete(level.measured),
+                     level.id.c_str());
             QVERIFY(!level.shownForce || complete(level.shownForce->note));
-            QVERIFY(level.title.at("en") != level.title.at("de") && level.title.at("en") != level.title.at("el"));
+            QVERIFY(level.title.at("en") != level.title.at("de") &&
+                    level.title.at("en") != level.title.at("el"));
         }
     }
 }
@@ -82,14 +86,16 @@ void TestContent::textsHaveNoStrayCharacters() {
         QFile file(it.next());
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray bytes = file.readAll();
-        QVERIFY2(!bytes.contains('\t') && !bytes.contains('\r') && bytes.endsWith("}\n"), qPrintable(file.fileName()));
+        QVERIFY2(!bytes.contains('\t') && !bytes.contains('\r') && bytes.endsWith("}\n"),
+                 qPrintable(file.fileName()));
         QVERIFY(!bytes.contains("  \"\"") && !bytes.contains("TODO"));
     }
 }
 
 // architecture.md: keys carry units (`stiffness_N_per_m`).
 void TestContent::keysCarryTheirUnits() {
-    const std::map<QString, QString> suffix{{"mm", "_mm"}, {"s", "_s"}, {"N", "_N"}, {"N/m", "_N_per_m"}, {"N·s/m", "_N_s_per_m"}};
+    const std::map<QString, QString> suffix{
+        {"mm", "_mm"}, {"s", "_s"}, {"N", "_N"}, {"N/m", "_N_per_m"}, {"N·s/m", "_N_s_per_m"}};
     const auto schema = readSchema(kContent + "/schema", "sphere_apex_parameters");
     QVERIFY(schema.has_value());
     for (const auto& [key, property] : schema->properties) {

@@ -32,7 +32,8 @@ bool namesPlace(const QByteArray& message, const QByteArray& file) {
 
 void TestMalformedContent::everyMutationIsRefused() {
     constexpr int kRounds = 25;
-    const QStringList files{"exercises/sphere_apex/exercise.json", "exercises/sphere_apex/levels/visible.json",
+    const QStringList files{"exercises/sphere_apex/exercise.json",
+                            "exercises/sphere_apex/levels/visible.json",
                             "exercises/sphere_apex/levels/haptics_alone.json",
                             "exercises/sphere_apex/levels/varied_material.json",
                             "exercises/sphere_apex/levels/decoy_dimple.json"};
@@ -47,15 +48,18 @@ void TestMalformedContent::everyMutationIsRefused() {
             const Mutation mutation = ContentMutator(valid, random).mutate(kind);
             copy.write(file, mutation.text);
             const auto catalogue = catalogue::Catalogue::load(copy.directory());
-            const QByteArray about = mutation.kind.toUtf8() + " in " + file.toUtf8() + " at " + mutation.path.toUtf8();
+            const QByteArray about =
+                mutation.kind.toUtf8() + " in " + file.toUtf8() + " at " + mutation.path.toUtf8();
             QVERIFY2(!catalogue.has_value(), (about + "\n" + mutation.text.left(3000)).constData());
             const QByteArray message = QByteArray::fromStdString(catalogue.error().message);
-            QVERIFY2(namesPlace(message, copy.path(file).toUtf8()), (about + ": " + message.left(500)).constData());
+            QVERIFY2(namesPlace(message, copy.path(file).toUtf8()),
+                     (about + ": " + message.left(500)).constData());
             QVERIFY2(message.contains(": expected "), message.left(500).constData());
             QVERIFY2(message.size() < 20000, about.constData());
             QVERIFY2(mutation.path.isEmpty() || message.contains(' ' + mutation.path.toUtf8() + ": "),
                      (about + ": " + message.left(1000)).constData());
-            QVERIFY2(!mutation.syntax || message.contains(": $: "), (about + ": " + message.left(500)).constData());
+            QVERIFY2(!mutation.syntax || message.contains(": $: "),
+                     (about + ": " + message.left(500)).constData());
             ++tried[mutation.kind];
             copy.write(file, valid);
         }

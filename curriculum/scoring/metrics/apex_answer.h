@@ -14,15 +14,17 @@ namespace chiron::scoring {
 struct ApexAnswer {
     double errorX_percent = 0.0; ///< 100 (x − x₀)/R
     double errorY_percent = 0.0;
-    bool miss = false; ///< out of contact, farther than R from the apex (x, y), or no mark before the time was up
+    bool miss =
+        false; ///< out of contact, farther than R from the apex (x, y), or no mark before the time was up
 };
 
-/// The marked position, or the last one of the first tool where nothing was marked, so that leaving hard trials
-/// unmarked improves no score. Misses keep their value. None without the truth or without any position.
+/// The marked position, or the last one of the first tool where nothing was marked, so that leaving hard
+/// trials unmarked improves no score. Misses keep their value. None without the truth or without any
+/// position.
 std::optional<ApexAnswer> apexAnswer(const PreparedTrial& trial);
 
-/// The answers of all trials. Failure as a reason in `undefined` if any trial has none: a session's error must not
-/// silently leave trials out.
+/// The answers of all trials. Failure as a reason in `undefined` if any trial has none: a session's error
+/// must not silently leave trials out.
 struct ApexAnswers {
     std::vector<ApexAnswer> answers;
     std::optional<Measurement> undefined;

@@ -27,8 +27,9 @@ MetricDefinition apexErrorMeanMetric() {
             .wrench = MetricWrench::none,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
-            .definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials, misses "
-                          "included.",
+            .definition =
+                "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials, misses "
+                "included.",
             .source = "models.md §2.3; P2, Preliminary Validation",
             .measure = measure};
 }

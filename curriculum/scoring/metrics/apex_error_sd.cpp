@@ -34,8 +34,9 @@ MetricDefinition apexErrorSdMetric() {
             .wrench = MetricWrench::none,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
-            .definition = "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all "
-                          "trials.",
+            .definition =
+                "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all "
+                "trials.",
             .source = "models.md §2.3; P2, Preliminary Validation",
             .measure = measure};
 }

@@ -25,8 +25,9 @@ MetricDefinition apexMissesMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
-            .definition = "Trials marked out of contact, marked farther than R from the apex, or not marked in time; "
-                          "their errors count all the same.",
+            .definition =
+                "Trials marked out of contact, marked farther than R from the apex, or not marked in time; "
+                "their errors count all the same.",
             .source = "models.md §2.3; P2, Preliminary Validation",
             .measure = measure};
 }

@@ -26,8 +26,9 @@ MetricDefinition forceImpulseOverLimitMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::sum,
             .tools = MetricTools::first,
-            .definition = "Integral of |f| dt while |f| is over the level's force limit, each sample held until the "
-                          "next.",
+            .definition =
+                "Integral of |f| dt while |f| is over the level's force limit, each sample held until the "
+                "next.",
             .source = "models.md §6",
             .measure = measure};
 }

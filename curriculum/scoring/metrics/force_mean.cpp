@@ -14,7 +14,8 @@ Measurement measure(std::span<const PreparedTrial> trials) {
             ++samples;
         }
     });
-    return samples == 0 ? Measurement::undefined("no contact") : Measurement::of(sum_N / static_cast<double>(samples));
+    return samples == 0 ? Measurement::undefined("no contact")
+                        : Measurement::of(sum_N / static_cast<double>(samples));
 }
 
 } // namespace

@@ -10,8 +10,9 @@
 
 namespace chiron::scoring {
 
-/// Calls visit(‖tissue force‖ N, seconds it was held) for each unpaused sample of the first tool. A sample's force
-/// holds until the next one, as the loop holds it for a tick; the trial's last sample holds for no time.
+/// Calls visit(‖tissue force‖ N, seconds it was held) for each unpaused sample of the first tool. A sample's
+/// force holds until the next one, as the loop holds it for a tick; the trial's last sample holds for no
+/// time.
 template <class Visit> void forEachForce(std::span<const PreparedTrial> trials, Visit&& visit) {
     for (const PreparedTrial& trial : trials) {
         if (trial.tool == nullptr)
@@ -23,6 +24,8 @@ template <class Visit> void forEachForce(std::span<const PreparedTrial> trials, 
     }
 }
 
-inline Measurement noSamples() { return Measurement::undefined("no samples"); }
+inline Measurement noSamples() {
+    return Measurement::undefined("no samples");
+}
 
 } // namespace chiron::scoring

@@ -26,7 +26,8 @@ MetricDefinition forceTimeOverLimitMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::sum,
             .tools = MetricTools::first,
-            .definition = "Time for which |f| is over the level's force limit, each sample held until the next.",
+            .definition =
+                "Time for which |f| is over the level's force limit, each sample held until the next.",
             .source = "models.md §6",
             .measure = measure};
 }

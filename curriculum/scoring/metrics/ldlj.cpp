@@ -20,8 +20,9 @@ MetricDefinition ldljMetric() {
             .wrench = MetricWrench::none,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
-            .definition = "Median over the sub-movements (speed over 5 % of its peak for 100 ms) of their log "
-                          "dimensionless jerk, low-passed at 6 Hz.",
+            .definition =
+                "Median over the sub-movements (speed over 5 % of its peak for 100 ms) of their log "
+                "dimensionless jerk, low-passed at 6 Hz.",
             .source = "models.md §6; Balasubramanian et al. 2015, J NeuroEng Rehabil 12:112",
             .measure = measure};
 }

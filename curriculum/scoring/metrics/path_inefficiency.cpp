@@ -12,7 +12,8 @@ Measurement measure(std::span<const PreparedTrial> trials) {
     int counted = 0;
     for (const PreparedTrial& trial : trials) {
         double length_m = 0.0;
-        core::Vec3 displacement_m = core::Vec3::Zero(); // run by run: what happens in a pause is no one's path
+        core::Vec3 displacement_m =
+            core::Vec3::Zero(); // run by run: what happens in a pause is no one's path
         for (const MotionRun& run : trial.motion.runs) {
             displacement_m += run.p_WT_m.back() - run.p_WT_m.front();
             for (std::size_t i = 0; i + 1 < run.p_WT_m.size(); ++i)
@@ -37,8 +38,9 @@ MetricDefinition pathInefficiencyMetric() {
             .wrench = MetricWrench::none,
             .aggregate = Aggregate::mean,
             .tools = MetricTools::first,
-            .definition = "100 (L/D - 1), D the straight distance between the trial's ends; the mean over the trials "
-                          "where D is at least 5 mm.",
+            .definition =
+                "100 (L/D - 1), D the straight distance between the trial's ends; the mean over the trials "
+                "where D is at least 5 mm.",
             .source = "models.md §6",
             .measure = measure};
 }

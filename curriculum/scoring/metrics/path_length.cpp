@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/units.h"
 #include "scoring/metric.h"
 #include "scoring/prepared_trial.h"
-#include "core/units.h"
 
 namespace chiron::scoring {
 
@@ -16,7 +16,8 @@ Measurement measure(std::span<const PreparedTrial> trials) {
                 length_m += (run.p_WT_m[i + 1] - run.p_WT_m[i]).norm();
                 any = true;
             }
-    return any ? Measurement::of(core::mmFromM(length_m)) : Measurement::undefined("fewer than two positions");
+    return any ? Measurement::of(core::mmFromM(length_m))
+               : Measurement::undefined("fewer than two positions");
 }
 
 } // namespace

@@ -20,8 +20,9 @@ MetricDefinition sparcMetric() {
             .wrench = MetricWrench::none,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
-            .definition = "Median over the sub-movements (speed over 5 % of its peak for 100 ms) of their spectral arc "
-                          "length.",
+            .definition =
+                "Median over the sub-movements (speed over 5 % of its peak for 100 ms) of their spectral arc "
+                "length.",
             .source = "models.md §6; Balasubramanian et al. 2015, J NeuroEng Rehabil 12:112",
             .measure = measure};
 }

@@ -7,7 +7,7 @@
 
 namespace chiron::scoring {
 
-Measurement subMovementMedian(std::span<const PreparedTrial> trials, Motion PreparedTrial::* motion,
+Measurement subMovementMedian(std::span<const PreparedTrial> trials, Motion PreparedTrial::*motion,
                               Measurement (*measure)(std::span<const double> speed, double dt_s)) {
     std::vector<double> values;
     bool moved = false;

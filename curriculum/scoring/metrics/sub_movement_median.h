@@ -8,9 +8,9 @@
 
 namespace chiron::scoring {
 
-/// The median over the sub-movements of all trials of one smoothness measure. Sub-movements for which it is undefined
-/// are left out; undefined where none is left.
-Measurement subMovementMedian(std::span<const PreparedTrial> trials, Motion PreparedTrial::* motion,
+/// The median over the sub-movements of all trials of one smoothness measure. Sub-movements for which it is
+/// undefined are left out; undefined where none is left.
+Measurement subMovementMedian(std::span<const PreparedTrial> trials, Motion PreparedTrial::*motion,
                               Measurement (*measure)(std::span<const double> speed, double dt_s));
 
 } // namespace chiron::scoring

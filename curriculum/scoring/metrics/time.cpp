@@ -37,8 +37,9 @@ MetricDefinition timeMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::sum,
             .tools = MetricTools::first,
-            .definition = "From the first movement (50 ms above 5 mm/s) or contact (0.02 N), whichever is earlier, to "
-                          "the trial's end, without pauses.",
+            .definition =
+                "From the first movement (50 ms above 5 mm/s) or contact (0.02 N), whichever is earlier, to "
+                "the trial's end, without pauses.",
             .source = "models.md §6",
             .measure = measure};
 }

@@ -37,16 +37,6 @@ SessionTrace moved(const SessionTrace& trace, const core::Mat3& rotation, const 
     return out;
 }
 
-TrialTrace apexTrial(double x_mm, double y_mm, bool contact = true) {
-    TrialTrace trial;
-    trial.tools.push_back(sampled(0.2, 0.001, [=](double) { return Vec3(x_mm / 1e3, y_mm / 1e3, 0.02); }));
-    trial.marked = true;
-    trial.markInContact = contact;
-    trial.p_WMark_m = Vec3(x_mm / 1e3, y_mm / 1e3, 0.02);
-    trial.apex = ApexTruth{0.010, -0.005, 0.020};
-    return trial;
-}
-
 } // namespace
 
 class TestMetrics : public QObject {
@@ -70,20 +60,14 @@ private slots:
     void timeStartsWithContactIfEarlier();
     void timeLeavesPausesOut();
     void pausedPathIsLeftOut();
-    void forceStatisticsOfKnownSamples();
-    void forceRateAndImpulse();
-    void forceNeedsContact();
-    void apexErrorsOfKnownMarks();
-    void apexMissesAreKeptAndCounted();
-    void apexWithoutMarkScoresLastPosition();
-    void apexWithoutTruthHasReason();
     void unevenTimesAreInterpolated();
     void longGapEndsARun();
     void emptyTrialsHaveReasons();
 };
 
 void TestMetrics::pathOfCircle() {
-    // Radius 50 mm, one turn in 4 s: far below the cut-off, so the length is 2πr to 0.1 % (edges, chord length).
+    // Radius 50 mm, one turn in 4 s: far below the cut-off, so the length is 2πr to 0.1 % (edges, chord
+    // length).
     const auto trace = session(sampled(4.0, 0.001, [](double t) {
         const double a = core::kPi / 2.0 * t;
         return Vec3(0.05 * std::cos(a), 0.05 * std::sin(a), 0.0);
@@ -109,7 +93,9 @@ void TestMetrics::inefficiencyNeedsDistance() {
     const auto value = metricOf(trace, "path_inefficiency");
     QVERIFY(!value.value);
     QVERIFY(value.reason.find("5 mm") != std::string::npos);
-    QVERIFY(metricOf(session(sampled(5.0, 0.001, [](double t) { return reach(t, 0.0051, kX); })), "path_inefficiency").value);
+    QVERIFY(metricOf(session(sampled(5.0, 0.001, [](double t) { return reach(t, 0.0051, kX); })),
+                     "path_inefficiency")
+                .value);
 }
 
 void TestMetrics::pathIgnoresTranslationAndRotation() {
@@ -128,12 +114,14 @@ void TestMetrics::smoothnessIgnoresTranslationRotationAndScale() {
         const double before = valueOf(trace, id);
         QVERIFY(before < 0.0);
         QVERIFY(std::abs(before - valueOf(moved(trace, turn, Vec3(0.2, -0.1, 0.05)), id)) < 1e-3);
-        QVERIFY(std::abs(before - valueOf(moved(trace, 2.0 * core::Mat3::Identity(), Vec3::Zero()), id)) < 1e-3);
+        QVERIFY(std::abs(before - valueOf(moved(trace, 2.0 * core::Mat3::Identity(), Vec3::Zero()), id)) <
+                1e-3);
     }
 }
 
 void TestMetrics::pathIgnoresTimeReversal() {
-    auto forward = sampled(10.0, 0.001, wander); // 10 s: whole decimated samples, so that both see the same instants
+    auto forward =
+        sampled(10.0, 0.001, wander); // 10 s: whole decimated samples, so that both see the same instants
     auto backward = forward;
     std::reverse(backward.p_WT_m.begin(), backward.p_WT_m.end());
     const double a = valueOf(session(forward), "path_length");
@@ -148,8 +136,8 @@ void TestMetrics::pathScalesWithSpace() {
     QVERIFY(std::abs(three / one - 3.0) < 1e-6);
 }
 
-// models.md §6: unfiltered 10 µm steps "travel" 0.95 m a minute. White noise of one step's uniform distribution at
-// 1 kHz leaves 40 Hz of 1000 Hz's power at most, at a tenth of the samples.
+// models.md §6: unfiltered 10 µm steps "travel" 0.95 m a minute. White noise of one step's uniform
+// distribution at 1 kHz leaves 40 Hz of 1000 Hz's power at most, at a tenth of the samples.
 void TestMetrics::stillHandTravelsLittle() {
     core::Random random(5);
     const auto noisy = [&](double) {
@@ -195,14 +183,14 @@ void TestMetrics::slowTraceIsUsedAsItIs() {
 void TestMetrics::rateHardlyMatters() {
     const double at1000 = valueOf(session(sampled(10.0, 0.001, wander)), "path_length");
     for (const double step_s : {0.0005, 0.002, 0.004, 0.008, 0.01})
-        QVERIFY(std::abs(valueOf(session(sampled(10.0, step_s, wander)), "path_length") / at1000 - 1.0) < 0.01);
+        QVERIFY(std::abs(valueOf(session(sampled(10.0, step_s, wander)), "path_length") / at1000 - 1.0) <
+                0.01);
 }
 
 // The same way in the same time, but in surges: four a second, never standing still in between.
 void TestMetrics::reachIsSmootherThanShaking() {
-    const auto surging = session(sampled(5.0, 0.001, [](double t) {
-        return reach(t + 0.03 * std::sin(2.0 * core::kPi * 4.0 * t), 0.1, kX);
-    }));
+    const auto surging = session(sampled(
+        5.0, 0.001, [](double t) { return reach(t + 0.03 * std::sin(2.0 * core::kPi * 4.0 * t), 0.1, kX); }));
     for (const char* id : {"sparc", "ldlj"})
         QVERIFY(valueOf(reachSession(), id) > valueOf(surging, id) + 0.1);
 }
@@ -225,7 +213,8 @@ void TestMetrics::timeStartsWithMovement() {
 
 void TestMetrics::timeStartsWithContactIfEarlier() {
     const auto force = [](double t) { return Vec3(0.0, 0.0, t > 0.9995 && t < 2.0 ? 0.021 : 0.019); };
-    auto trace = session(sampled(5.0, 0.001, [](double t) { return reach(t, 0.1, kX); }, force));
+    auto trace = session(sampled(
+        5.0, 0.001, [](double t) { return reach(t, 0.1, kX); }, force));
     QVERIFY(std::abs(valueOf(trace, "time") - 4.0) < 1e-9);
 }
 
@@ -239,87 +228,20 @@ void TestMetrics::timeLeavesPausesOut() {
 
 void TestMetrics::pausedPathIsLeftOut() {
     // Half the reach, then a second's pause in which the hand comes back, then the same half again.
-    auto tool = sampled(3.0, 0.001, [](double t) {
-        if (t < 1.0)
-            return Vec3(0.05 * t, 0.0, 0.0);
-        return t < 2.0 ? Vec3(0.05 * (2.0 - t), 0.0, 0.0) : Vec3(0.05 * (t - 2.0), 0.0, 0.0);
-    }, [](double t) { return Vec3(0.0, 0.0, t >= 1.0 && t < 2.0 ? 9.0 : 1.0); });
+    auto tool = sampled(
+        3.0, 0.001,
+        [](double t) {
+            if (t < 1.0)
+                return Vec3(0.05 * t, 0.0, 0.0);
+            return t < 2.0 ? Vec3(0.05 * (2.0 - t), 0.0, 0.0) : Vec3(0.05 * (t - 2.0), 0.0, 0.0);
+        },
+        [](double t) { return Vec3(0.0, 0.0, t >= 1.0 && t < 2.0 ? 9.0 : 1.0); });
     for (std::size_t i = 1000; i < 2000; ++i)
         tool.paused[i] = 1;
     const auto trace = session(tool);
     QVERIFY(std::abs(valueOf(trace, "path_length") - 100.0) < 1.5); // a decimated step at each end
     QVERIFY(std::abs(valueOf(trace, "path_inefficiency")) < 1.0);
     QCOMPARE(valueOf(trace, "force_max"), 1.0);
-}
-
-void TestMetrics::forceStatisticsOfKnownSamples() {
-    // ‖f‖ = 0, 0.02, 3, 4, 5 N at 10 ms.
-    auto tool = sampled(0.04, 0.01, [](double) { return Vec3::Zero().eval(); });
-    tool.tissue_N = {Vec3::Zero(), Vec3(0, 0, 0.02), Vec3(0, 3, 0), Vec3(4, 0, 0), Vec3(3, 4, 0)};
-    const auto trace = session(tool);
-    QCOMPARE(valueOf(trace, "force_max"), 5.0);
-    QCOMPARE(valueOf(trace, "force_mean"), 4.0);
-    QVERIFY(std::abs(valueOf(trace, "force_rms") - std::sqrt((0.0004 + 9.0 + 16.0 + 25.0) / 5.0)) < 1e-12);
-    QVERIFY(std::abs(valueOf(trace, "force_p95") - 4.8) < 1e-12); // place 0.95·4 = 3.8 between 4 and 5
-}
-
-void TestMetrics::forceRateAndImpulse() {
-    auto trace = session(sampled(1.0, 0.001, [](double) { return Vec3::Zero().eval(); }, [](double t) {
-        return Vec3(0.0, 0.0, t < 0.4995 ? 10.0 * t : (t < 0.7495 ? 5.0 : 1.0));
-    }));
-    trace.forceLimit_N = 4.0;
-    QVERIFY(std::abs(valueOf(trace, "force_peak_rate") - 4000.0) < 1e-6); // 5 N to 1 N in 1 ms
-    // Over 4 N from t = 0.401 to 0.750 s; impulse Σ 10t·dt over 0.401…0.499 plus 5 N · 0.25 s.
-    QVERIFY(std::abs(valueOf(trace, "force_time_over_limit") - 0.349) < 1e-9);
-    QVERIFY(std::abs(valueOf(trace, "force_impulse_over_limit") - (0.01 * 0.5 * (401 + 499) * 99 / 1000.0 + 1.25)) < 1e-9);
-}
-
-void TestMetrics::forceNeedsContact() {
-    const auto trace = reachSession();
-    QVERIFY(!metricOf(trace, "force_mean").value);
-    QCOMPARE(metricOf(trace, "force_mean").reason, std::string("no contact"));
-    QCOMPARE(valueOf(trace, "force_max"), 0.0);
-    QCOMPARE(valueOf(trace, "force_impulse_over_limit"), 0.0);
-}
-
-void TestMetrics::apexErrorsOfKnownMarks() {
-    SessionTrace trace;
-    // Truth (10, −5), R 20: errors (+10 %, −20 %) and (−30 %, 0 %).
-    trace.trials = {apexTrial(12.0, -9.0), apexTrial(4.0, -5.0)};
-    trace.trials[1].trial = 1;
-    const double mean = (10.0 + 20.0 + 30.0 + 0.0) / 4.0;
-    QVERIFY(std::abs(valueOf(trace, "apex_error_mean") - mean) < 1e-9);
-    QVERIFY(std::abs(valueOf(trace, "apex_error_sd") - std::sqrt((25.0 + 25.0 + 225.0 + 225.0) / 3.0)) < 1e-9);
-    QVERIFY(std::abs(valueOf(trace, "apex_bias_x") + 10.0) < 1e-9);
-    QVERIFY(std::abs(valueOf(trace, "apex_bias_y") + 10.0) < 1e-9);
-    QCOMPARE(valueOf(trace, "apex_misses"), 0.0);
-}
-
-void TestMetrics::apexMissesAreKeptAndCounted() {
-    SessionTrace trace;
-    trace.trials = {apexTrial(10.0, -5.0), apexTrial(10.0, -5.0, false), apexTrial(10.0, 25.0), apexTrial(10.0, 15.0)};
-    QCOMPARE(valueOf(trace, "apex_misses"), 2.0); // out of contact; 30 mm away; exactly R is no miss
-    QVERIFY(std::abs(valueOf(trace, "apex_error_mean") - (150.0 + 100.0) / 8.0) < 1e-9);
-}
-
-void TestMetrics::apexWithoutMarkScoresLastPosition() {
-    SessionTrace trace;
-    trace.trials = {apexTrial(12.0, -5.0)};
-    trace.trials[0].marked = false;
-    trace.trials[0].timedOut = true;
-    trace.trials[0].p_WMark_m = Vec3::Zero();
-    QVERIFY(std::abs(valueOf(trace, "apex_bias_x") - 10.0) < 1e-9);
-    QCOMPARE(valueOf(trace, "apex_misses"), 1.0);
-}
-
-void TestMetrics::apexWithoutTruthHasReason() {
-    SessionTrace trace;
-    trace.trials = {apexTrial(12.0, -5.0), apexTrial(12.0, -5.0)};
-    trace.trials[1].apex.reset();
-    for (const char* id : {"apex_error_mean", "apex_error_sd", "apex_bias_x", "apex_bias_y", "apex_misses"}) {
-        QVERIFY(!metricOf(trace, id).value); // no silent leaving out of a trial
-        QVERIFY(metricOf(trace, id).reason.find("not known") != std::string::npos);
-    }
 }
 
 void TestMetrics::unevenTimesAreInterpolated() {

@@ -29,8 +29,14 @@ SessionTrace busySession() {
         trial.trial = k;
         for (int toolIndex = 0; toolIndex < 2; ++toolIndex) {
             ToolTrace tool = sampled(
-                3.0, 0.001, [&](double t) { return Vec3(0.03 * std::sin(3 * t + k), 0.02 * std::cos(2 * t), 0.01 + 1e-5 * random.normal()); },
-                [&](double t) { return Vec3(0.1 * random.normal(), 0.0, std::max(0.0, 2.0 * std::sin(4.0 * t))); });
+                3.0, 0.001,
+                [&](double t) {
+                    return Vec3(0.03 * std::sin(3 * t + k), 0.02 * std::cos(2 * t),
+                                0.01 + 1e-5 * random.normal());
+                },
+                [&](double t) {
+                    return Vec3(0.1 * random.normal(), 0.0, std::max(0.0, 2.0 * std::sin(4.0 * t)));
+                });
             for (double& t : tool.t_s)
                 t += 5.0 * k + 1e-8 * random.normal();
             for (std::size_t i = 1500; i < 1700; ++i)
@@ -100,10 +106,23 @@ private slots:
 };
 
 void TestScoreCalculator::catalogueIsComplete() {
-    const std::set<std::string_view> expected{
-        "time", "path_length", "path_inefficiency", "sparc", "ldlj", "force_max", "force_mean", "force_rms",
-        "force_p95", "force_peak_rate", "force_impulse_over_limit", "force_time_over_limit", "apex_error_mean",
-        "apex_error_sd", "apex_bias_x", "apex_bias_y", "apex_misses"};
+    const std::set<std::string_view> expected{"time",
+                                              "path_length",
+                                              "path_inefficiency",
+                                              "sparc",
+                                              "ldlj",
+                                              "force_max",
+                                              "force_mean",
+                                              "force_rms",
+                                              "force_p95",
+                                              "force_peak_rate",
+                                              "force_impulse_over_limit",
+                                              "force_time_over_limit",
+                                              "apex_error_mean",
+                                              "apex_error_sd",
+                                              "apex_bias_x",
+                                              "apex_bias_y",
+                                              "apex_misses"};
     std::set<std::string_view> found;
     for (const MetricDefinition& metric : metricCatalogue()) {
         QVERIFY(found.insert(metric.id).second); // one version of each so far
@@ -169,12 +188,12 @@ void TestScoreCalculator::aggregatesAreAsTheCatalogueSays() {
 }
 
 void TestScoreCalculator::gatesAreInclusive() {
-    const auto trace = session(sampled(1.0, 0.001, [](double) { return Vec3::Zero().eval(); },
-                                       [](double) { return Vec3(0.0, 0.0, 2.0); }));
+    const auto trace = session(sampled(
+        1.0, 0.001, [](double) { return Vec3::Zero().eval(); }, [](double) { return Vec3(0.0, 0.0, 2.0); }));
     const std::vector<std::pair<Gate, bool>> cases{
-        {gate("force_max", {}, 2.0), true},    {gate("force_max", {}, 1.999), false},
-        {gate("force_max", 2.0, {}), true},    {gate("force_max", 2.001, {}), false},
-        {gate("force_max", 1.0, 3.0), true},   {gate("force_max", 3.0, 4.0), false}};
+        {gate("force_max", {}, 2.0), true},  {gate("force_max", {}, 1.999), false},
+        {gate("force_max", 2.0, {}), true},  {gate("force_max", 2.001, {}), false},
+        {gate("force_max", 1.0, 3.0), true}, {gate("force_max", 3.0, 4.0), false}};
     for (const auto& [g, passes] : cases) {
         const auto card = calculateScore(trace, {}, {&g, 1}, true);
         QVERIFY(card.has_value());
@@ -215,7 +234,8 @@ void TestScoreCalculator::bothEndsOfAGateCount() {
 
 void TestScoreCalculator::sameTraceSameBits() {
     const auto all = everyMetric();
-    QVERIFY(sameScores(*calculateScore(busySession(), all, {}, true), *calculateScore(busySession(), all, {}, true)));
+    QVERIFY(sameScores(*calculateScore(busySession(), all, {}, true),
+                       *calculateScore(busySession(), all, {}, true)));
 }
 
 // cli.md: the same score live and from the exported trace.

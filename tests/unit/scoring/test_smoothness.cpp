@@ -62,15 +62,16 @@ void TestSmoothness::ldljOfPublishedProfile() {
 }
 
 void TestSmoothness::smoothnessIgnoresScale() {
-    QVERIFY(std::abs(*spectralArcLength(gaussian(), 0.01).value - *spectralArcLength(gaussian(137.0), 0.01).value) < 1e-9);
+    QVERIFY(std::abs(*spectralArcLength(gaussian(), 0.01).value -
+                     *spectralArcLength(gaussian(137.0), 0.01).value) < 1e-9);
     QVERIFY(std::abs(*logDimensionlessJerk(gaussian(), 0.01).value -
                      *logDimensionlessJerk(gaussian(137.0), 0.01).value) < 1e-9);
 }
 
 // Dimensionless: the same profile twice as slow has the same value.
 void TestSmoothness::ldljIgnoresTimeScale() {
-    QVERIFY(std::abs(*logDimensionlessJerk(gaussian(), 0.01).value - *logDimensionlessJerk(gaussian(), 0.02).value) <
-            1e-9);
+    QVERIFY(std::abs(*logDimensionlessJerk(gaussian(), 0.01).value -
+                     *logDimensionlessJerk(gaussian(), 0.02).value) < 1e-9);
 }
 
 void TestSmoothness::twoBumpsAreLessSmoothThanOne() {
@@ -86,9 +87,9 @@ void TestSmoothness::undefinedHasReason() {
     const std::vector<double> still(50, 0.0);
     const std::vector<double> steady(50, 0.1);
     const std::vector<double> two(2, 0.1);
-    for (const auto& m : {spectralArcLength(none, 0.01), spectralArcLength(still, 0.01), logDimensionlessJerk(none, 0.01),
-                          logDimensionlessJerk(still, 0.01), logDimensionlessJerk(steady, 0.01),
-                          logDimensionlessJerk(two, 0.01)}) {
+    for (const auto& m : {spectralArcLength(none, 0.01), spectralArcLength(still, 0.01),
+                          logDimensionlessJerk(none, 0.01), logDimensionlessJerk(still, 0.01),
+                          logDimensionlessJerk(steady, 0.01), logDimensionlessJerk(two, 0.01)}) {
         QVERIFY(!m.value.has_value());
         QVERIFY(!m.reason.empty());
     }
@@ -103,8 +104,8 @@ void TestSmoothness::lowPassPassesConstantsAndRamps() {
     const auto r = lowPassZeroPhase(ramp, 1000.0, 20.0);
     for (std::size_t i = 0; i < 500; ++i) {
         QVERIFY((c[i] - constant[i]).norm() < 1e-12);
-        // A pass starts in the steady state of a constant; after three periods of padding what is left of the ramp's
-        // transient is e^(−3·2π·sin 45°) of a delay's worth of path, 11 samples · 0.22 mm.
+        // A pass starts in the steady state of a constant; after three periods of padding what is left of the
+        // ramp's transient is e^(−3·2π·sin 45°) of a delay's worth of path, 11 samples · 0.22 mm.
         QVERIFY((r[i] - ramp[i]).norm() < 11 * 2.3e-4 * std::exp(-3.0 * 2.0 * core::kPi * std::sqrt(0.5)));
     }
 }

@@ -18,9 +18,11 @@ using chiron::scoring::SessionTrace;
 using chiron::scoring::ToolTrace;
 using chiron::scoring::TrialTrace;
 
-/// Samples at 0, step, 2 step ... up to and including `duration_s`; position (m) and force (N) as functions of time.
-inline ToolTrace sampled(double duration_s, double step_s, const std::function<Vec3(double)>& position,
-                         const std::function<Vec3(double)>& force = [](double) { return Vec3::Zero().eval(); }) {
+/// Samples at 0, step, 2 step ... up to and including `duration_s`; position (m) and force (N) as functions
+/// of time.
+inline ToolTrace sampled(
+    double duration_s, double step_s, const std::function<Vec3(double)>& position,
+    const std::function<Vec3(double)>& force = [](double) { return Vec3::Zero().eval(); }) {
     ToolTrace tool;
     const int n = static_cast<int>(std::lround(duration_s / step_s));
     for (int i = 0; i <= n; ++i) {
@@ -54,7 +56,8 @@ inline SessionTrace session(ToolTrace tool) {
 inline chiron::scoring::MetricValue metricOf(const SessionTrace& trace, const std::string& id) {
     const chiron::scoring::MetricRequest request{id, 0};
     const auto card = chiron::scoring::calculateScore(trace, {&request, 1}, {}, true);
-    return card ? card->metrics.front() : chiron::scoring::MetricValue{id, 0, {}, {}, card.error().message, {}};
+    return card ? card->metrics.front()
+                : chiron::scoring::MetricValue{id, 0, {}, {}, card.error().message, {}};
 }
 
 inline double valueOf(const SessionTrace& trace, const std::string& id) {
