@@ -61,14 +61,36 @@ QByteArray ContentMutator::withRaw(const Node& node, const QByteArray& raw) cons
 }
 
 Mutation ContentMutator::mutate(int kind) {
-    using Way = Mutation (ContentMutator::*)();
-    static constexpr Way kWays[kKinds] = {
-        &ContentMutator::typeChange,       &ContentMutator::rangeBreak,  &ContentMutator::unknownKey,
-        &ContentMutator::misspeltKey,      &ContentMutator::removedKey,  &ContentMutator::duplicateKey,
-        &ContentMutator::truncation,       &ContentMutator::notANumber,  &ContentMutator::hugeNumber,
-        &ContentMutator::wrongEncoding,    &ContentMutator::deepNesting, &ContentMutator::brokenPunctuation,
-        &ContentMutator::controlCharacter, &ContentMutator::hugeText};
-    return (this->*kWays[kind])();
+    switch (kind) {
+    case 0:
+        return typeChange();
+    case 1:
+        return rangeBreak();
+    case 2:
+        return unknownKey();
+    case 3:
+        return misspeltKey();
+    case 4:
+        return removedKey();
+    case 5:
+        return duplicateKey();
+    case 6:
+        return truncation();
+    case 7:
+        return notANumber();
+    case 8:
+        return hugeNumber();
+    case 9:
+        return wrongEncoding();
+    case 10:
+        return deepNesting();
+    case 11:
+        return brokenPunctuation();
+    case 12:
+        return controlCharacter();
+    default:
+        return hugeText();
+    }
 }
 
 Mutation ContentMutator::typeChange() {
