@@ -35,7 +35,10 @@ const std::vector<OptionSpec>& commonOptions() {
          QStringLiteral("the database; default: chiron/chiron.db in the user's data folder"), false},
         {QStringLiteral("as"), QStringLiteral("NAME"),
          QStringLiteral("who acts; the password comes from CHIRON_PASSWORD or --password-stdin"), false},
-        {QStringLiteral("password-stdin"), {}, QStringLiteral("read the password from the first line of stdin"), false},
+        {QStringLiteral("password-stdin"),
+         {},
+         QStringLiteral("read the password from the first line of stdin"),
+         false},
         {QStringLiteral("help"), {}, QStringLiteral("show this help"), false},
     };
     return options;
@@ -49,9 +52,11 @@ core::Result<Arguments> Arguments::parse(const CommandSpec& command, const QStri
         for (const OptionSpec& option : *options)
             arguments.m_parser->addOption(QCommandLineOption(option.name, option.help, option.valueName));
     }
-    // The parser skips the first word as the program's name. parse() reports, process() would end the program.
+    // The parser skips the first word as the program's name. parse() reports, process() would end the
+    // program.
     if (!arguments.m_parser->parse(QStringList{QStringLiteral("chiron-cli")} + rest)) {
-        const QString reason = printable(arguments.m_parser->errorText()).replace(QLatin1Char('\n'), QLatin1String("\\n"));
+        const QString reason =
+            printable(arguments.m_parser->errorText()).replace(QLatin1Char('\n'), QLatin1String("\\n"));
         return wrongUse(place(command, QStringLiteral("%1 Expected options: %2; %3")
                                            .arg(reason, optionNames(command), seeHelp(command))));
     }
@@ -69,16 +74,21 @@ core::Result<void> Arguments::checkOptions() const {
         for (const OptionSpec& option : *options) {
             const QString name = QStringLiteral("--") + option.name;
             if (option.required && !has(option.name))
-                return wrongUse(place(*m_command, QStringLiteral("%1 is missing; expected %1 %2: %3; %4")
-                                                      .arg(name, option.valueName, option.help, seeHelp(*m_command))));
+                return wrongUse(
+                    place(*m_command, QStringLiteral("%1 is missing; expected %1 %2: %3; %4")
+                                          .arg(name, option.valueName, option.help, seeHelp(*m_command))));
             if (option.valueName.isEmpty())
                 continue;
             const QStringList values = m_parser->values(option.name);
             if (values.size() > 1)
-                return wrongUse(place(*m_command, QStringLiteral("%1 is given %2 times, last with %3; expected once")
-                                                      .arg(name).arg(values.size()).arg(quoted(values.last()))));
+                return wrongUse(
+                    place(*m_command, QStringLiteral("%1 is given %2 times, last with %3; expected once")
+                                          .arg(name)
+                                          .arg(values.size())
+                                          .arg(quoted(values.last()))));
             if (!values.isEmpty() && values[0].isEmpty())
-                return wrongUse(place(*m_command, QStringLiteral("%1: \"\": expected %2").arg(name, option.valueName)));
+                return wrongUse(
+                    place(*m_command, QStringLiteral("%1: \"\": expected %2").arg(name, option.valueName)));
         }
     }
     return {};
@@ -93,11 +103,14 @@ core::Result<void> Arguments::checkOperands() const {
             return wrongUse(place(*m_command, QStringLiteral("%1 is missing: expected %2; %3")
                                                   .arg(operand.name, operand.help, seeHelp(*m_command))));
         if (i < given.size() && given[i].isEmpty())
-            return wrongUse(place(*m_command, QStringLiteral("%1: \"\": expected %2").arg(operand.name, operand.help)));
+            return wrongUse(
+                place(*m_command, QStringLiteral("%1: \"\": expected %2").arg(operand.name, operand.help)));
     }
     if (given.size() > wanted)
         return wrongUse(place(*m_command, QStringLiteral("%1: one argument too many; expected %2; %3")
-                                              .arg(quoted(given[wanted])).arg(wanted).arg(seeHelp(*m_command))));
+                                              .arg(quoted(given[wanted]))
+                                              .arg(wanted)
+                                              .arg(seeHelp(*m_command))));
     return {};
 }
 
@@ -113,25 +126,31 @@ QString Arguments::operand(int index) const {
     return m_parser->positionalArguments().value(index);
 }
 
-core::Result<double> Arguments::number(const QString& option, double minimum, double maximum, double fallback) const {
+core::Result<double> Arguments::number(const QString& option, double minimum, double maximum,
+                                       double fallback) const {
     if (!has(option))
         return fallback;
     bool isNumber = false;
     const double found = QLocale::c().toDouble(value(option), &isNumber);
     if (!isNumber || !std::isfinite(found) || found < minimum || found > maximum)
         return wrongUse(place(*m_command, QStringLiteral("--%1: %2: expected a number from %3 to %4")
-                                              .arg(option, quoted(value(option))).arg(minimum).arg(maximum)));
+                                              .arg(option, quoted(value(option)))
+                                              .arg(minimum)
+                                              .arg(maximum)));
     return found;
 }
 
-core::Result<qint64> Arguments::integer(const QString& option, qint64 minimum, qint64 maximum, qint64 fallback) const {
+core::Result<qint64> Arguments::integer(const QString& option, qint64 minimum, qint64 maximum,
+                                        qint64 fallback) const {
     if (!has(option))
         return fallback;
     bool isNumber = false;
     const qint64 found = value(option).toLongLong(&isNumber, 10);
     if (!isNumber || found < minimum || found > maximum)
         return wrongUse(place(*m_command, QStringLiteral("--%1: %2: expected a whole number from %3 to %4")
-                                              .arg(option, quoted(value(option))).arg(minimum).arg(maximum)));
+                                              .arg(option, quoted(value(option)))
+                                              .arg(minimum)
+                                              .arg(maximum)));
     return found;
 }
 
@@ -141,8 +160,9 @@ core::Result<quint64> Arguments::seed(const QString& option, quint64 fallback) c
     bool isNumber = false;
     const quint64 found = value(option).toULongLong(&isNumber, 10);
     if (!isNumber || value(option).startsWith(QLatin1Char('-')))
-        return wrongUse(place(*m_command, QStringLiteral("--%1: %2: expected a whole number from 0 to 18446744073709551615")
-                                              .arg(option, quoted(value(option)))));
+        return wrongUse(place(
+            *m_command, QStringLiteral("--%1: %2: expected a whole number from 0 to 18446744073709551615")
+                            .arg(option, quoted(value(option)))));
     return found;
 }
 
@@ -152,16 +172,20 @@ core::Result<qint64> Arguments::integerOperand(int index, qint64 minimum, qint64
     if (!isNumber || found < minimum || found > maximum)
         return wrongUse(place(*m_command, QStringLiteral("%1: %2: expected a whole number from %3 to %4")
                                               .arg(m_command->operands[static_cast<std::size_t>(index)].name,
-                                                   quoted(operand(index))).arg(minimum).arg(maximum)));
+                                                   quoted(operand(index)))
+                                              .arg(minimum)
+                                              .arg(maximum)));
     return found;
 }
 
-core::Result<QString> Arguments::choice(const QString& option, const QStringList& words, const QString& fallback) const {
+core::Result<QString> Arguments::choice(const QString& option, const QStringList& words,
+                                        const QString& fallback) const {
     if (!has(option))
         return fallback;
     if (!words.contains(value(option)))
-        return wrongUse(place(*m_command, QStringLiteral("--%1: %2: expected one of %3")
-                                              .arg(option, quoted(value(option)), words.join(QStringLiteral(", ")))));
+        return wrongUse(
+            place(*m_command, QStringLiteral("--%1: %2: expected one of %3")
+                                  .arg(option, quoted(value(option)), words.join(QStringLiteral(", ")))));
     return value(option);
 }
 
@@ -171,8 +195,12 @@ core::Result<QStringList> Arguments::list(const QString& option) const {
     const QStringList parts = value(option).split(QLatin1Char(','));
     for (qsizetype i = 0; i < parts.size(); ++i) {
         if (parts[i].trimmed().isEmpty() || parts.indexOf(parts[i]) != i)
-            return wrongUse(place(*m_command, QStringLiteral("--%1: item %2 of %3: %4: expected words between commas, each once")
-                                                  .arg(option).arg(i + 1).arg(quoted(value(option)), quoted(parts[i]))));
+            return wrongUse(
+                place(*m_command,
+                      QStringLiteral("--%1: item %2 of %3: %4: expected words between commas, each once")
+                          .arg(option)
+                          .arg(i + 1)
+                          .arg(quoted(value(option)), quoted(parts[i]))));
     }
     return parts;
 }
@@ -182,9 +210,12 @@ core::Result<void> refusePasswordArgument(const QStringList& arguments) {
         if (argument == QLatin1String("--"))
             break;
         const QString name = argument.section(QLatin1Char('='), 0, 0);
-        if (name == QLatin1String("--password") || name == QLatin1String("-password") || name == QLatin1String("-p"))
-            return wrongUse(QStringLiteral("%1: passwords are not taken on the command line, where others can read them; "
-                                           "expected them in CHIRON_PASSWORD or by --password-stdin").arg(name));
+        if (name == QLatin1String("--password") || name == QLatin1String("-password") ||
+            name == QLatin1String("-p"))
+            return wrongUse(
+                QStringLiteral("%1: passwords are not taken on the command line, where others can read them; "
+                               "expected them in CHIRON_PASSWORD or by --password-stdin")
+                    .arg(name));
     }
     return {};
 }

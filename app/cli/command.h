@@ -11,8 +11,8 @@ namespace chiron::cli {
 
 class Arguments;
 
-/// What a command hands back: the document that --json prints, and what is printed without it. Nothing else is ever
-/// written to stdout.
+/// What a command hands back: the document that --json prints, and what is printed without it. Nothing else
+/// is ever written to stdout.
 struct CommandOutput {
     QJsonDocument json;
     QString text;

@@ -22,20 +22,24 @@ QString columns(const Lines& lines) {
 }
 
 QString optionForm(const OptionSpec& option) {
-    return QStringLiteral("--") + option.name + (option.valueName.isEmpty() ? QString() : QLatin1Char(' ') + option.valueName);
+    return QStringLiteral("--") + option.name +
+           (option.valueName.isEmpty() ? QString() : QLatin1Char(' ') + option.valueName);
 }
 
 QString usage(const CommandSpec& command) {
     QString line = QStringLiteral("chiron-cli ") + command.name();
     for (const OperandSpec& operand : command.operands)
-        line += operand.required ? QLatin1Char(' ') + operand.name : QStringLiteral(" [%1]").arg(operand.name);
+        line +=
+            operand.required ? QLatin1Char(' ') + operand.name : QStringLiteral(" [%1]").arg(operand.name);
     for (const OptionSpec& option : command.options)
-        line += option.required ? QLatin1Char(' ') + optionForm(option) : QStringLiteral(" [%1]").arg(optionForm(option));
+        line += option.required ? QLatin1Char(' ') + optionForm(option)
+                                : QStringLiteral(" [%1]").arg(optionForm(option));
     return line;
 }
 
-const QString kExitCodes = QStringLiteral("Exit status: 0 done; 1 the thing checked does not hold; 2 wrong use or not allowed; 3 bad input;\n"
-                                          "4 storage or the writer's lock; 5 device.\n");
+const QString kExitCodes = QStringLiteral(
+    "Exit status: 0 done; 1 the thing checked does not hold; 2 wrong use or not allowed; 3 bad input;\n"
+    "4 storage or the writer's lock; 5 device.\n");
 
 } // namespace
 
@@ -43,9 +47,10 @@ QString overallHelp() {
     Lines lines;
     for (const CommandSpec& command : commandTable())
         lines.emplace_back(command.name(), command.summary);
-    return QStringLiteral("Usage: chiron-cli COMMAND [OPTIONS]\n\nCommands:\n") + columns(lines)
-           + QStringLiteral("\nEach has its own help: chiron-cli COMMAND --help\n\nExample:\n  chiron-cli exercise list --json\n\n")
-           + kExitCodes;
+    return QStringLiteral("Usage: chiron-cli COMMAND [OPTIONS]\n\nCommands:\n") + columns(lines) +
+           QStringLiteral("\nEach has its own help: chiron-cli COMMAND --help\n\nExample:\n  chiron-cli "
+                          "exercise list --json\n\n") +
+           kExitCodes;
 }
 
 QString groupHelp(const QString& group) {
@@ -58,8 +63,8 @@ QString groupHelp(const QString& group) {
         if (example.isEmpty())
             example = command.example;
     }
-    return QStringLiteral("Usage: chiron-cli %1 COMMAND [OPTIONS]\n\nCommands:\n").arg(group) + columns(lines)
-           + QStringLiteral("\nExample:\n  %1\n").arg(example);
+    return QStringLiteral("Usage: chiron-cli %1 COMMAND [OPTIONS]\n\nCommands:\n").arg(group) +
+           columns(lines) + QStringLiteral("\nExample:\n  %1\n").arg(example);
 }
 
 QString commandHelp(const CommandSpec& command) {
@@ -68,7 +73,8 @@ QString commandHelp(const CommandSpec& command) {
         operands.emplace_back(operand.name, operand.help);
     Lines options;
     for (const OptionSpec& option : command.options)
-        options.emplace_back(optionForm(option), option.help + (option.required ? QStringLiteral(" (required)") : QString()));
+        options.emplace_back(optionForm(option),
+                             option.help + (option.required ? QStringLiteral(" (required)") : QString()));
     for (const OptionSpec& option : commonOptions())
         options.emplace_back(optionForm(option), option.help);
     QString text = QStringLiteral("%1\n\nUsage: %2\n").arg(command.summary, usage(command));

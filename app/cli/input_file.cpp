@@ -15,10 +15,12 @@ core::Result<QByteArray> readInputFile(const QString& path, qint64 largestBytes)
     if (!info.exists())
         return core::fail(core::ErrorCode::notFound, path.toStdString() + ": no such file");
     if (!info.isFile())
-        return badInput(QStringLiteral("%1: is %2; expected a file").arg(path, info.isDir() ? QStringLiteral("a folder")
-                                                                                            : QStringLiteral("not a regular file")));
+        return badInput(
+            QStringLiteral("%1: is %2; expected a file")
+                .arg(path, info.isDir() ? QStringLiteral("a folder") : QStringLiteral("not a regular file")));
     if (info.size() > largestBytes)
-        return badInput(QStringLiteral("%1: %2 bytes; expected at most %3").arg(path).arg(info.size()).arg(largestBytes));
+        return badInput(
+            QStringLiteral("%1: %2 bytes; expected at most %3").arg(path).arg(info.size()).arg(largestBytes));
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return badInput(QStringLiteral("%1: cannot be read: %2").arg(path, file.errorString()));
@@ -46,7 +48,11 @@ core::Result<QJsonObject> readJsonObject(const QString& path) {
         const QByteArray before = bytes->left(error.offset);
         const qsizetype line = before.count('\n') + 1;
         const qsizetype column = error.offset - (before.lastIndexOf('\n') + 1) + 1;
-        return badInput(QStringLiteral("%1:%2:%3: %4; expected a JSON object").arg(path).arg(line).arg(column).arg(error.errorString()));
+        return badInput(QStringLiteral("%1:%2:%3: %4; expected a JSON object")
+                            .arg(path)
+                            .arg(line)
+                            .arg(column)
+                            .arg(error.errorString()));
     }
     if (!document.isObject())
         return badInput(QStringLiteral("%1: $: an array; expected a JSON object").arg(path));

@@ -35,8 +35,8 @@ const core::LawParameter* findParameter(const core::LawDescription& law, const Q
 }
 
 // Which field of a line belongs to which input column.
-core::Result<std::vector<std::size_t>> readHeader(const core::LawDescription& law, const QList<QByteArray>& fields,
-                                                  const QString& name) {
+core::Result<std::vector<std::size_t>> readHeader(const core::LawDescription& law,
+                                                  const QList<QByteArray>& fields, const QString& name) {
     const QString expected = QStringLiteral("expected the columns %1, each once").arg(inputNames(law));
     std::vector<std::size_t> order(law.inputs.size(), SIZE_MAX);
     for (qsizetype i = 0; i < fields.size(); ++i) {
@@ -45,12 +45,14 @@ core::Result<std::vector<std::size_t>> readHeader(const core::LawDescription& la
         while (column < law.inputs.size() && text(law.inputs[column].name) != field)
             ++column;
         if (column == law.inputs.size() || order[column] != SIZE_MAX)
-            return badInput(QStringLiteral("%1:1:%2: %3: %4").arg(name).arg(i + 1).arg(quoted(field), expected));
+            return badInput(
+                QStringLiteral("%1:1:%2: %3: %4").arg(name).arg(i + 1).arg(quoted(field), expected));
         order[column] = static_cast<std::size_t>(i);
     }
     for (std::size_t column = 0; column < order.size(); ++column) {
         if (order[column] == SIZE_MAX)
-            return badInput(QStringLiteral("%1:1: column %2 is missing; %3").arg(name, quoted(text(law.inputs[column].name)), expected));
+            return badInput(QStringLiteral("%1:1: column %2 is missing; %3")
+                                .arg(name, quoted(text(law.inputs[column].name)), expected));
     }
     return order;
 }
@@ -66,15 +68,23 @@ bool readNumber(const QByteArray& field, double& value) {
     return read.ec == std::errc() && read.ptr == end && begin != end && std::isfinite(value);
 }
 
-core::Result<std::vector<double>> readRow(const QList<QByteArray>& fields, const std::vector<std::size_t>& order,
-                                          const QString& name, qsizetype line) {
+core::Result<std::vector<double>> readRow(const QList<QByteArray>& fields,
+                                          const std::vector<std::size_t>& order, const QString& name,
+                                          qsizetype line) {
     if (fields.size() != static_cast<qsizetype>(order.size()))
-        return badInput(QStringLiteral("%1:%2: %3 fields; expected %4").arg(name).arg(line).arg(fields.size()).arg(order.size()));
+        return badInput(QStringLiteral("%1:%2: %3 fields; expected %4")
+                            .arg(name)
+                            .arg(line)
+                            .arg(fields.size())
+                            .arg(order.size()));
     std::vector<double> row(order.size());
     for (std::size_t column = 0; column < order.size(); ++column) {
         const QByteArray& field = fields[static_cast<qsizetype>(order[column])];
         if (!readNumber(field, row[column]))
-            return badInput(QStringLiteral("%1:%2:%3: %4: expected a finite number").arg(name).arg(line).arg(order[column] + 1)
+            return badInput(QStringLiteral("%1:%2:%3: %4: expected a finite number")
+                                .arg(name)
+                                .arg(line)
+                                .arg(order[column] + 1)
                                 .arg(quoted(QString::fromUtf8(field))));
     }
     return row;
@@ -123,14 +133,20 @@ core::Result<std::vector<double>> readLawParameters(const core::LawDescription& 
             QStringList names;
             for (const core::LawParameter& known : law.parameters)
                 names << text(known.name);
-            return badInput(QStringLiteral("%1: $.%2: unknown parameter; expected %3")
-                                .arg(path, printable(it.key()), names.isEmpty() ? QStringLiteral("none") : names.join(QStringLiteral(", "))));
+            return badInput(
+                QStringLiteral("%1: $.%2: unknown parameter; expected %3")
+                    .arg(path, printable(it.key()),
+                         names.isEmpty() ? QStringLiteral("none") : names.join(QStringLiteral(", "))));
         }
         const double value = it.value().toDouble(std::nan(""));
         if (!(value >= parameter->minimum && value <= parameter->maximum))
             return badInput(QStringLiteral("%1: $.%2: %3: expected a number from %4 to %5 %6")
-                                .arg(path, it.key(), it.value().isDouble() ? QString::number(value) : quoted(it.value().toVariant().toString()))
-                                .arg(parameter->minimum).arg(parameter->maximum).arg(text(parameter->unit)));
+                                .arg(path, it.key(),
+                                     it.value().isDouble() ? QString::number(value)
+                                                           : quoted(it.value().toVariant().toString()))
+                                .arg(parameter->minimum)
+                                .arg(parameter->maximum)
+                                .arg(text(parameter->unit)));
     }
     std::vector<double> values;
     for (const core::LawParameter& parameter : law.parameters)
@@ -138,12 +154,14 @@ core::Result<std::vector<double>> readLawParameters(const core::LawDescription& 
     return values;
 }
 
-core::Result<LawTable> readLawTable(const core::LawDescription& law, const QByteArray& csv, const QString& name) {
+core::Result<LawTable> readLawTable(const core::LawDescription& law, const QByteArray& csv,
+                                    const QString& name) {
     QByteArray body = csv.startsWith("\xef\xbb\xbf") ? csv.mid(3) : csv;
     while (body.endsWith('\n') || body.endsWith('\r'))
         body.chop(1);
     if (body.isEmpty())
-        return badInput(QStringLiteral("%1:1: empty; expected a header line %2 and rows of numbers").arg(name, inputNames(law)));
+        return badInput(QStringLiteral("%1:1: empty; expected a header line %2 and rows of numbers")
+                            .arg(name, inputNames(law)));
     const QList<QByteArray> lines = body.split('\n');
     const auto order = readHeader(law, lines[0].split(','), name);
     if (!order)

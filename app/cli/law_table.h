@@ -20,11 +20,13 @@ const std::vector<const core::LawDescription*>& allLaws();
 const core::LawDescription* findLaw(const QString& id); ///< null if there is none
 QString lawNames();
 
-/// The values of the law's parameters in its order: defaults, overridden by the JSON object in `path` (empty: none).
-/// Failure: notFound; badInput with file, JSON path, value and range.
+/// The values of the law's parameters in its order: defaults, overridden by the JSON object in `path` (empty:
+/// none). Failure: notFound; badInput with file, JSON path, value and range.
 core::Result<std::vector<double>> readLawParameters(const core::LawDescription& law, const QString& path);
 
-/// Reads a CSV with a header of the law's input columns, in any order. Failure: badInput with name, line and column.
-core::Result<LawTable> readLawTable(const core::LawDescription& law, const QByteArray& csv, const QString& name);
+/// Reads a CSV with a header of the law's input columns, in any order. Failure: badInput with name, line and
+/// column.
+core::Result<LawTable> readLawTable(const core::LawDescription& law, const QByteArray& csv,
+                                    const QString& name);
 
 } // namespace chiron::cli

@@ -9,8 +9,9 @@ QString escaped(const QString& text, bool keepLineEnds) {
     QString out;
     out.reserve(text.size());
     for (const QChar c : text) {
-        const bool isControl = c.category() == QChar::Other_Control || c.category() == QChar::Other_Format
-                               || c.category() == QChar::Separator_Line || c.category() == QChar::Separator_Paragraph;
+        const bool isControl = c.category() == QChar::Other_Control || c.category() == QChar::Other_Format ||
+                               c.category() == QChar::Separator_Line ||
+                               c.category() == QChar::Separator_Paragraph;
         if (isControl && !(keepLineEnds && c == QLatin1Char('\n')))
             out += QStringLiteral("\\u%1").arg(c.unicode(), 4, 16, QLatin1Char('0'));
         else

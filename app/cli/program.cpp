@@ -26,12 +26,14 @@ int fail(const QString& place, const core::Error& error) {
 int print(const QByteArray& bytes, int exitCode) {
     const auto size = static_cast<std::size_t>(bytes.size());
     if (std::fwrite(bytes.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
-        return fail(QStringLiteral("stdout: "), {core::ErrorCode::storage, "could not be written completely"});
+        return fail(QStringLiteral("stdout: "),
+                    {core::ErrorCode::storage, "could not be written completely"});
     return exitCode;
 }
 
 int printHelp(const QString& text, bool json) {
-    return print(json ? QJsonDocument(QJsonObject{{QStringLiteral("help"), text}}).toJson() : text.toUtf8(), 0);
+    return print(json ? QJsonDocument(QJsonObject{{QStringLiteral("help"), text}}).toJson() : text.toUtf8(),
+                 0);
 }
 
 int printOutput(const CommandOutput& output, bool json) {
@@ -40,7 +42,8 @@ int printOutput(const CommandOutput& output, bool json) {
     return print(output.json.toJson(QJsonDocument::Indented), output.exitCode);
 }
 
-// "--database F user list" is as good as "user list --database F": leading common options move behind the words.
+// "--database F user list" is as good as "user list --database F": leading common options move behind the
+// words.
 QStringList wordsFirst(QStringList arguments) {
     QStringList moved;
     while (!arguments.isEmpty() && arguments[0].startsWith(QLatin1String("--")) && arguments[0].size() > 2) {
@@ -58,7 +61,8 @@ QStringList wordsFirst(QStringList arguments) {
 std::unique_ptr<QCoreApplication> makeApplication(bool draws) {
     static int count = 1;
     static char name[] = "chiron-cli";
-    static char* values[] = {name, nullptr}; // Qt's own options are not ours: -platform with a bad name would abort
+    static char* values[] = {name,
+                             nullptr}; // Qt's own options are not ours: -platform with a bad name would abort
     if (draws) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
         return std::make_unique<QApplication>(count, values);
@@ -82,10 +86,11 @@ int runProgram(const QStringList& given) {
     const QStringList arguments = wordsFirst(given);
     const bool json = arguments.contains(QStringLiteral("--json"));
     const QString first = arguments.value(0);
-    if (first == QLatin1String("--help") || first == QLatin1String("-h") || first == QLatin1String("help")
-        || (first == QLatin1String("--json") && arguments.value(1) == QLatin1String("--help")))
+    if (first == QLatin1String("--help") || first == QLatin1String("-h") || first == QLatin1String("help") ||
+        (first == QLatin1String("--json") && arguments.value(1) == QLatin1String("--help")))
         return printHelp(overallHelp(), json);
-    if (isGroup(first) && (arguments.value(1) == QLatin1String("--help") || arguments.value(1) == QLatin1String("-h")))
+    if (isGroup(first) &&
+        (arguments.value(1) == QLatin1String("--help") || arguments.value(1) == QLatin1String("-h")))
         return printHelp(groupHelp(first), json);
     QStringList words = arguments;
     if (!words.isEmpty() && words[0].startsWith(QLatin1String("--")))

@@ -17,7 +17,8 @@ QJsonObject metricJson(const scoring::MetricValue& metric) {
     json[QStringLiteral("value")] = defined ? QJsonValue(*metric.value) : QJsonValue(QJsonValue::Null);
     if (!defined)
         json[QStringLiteral("reason")] = QString::fromStdString(metric.reason);
-    json[QStringLiteral("passed")] = metric.passed ? QJsonValue(*metric.passed) : QJsonValue(QJsonValue::Null);
+    json[QStringLiteral("passed")] =
+        metric.passed ? QJsonValue(*metric.passed) : QJsonValue(QJsonValue::Null);
     return json;
 }
 
@@ -39,19 +40,23 @@ QJsonObject scoreJson(const ScoreView& view) {
     for (std::size_t i = 0; i < view.card.trials.size(); ++i)
         trials.append(QJsonObject{{QStringLiteral("trial"), static_cast<int>(i) + 1},
                                   {QStringLiteral("metrics"), metricsJson(view.card.trials[i])}});
-    return {{QStringLiteral("session_id"), view.sessionId}, {QStringLiteral("state"), view.state},
-            {QStringLiteral("passed"), view.card.passed},   {QStringLiteral("metrics"), metricsJson(view.card.metrics)},
-            {QStringLiteral("trials"), trials},             {QStringLiteral("loop"), view.loop},
+    return {{QStringLiteral("session_id"), view.sessionId},
+            {QStringLiteral("state"), view.state},
+            {QStringLiteral("passed"), view.card.passed},
+            {QStringLiteral("metrics"), metricsJson(view.card.metrics)},
+            {QStringLiteral("trials"), trials},
+            {QStringLiteral("loop"), view.loop},
             {QStringLiteral("recording"), view.recording}};
 }
 
 QString metricsText(const std::vector<scoring::MetricValue>& metrics) {
-    TextTable table({QStringLiteral("metric"), QStringLiteral(">version"), QStringLiteral(">value"), QStringLiteral("unit"),
-                     QStringLiteral("passed"), QStringLiteral("note")});
+    TextTable table({QStringLiteral("metric"), QStringLiteral(">version"), QStringLiteral(">value"),
+                     QStringLiteral("unit"), QStringLiteral("passed"), QStringLiteral("note")});
     for (const scoring::MetricValue& metric : metrics)
         table.add({QString::fromStdString(metric.id), QString::number(metric.version),
-                   metric.value ? shortNumber(*metric.value) : QStringLiteral("-"), QString::fromStdString(metric.unit),
-                   passedWord(metric.passed), metric.value ? QString() : QString::fromStdString(metric.reason)});
+                   metric.value ? shortNumber(*metric.value) : QStringLiteral("-"),
+                   QString::fromStdString(metric.unit), passedWord(metric.passed),
+                   metric.value ? QString() : QString::fromStdString(metric.reason)});
     return table.toText();
 }
 
@@ -59,8 +64,8 @@ QString scoreText(const ScoreView& view) {
     return QStringLiteral("session %1: %2, %3, %4 trials\n\n")
                .arg(view.sessionId)
                .arg(view.state, view.card.passed ? QStringLiteral("passed") : QStringLiteral("not passed"))
-               .arg(view.card.trials.size())
-           + metricsText(view.card.metrics);
+               .arg(view.card.trials.size()) +
+           metricsText(view.card.metrics);
 }
 
 } // namespace chiron::cli

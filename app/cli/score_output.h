@@ -18,7 +18,8 @@ struct ScoreView {
     QJsonObject recording; ///< frames, dropped, bytes
 };
 
-/// [{id, version, value, unit, passed}]; a value that is not defined is null with its reason, passed only where gated.
+/// [{id, version, value, unit, passed}]; a value that is not defined is null with its reason, passed only
+/// where gated.
 QJsonArray metricsJson(const std::vector<scoring::MetricValue>& metrics);
 /// The keys of cli.md's `train`: session_id, state, passed, metrics, trials, loop, recording.
 QJsonObject scoreJson(const ScoreView& view);

@@ -20,13 +20,18 @@ core::Result<std::unique_ptr<database::Database>> open(const Arguments& argument
     const QString path = databasePath(arguments);
     const QFileInfo info(path);
     if (!info.exists())
-        return core::fail(core::ErrorCode::notFound,
-                          QStringLiteral("--database %1: no such file; expected a Chiron database (chiron-cli init makes one)")
-                              .arg(quoted(path)).toStdString());
+        return core::fail(
+            core::ErrorCode::notFound,
+            QStringLiteral(
+                "--database %1: no such file; expected a Chiron database (chiron-cli init makes one)")
+                .arg(quoted(path))
+                .toStdString());
     if (!info.isFile())
-        return badInput(QStringLiteral("--database %1: is not a file; expected a Chiron database").arg(quoted(path)));
-    return opening == Opening::forWriting ? database::Database::openForWriting(path.toStdString(), databaseOptions())
-                                          : database::Database::openReadOnly(path.toStdString(), databaseOptions());
+        return badInput(
+            QStringLiteral("--database %1: is not a file; expected a Chiron database").arg(quoted(path)));
+    return opening == Opening::forWriting
+               ? database::Database::openForWriting(path.toStdString(), databaseOptions())
+               : database::Database::openReadOnly(path.toStdString(), databaseOptions());
 }
 
 } // namespace
@@ -35,14 +40,16 @@ QString databasePath(const Arguments& arguments) {
     const QString given = arguments.value(QStringLiteral("database"));
     if (!given.isEmpty())
         return QFileInfo(given).absoluteFilePath();
-    return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)).filePath(QStringLiteral("chiron/chiron.db"));
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation))
+        .filePath(QStringLiteral("chiron/chiron.db"));
 }
 
 database::DatabaseOptions databaseOptions() {
     return {};
 }
 
-core::Result<std::vector<std::string>> readSecrets(const Arguments& arguments, const std::vector<QString>& variables) {
+core::Result<std::vector<std::string>> readSecrets(const Arguments& arguments,
+                                                   const std::vector<QString>& variables) {
     std::vector<std::string> secrets;
     if (arguments.has(QStringLiteral("password-stdin"))) {
         constexpr qint64 kLargest = 16384;
@@ -64,7 +71,8 @@ core::Result<std::vector<std::string>> readSecrets(const Arguments& arguments, c
         }
     }
     if (secrets.empty() || secrets[0].empty())
-        return wrongUse(QStringLiteral("password: none given; expected it in %1 or, with --password-stdin, as the first line of stdin")
+        return wrongUse(QStringLiteral("password: none given; expected it in %1 or, with --password-stdin, "
+                                       "as the first line of stdin")
                             .arg(variables.empty() ? kPassword : variables[0]));
     return secrets;
 }
@@ -72,8 +80,9 @@ core::Result<std::vector<std::string>> readSecrets(const Arguments& arguments, c
 core::Result<Site> openAsPerson(const Arguments& arguments, Opening opening) {
     const QString name = arguments.value(QStringLiteral("as"));
     if (name.isEmpty())
-        return wrongUse(QStringLiteral("--as is missing: this touches people's data; expected --as NAME with the password in "
-                                       "CHIRON_PASSWORD or by --password-stdin"));
+        return wrongUse(QStringLiteral(
+            "--as is missing: this touches people's data; expected --as NAME with the password in "
+            "CHIRON_PASSWORD or by --password-stdin"));
     auto secrets = readSecrets(arguments, {kPassword, kNewPassword});
     if (!secrets)
         return tl::unexpected(secrets.error());

@@ -16,9 +16,11 @@ QString databasePath(const Arguments& arguments);
 /// How this program opens databases.
 database::DatabaseOptions databaseOptions();
 
-/// Secrets in the order asked for: with --password-stdin the lines of stdin, otherwise the environment's variables of
-/// these names (removed once read). One that is not there stays empty. Failure: wrongUse when the first is missing.
-core::Result<std::vector<std::string>> readSecrets(const Arguments& arguments, const std::vector<QString>& variables);
+/// Secrets in the order asked for: with --password-stdin the lines of stdin, otherwise the environment's
+/// variables of these names (removed once read). One that is not there stays empty. Failure: wrongUse when
+/// the first is missing.
+core::Result<std::vector<std::string>> readSecrets(const Arguments& arguments,
+                                                   const std::vector<QString>& variables);
 
 enum class Opening { forReading, forWriting };
 
@@ -26,11 +28,12 @@ enum class Opening { forReading, forWriting };
 struct Site {
     std::unique_ptr<database::Database> database;
     database::Actor actor = database::Actor::anonymous();
-    std::vector<std::string> secrets; ///< [0]: the actor's password; [1]: the second one, empty where not given
+    std::vector<std::string>
+        secrets; ///< [0]: the actor's password; [1]: the second one, empty where not given
 };
 
-/// Opens the database as the person of --as. Failure: wrongUse without --as or password (before anything is opened);
-/// notFound, locked, storage; notAllowed for a wrong password.
+/// Opens the database as the person of --as. Failure: wrongUse without --as or password (before anything is
+/// opened); notFound, locked, storage; notAllowed for a wrong password.
 core::Result<Site> openAsPerson(const Arguments& arguments, Opening opening);
 /// As above, or as nobody without --as: for what simulated sessions and files show to anybody.
 core::Result<Site> openAsAnybody(const Arguments& arguments, Opening opening);

@@ -18,7 +18,9 @@ struct Scale {
     double high = 1.0;
     double left = 0.0;
     double width = 1.0;
-    double at(double value) const { return left + width * std::clamp((value - low) / (high - low), 0.0, 1.0); }
+    double at(double value) const {
+        return left + width * std::clamp((value - low) / (high - low), 0.0, 1.0);
+    }
 };
 
 Scale scaleFor(const MetricRow& row, const QRectF& bar) {
@@ -42,7 +44,8 @@ void paintScale(QCPPainter& p, const QRectF& bar, const MetricRow& row, const Pl
     p.setBrush(theme.rule);
     p.drawRoundedRect(bar, 2, 2);
     if (row.bandLow && row.bandHigh) {
-        const QRectF band(QPointF(scale.at(*row.bandLow), bar.top() - 3), QPointF(scale.at(*row.bandHigh), bar.bottom() + 3));
+        const QRectF band(QPointF(scale.at(*row.bandLow), bar.top() - 3),
+                          QPointF(scale.at(*row.bandHigh), bar.bottom() + 3));
         p.setPen(QPen(theme.good, 1.0));
         p.setBrush(theme.goodFill);
         p.drawRect(band);
@@ -57,7 +60,8 @@ void paintScale(QCPPainter& p, const QRectF& bar, const MetricRow& row, const Pl
     const double x = scale.at(*row.value);
     p.setPen(QPen(theme.paper, 1.0));
     p.setBrush(theme.ink);
-    p.drawPolygon(QPolygonF({QPointF(x, bar.center().y() + 1), QPointF(x - 6, bar.top() - 10), QPointF(x + 6, bar.top() - 10)}));
+    p.drawPolygon(QPolygonF(
+        {QPointF(x, bar.center().y() + 1), QPointF(x - 6, bar.top() - 10), QPointF(x + 6, bar.top() - 10)}));
 }
 
 } // namespace
@@ -67,11 +71,13 @@ void paintHeadlineCard(QCPPainter& p, const QRectF& box, const MetricRow& row, c
     p.setBrush(theme.panel);
     p.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
     const QRectF inner = box.adjusted(12, 9, -12, -8);
-    const auto line = [&](double top, double height, const QFont& font, const QColor& ink, const QString& words) {
+    const auto line = [&](double top, double height, const QFont& font, const QColor& ink,
+                          const QString& words) {
         p.setFont(font);
         p.setPen(ink);
         const QString shown = QFontMetricsF(font).elidedText(words, Qt::ElideRight, inner.width());
-        p.drawText(QRectF(inner.left(), inner.top() + top, inner.width(), height), Qt::AlignLeft | Qt::AlignVCenter, shown);
+        p.drawText(QRectF(inner.left(), inner.top() + top, inner.width(), height),
+                   Qt::AlignLeft | Qt::AlignVCenter, shown);
     };
     line(0, 15, theme.font(11.5), theme.muted, row.name.isEmpty() ? row.id : row.name);
     line(16, 32, theme.font(24, true), theme.ink, formatValue(row.value, row.unit, theme.locale));

@@ -12,8 +12,8 @@ namespace chiron::report {
 
 inline constexpr double kHeadlineCardHeight = 138.0;
 
-/// A metric shown large: name, value, a scale with the benchmark band, the pass mark and where the value lies, and the
-/// same in words. GUI thread.
+/// A metric shown large: name, value, a scale with the benchmark band, the pass mark and where the value
+/// lies, and the same in words. GUI thread.
 void paintHeadlineCard(QCPPainter& painter, const QRectF& box, const MetricRow& row, const PlotTheme& theme);
 
 } // namespace chiron::report

@@ -32,7 +32,8 @@ QImage renderPanels(const std::vector<Panel>& panels, QSize size, double scale, 
 core::Result<void> writePng(const QString& path, const QImage& image) {
     if (image.isNull())
         return core::fail(core::ErrorCode::wrongUse,
-                          path.toStdString() + ": the picture is empty; expected a size of at least 1 x 1 pixels");
+                          path.toStdString() +
+                              ": the picture is empty; expected a size of at least 1 x 1 pixels");
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return core::fail(core::ErrorCode::storage,

@@ -24,8 +24,8 @@ struct Panel {
 /// Draws panels into one picture of `size` logical pixels at `scale` device pixels each. GUI thread.
 QImage renderPanels(const std::vector<Panel>& panels, QSize size, double scale, const PlotTheme& theme);
 
-/// Writes an image as PNG through a temporary file that replaces `path` only when complete. Fails with storage (the
-/// path and the system's reason) and with wrongUse for an empty image.
+/// Writes an image as PNG through a temporary file that replaces `path` only when complete. Fails with
+/// storage (the path and the system's reason) and with wrongUse for an empty image.
 core::Result<void> writePng(const QString& path, const QImage& image);
 
 } // namespace chiron::report

@@ -8,8 +8,8 @@
 
 namespace chiron::report {
 
-/// Colours, fonts and number locale of plots and pages. All colours are opaque: PDF/A-1b knows no transparency.
-/// Contrast of every ink against the paper is at least 4.5:1.
+/// Colours, fonts and number locale of plots and pages. All colours are opaque: PDF/A-1b knows no
+/// transparency. Contrast of every ink against the paper is at least 4.5:1.
 struct PlotTheme {
     QColor paper{255, 255, 255};
     QColor ink{27, 38, 49};
@@ -25,17 +25,18 @@ struct PlotTheme {
     QColor badFill{250, 226, 224};
     QColor warningFill{253, 240, 213};
     QColor overFill{244, 170, 164}; ///< under a line that is over its limit
-    QColor seriesA{0, 95, 135};  ///< solid line
-    QColor seriesB{178, 84, 0};  ///< dashed line
-    QColor seriesC{86, 58, 140}; ///< dotted line
-    QString family;              ///< chosen by reportFontFamily()
+    QColor seriesA{0, 95, 135};     ///< solid line
+    QColor seriesB{178, 84, 0};     ///< dashed line
+    QColor seriesC{86, 58, 140};    ///< dotted line
+    QString family;                 ///< chosen by reportFontFamily()
     QLocale locale = QLocale(QLocale::English, QLocale::UnitedKingdom);
 
     /// A font of `pixels` logical pixels (1/96 inch): sizes are in pixels so that screen, PNG and PDF agree.
     QFont font(double pixels, bool bold = false) const;
 };
 
-/// The first installed of Inter, Noto Sans, DejaVu Sans; the application's own font where none is. GUI thread.
+/// The first installed of Inter, Noto Sans, DejaVu Sans; the application's own font where none is. GUI
+/// thread.
 QString reportFontFamily();
 
 /// The light theme of printed reports, in the given locale.

@@ -53,7 +53,8 @@ void PlotView::setEqualScale(bool equal) {
     m_impl->equalScale = equal;
 }
 
-void PlotView::addLine(const QString& name, std::span<const double> x, std::span<const double> y, PlotStyle style) {
+void PlotView::addLine(const QString& name, std::span<const double> x, std::span<const double> y,
+                       PlotStyle style) {
     QCPGraph* graph = m_impl->addGraph(name);
     graph->setPen(m_impl->pen(style, 1.4));
     const std::size_t count = std::min(x.size(), y.size());
@@ -67,14 +68,15 @@ void PlotView::addLine(const QString& name, std::span<const double> x, std::span
     m_impl->lines.push_back({graph, {x.begin(), x.end()}, {y.begin(), y.end()}, false, 0.0});
 }
 
-void PlotView::addMarkers(const QString& name, const std::vector<PlotPoint>& points, PlotStyle style, bool crosses) {
+void PlotView::addMarkers(const QString& name, const std::vector<PlotPoint>& points, PlotStyle style,
+                          bool crosses) {
     QCPGraph* graph = m_impl->addGraph(name);
     graph->setLineStyle(QCPGraph::lsNone);
     const QColor ink = crosses ? m_impl->theme.bad : m_impl->color(style);
     graph->setPen(QPen(ink, 1.8));
-    graph->setScatterStyle(crosses ? QCPScatterStyle(QCPScatterStyle::ssCross, QPen(ink, 1.8), Qt::NoBrush, 8)
-                                   : QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(m_impl->theme.paper, 0.8),
-                                                     QBrush(ink), 8));
+    graph->setScatterStyle(
+        crosses ? QCPScatterStyle(QCPScatterStyle::ssCross, QPen(ink, 1.8), Qt::NoBrush, 8)
+                : QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(m_impl->theme.paper, 0.8), QBrush(ink), 8));
     for (const PlotPoint& point : points) {
         graph->addData(point.x, point.y);
         m_impl->takeX(point.x);
@@ -82,12 +84,14 @@ void PlotView::addMarkers(const QString& name, const std::vector<PlotPoint>& poi
     }
 }
 
-void PlotView::addMeans(const QString& name, const std::vector<PlotPoint>& means, const std::vector<double>& spreads) {
+void PlotView::addMeans(const QString& name, const std::vector<PlotPoint>& means,
+                        const std::vector<double>& spreads) {
     const QColor ink = m_impl->theme.ink;
     QCPGraph* graph = m_impl->addGraph(name);
     graph->setLineStyle(QCPGraph::lsNone);
     graph->setPen(QPen(ink, 1.4));
-    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(ink, 1.2), QBrush(m_impl->theme.paper), 11));
+    graph->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(ink, 1.2), QBrush(m_impl->theme.paper), 11));
     auto* bars = new QCPErrorBars(m_impl->plot->xAxis, m_impl->plot->yAxis);
     bars->removeFromLegend();
     bars->setDataPlottable(graph);
@@ -135,9 +139,11 @@ void PlotView::addReference(const QString& name, double value) {
     m_impl->addHorizontal(name, value, pen);
 }
 
-void PlotView::shadeAbove(const QString& name, std::span<const double> x, std::span<const double> y, double limit) {
+void PlotView::shadeAbove(const QString& name, std::span<const double> x, std::span<const double> y,
+                          double limit) {
     const std::size_t count = std::min(x.size(), y.size());
-    if (std::none_of(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(count), [&](double v) { return v > limit; }))
+    if (std::none_of(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(count),
+                     [&](double v) { return v > limit; }))
         return;
     QCPGraph* base = m_impl->addGraph(QString());
     base->setPen(Qt::NoPen);
@@ -183,7 +189,8 @@ void PlotView::addEvents(const std::vector<TimedEvent>& events) {
         text->setText(event.label);
         text->setFont(m_impl->theme.font(10));
         text->setColor(m_impl->theme.muted);
-        text->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom); // above the axes: nothing measured is covered
+        text->setPositionAlignment(Qt::AlignLeft |
+                                   Qt::AlignBottom); // above the axes: nothing measured is covered
         text->setClipToAxisRect(false);
         text->setPadding(QMargins(1, 0, 3, 1));
         text->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
@@ -211,6 +218,8 @@ void PlotView::setNote(const QString& text) {
     note->setText(text);
     note->setFont(m_impl->theme.font(12));
     note->setColor(m_impl->theme.muted);
+    note->setBrush(m_impl->theme.paper);
+    note->setPadding(QMargins(6, 3, 6, 3));
     note->position->setType(QCPItemPosition::ptAxisRectRatio);
     note->position->setCoords(0.5, 0.5);
 }
@@ -227,7 +236,8 @@ void PlotView::paintTo(QCPPainter& painter, const QRectF& area) {
 }
 
 core::Result<void> PlotView::savePng(const QString& path, QSize size, double scale) {
-    return writePng(path, renderPanels({{this, QRectF(QPointF(0, 0), QSizeF(size))}}, size, scale, m_impl->theme));
+    return writePng(path,
+                    renderPanels({{this, QRectF(QPointF(0, 0), QSizeF(size))}}, size, scale, m_impl->theme));
 }
 
 } // namespace chiron::report

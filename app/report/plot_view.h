@@ -30,8 +30,8 @@ struct PlotPoint {
     double y = 0.0;
 };
 
-/// The one way to draw plots, over QCustomPlot, which stays hidden. A widget on screen, a picture or vectors on paper.
-/// All calls on the GUI thread. Not copyable.
+/// The one way to draw plots, over QCustomPlot, which stays hidden. A widget on screen, a picture or vectors
+/// on paper. All calls on the GUI thread. Not copyable.
 class PlotView : public QWidget {
 public:
     explicit PlotView(const PlotTheme& theme, QWidget* parent = nullptr);
@@ -47,13 +47,17 @@ public:
     /// The same scale on both axes (the shorter range is widened).
     void setEqualScale(bool equal);
 
-    /// A line; long series are reduced to first, minimum, maximum, last of each pixel column, so that every peak stays.
+    /// A line; long series are reduced to first, minimum, maximum, last of each pixel column, so that every
+    /// peak stays.
     void addLine(const QString& name, std::span<const double> x, std::span<const double> y, PlotStyle style);
-    void addMarkers(const QString& name, const std::vector<PlotPoint>& points, PlotStyle style, bool crosses = false);
+    void addMarkers(const QString& name, const std::vector<PlotPoint>& points, PlotStyle style,
+                    bool crosses = false);
     /// A marker with a vertical bar from y - spread to y + spread; no bar where the spread is not finite.
-    void addMeans(const QString& name, const std::vector<PlotPoint>& means, const std::vector<double>& spreads);
+    void addMeans(const QString& name, const std::vector<PlotPoint>& means,
+                  const std::vector<double>& spreads);
     /// Bars of one of `count` groups side by side around each x.
-    void addBars(const QString& name, const std::vector<PlotPoint>& tops, PlotStyle style, int index, int count);
+    void addBars(const QString& name, const std::vector<PlotPoint>& tops, PlotStyle style, int index,
+                 int count);
     /// A horizontal line with its name in the legend.
     void addLimit(const QString& name, double value);
     /// The same for something to compare with that is no limit.

@@ -138,7 +138,8 @@ void PlotView::Impl::prepare(QSize size) {
             equaliseScale();
     }
     const int axisWidth = plot->axisRect()->width();
-    fillLines(2 * std::max(axisWidth, 50)); // two samples a logical pixel: pictures are written at twice the size
+    fillLines(2 *
+              std::max(axisWidth, 50)); // two samples a logical pixel: pictures are written at twice the size
     placeEventLabels(axisWidth);
     plot->setViewport(before);
 }

@@ -43,7 +43,8 @@ struct PlotView::Impl {
     void takeX(double value) { xRange.take(value); }
     void takeY(double value) { yRange.take(value); }
 
-    /// Makes the plot ready for a width and height in logical pixels: ranges, legend columns, lines, event labels.
+    /// Makes the plot ready for a width and height in logical pixels: ranges, legend columns, lines, event
+    /// labels.
     void prepare(QSize size);
     void arrangeLegend(int width);
     void fillLines(int columns);

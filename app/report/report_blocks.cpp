@@ -14,7 +14,8 @@ namespace chiron::report {
 namespace {
 constexpr double kBody = 12.5;
 
-void text(QCPPainter& p, const QRectF& box, const QFont& font, const QColor& ink, int flags, const QString& words) {
+void text(QCPPainter& p, const QRectF& box, const QFont& font, const QColor& ink, int flags,
+          const QString& words) {
     p.setFont(font);
     p.setPen(ink);
     p.drawText(box, flags, words);
@@ -34,13 +35,14 @@ ReportBlocks::ReportBlocks(const ReportData& data, const PlotTheme& theme, doubl
     addIntegrity();
 }
 
-void ReportBlocks::add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint, bool keep,
-                       int header) {
+void ReportBlocks::add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint,
+                       bool keep, int header) {
     m_blocks.push_back({height, gap, keep, header, std::move(paint)});
 }
 
 void ReportBlocks::addHeading(const QString& words) {
-    add(24, 18,
+    add(
+        24, 18,
         [this, words](QCPPainter& p, const QRectF& box) {
             text(p, box, m_theme.font(15, true), m_theme.ink, Qt::AlignLeft | Qt::AlignVCenter, words);
         },
@@ -65,16 +67,19 @@ void ReportBlocks::addBanner() {
 
 void ReportBlocks::addTitle() {
     const QString person = m_data.person.isEmpty() ? Words::tr("Unnamed person") : m_data.person;
-    const QString task = m_data.levelTitle.isEmpty()
-                             ? m_data.exerciseTitle
-                             : Words::tr("%1 · level %2: %3").arg(m_data.exerciseTitle).arg(m_data.level).arg(m_data.levelTitle);
+    const QString task = m_data.levelTitle.isEmpty() ? m_data.exerciseTitle
+                                                     : Words::tr("%1 · level %2: %3")
+                                                           .arg(m_data.exerciseTitle)
+                                                           .arg(m_data.level)
+                                                           .arg(m_data.levelTitle);
     const QFont large = m_theme.font(24, true);
     const QFont middle = m_theme.font(14);
     const double above = textHeight(person, large, m_width);
     const double below = task.isEmpty() ? 0.0 : textHeight(task, middle, m_width);
     add(above + (task.isEmpty() ? 0.0 : below + 6), 12, [=, this](QCPPainter& p, const QRectF& box) {
         drawText(p, QRectF(box.left(), box.top(), box.width(), above), person, {large, m_theme.ink});
-        drawText(p, QRectF(box.left(), box.top() + above + 4, box.width(), below), task, {middle, m_theme.muted});
+        drawText(p, QRectF(box.left(), box.top() + above + 4, box.width(), below), task,
+                 {middle, m_theme.muted});
     });
 }
 
@@ -87,8 +92,9 @@ void ReportBlocks::addVerdict() {
     if (!counts) {
         ink = m_theme.warning;
         fill = m_theme.warningFill;
-        words = Words::tr("!  Does not count: %1").arg(m_data.state.isEmpty() ? Words::tr("its state is not known")
-                                                                              : stateWords(m_data.state));
+        words =
+            Words::tr("!  Does not count: %1")
+                .arg(m_data.state.isEmpty() ? Words::tr("its state is not known") : stateWords(m_data.state));
     } else if (m_data.passed) {
         ink = passed ? m_theme.good : m_theme.bad;
         fill = passed ? m_theme.goodFill : m_theme.badFill;
@@ -98,7 +104,8 @@ void ReportBlocks::addVerdict() {
             if (row.passed && !*row.passed)
                 failed << Words::tr("%1 was %2, pass mark %3")
                               .arg(row.name.isEmpty() ? row.id : row.name,
-                                   formatValue(row.value, row.unit, m_theme.locale), formatGate(row, m_theme.locale));
+                                   formatValue(row.value, row.unit, m_theme.locale),
+                                   formatGate(row, m_theme.locale));
         }
         if (!failed.isEmpty())
             words += QStringLiteral(": ") + failed.join(QStringLiteral("; "));
@@ -128,8 +135,7 @@ void ReportBlocks::addPairs(const std::vector<std::pair<QString, QString>>& pair
             for (const auto& [label, value] : row) {
                 drawText(p, QRectF(left, box.top(), inner, 15), label, {m_theme.font(10.5), m_theme.muted});
                 drawText(p, QRectF(left, box.top() + 15, inner, box.height() - 15),
-                         value.isEmpty() ? QStringLiteral("–") : value,
-                         {m_theme.font(kBody), m_theme.ink});
+                         value.isEmpty() ? QStringLiteral("–") : value, {m_theme.font(kBody), m_theme.ink});
                 left += column;
             }
         });
@@ -159,8 +165,10 @@ void ReportBlocks::addHeadlines() {
         const double gap = 12.0;
         const double width = (box.width() - 2 * gap) / 3.0;
         for (std::size_t i = 0; i < chosen.size(); ++i)
-            paintHeadlineCard(p, QRectF(box.left() + static_cast<double>(i) * (width + gap), box.top(), width, box.height()),
-                              chosen[i], m_theme);
+            paintHeadlineCard(
+                p,
+                QRectF(box.left() + static_cast<double>(i) * (width + gap), box.top(), width, box.height()),
+                chosen[i], m_theme);
     });
 }
 
@@ -169,14 +177,20 @@ void ReportBlocks::addMetrics() {
     std::vector<std::vector<QString>> rows;
     for (const MetricRow& row : m_data.metrics) {
         const QString name = row.name.isEmpty() ? row.id : row.name;
-        const QString value = row.value ? formatValue(row.value, row.unit, m_theme.locale)
-                                        : QStringLiteral("– (%1)").arg(row.reason.isEmpty() ? Words::tr("not defined") : row.reason);
-        const QString result = !row.passed ? QString() : *row.passed ? Words::tr("✓ met") : Words::tr("✗ not met");
-        rows.push_back({name, value, formatGate(row, m_theme.locale), formatBand(row, m_theme.locale), result});
+        const QString value =
+            row.value
+                ? formatValue(row.value, row.unit, m_theme.locale)
+                : QStringLiteral("– (%1)").arg(row.reason.isEmpty() ? Words::tr("not defined") : row.reason);
+        const QString result = !row.passed   ? QString()
+                               : *row.passed ? Words::tr("✓ met")
+                                             : Words::tr("✗ not met");
+        rows.push_back(
+            {name, value, formatGate(row, m_theme.locale), formatBand(row, m_theme.locale), result});
     }
     if (rows.empty())
         rows.push_back({Words::tr("No metrics were computed"), {}, {}, {}, {}});
-    addTable({Words::tr("Metric"), Words::tr("Value"), Words::tr("Pass mark"), Words::tr("Benchmark"), Words::tr("Result")},
+    addTable({Words::tr("Metric"), Words::tr("Value"), Words::tr("Pass mark"), Words::tr("Benchmark"),
+              Words::tr("Result")},
              rows, {0.36, 0.2, 0.16, 0.17, 0.11}, {false, true, true, true, false});
 }
 
@@ -202,7 +216,8 @@ void ReportBlocks::addPlots() {
     m_plots.push_back(speedPlot(m_data.series, m_theme));
     for (std::size_t i = m_plots.size() - 3; i < m_plots.size(); ++i) {
         PlotView* plot = m_plots[i].get();
-        add(234, 8, [plot](QCPPainter& p, const QRectF& box) { plot->paintTo(p, box); });
+        add(i + 3 == m_plots.size() ? 240 : 216, 8,
+            [plot](QCPPainter& p, const QRectF& box) { plot->paintTo(p, box); });
     }
 }
 
@@ -216,14 +231,17 @@ void ReportBlocks::addIntegrity() {
     addPairs({{Words::tr("Recorded frames"), locale.toString(static_cast<qulonglong>(facts.frames))},
               {Words::tr("Dropped frames"), locale.toString(static_cast<qulonglong>(facts.dropped))},
               {Words::tr("Stored bytes"), locale.toString(static_cast<qulonglong>(facts.bytes))},
-              {Words::tr("Ticks, of them late"), QStringLiteral("%1, %2").arg(locale.toString(static_cast<qulonglong>(loop.ticks)),
-                                                                              locale.toString(static_cast<qulonglong>(loop.late)))},
-              {Words::tr("Tick time: median, 99 %"), QStringLiteral("%1, %2").arg(micro(loop.p50_us), micro(loop.p99_us))},
+              {Words::tr("Ticks, of them late"),
+               QStringLiteral("%1, %2").arg(locale.toString(static_cast<qulonglong>(loop.ticks)),
+                                            locale.toString(static_cast<qulonglong>(loop.late)))},
+              {Words::tr("Tick time: median, 99 %"),
+               QStringLiteral("%1, %2").arg(micro(loop.p50_us), micro(loop.p99_us))},
               {Words::tr("Longest tick"), micro(loop.max_us)}},
              3);
-    std::vector<std::pair<QString, QString>> digests{{Words::tr("Build"), facts.buildId},
-                                                     {Words::tr("Content (SHA-256)"), facts.contentSha256},
-                                                     {Words::tr("Recording (BLAKE2b)"), facts.recordingDigest}};
+    std::vector<std::pair<QString, QString>> digests{
+        {Words::tr("Build"), facts.buildId},
+        {Words::tr("Content (SHA-256)"), facts.contentSha256},
+        {Words::tr("Recording (BLAKE2b)"), facts.recordingDigest}};
     if (!facts.resultDigest.isEmpty())
         digests.emplace_back(Words::tr("Score (BLAKE2b)"), facts.resultDigest);
     addPairs(digests, 1);

@@ -11,8 +11,8 @@
 
 namespace chiron::report {
 
-/// Makes the blocks of a session report, in reading order, for a body of `width` logical pixels. The plots live in the
-/// maker, so it must outlive the painting. GUI thread.
+/// Makes the blocks of a session report, in reading order, for a body of `width` logical pixels. The plots
+/// live in the maker, so it must outlive the painting. GUI thread.
 class ReportBlocks {
 public:
     ReportBlocks(const ReportData& data, const PlotTheme& theme, double width);
@@ -35,8 +35,8 @@ private:
     void addTable(const std::vector<QString>& head, const std::vector<std::vector<QString>>& rows,
                   const std::vector<double>& shares, const std::vector<bool>& rightAligned);
     void addPairs(const std::vector<std::pair<QString, QString>>& pairs, int columns);
-    void add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint, bool keep = false,
-             int header = -1);
+    void add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint,
+             bool keep = false, int header = -1);
 
     const ReportData& m_data;
     const PlotTheme& m_theme;

@@ -15,11 +15,11 @@ struct MetricRow {
     QString name; ///< display name; the id where empty
     QString unit; ///< "%", "mm", "N"; empty for none
     std::optional<double> value;
-    QString reason; ///< why there is no value
+    QString reason;                    ///< why there is no value
     std::optional<double> gateMinimum; ///< pass mark, inclusive
     std::optional<double> gateMaximum;
-    std::optional<bool> passed; ///< only where gated
-    bool headline = false;      ///< shown large on the first page; at most three are
+    std::optional<bool> passed;    ///< only where gated
+    bool headline = false;         ///< shown large on the first page; at most three are
     std::optional<double> bandLow; ///< benchmark band, e.g. a published mean ± SD
     std::optional<double> bandHigh;
     QString bandSource; ///< where the band is from, e.g. "published, 5 subjects × 10"
@@ -45,8 +45,8 @@ struct TimedEvent {
 };
 
 /// One tool's samples of a session (or of one trial) for plots. All vectors have t_s's length, except that
-/// `measured_N`, `commanded_N` and `speed_mm_per_s` may be empty (not measured, not stored). Positions in W, forces as
-/// norms. Values that are not finite leave a gap.
+/// `measured_N`, `commanded_N` and `speed_mm_per_s` may be empty (not measured, not stored). Positions in W,
+/// forces as norms. Values that are not finite leave a gap.
 struct SampleSeries {
     std::vector<double> t_s; ///< ascending
     std::vector<double> x_mm, y_mm, z_mm;
@@ -54,7 +54,7 @@ struct SampleSeries {
     std::vector<double> commanded_N; ///< after the supervisor
     std::vector<double> measured_N;  ///< by the device
     std::vector<double> speed_mm_per_s;
-    std::vector<TimeSpan> paused;    ///< hatched; left out of every metric
+    std::vector<TimeSpan> paused; ///< hatched; left out of every metric
     std::vector<TimedEvent> events;
 };
 
@@ -81,19 +81,19 @@ struct IntegrityFacts {
 
 /// Everything a session report shows. Values only: whoever fills it reads the database, never this module.
 struct ReportData {
-    QString person;         ///< display name, or the operator's ("expert, seed 7")
-    bool simulated = false; ///< a scripted hand, not a person
+    QString person;             ///< display name, or the operator's ("expert, seed 7")
+    bool simulated = false;     ///< a scripted hand, not a person
     bool demonstration = false; ///< the permanent banner of a demonstration database
     QString exerciseTitle;
     QString levelTitle;
     QString exerciseId;
     int level = 1;
-    QDateTime startedUtc; ///< UTC
+    QDateTime startedUtc;  ///< UTC
     int offsetMinutes = 0; ///< local time's offset from UTC when it was recorded
     double duration_s = 0.0;
     QString device;
-    bool felt = true;          ///< false: force was shown, not felt
-    QString state;             ///< completed, stopped, interrupted, incomplete, faulted, voided
+    bool felt = true;           ///< false: force was shown, not felt
+    QString state;              ///< completed, stopped, interrupted, incomplete, faulted, voided
     std::optional<bool> passed; ///< absent where nothing is gated
     std::vector<MetricRow> metrics;
     std::vector<ApexError> apexErrors;

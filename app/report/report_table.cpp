@@ -28,7 +28,8 @@ void paintRow(QCPPainter& p, const QRectF& box, const TableRow& row) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
         const QRectF cell(left + kCellPadding, box.top() + kRowPadding, row.widths[i] - 2 * kCellPadding,
                           box.height() - kRowPadding);
-        drawText(p, cell, row.cells[i], {row.font, row.ink, row.rightAligned[i] ? Qt::AlignRight : Qt::AlignLeft});
+        drawText(p, cell, row.cells[i],
+                 {row.font, row.ink, row.rightAligned[i] ? Qt::AlignRight : Qt::AlignLeft});
         left += row.widths[i];
     }
     p.setPen(QPen(row.rule, 0.8));
@@ -44,13 +45,18 @@ void ReportBlocks::addTable(const std::vector<QString>& head, const std::vector<
         widths.push_back(share * m_width);
     const int header = static_cast<int>(m_blocks.size());
     const auto addRow = [&](const std::vector<QString>& cells, bool isHead) {
-        TableRow row{cells, widths, rightAligned, m_theme.font(isHead ? 11 : 12, isHead),
-                     isHead ? m_theme.muted : m_theme.ink, isHead ? m_theme.muted : m_theme.rule,
+        TableRow row{cells,
+                     widths,
+                     rightAligned,
+                     m_theme.font(isHead ? 11 : 12, isHead),
+                     isHead ? m_theme.muted : m_theme.ink,
+                     isHead ? m_theme.muted : m_theme.rule,
                      isHead ? m_theme.panel : QColor()};
         double height = 0.0;
         for (std::size_t i = 0; i < cells.size(); ++i)
             height = std::max(height, textHeight(cells[i], row.font, widths[i] - 2 * kCellPadding));
-        add(height + 2 * kRowPadding, isHead ? 4 : 0,
+        add(
+            height + 2 * kRowPadding, isHead ? 4 : 0,
             [row = std::move(row)](QCPPainter& p, const QRectF& box) { paintRow(p, box, row); }, isHead,
             isHead ? -1 : header);
     };

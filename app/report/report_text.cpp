@@ -31,8 +31,8 @@ QString formatValue(const std::optional<double>& value, const QString& unit, con
 
 QString formatGate(const MetricRow& row, const QLocale& locale) {
     if (row.gateMinimum && row.gateMaximum)
-        return withUnit(formatNumber(*row.gateMinimum, locale) + QStringLiteral(" – ")
-                            + formatNumber(*row.gateMaximum, locale),
+        return withUnit(formatNumber(*row.gateMinimum, locale) + QStringLiteral(" – ") +
+                            formatNumber(*row.gateMaximum, locale),
                         row.unit);
     if (row.gateMaximum)
         return withUnit(QStringLiteral("≤ ") + formatNumber(*row.gateMaximum, locale), row.unit);
@@ -44,7 +44,8 @@ QString formatGate(const MetricRow& row, const QLocale& locale) {
 QString formatBand(const MetricRow& row, const QLocale& locale) {
     if (!row.bandLow || !row.bandHigh)
         return {};
-    return withUnit(formatNumber(*row.bandLow, locale) + QStringLiteral(" – ") + formatNumber(*row.bandHigh, locale),
+    return withUnit(formatNumber(*row.bandLow, locale) + QStringLiteral(" – ") +
+                        formatNumber(*row.bandHigh, locale),
                     row.unit);
 }
 

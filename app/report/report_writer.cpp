@@ -60,12 +60,14 @@ void paintFooter(QCPPainter& p, const ReportData& data, const PlotTheme& theme, 
         parts.removeAll(QString());
         return parts.join(QStringLiteral(" · "));
     };
-    const QString who = joined({data.integrity.sessionId, formatMoment(data.startedUtc, data.offsetMinutes, theme.locale)});
+    const QString who =
+        joined({data.integrity.sessionId, formatMoment(data.startedUtc, data.offsetMinutes, theme.locale)});
     p.drawText(QRectF(kSide, top + 5, kBodyWidth - right, 14), Qt::AlignLeft | Qt::AlignVCenter,
                metrics.elidedText(who, Qt::ElideRight, kBodyWidth - right));
     const QString digest = data.integrity.recordingDigest;
-    const QString proof = joined({data.demonstration ? Words::tr("Demonstration") : QString(), data.integrity.buildId,
-                                  digest.isEmpty() ? Words::tr("no recording digest") : digest});
+    const QString proof =
+        joined({data.demonstration ? Words::tr("Demonstration") : QString(), data.integrity.buildId,
+                digest.isEmpty() ? Words::tr("no recording digest") : digest});
     p.drawText(QRectF(kSide, top + 18, kBodyWidth, 14), Qt::AlignLeft | Qt::AlignVCenter,
                metrics.elidedText(proof, Qt::ElideRight, kBodyWidth));
 }
@@ -75,8 +77,9 @@ void configure(QPdfWriter& writer, const ReportData& data) {
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(0, 0, 0, 0));
     writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
-    writer.setTitle(QStringLiteral("Chiron session report: %1, %2, session %3, recording %4")
-                        .arg(data.person, data.exerciseTitle, data.integrity.sessionId, data.integrity.recordingDigest));
+    writer.setTitle(
+        QStringLiteral("Chiron session report: %1, %2, session %3, recording %4")
+            .arg(data.person, data.exerciseTitle, data.integrity.sessionId, data.integrity.recordingDigest));
     writer.setCreator(QStringLiteral("Chiron %1").arg(data.integrity.buildId).trimmed());
 }
 
@@ -104,12 +107,14 @@ bool paintPages(QPdfWriter& writer, const ReportData& data, const PlotTheme& the
     return painter.end();
 }
 
-core::Result<void> save(PlotView& left, PlotView* right, const QString& path, QSize size, const PlotTheme& theme) {
+core::Result<void> save(PlotView& left, PlotView* right, const QString& path, QSize size,
+                        const PlotTheme& theme) {
     constexpr double kScale = 2.0;
     std::vector<Panel> panels{{&left, QRectF(QPointF(0, 0), QSizeF(size))}};
     if (right) {
         const double split = 0.46 * size.width();
-        panels = {{&left, QRectF(0, 0, split, size.height())}, {right, QRectF(split, 0, size.width() - split, size.height())}};
+        panels = {{&left, QRectF(0, 0, split, size.height())},
+                  {right, QRectF(split, 0, size.width() - split, size.height())}};
     }
     return writePng(path, renderPanels(panels, size, kScale, theme));
 }
@@ -141,7 +146,8 @@ core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const
         return tl::unexpected(storageError(folder, QStringLiteral("the folder could not be made")));
     const QSize wide(900, 360);
     std::vector<QString> written;
-    const auto write = [&](const char* name, std::unique_ptr<PlotView> left, std::unique_ptr<PlotView> right) {
+    const auto write = [&](const char* name, std::unique_ptr<PlotView> left,
+                           std::unique_ptr<PlotView> right) {
         const QString path = directory.filePath(QLatin1String(name));
         auto result = save(*left, right.get(), path, right ? QSize(960, 420) : wide, theme);
         if (result)
@@ -155,14 +161,16 @@ core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const
     if (auto done = write("speed.png", speedPlot(data.series, theme), nullptr); !done)
         return tl::unexpected(done.error());
     if (!data.apexErrors.empty()) {
-        auto done = write("apex_errors.png", apexScatterPlot(data.apexErrors, theme), apexTrialPlot(data.apexErrors, theme));
+        auto done = write("apex_errors.png", apexScatterPlot(data.apexErrors, theme),
+                          apexTrialPlot(data.apexErrors, theme));
         if (!done)
             return tl::unexpected(done.error());
     }
     return written;
 }
 
-core::Result<void> writeComparisonPng(const QString& path, const ComparisonData& data, const PlotTheme& theme) {
+core::Result<void> writeComparisonPng(const QString& path, const ComparisonData& data,
+                                      const PlotTheme& theme) {
     return save(*comparisonPlot(data, theme), nullptr, path, QSize(900, 460), theme);
 }
 

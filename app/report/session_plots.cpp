@@ -52,7 +52,8 @@ double deviation(const std::vector<double>& values, double centre) {
 } // namespace
 
 std::unique_ptr<PlotView> positionPlot(const SampleSeries& series, const PlotTheme& theme) {
-    auto view = timePlot(Words::tr("Position of the tool tip"), {Words::tr("Position (mm)"), {}, {}}, series, theme);
+    auto view =
+        timePlot(Words::tr("Position of the tool tip"), {Words::tr("Position (mm)"), {}, {}}, series, theme);
     view->addLine(QStringLiteral("x"), series.t_s, series.x_mm, PlotStyle::solidA);
     view->addLine(QStringLiteral("y"), series.t_s, series.y_mm, PlotStyle::dashedB);
     view->addLine(QStringLiteral("z"), series.t_s, series.z_mm, PlotStyle::dottedC);
@@ -69,13 +70,15 @@ std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, 
     if (!series.commanded_N.empty())
         view->addLine(Words::tr("commanded"), series.t_s, series.commanded_N, PlotStyle::dashedB);
     view->addLine(Words::tr("tissue (assessed)"), series.t_s, series.tissue_N, PlotStyle::solidA);
-    view->addLimit(Words::tr("limit %1").arg(formatValue(limit_N, QStringLiteral("N"), theme.locale)), limit_N);
+    view->addLimit(Words::tr("limit %1").arg(formatValue(limit_N, QStringLiteral("N"), theme.locale)),
+                   limit_N);
     finish(*view, series, series.t_s.empty() || series.tissue_N.empty());
     return view;
 }
 
 std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme& theme) {
-    auto view = timePlot(Words::tr("Speed of the tool tip"), {Words::tr("Speed (mm/s)"), 0.0, {}}, series, theme);
+    auto view =
+        timePlot(Words::tr("Speed of the tool tip"), {Words::tr("Speed (mm/s)"), 0.0, {}}, series, theme);
     view->addLine(Words::tr("speed"), series.t_s, series.speed_mm_per_s, PlotStyle::solidA);
     finish(*view, series, series.t_s.empty() || series.speed_mm_per_s.empty());
     return view;

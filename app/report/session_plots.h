@@ -9,7 +9,8 @@
 
 namespace chiron::report {
 
-/// The plots of a session. Each makes a new view (GUI thread); empty data give an empty plot with a note, never a crash.
+/// The plots of a session. Each makes a new view (GUI thread); empty data give an empty plot with a note,
+/// never a crash.
 std::unique_ptr<PlotView> positionPlot(const SampleSeries& series, const PlotTheme& theme);
 /// Tissue, commanded and measured force with the limit line; shaded where tissue force is over it.
 std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme);

@@ -10,8 +10,8 @@ class QPainter;
 
 namespace chiron::report {
 
-/// Text broken between words, and inside a word only where the word alone is wider than the box. Measuring and drawing
-/// share one layout, so what is measured fits. GUI thread.
+/// Text broken between words, and inside a word only where the word alone is wider than the box. Measuring
+/// and drawing share one layout, so what is measured fits. GUI thread.
 struct TextStyle {
     QFont font;
     QColor ink;

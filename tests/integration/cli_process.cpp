@@ -9,11 +9,13 @@ namespace {
 constexpr int kPatience_ms = 120000; // never asserted, only to end a hanging run
 }
 
-CliRun runCli(const QStringList& arguments, const QByteArray& input, const QMap<QString, QString>& variables) {
+CliRun runCli(const QStringList& arguments, const QByteArray& input,
+              const QMap<QString, QString>& variables) {
     static const QTemporaryDir home; // nothing of the person who runs the tests is read or written
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* name : {"CHIRON_PASSWORD", "CHIRON_NEW_PASSWORD", "CHIRON_RECOVERY_CODE", "CHIRON_CONTENT"})
+    for (const char* name :
+         {"CHIRON_PASSWORD", "CHIRON_NEW_PASSWORD", "CHIRON_RECOVERY_CODE", "CHIRON_CONTENT"})
         environment.remove(QLatin1String(name));
     environment.insert(QStringLiteral("HOME"), home.path());
     environment.insert(QStringLiteral("XDG_DATA_HOME"), home.path());
@@ -32,10 +34,29 @@ CliRun runCli(const QStringList& arguments, const QByteArray& input, const QMap<
     return run;
 }
 
+QString refusalFault(const CliRun& run, int exitCode, const QStringList& mentions) {
+    const QString words = QString::fromUtf8(run.err);
+    if (!run.ended)
+        return QStringLiteral("ended by a signal or not at all");
+    if (run.exitCode != exitCode)
+        return QStringLiteral("exit status %1, expected %2: %3").arg(run.exitCode).arg(exitCode).arg(words);
+    if (!run.out.isEmpty())
+        return QStringLiteral("something on stdout: ") + QString::fromUtf8(run.out);
+    if (!words.startsWith("chiron-cli: ") || !words.endsWith(QLatin1Char('\n')) ||
+        words.count(QLatin1Char('\n')) != 1)
+        return QStringLiteral("not one line: ") + words;
+    for (const QString& mention : mentions) {
+        if (!words.contains(mention))
+            return mention + QStringLiteral(" is not in: ") + words;
+    }
+    return {};
+}
+
 QStringList cliCommands() {
     QStringList names;
     bool inside = false;
-    for (const QString& line : QString::fromUtf8(runCli({QStringLiteral("--help")}).out).split(QLatin1Char('\n'))) {
+    for (const QString& line :
+         QString::fromUtf8(runCli({QStringLiteral("--help")}).out).split(QLatin1Char('\n'))) {
         if (line == QLatin1String("Commands:"))
             inside = true;
         else if (inside && line.isEmpty())

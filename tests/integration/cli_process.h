@@ -14,8 +14,15 @@ struct CliRun {
     QByteArray err;
 };
 
-/// Runs the program with an environment of its own: no password, a data folder that holds nothing, other variables added.
-CliRun runCli(const QStringList& arguments, const QByteArray& input = {}, const QMap<QString, QString>& variables = {});
+/// Runs the program with an environment of its own: no password, a data folder that holds nothing, other
+/// variables added.
+CliRun runCli(const QStringList& arguments, const QByteArray& input = {},
+              const QMap<QString, QString>& variables = {});
 
-/// The names of all commands ("user add"), read from the program's own help, so that a new one is tested unasked.
+/// Empty if the run is a proper refusal: this exit status, one line on stderr that holds every mention, nothing on
+/// stdout, no signal. Otherwise what is wrong with it.
+QString refusalFault(const CliRun& run, int exitCode, const QStringList& mentions);
+
+/// The names of all commands ("user add"), read from the program's own help, so that a new one is tested
+/// unasked.
 QStringList cliCommands();

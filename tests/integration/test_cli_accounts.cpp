@@ -19,7 +19,8 @@ private slots:
     void theWritersLockIsNamed();
 
 private:
-    CliRun as(const QString& name, const QString& password, const QStringList& arguments, const QString& newPassword = {});
+    CliRun as(const QString& name, const QString& password, const QStringList& arguments,
+              const QString& newPassword = {});
     QJsonObject object(const CliRun& run);
     QString file(const QString& name, const QByteArray& content);
 
@@ -32,7 +33,8 @@ const QString kAlice = QStringLiteral("correct horse battery");
 const QString kBob = QStringLiteral("staple and stable 9");
 } // namespace
 
-CliRun TestCliAccounts::as(const QString& name, const QString& password, const QStringList& arguments, const QString& newPassword) {
+CliRun TestCliAccounts::as(const QString& name, const QString& password, const QStringList& arguments,
+                           const QString& newPassword) {
     QMap<QString, QString> variables{{"CHIRON_PASSWORD", password}};
     if (!newPassword.isEmpty())
         variables["CHIRON_NEW_PASSWORD"] = newPassword;
@@ -54,27 +56,34 @@ QString TestCliAccounts::file(const QString& name, const QByteArray& content) {
 
 void TestCliAccounts::initTestCase() {
     m_database = m_folder.filePath("folder/to/make/site.db");
-    const CliRun run = runCli({"init", "--admin", "alice", "--database", m_database, "--json", "--password-stdin"}, kAlice.toUtf8() + "\n");
+    const CliRun run =
+        runCli({"init", "--admin", "alice", "--database", m_database, "--json", "--password-stdin"},
+               kAlice.toUtf8() + "\n");
     QCOMPARE(run.exitCode, 0);
     const QJsonObject json = object(run);
     QCOMPARE(json["database"].toString(), m_database);
     QVERIFY(json["schema_version"].toInt() >= 1);
     QVERIFY(json["recovery_code"].toString().size() >= 16);
     QVERIFY(!run.out.contains(kAlice.toUtf8()));
-    const CliRun again = runCli({"init", "--admin", "mallory", "--database", m_database}, {}, {{"CHIRON_PASSWORD", "another long one"}});
+    const CliRun again = runCli({"init", "--admin", "mallory", "--database", m_database}, {},
+                                {{"CHIRON_PASSWORD", "another long one"}});
     QCOMPARE(again.exitCode, 2); // it has an administrator
 }
 
 void TestCliAccounts::peopleComeAndChange() {
-    const QJsonObject bob = object(as("alice", kAlice, {"user", "add", "bob", "--role", "trainee", "--display-name", "Βασίλης Größe"}, kBob));
+    const QJsonObject bob =
+        object(as("alice", kAlice,
+                  {"user", "add", "bob", "--role", "trainee", "--display-name", "Βασίλης Größe"}, kBob));
     QCOMPARE(bob["name"].toString(), QStringLiteral("bob"));
     QCOMPARE(bob["display_name"].toString(), QStringLiteral("Βασίλης Größe"));
     QVERIFY(!bob.contains("initial_password"));
-    const QJsonObject carol = object(as("alice", kAlice, {"user", "add", "carol", "--role", "trainer,researcher"}));
+    const QJsonObject carol =
+        object(as("alice", kAlice, {"user", "add", "carol", "--role", "trainer,researcher"}));
     QVERIFY(carol["initial_password"].toString().size() >= 16);
     QVERIFY(carol["must_change_password"].toBool());
     QCOMPARE(carol["roles"].toArray(), QJsonArray({"trainer", "researcher"}));
-    QCOMPARE(object(as("alice", kAlice, {"user", "role", "carol", "--role", "trainer"}))["roles"].toArray(), QJsonArray({"trainer"}));
+    QCOMPARE(object(as("alice", kAlice, {"user", "role", "carol", "--role", "trainer"}))["roles"].toArray(),
+             QJsonArray({"trainer"}));
     QCOMPARE(object(as("alice", kAlice, {"user", "disable", "bob"}))["enabled"].toBool(true), false);
     QCOMPARE(as("bob", kBob, {"user", "list"}).exitCode, 2); // a closed account opens nothing
     QCOMPARE(object(as("alice", kAlice, {"user", "enable", "bob"}))["enabled"].toBool(false), true);
@@ -82,15 +91,17 @@ void TestCliAccounts::peopleComeAndChange() {
     QCOMPARE(people.size(), 3);
     for (const QJsonValue& person : people)
         QVERIFY(person["name"].toString() != QLatin1String("simulated"));
-    QCOMPARE(as("alice", kAlice, {"user", "add", "BOB", "--role", "trainee"}, kBob).exitCode, 3); // taken but for case
+    QCOMPARE(as("alice", kAlice, {"user", "add", "BOB", "--role", "trainee"}, kBob).exitCode,
+             3); // taken but for case
     QCOMPARE(as("alice", kAlice, {"user", "disable", "nobody"}).exitCode, 3);
     QVERIFY(as("alice", kAlice, {"user", "disable", "alice"}).exitCode != 0); // the last administrator
 }
 
 void TestCliAccounts::rolesDecide() {
-    for (const QStringList& arguments : {QStringList{"user", "add", "eve", "--role", "admin"}, QStringList{"user", "disable", "carol"},
-                                         QStringList{"user", "role", "bob", "--role", "admin"}, QStringList{"user", "passwd", "alice"},
-                                         QStringList{"person", "erase", "alice", "--reason", "because"}}) {
+    for (const QStringList& arguments :
+         {QStringList{"user", "add", "eve", "--role", "admin"}, QStringList{"user", "disable", "carol"},
+          QStringList{"user", "role", "bob", "--role", "admin"}, QStringList{"user", "passwd", "alice"},
+          QStringList{"person", "erase", "alice", "--reason", "because"}}) {
         const CliRun run = as("bob", kBob, arguments, "a password of eve");
         QVERIFY2(run.exitCode == 2, run.err.constData());
         QVERIFY(run.out.isEmpty());
@@ -102,21 +113,30 @@ void TestCliAccounts::passwordsChange() {
     QCOMPARE(as("bob", kBob, {"user", "passwd"}).exitCode, 2); // no new password given
     QCOMPARE(object(as("bob", kBob, {"user", "passwd"}, next))["changed"].toBool(), true);
     QCOMPARE(as("bob", kBob, {"user", "passwd"}, kBob).exitCode, 2);
-    const CliRun back = runCli({"user", "passwd", "--as", "bob", "--database", m_database, "--password-stdin"}, next.toUtf8() + "\r\n" + kBob.toUtf8() + "\n");
+    const CliRun back =
+        runCli({"user", "passwd", "--as", "bob", "--database", m_database, "--password-stdin"},
+               next.toUtf8() + "\r\n" + kBob.toUtf8() + "\n");
     QVERIFY2(back.exitCode == 0, back.err.constData());
-    const QString reset = object(as("alice", kAlice, {"user", "passwd", "bob"}))["initial_password"].toString();
+    const QString reset =
+        object(as("alice", kAlice, {"user", "passwd", "bob"}))["initial_password"].toString();
     QVERIFY(!reset.isEmpty());
     QCOMPARE(as("bob", reset, {"person", "export", "bob"}).exitCode, 2); // to be changed first
     QCOMPARE(object(as("bob", reset, {"user", "passwd"}, kBob))["changed"].toBool(), true);
 }
 
 void TestCliAccounts::rosterIsAllOrNothing() {
-    const QString bad = file("bad.csv", "name,display_name,roles,password\nfred,Fred,trainee,long enough 1\ngina,Gina,boss,long enough 2\n");
+    const QString bad = file(
+        "bad.csv",
+        "name,display_name,roles,password\nfred,Fred,trainee,long enough 1\ngina,Gina,boss,long enough 2\n");
     const CliRun refused = as("alice", kAlice, {"user", "import-csv", bad});
     QCOMPARE(refused.exitCode, 3);
-    QVERIFY2(refused.err.contains("bad.csv") && refused.err.contains("line 3") && refused.err.contains("boss"), refused.err.constData());
-    const QString good = file("good.csv", "name,display_name,roles,password\nfred,Fred,trainee,long enough 1\ngina,Gina,trainee;trainer,long enough 2\n");
-    QCOMPARE(object(as("alice", kAlice, {"user", "import-csv", good}))["imported"].toInt(), 2); // fred was not there yet
+    QVERIFY2(refused.err.contains("bad.csv") && refused.err.contains("line 3") &&
+                 refused.err.contains("boss"),
+             refused.err.constData());
+    const QString good = file("good.csv", "name,display_name,roles,password\nfred,Fred,trainee,long enough "
+                                          "1\ngina,Gina,trainee;trainer,long enough 2\n");
+    QCOMPARE(object(as("alice", kAlice, {"user", "import-csv", good}))["imported"].toInt(),
+             2); // fred was not there yet
 }
 
 void TestCliAccounts::aWrongPasswordIsRefused() {

@@ -6,8 +6,8 @@
 #include <QJsonObject>
 #include <QtTest>
 
-// What good command lines print: help with an example for everything, one JSON document with --json, numbers that are
-// the law's.
+// What good command lines print: help with an example for everything, one JSON document with --json, numbers
+// that are the law's.
 class TestCliPrints : public QObject {
     Q_OBJECT
 private slots:
@@ -77,7 +77,8 @@ void TestCliPrints::helpOfEveryCommand() {
     const qsizetype example = run.out.indexOf("\nExample:\n");
     QVERIFY(example > 0);
     QVERIFY2(run.out.mid(example).contains("chiron-cli " + name.toUtf8()), "the example shows this command");
-    const QJsonDocument json = document(runCli(name.split(QLatin1Char(' ')) + QStringList{"--help", "--json"}));
+    const QJsonDocument json =
+        document(runCli(name.split(QLatin1Char(' ')) + QStringList{"--help", "--json"}));
     QCOMPARE(json.object().value("help").toString().toUtf8(), run.out);
 }
 
@@ -106,14 +107,17 @@ void TestCliPrints::optionsBeforeTheCommand() {
 void TestCliPrints::jsonIsOneDocument_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QByteArray>("input");
-    const QString trace = file("line.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.01,1,0,0\n0.02,2,0,0\n0.03,3,0,0\n");
+    const QString trace =
+        file("line.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.01,1,0,0\n0.02,2,0,0\n0.03,3,0,0\n");
     QTest::newRow("evaluate --list") << QStringList{"evaluate", "--list"} << QByteArray();
     QTest::newRow("evaluate") << QStringList{"evaluate", "hemisphere"} << kHeader + "0,0,0.019,0,0,0\n";
-    QTest::newRow("evaluate no rows") << QStringList{"evaluate", "friction"} << QByteArray("normal_force_N,velocity_m_per_s\n");
+    QTest::newRow("evaluate no rows")
+        << QStringList{"evaluate", "friction"} << QByteArray("normal_force_N,velocity_m_per_s\n");
     QTest::newRow("metrics") << QStringList{"metrics", trace} << QByteArray();
     QTest::newRow("device list") << QStringList{"device", "list"} << QByteArray();
     QTest::newRow("exercise list") << QStringList{"exercise", "list"} << QByteArray();
-    QTest::newRow("exercise show") << QStringList{"exercise", "show", "sphere_apex", "--language", "el"} << QByteArray();
+    QTest::newRow("exercise show") << QStringList{"exercise", "show", "sphere_apex", "--language", "el"}
+                                   << QByteArray();
 }
 
 void TestCliPrints::jsonIsOneDocument() {
@@ -155,9 +159,12 @@ void TestCliPrints::hemisphereByHand() {
 
 void TestCliPrints::columnsInAnyOrder() {
     const CliRun usual = runCli({"evaluate", "hemisphere"}, kHeader + "0.001,0.002,0.018,0,0,0\n");
-    const CliRun other = runCli({"evaluate", "hemisphere"}, "pz_m,vx_m_per_s,py_m,vz_m_per_s,px_m,vy_m_per_s\r\n0.018,0,0.002,0,0.001,0\r\n");
+    const CliRun other =
+        runCli({"evaluate", "hemisphere"},
+               "pz_m,vx_m_per_s,py_m,vz_m_per_s,px_m,vy_m_per_s\r\n0.018,0,0.002,0,0.001,0\r\n");
     QCOMPARE(other.out, usual.out);
-    const CliRun repeated = runCli({"evaluate", "hemisphere", "--with-inputs"}, kHeader + "0.001,0.002,0.018,0,0,0\n");
+    const CliRun repeated =
+        runCli({"evaluate", "hemisphere", "--with-inputs"}, kHeader + "0.001,0.002,0.018,0,0,0\n");
     QVERIFY(repeated.out.startsWith(kHeader.trimmed() + ","));
     QCOMPARE(firstRow(repeated)["py_m"], 0.002);
     QCOMPARE(firstRow(repeated)["fz_N"], firstRow(usual)["fz_N"]);
@@ -165,7 +172,8 @@ void TestCliPrints::columnsInAnyOrder() {
 
 void TestCliPrints::parametersChangeTheLaw() {
     const QString parameters = file("p.json", "{\"stiffness_N_per_m\": 1000, \"centre_x_m\": 0.01}");
-    const auto row = firstRow(runCli({"evaluate", "hemisphere", "--parameters", parameters}, kHeader + "0.01,0,0.019,0,0,0\n"));
+    const auto row = firstRow(
+        runCli({"evaluate", "hemisphere", "--parameters", parameters}, kHeader + "0.01,0,0.019,0,0,0\n"));
     QVERIFY(qAbs(row["fz_N"] - 1.0) < 1e-12);
 }
 
@@ -189,19 +197,23 @@ void TestCliPrints::metricsOfAStraightLine() {
     QByteArray csv = "t_s,x_mm,y_mm,z_mm\n";
     for (int i = 0; i <= 100; ++i)
         csv += QByteArray::number(i * 0.01, 'f', 2) + "," + QByteArray::number(i) + ",0,0\n";
-    const QJsonObject json = document(runCli({"metrics", file("straight.csv", csv), "--metric", "path_length", "--json"})).object();
+    const QJsonObject json =
+        document(runCli({"metrics", file("straight.csv", csv), "--metric", "path_length", "--json"}))
+            .object();
     const QJsonArray metrics = json["metrics"].toArray();
     QCOMPARE(metrics.size(), 1);
     QCOMPARE(metrics[0]["id"].toString(), QStringLiteral("path_length"));
     QCOMPARE(metrics[0]["unit"].toString(), QStringLiteral("mm"));
-    QVERIFY(qAbs(metrics[0]["value"].toDouble() - 100.0) < 1.0); // 100 mm, less what the 20 Hz filter does at the ends
+    QVERIFY(qAbs(metrics[0]["value"].toDouble() - 100.0) <
+            1.0); // 100 mm, less what the 20 Hz filter does at the ends
 }
 
 void TestCliPrints::brokenPipeIsAnError() {
     if (!QFile::exists("/dev/full"))
         QSKIP("this system has no /dev/full");
     QProcess process;
-    process.start("/bin/sh", {"-c", QStringLiteral("'%1' evaluate --list > /dev/full").arg(QStringLiteral(CHIRON_CLI))});
+    process.start("/bin/sh",
+                  {"-c", QStringLiteral("'%1' evaluate --list > /dev/full").arg(QStringLiteral(CHIRON_CLI))});
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
     QCOMPARE(process.exitCode(), 4);

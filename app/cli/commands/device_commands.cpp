@@ -13,14 +13,18 @@ namespace {
 
 core::Result<CommandOutput> list(const Arguments&) {
     QJsonArray drivers;
-    TextTable table({QStringLiteral("driver"), QStringLiteral("class"), QStringLiteral("title"), QStringLiteral("needs")});
+    TextTable table({QStringLiteral("driver"), QStringLiteral("class"), QStringLiteral("title"),
+                     QStringLiteral("needs")});
     for (const devices::DriverEntry& driver : devices::driverCatalogue()) {
         const QString id = QString::fromStdString(std::string(driver.id));
         const QString title = QString::fromStdString(std::string(driver.title));
         const QString needs = QString::fromStdString(std::string(driver.needs));
-        const QString kind = driver.deviceClass == devices::DeviceClass::felt ? QStringLiteral("felt") : QStringLiteral("shown");
-        drivers.append(QJsonObject{{QStringLiteral("id"), id}, {QStringLiteral("title"), title},
-                                   {QStringLiteral("class"), kind}, {QStringLiteral("needs"), needs}});
+        const QString kind = driver.deviceClass == devices::DeviceClass::felt ? QStringLiteral("felt")
+                                                                              : QStringLiteral("shown");
+        drivers.append(QJsonObject{{QStringLiteral("id"), id},
+                                   {QStringLiteral("title"), title},
+                                   {QStringLiteral("class"), kind},
+                                   {QStringLiteral("needs"), needs}});
         table.add({id, kind, title, needs});
     }
     return CommandOutput{QJsonDocument(drivers), table.toText(), 0};

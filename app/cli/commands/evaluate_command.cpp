@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
 #include "cli/command_groups.h"
-#include "cli/law_table.h"
 #include "cli/input_file.h"
+#include "cli/law_table.h"
 #include "cli/messages.h"
 #include "cli/text_table.h"
 #include "core/fp_environment.h"
@@ -22,7 +22,8 @@ QString text(std::string_view words) {
 QJsonArray columnsJson(std::span<const core::LawColumn> columns) {
     QJsonArray array;
     for (const core::LawColumn& column : columns)
-        array.append(QJsonObject{{QStringLiteral("name"), text(column.name)}, {QStringLiteral("unit"), text(column.unit)}});
+        array.append(QJsonObject{{QStringLiteral("name"), text(column.name)},
+                                 {QStringLiteral("unit"), text(column.unit)}});
     return array;
 }
 
@@ -31,31 +32,36 @@ CommandOutput listLaws() {
     QString words;
     for (const core::LawDescription* law : allLaws()) {
         QJsonArray parameters;
-        TextTable table({QStringLiteral("kind"), QStringLiteral("name"), QStringLiteral("unit"), QStringLiteral(">default"),
-                         QStringLiteral(">from"), QStringLiteral(">to")});
+        TextTable table({QStringLiteral("kind"), QStringLiteral("name"), QStringLiteral("unit"),
+                         QStringLiteral(">default"), QStringLiteral(">from"), QStringLiteral(">to")});
         for (const core::LawParameter& parameter : law->parameters) {
-            parameters.append(QJsonObject{{QStringLiteral("name"), text(parameter.name)}, {QStringLiteral("unit"), text(parameter.unit)},
+            parameters.append(QJsonObject{{QStringLiteral("name"), text(parameter.name)},
+                                          {QStringLiteral("unit"), text(parameter.unit)},
                                           {QStringLiteral("default"), parameter.defaultValue},
                                           {QStringLiteral("minimum"), parameter.minimum},
                                           {QStringLiteral("maximum"), parameter.maximum}});
-            table.add({QStringLiteral("parameter"), text(parameter.name), text(parameter.unit), shortNumber(parameter.defaultValue),
-                       shortNumber(parameter.minimum), shortNumber(parameter.maximum)});
+            table.add({QStringLiteral("parameter"), text(parameter.name), text(parameter.unit),
+                       shortNumber(parameter.defaultValue), shortNumber(parameter.minimum),
+                       shortNumber(parameter.maximum)});
         }
         for (const core::LawColumn& column : law->inputs)
             table.add({QStringLiteral("input"), text(column.name), text(column.unit)});
         for (const core::LawColumn& column : law->outputs)
             table.add({QStringLiteral("output"), text(column.name), text(column.unit)});
-        json.append(QJsonObject{{QStringLiteral("id"), text(law->id)}, {QStringLiteral("title"), text(law->title)},
-                                {QStringLiteral("source"), text(law->source)}, {QStringLiteral("parameters"), parameters},
+        json.append(QJsonObject{{QStringLiteral("id"), text(law->id)},
+                                {QStringLiteral("title"), text(law->title)},
+                                {QStringLiteral("source"), text(law->source)},
+                                {QStringLiteral("parameters"), parameters},
                                 {QStringLiteral("inputs"), columnsJson(law->inputs)},
                                 {QStringLiteral("outputs"), columnsJson(law->outputs)}});
-        words += QStringLiteral("%1: %2 (%3)\n%4\n").arg(text(law->id), text(law->title), text(law->source), table.toText());
+        words += QStringLiteral("%1: %2 (%3)\n%4\n")
+                     .arg(text(law->id), text(law->title), text(law->source), table.toText());
     }
     return {QJsonDocument(json), words, 0};
 }
 
-CommandOutput tableOutput(const core::LawDescription& law, const LawTable& in, const std::vector<std::vector<double>>& out,
-                          bool withInputs) {
+CommandOutput tableOutput(const core::LawDescription& law, const LawTable& in,
+                          const std::vector<std::vector<double>>& out, bool withInputs) {
     QStringList names;
     QJsonArray columns = columnsJson(law.outputs);
     if (withInputs) {
@@ -79,7 +85,9 @@ CommandOutput tableOutput(const core::LawDescription& law, const LawTable& in, c
         csv += cells.join(QLatin1Char(',')) + QLatin1Char('\n');
         rows.append(row);
     }
-    const QJsonObject json{{QStringLiteral("model"), text(law.id)}, {QStringLiteral("columns"), columns}, {QStringLiteral("rows"), rows}};
+    const QJsonObject json{{QStringLiteral("model"), text(law.id)},
+                           {QStringLiteral("columns"), columns},
+                           {QStringLiteral("rows"), rows}};
     return {QJsonDocument(json), csv, 0};
 }
 
@@ -95,7 +103,9 @@ core::Result<CommandOutput> evaluate(const Arguments& arguments) {
     const core::LawDescription* law = findLaw(id);
     if (!law)
         return core::fail(core::ErrorCode::notFound,
-                          QStringLiteral("MODEL %1: no such law; expected one of %2").arg(quoted(id), lawNames()).toStdString());
+                          QStringLiteral("MODEL %1: no such law; expected one of %2")
+                              .arg(quoted(id), lawNames())
+                              .toStdString());
     const auto parameters = readLawParameters(*law, arguments.value(QStringLiteral("parameters")));
     if (!parameters)
         return tl::unexpected(parameters.error());
@@ -120,11 +130,14 @@ core::Result<CommandOutput> evaluate(const Arguments& arguments) {
 std::vector<CommandSpec> evaluateCommands() {
     CommandSpec command;
     command.group = QStringLiteral("evaluate");
-    command.summary = QStringLiteral("evaluate a law of the models over a table of inputs (CSV on stdin, CSV on stdout)");
+    command.summary =
+        QStringLiteral("evaluate a law of the models over a table of inputs (CSV on stdin, CSV on stdout)");
     command.operands = {{QStringLiteral("MODEL"), QStringLiteral("the law's id, as --list shows it"), false}};
-    command.options = {{QStringLiteral("list"), {}, QStringLiteral("list the laws with their parameters and columns")},
-                       {QStringLiteral("parameters"), QStringLiteral("P.json"), QStringLiteral("an object of parameter values; the others keep their defaults")},
-                       {QStringLiteral("with-inputs"), {}, QStringLiteral("repeat the input columns before the results")}};
+    command.options = {
+        {QStringLiteral("list"), {}, QStringLiteral("list the laws with their parameters and columns")},
+        {QStringLiteral("parameters"), QStringLiteral("P.json"),
+         QStringLiteral("an object of parameter values; the others keep their defaults")},
+        {QStringLiteral("with-inputs"), {}, QStringLiteral("repeat the input columns before the results")}};
     command.example = QStringLiteral("chiron-cli evaluate hemisphere --parameters P.json < IN.csv > OUT.csv");
     command.run = evaluate;
     return {command};

@@ -18,7 +18,8 @@ QString text(const std::string& words) {
 }
 
 core::Result<catalogue::Catalogue> load(const Arguments& arguments) {
-    const auto folder = catalogue::findContentDirectory(arguments.value(QStringLiteral("content")).toStdString());
+    const auto folder =
+        catalogue::findContentDirectory(arguments.value(QStringLiteral("content")).toStdString());
     if (!folder)
         return tl::unexpected(folder.error());
     return catalogue::Catalogue::load(*folder);
@@ -27,7 +28,8 @@ core::Result<catalogue::Catalogue> load(const Arguments& arguments) {
 QJsonArray metricsOf(const catalogue::ExerciseLevel& level) {
     QJsonArray array;
     for (const catalogue::MetricChoice& choice : level.metrics) {
-        QJsonObject metric{{QStringLiteral("id"), text(choice.id)}, {QStringLiteral("version"), choice.version}};
+        QJsonObject metric{{QStringLiteral("id"), text(choice.id)},
+                           {QStringLiteral("version"), choice.version}};
         if (const auto* known = scoring::findMetric(choice.id, choice.version)) {
             metric[QStringLiteral("unit")] = text(std::string(known->unit));
             metric[QStringLiteral("direction")] = text(std::string(scoring::toString(known->direction)));
@@ -46,7 +48,9 @@ QJsonValue limit(const std::optional<double>& value) {
 QJsonArray gatesOf(const catalogue::ExerciseLevel& level) {
     QJsonArray array;
     for (const scoring::Gate& gate : level.gates)
-        array.append(QJsonObject{{QStringLiteral("metric"), text(gate.metric)}, {QStringLiteral("minimum"), limit(gate.minimum)}, {QStringLiteral("maximum"), limit(gate.maximum)}});
+        array.append(QJsonObject{{QStringLiteral("metric"), text(gate.metric)},
+                                 {QStringLiteral("minimum"), limit(gate.minimum)},
+                                 {QStringLiteral("maximum"), limit(gate.maximum)}});
     return array;
 }
 
@@ -54,12 +58,15 @@ QJsonObject levelJson(const catalogue::ExerciseLevel& level, const std::string& 
     QJsonArray cues;
     for (const std::string& cue : level.cues)
         cues.append(text(cue));
-    return {{QStringLiteral("level"), level.number}, {QStringLiteral("id"), text(level.id)},
+    return {{QStringLiteral("level"), level.number},
+            {QStringLiteral("id"), text(level.id)},
             {QStringLiteral("title"), text(catalogue::textIn(level.title, language))},
             {QStringLiteral("objective"), text(catalogue::textIn(level.objective, language))},
             {QStringLiteral("measured"), text(catalogue::textIn(level.measured, language))},
-            {QStringLiteral("cues"), cues}, {QStringLiteral("needs_force"), level.needsForce},
-            {QStringLiteral("metrics"), metricsOf(level)}, {QStringLiteral("gates"), gatesOf(level)},
+            {QStringLiteral("cues"), cues},
+            {QStringLiteral("needs_force"), level.needsForce},
+            {QStringLiteral("metrics"), metricsOf(level)},
+            {QStringLiteral("gates"), gatesOf(level)},
             {QStringLiteral("content_sha256"), text(level.resolvedSha256)}};
 }
 
@@ -79,47 +86,62 @@ QJsonObject exerciseJson(const catalogue::Exercise& exercise, const std::string&
             gates.append(withLevel);
         }
     }
-    return {{QStringLiteral("id"), text(exercise.id)}, {QStringLiteral("version"), exercise.version},
+    return {{QStringLiteral("id"), text(exercise.id)},
+            {QStringLiteral("version"), exercise.version},
             {QStringLiteral("title"), text(catalogue::textIn(exercise.title, language))},
             {QStringLiteral("objective"), text(catalogue::textIn(exercise.objective, language))},
-            {QStringLiteral("levels"), levels}, {QStringLiteral("metrics"), metrics}, {QStringLiteral("gates"), gates}};
+            {QStringLiteral("levels"), levels},
+            {QStringLiteral("metrics"), metrics},
+            {QStringLiteral("gates"), gates}};
 }
 
 core::Result<CommandOutput> list(const Arguments& arguments) {
     const auto content = load(arguments);
-    const auto language = arguments.choice(QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")}, QStringLiteral("en"));
+    const auto language = arguments.choice(QStringLiteral("language"),
+                                           {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")},
+                                           QStringLiteral("en"));
     if (!language)
         return tl::unexpected(language.error());
     if (!content)
         return tl::unexpected(content.error());
     QJsonArray json;
-    TextTable table({QStringLiteral("exercise"), QStringLiteral(">level"), QStringLiteral("title"), QStringLiteral("needs force"), QStringLiteral("pass marks")});
+    TextTable table({QStringLiteral("exercise"), QStringLiteral(">level"), QStringLiteral("title"),
+                     QStringLiteral("needs force"), QStringLiteral("pass marks")});
     for (const catalogue::Exercise& exercise : content->exercises()) {
         json.append(exerciseJson(exercise, language->toStdString()));
         for (const catalogue::ExerciseLevel& level : exercise.levels)
-            table.add({text(exercise.id), QString::number(level.number), text(catalogue::textIn(level.title, language->toStdString())),
-                       level.needsForce ? QStringLiteral("yes") : QStringLiteral("no"), QString::number(level.gates.size())});
+            table.add({text(exercise.id), QString::number(level.number),
+                       text(catalogue::textIn(level.title, language->toStdString())),
+                       level.needsForce ? QStringLiteral("yes") : QStringLiteral("no"),
+                       QString::number(level.gates.size())});
     }
     return CommandOutput{QJsonDocument(json), table.toText(), 0};
 }
 
 QString levelText(const catalogue::ExerciseLevel& level, const std::string& language) {
-    TextTable table({QStringLiteral("metric"), QStringLiteral(">version"), QStringLiteral("unit"), QStringLiteral("pass mark")});
+    TextTable table({QStringLiteral("metric"), QStringLiteral(">version"), QStringLiteral("unit"),
+                     QStringLiteral("pass mark")});
     for (const catalogue::MetricChoice& choice : level.metrics) {
         QString mark;
         for (const scoring::Gate& gate : level.gates) {
             if (gate.metric == choice.id)
-                mark = (gate.minimum ? QStringLiteral(">= %1 ").arg(*gate.minimum) : QString()) + (gate.maximum ? QStringLiteral("<= %1").arg(*gate.maximum) : QString());
+                mark = (gate.minimum ? QStringLiteral(">= %1 ").arg(*gate.minimum) : QString()) +
+                       (gate.maximum ? QStringLiteral("<= %1").arg(*gate.maximum) : QString());
         }
         const auto* known = scoring::findMetric(choice.id, choice.version);
-        table.add({text(choice.id), QString::number(choice.version), known ? text(std::string(known->unit)) : QString(), mark});
+        table.add({text(choice.id), QString::number(choice.version),
+                   known ? text(std::string(known->unit)) : QString(), mark});
     }
-    return QStringLiteral("level %1, %2: %3\n%4\n\n%5\n").arg(level.number).arg(text(level.id), text(catalogue::textIn(level.title, language)),
-                                                              text(catalogue::textIn(level.objective, language)), table.toText());
+    return QStringLiteral("level %1, %2: %3\n%4\n\n%5\n")
+        .arg(level.number)
+        .arg(text(level.id), text(catalogue::textIn(level.title, language)),
+             text(catalogue::textIn(level.objective, language)), table.toText());
 }
 
 core::Result<CommandOutput> show(const Arguments& arguments) {
-    const auto language = arguments.choice(QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")}, QStringLiteral("en"));
+    const auto language = arguments.choice(QStringLiteral("language"),
+                                           {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")},
+                                           QStringLiteral("en"));
     if (!language)
         return tl::unexpected(language.error());
     const auto content = load(arguments);
@@ -130,11 +152,15 @@ core::Result<CommandOutput> show(const Arguments& arguments) {
         QStringList ids;
         for (const catalogue::Exercise& known : content->exercises())
             ids << text(known.id);
-        return core::fail(core::ErrorCode::notFound, QStringLiteral("ID %1: no such exercise; expected one of %2")
-                                                         .arg(quoted(arguments.operand(0)), ids.join(QStringLiteral(", "))).toStdString());
+        return core::fail(core::ErrorCode::notFound,
+                          QStringLiteral("ID %1: no such exercise; expected one of %2")
+                              .arg(quoted(arguments.operand(0)), ids.join(QStringLiteral(", ")))
+                              .toStdString());
     }
-    QString words = QStringLiteral("%1: %2\n%3\n\n").arg(text(exercise->id), text(catalogue::textIn(exercise->title, language->toStdString())),
-                                                         text(catalogue::textIn(exercise->objective, language->toStdString())));
+    QString words =
+        QStringLiteral("%1: %2\n%3\n\n")
+            .arg(text(exercise->id), text(catalogue::textIn(exercise->title, language->toStdString())),
+                 text(catalogue::textIn(exercise->objective, language->toStdString())));
     for (const catalogue::ExerciseLevel& level : exercise->levels)
         words += levelText(level, language->toStdString());
     return CommandOutput{QJsonDocument(exerciseJson(*exercise, language->toStdString())), words, 0};
@@ -143,8 +169,10 @@ core::Result<CommandOutput> show(const Arguments& arguments) {
 } // namespace
 
 std::vector<CommandSpec> exerciseCommands() {
-    const std::vector<OptionSpec> options{{QStringLiteral("content"), QStringLiteral("FOLDER"), QStringLiteral("where the content lies; default: CHIRON_CONTENT, the installed folder")},
-                                          {QStringLiteral("language"), QStringLiteral("WORD"), QStringLiteral("en, de or el; default: en")}};
+    const std::vector<OptionSpec> options{
+        {QStringLiteral("content"), QStringLiteral("FOLDER"),
+         QStringLiteral("where the content lies; default: CHIRON_CONTENT, the installed folder")},
+        {QStringLiteral("language"), QStringLiteral("WORD"), QStringLiteral("en, de or el; default: en")}};
     CommandSpec listing;
     listing.group = QStringLiteral("exercise");
     listing.verb = QStringLiteral("list");
@@ -155,7 +183,8 @@ std::vector<CommandSpec> exerciseCommands() {
     CommandSpec showing = listing;
     showing.verb = QStringLiteral("show");
     showing.summary = QStringLiteral("one exercise: levels, metrics and pass marks");
-    showing.operands = {{QStringLiteral("ID"), QStringLiteral("the exercise's id, for instance sphere_apex")}};
+    showing.operands = {
+        {QStringLiteral("ID"), QStringLiteral("the exercise's id, for instance sphere_apex")}};
     showing.example = QStringLiteral("chiron-cli exercise show sphere_apex --language de");
     showing.run = show;
     return {listing, showing};

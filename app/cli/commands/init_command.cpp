@@ -18,7 +18,8 @@ core::Result<std::unique_ptr<database::Database>> createOrOpen(const QString& pa
     if (QFileInfo::exists(path))
         return database::Database::openForWriting(path.toStdString(), databaseOptions());
     if (!QDir().mkpath(QFileInfo(path).absolutePath()))
-        return core::fail(core::ErrorCode::storage, QFileInfo(path).absolutePath().toStdString() + ": the folder could not be made");
+        return core::fail(core::ErrorCode::storage,
+                          QFileInfo(path).absolutePath().toStdString() + ": the folder could not be made");
     return database::Database::create(path.toStdString(), databaseOptions());
 }
 
@@ -36,8 +37,10 @@ core::Result<CommandOutput> init(const Arguments& arguments) {
     const auto database = createOrOpen(path);
     if (!database)
         return tl::unexpected(database.error());
-    const auto first = database::AccountService(**database)
-                           .createFirstAdministrator(name, (*secrets)[0], arguments.value(QStringLiteral("display-name")).toStdString());
+    const auto first =
+        database::AccountService(**database)
+            .createFirstAdministrator(name, (*secrets)[0],
+                                      arguments.value(QStringLiteral("display-name")).toStdString());
     if (!first)
         return tl::unexpected(first.error());
     const QString code = QString::fromStdString(first->recoveryCode);
@@ -45,11 +48,13 @@ core::Result<CommandOutput> init(const Arguments& arguments) {
                            {QStringLiteral("schema_version"), (*database)->schemaVersion()},
                            {QStringLiteral("id"), static_cast<qint64>(first->id)},
                            {QStringLiteral("recovery_code"), code}};
-    const QString text = alignedPairs({{QStringLiteral("database"), path},
-                                       {QStringLiteral("schema version"), QString::number((*database)->schemaVersion())},
-                                       {QStringLiteral("administrator"), QString::fromStdString(name)},
-                                       {QStringLiteral("recovery code"), code}})
-                         + QStringLiteral("\nWrite the recovery code down: it is shown this once and sets a new password if this one is lost.\n");
+    const QString text =
+        alignedPairs({{QStringLiteral("database"), path},
+                      {QStringLiteral("schema version"), QString::number((*database)->schemaVersion())},
+                      {QStringLiteral("administrator"), QString::fromStdString(name)},
+                      {QStringLiteral("recovery code"), code}}) +
+        QStringLiteral("\nWrite the recovery code down: it is shown this once and sets a new password if "
+                       "this one is lost.\n");
     return CommandOutput{QJsonDocument(json), text, 0};
 }
 
@@ -59,8 +64,10 @@ std::vector<CommandSpec> initCommands() {
     CommandSpec command;
     command.group = QStringLiteral("init");
     command.summary = QStringLiteral("make a new database with its first administrator");
-    command.options = {{QStringLiteral("admin"), QStringLiteral("NAME"), QStringLiteral("login name of the administrator; password as for --as"), true},
-                       {QStringLiteral("display-name"), QStringLiteral("TEXT"), QStringLiteral("the name that others see")}};
+    command.options = {
+        {QStringLiteral("admin"), QStringLiteral("NAME"),
+         QStringLiteral("login name of the administrator; password as for --as"), true},
+        {QStringLiteral("display-name"), QStringLiteral("TEXT"), QStringLiteral("the name that others see")}};
     command.example = QStringLiteral("CHIRON_PASSWORD=... chiron-cli init --admin alice --database site.db");
     command.run = init;
     return {command};

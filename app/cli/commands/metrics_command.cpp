@@ -32,7 +32,8 @@ core::Result<std::vector<scoring::MetricRequest>> requests(const Arguments& argu
     std::vector<scoring::MetricRequest> wanted;
     for (const QString& name : *names) {
         if (!scoring::findMetric(name.toStdString()))
-            return badInput(QStringLiteral("--metric: %1: unknown; expected some of %2").arg(quoted(name), allMetricIds()));
+            return badInput(QStringLiteral("--metric: %1: unknown; expected some of %2")
+                                .arg(quoted(name), allMetricIds()));
         wanted.push_back({name.toStdString(), 0});
     }
     return wanted;
@@ -49,9 +50,10 @@ core::Result<CommandOutput> metrics(const Arguments& arguments) {
     if (!rows)
         return tl::unexpected(rows.error());
     // A file that says where the apex was is one of that exercise.
-    const QString exercise = arguments.has(QStringLiteral("exercise")) ? arguments.value(QStringLiteral("exercise"))
-                             : rows->columns.target                    ? QStringLiteral("sphere_apex")
-                                                                       : QString();
+    const QString exercise = arguments.has(QStringLiteral("exercise"))
+                                 ? arguments.value(QStringLiteral("exercise"))
+                             : rows->columns.target ? QStringLiteral("sphere_apex")
+                                                    : QString();
     const auto trace = scoring::buildSessionTrace(*rows, exercise.toStdString(), *limit);
     if (!trace)
         return tl::unexpected(trace.error());
@@ -60,8 +62,10 @@ core::Result<CommandOutput> metrics(const Arguments& arguments) {
         return tl::unexpected(card.error());
     QJsonArray trials;
     for (std::size_t i = 0; i < card->trials.size(); ++i)
-        trials.append(QJsonObject{{QStringLiteral("trial"), static_cast<int>(i) + 1}, {QStringLiteral("metrics"), metricsJson(card->trials[i])}});
-    const QJsonObject json{{QStringLiteral("trace"), arguments.operand(0)}, {QStringLiteral("metrics"), metricsJson(card->metrics)},
+        trials.append(QJsonObject{{QStringLiteral("trial"), static_cast<int>(i) + 1},
+                                  {QStringLiteral("metrics"), metricsJson(card->trials[i])}});
+    const QJsonObject json{{QStringLiteral("trace"), arguments.operand(0)},
+                           {QStringLiteral("metrics"), metricsJson(card->metrics)},
                            {QStringLiteral("trials"), trials}};
     return CommandOutput{QJsonDocument(json), metricsText(card->metrics), 0};
 }
@@ -72,10 +76,14 @@ std::vector<CommandSpec> metricsCommands() {
     CommandSpec command;
     command.group = QStringLiteral("metrics");
     command.summary = QStringLiteral("compute metrics of a trace file");
-    command.operands = {{QStringLiteral("TRACE.csv"), QStringLiteral("a trace file: t_s,x_mm,y_mm,z_mm and more, frame W, tool tip")}};
-    command.options = {{QStringLiteral("metric"), QStringLiteral("ID,..."), QStringLiteral("which metrics; default: all")},
-                       {QStringLiteral("exercise"), QStringLiteral("ID"), QStringLiteral("how trials end; default: sphere_apex where the file has target columns")},
-                       {QStringLiteral("force-limit"), QStringLiteral("N"), QStringLiteral("limit for 'over the limit' where the file has none; default: 4")}};
+    command.operands = {{QStringLiteral("TRACE.csv"),
+                         QStringLiteral("a trace file: t_s,x_mm,y_mm,z_mm and more, frame W, tool tip")}};
+    command.options = {
+        {QStringLiteral("metric"), QStringLiteral("ID,..."), QStringLiteral("which metrics; default: all")},
+        {QStringLiteral("exercise"), QStringLiteral("ID"),
+         QStringLiteral("how trials end; default: sphere_apex where the file has target columns")},
+        {QStringLiteral("force-limit"), QStringLiteral("N"),
+         QStringLiteral("limit for 'over the limit' where the file has none; default: 4")}};
     command.example = QStringLiteral("chiron-cli metrics TRACE.csv --metric sparc,ldlj,path_length --json");
     command.run = metrics;
     return {command};

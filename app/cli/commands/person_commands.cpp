@@ -27,8 +27,9 @@ core::Result<database::PersonId> personOf(Site& site, const std::string& name) {
 core::Result<void> writeFile(const QString& path, const QByteArray& bytes) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return core::fail(core::ErrorCode::storage,
-                          QStringLiteral("--output %1: was not written: %2").arg(quoted(path), file.errorString()).toStdString());
+        return core::fail(core::ErrorCode::storage, QStringLiteral("--output %1: was not written: %2")
+                                                        .arg(quoted(path), file.errorString())
+                                                        .toStdString());
     return {};
 }
 
@@ -51,11 +52,14 @@ core::Result<CommandOutput> exportPerson(const Arguments& arguments) {
         if (auto written = writeFile(output, json.toJson()); !written)
             return tl::unexpected(written.error());
     }
-    const QString text = peopleText({everything->person}) + QLatin1Char('\n')
-                         + alignedPairs({{QStringLiteral("sessions"), QString::number(everything->sessions.size())},
-                                         {QStringLiteral("comments written"), QString::number(everything->commentsWritten.size())},
-                                         {QStringLiteral("audit entries"), QString::number(everything->audit.size())},
-                                         {QStringLiteral("everything held"), output.isEmpty() ? QStringLiteral("with --json or --output FILE") : output}});
+    const QString text =
+        peopleText({everything->person}) + QLatin1Char('\n') +
+        alignedPairs(
+            {{QStringLiteral("sessions"), QString::number(everything->sessions.size())},
+             {QStringLiteral("comments written"), QString::number(everything->commentsWritten.size())},
+             {QStringLiteral("audit entries"), QString::number(everything->audit.size())},
+             {QStringLiteral("everything held"),
+              output.isEmpty() ? QStringLiteral("with --json or --output FILE") : output}});
     return CommandOutput{json, text, 0};
 }
 
@@ -68,14 +72,21 @@ core::Result<CommandOutput> erasePerson(const Arguments& arguments) {
         return tl::unexpected(id.error());
     const bool withdraw = arguments.has(QStringLiteral("withdraw-recordings"));
     const QString reason = arguments.value(QStringLiteral("reason"));
-    const auto done = database::AccountService(*site->database).erasePerson(site->actor, site->secrets[0], *id, reason.toStdString(), withdraw);
+    const auto done = database::AccountService(*site->database)
+                          .erasePerson(site->actor, site->secrets[0], *id, reason.toStdString(), withdraw);
     if (!done)
         return tl::unexpected(done.error());
-    const QJsonObject json{{QStringLiteral("id"), static_cast<qint64>(*id)}, {QStringLiteral("erased"), true},
-                           {QStringLiteral("reason"), reason}, {QStringLiteral("recordings_withdrawn"), withdraw}};
-    return CommandOutput{QJsonDocument(json),
-                         QStringLiteral("Person %1 is erased: identity and free texts are overwritten%2; scores stay without a name.\n")
-                             .arg(*id).arg(withdraw ? QStringLiteral(", recordings too") : QString()), 0};
+    const QJsonObject json{{QStringLiteral("id"), static_cast<qint64>(*id)},
+                           {QStringLiteral("erased"), true},
+                           {QStringLiteral("reason"), reason},
+                           {QStringLiteral("recordings_withdrawn"), withdraw}};
+    return CommandOutput{
+        QJsonDocument(json),
+        QStringLiteral(
+            "Person %1 is erased: identity and free texts are overwritten%2; scores stay without a name.\n")
+            .arg(*id)
+            .arg(withdraw ? QStringLiteral(", recordings too") : QString()),
+        0};
 }
 
 } // namespace
@@ -87,17 +98,22 @@ std::vector<CommandSpec> personCommands() {
     exporting.verb = QStringLiteral("export");
     exporting.summary = QStringLiteral("everything held about one person");
     exporting.operands = {name};
-    exporting.options = {{QStringLiteral("output"), QStringLiteral("FILE"), QStringLiteral("write it there as JSON")}};
+    exporting.options = {
+        {QStringLiteral("output"), QStringLiteral("FILE"), QStringLiteral("write it there as JSON")}};
     exporting.example = QStringLiteral("chiron-cli person export bob --as alice --json > bob.json");
     exporting.run = exportPerson;
     CommandSpec erasing;
     erasing.group = QStringLiteral("person");
     erasing.verb = QStringLiteral("erase");
-    erasing.summary = QStringLiteral("overwrite who a person was; cannot be undone; the administrator's password confirms it");
+    erasing.summary = QStringLiteral(
+        "overwrite who a person was; cannot be undone; the administrator's password confirms it");
     erasing.operands = {name};
-    erasing.options = {{QStringLiteral("reason"), QStringLiteral("TEXT"), QStringLiteral("why, kept in the tombstone"), true},
-                       {QStringLiteral("withdraw-recordings"), {}, QStringLiteral("overwrite the recordings too")}};
-    erasing.example = QStringLiteral("chiron-cli person erase bob --reason \"asked to be forgotten\" --as alice");
+    erasing.options = {
+        {QStringLiteral("reason"), QStringLiteral("TEXT"), QStringLiteral("why, kept in the tombstone"),
+         true},
+        {QStringLiteral("withdraw-recordings"), {}, QStringLiteral("overwrite the recordings too")}};
+    erasing.example =
+        QStringLiteral("chiron-cli person erase bob --reason \"asked to be forgotten\" --as alice");
     erasing.run = erasePerson;
     return {exporting, erasing};
 }

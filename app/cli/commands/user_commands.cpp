@@ -21,13 +21,16 @@ core::Result<database::RoleSet> roles(const Arguments& arguments) {
     const QString given = arguments.value(QStringLiteral("role"));
     const auto set = database::rolesFromList(given.toStdString());
     if (!set)
-        return wrongUse(QStringLiteral("--role: %1: expected some of trainee,trainer,researcher,admin with commas between them").arg(quoted(given)));
+        return wrongUse(
+            QStringLiteral(
+                "--role: %1: expected some of trainee,trainer,researcher,admin with commas between them")
+                .arg(quoted(given)));
     return *set;
 }
 
 // What a change to somebody's account prints: the account as it is now.
-core::Result<CommandOutput> accountNow(Site& site, database::AccountService& accounts, const std::string& name,
-                                       const QString& initialPassword = {}) {
+core::Result<CommandOutput> accountNow(Site& site, database::AccountService& accounts,
+                                       const std::string& name, const QString& initialPassword = {}) {
     const auto person = accounts.personByName(site.actor, name);
     if (!person)
         return tl::unexpected(person.error());
@@ -35,7 +38,9 @@ core::Result<CommandOutput> accountNow(Site& site, database::AccountService& acc
     QString text = peopleText({*person});
     if (!initialPassword.isEmpty()) {
         json[QStringLiteral("initial_password")] = initialPassword;
-        text += QStringLiteral("\nInitial password: %1\nIt is shown this once and must be changed at the first login.\n").arg(initialPassword);
+        text += QStringLiteral(
+                    "\nInitial password: %1\nIt is shown this once and must be changed at the first login.\n")
+                    .arg(initialPassword);
     }
     return CommandOutput{QJsonDocument(json), text, 0};
 }
@@ -57,7 +62,8 @@ core::Result<CommandOutput> add(const Arguments& arguments) {
     request.mustChangePassword = password.generated || arguments.has(QStringLiteral("must-change"));
     if (auto made = accounts.createPerson(site->actor, request); !made)
         return tl::unexpected(made.error());
-    return accountNow(*site, accounts, request.name, password.generated ? QString::fromStdString(password.value) : QString());
+    return accountNow(*site, accounts, request.name,
+                      password.generated ? QString::fromStdString(password.value) : QString());
 }
 
 core::Result<CommandOutput> list(const Arguments& arguments) {
@@ -117,15 +123,21 @@ core::Result<CommandOutput> passwd(const Arguments& arguments) {
     if (!site)
         return tl::unexpected(site.error());
     database::AccountService accounts(*site->database);
-    const std::string name = arguments.operand(0).isEmpty() ? site->actor.name() : arguments.operand(0).toStdString();
+    const std::string name =
+        arguments.operand(0).isEmpty() ? site->actor.name() : arguments.operand(0).toStdString();
     if (name == site->actor.name()) { // one's own: with the old password
         if (site->secrets[1].empty())
-            return wrongUse(QStringLiteral("new password: none given; expected it in CHIRON_NEW_PASSWORD or, with --password-stdin, "
-                                           "as the second line of stdin"));
+            return wrongUse(QStringLiteral(
+                "new password: none given; expected it in CHIRON_NEW_PASSWORD or, with --password-stdin, "
+                "as the second line of stdin"));
         if (auto done = accounts.changePassword(site->actor, site->secrets[0], site->secrets[1]); !done)
             return tl::unexpected(done.error());
-        const QJsonObject json{{QStringLiteral("name"), QString::fromStdString(name)}, {QStringLiteral("changed"), true}};
-        return CommandOutput{QJsonDocument(json), QStringLiteral("The password of %1 is changed.\n").arg(printable(QString::fromStdString(name))), 0};
+        const QJsonObject json{{QStringLiteral("name"), QString::fromStdString(name)},
+                               {QStringLiteral("changed"), true}};
+        return CommandOutput{
+            QJsonDocument(json),
+            QStringLiteral("The password of %1 is changed.\n").arg(printable(QString::fromStdString(name))),
+            0};
     }
     const auto person = accounts.personByName(site->actor, name);
     if (!person)
@@ -133,7 +145,8 @@ core::Result<CommandOutput> passwd(const Arguments& arguments) {
     const NewPassword password = newPasswordOrGenerated(site->secrets);
     if (auto done = accounts.resetPassword(site->actor, person->id, password.value); !done)
         return tl::unexpected(done.error());
-    return accountNow(*site, accounts, name, password.generated ? QString::fromStdString(password.value) : QString());
+    return accountNow(*site, accounts, name,
+                      password.generated ? QString::fromStdString(password.value) : QString());
 }
 
 core::Result<CommandOutput> importCsv(const Arguments& arguments) {
@@ -150,29 +163,40 @@ core::Result<CommandOutput> importCsv(const Arguments& arguments) {
     QJsonArray imported;
     for (const database::PersonId id : *ids)
         imported.append(static_cast<qint64>(id));
-    return CommandOutput{QJsonDocument(QJsonObject{{QStringLiteral("imported"), static_cast<qint64>(ids->size())}, {QStringLiteral("ids"), imported}}),
-                         QStringLiteral("%1 people imported; each must change the password at the first login.\n").arg(ids->size()), 0};
+    return CommandOutput{
+        QJsonDocument(QJsonObject{{QStringLiteral("imported"), static_cast<qint64>(ids->size())},
+                                  {QStringLiteral("ids"), imported}}),
+        QStringLiteral("%1 people imported; each must change the password at the first login.\n")
+            .arg(ids->size()),
+        0};
 }
 
 core::Result<CommandOutput> recover(const Arguments& arguments) {
-    const auto secrets = readSecrets(arguments, {QStringLiteral("CHIRON_RECOVERY_CODE"), QStringLiteral("CHIRON_NEW_PASSWORD")});
+    const auto secrets = readSecrets(
+        arguments, {QStringLiteral("CHIRON_RECOVERY_CODE"), QStringLiteral("CHIRON_NEW_PASSWORD")});
     if (!secrets)
         return tl::unexpected(secrets.error());
     if ((*secrets)[1].empty())
-        return wrongUse(QStringLiteral("new password: none given; expected it in CHIRON_NEW_PASSWORD or, with --password-stdin, as the "
-                                       "second line of stdin"));
-    const auto database = database::Database::openForWriting(databasePath(arguments).toStdString(), databaseOptions());
+        return wrongUse(QStringLiteral(
+            "new password: none given; expected it in CHIRON_NEW_PASSWORD or, with --password-stdin, as the "
+            "second line of stdin"));
+    const auto database =
+        database::Database::openForWriting(databasePath(arguments).toStdString(), databaseOptions());
     if (!database)
         return tl::unexpected(database.error());
-    const auto code = database::AccountService(**database).recover(arguments.operand(0).toStdString(), (*secrets)[0], (*secrets)[1]);
+    const auto code = database::AccountService(**database)
+                          .recover(arguments.operand(0).toStdString(), (*secrets)[0], (*secrets)[1]);
     if (!code)
         return tl::unexpected(code.error());
     const QString shown = QString::fromStdString(*code);
-    return CommandOutput{QJsonDocument(QJsonObject{{QStringLiteral("name"), arguments.operand(0)}, {QStringLiteral("recovery_code"), shown}}),
-                         QStringLiteral("The password is changed. New recovery code, shown this once: %1\n").arg(shown), 0};
+    return CommandOutput{
+        QJsonDocument(QJsonObject{{QStringLiteral("name"), arguments.operand(0)},
+                                  {QStringLiteral("recovery_code"), shown}}),
+        QStringLiteral("The password is changed. New recovery code, shown this once: %1\n").arg(shown), 0};
 }
 
-CommandSpec spec(const char* verb, const char* summary, const char* example, core::Result<CommandOutput> (*run)(const Arguments&)) {
+CommandSpec spec(const char* verb, const char* summary, const char* example,
+                 core::Result<CommandOutput> (*run)(const Arguments&)) {
     CommandSpec command;
     command.group = QStringLiteral("user");
     command.verb = QLatin1String(verb);
@@ -186,26 +210,41 @@ CommandSpec spec(const char* verb, const char* summary, const char* example, cor
 
 std::vector<CommandSpec> userCommands() {
     const OperandSpec name{QStringLiteral("NAME"), QStringLiteral("login name")};
-    const OptionSpec role_{QStringLiteral("role"), QStringLiteral("ROLE,..."), QStringLiteral("some of trainee,trainer,researcher,admin"), true};
-    CommandSpec adding = spec("add", "make an account; its password: CHIRON_NEW_PASSWORD, stdin's second line, or one made up and shown once",
+    const OptionSpec role_{QStringLiteral("role"), QStringLiteral("ROLE,..."),
+                           QStringLiteral("some of trainee,trainer,researcher,admin"), true};
+    CommandSpec adding = spec("add",
+                              "make an account; its password: CHIRON_NEW_PASSWORD, stdin's second line, or "
+                              "one made up and shown once",
                               "chiron-cli user add bob --role trainee --as alice", add);
     adding.operands = {name};
-    adding.options = {role_, {QStringLiteral("display-name"), QStringLiteral("TEXT"), QStringLiteral("the name that others see")},
-                      {QStringLiteral("must-change"), {}, QStringLiteral("the password must be changed at the first login")}};
-    CommandSpec disabling = spec("disable", "close an account; nothing is deleted", "chiron-cli user disable bob --as alice", disable);
-    CommandSpec enabling = spec("enable", "open a closed account again", "chiron-cli user enable bob --as alice", enable);
-    CommandSpec changing = spec("role", "set the roles of a person", "chiron-cli user role bob --role trainee,trainer --as alice", role);
+    adding.options = {
+        role_,
+        {QStringLiteral("display-name"), QStringLiteral("TEXT"), QStringLiteral("the name that others see")},
+        {QStringLiteral("must-change"),
+         {},
+         QStringLiteral("the password must be changed at the first login")}};
+    CommandSpec disabling = spec("disable", "close an account; nothing is deleted",
+                                 "chiron-cli user disable bob --as alice", disable);
+    CommandSpec enabling =
+        spec("enable", "open a closed account again", "chiron-cli user enable bob --as alice", enable);
+    CommandSpec changing = spec("role", "set the roles of a person",
+                                "chiron-cli user role bob --role trainee,trainer --as alice", role);
     disabling.operands = enabling.operands = changing.operands = {name};
     changing.options = {role_};
-    CommandSpec setting = spec("passwd", "change one's own password, or as an administrator set somebody's", "chiron-cli user passwd --as bob", passwd);
+    CommandSpec setting = spec("passwd", "change one's own password, or as an administrator set somebody's",
+                               "chiron-cli user passwd --as bob", passwd);
     setting.operands = {{QStringLiteral("NAME"), QStringLiteral("login name; default: one's own"), false}};
-    CommandSpec importing = spec("import-csv", "make accounts from a CSV file (name,display_name,roles,password), all or none",
-                                 "chiron-cli user import-csv roster.csv --as alice", importCsv);
+    CommandSpec importing =
+        spec("import-csv", "make accounts from a CSV file (name,display_name,roles,password), all or none",
+             "chiron-cli user import-csv roster.csv --as alice", importCsv);
     importing.operands = {{QStringLiteral("FILE.csv"), QStringLiteral("the roster")}};
-    CommandSpec recovering = spec("recover", "set a new password with the recovery code (CHIRON_RECOVERY_CODE, CHIRON_NEW_PASSWORD)",
-                                  "chiron-cli user recover alice --password-stdin < secrets.txt", recover);
+    CommandSpec recovering = spec(
+        "recover", "set a new password with the recovery code (CHIRON_RECOVERY_CODE, CHIRON_NEW_PASSWORD)",
+        "chiron-cli user recover alice --password-stdin < secrets.txt", recover);
     recovering.operands = {name};
-    return {adding, spec("list", "the accounts", "chiron-cli user list --as alice --json", list), disabling, enabling, changing, setting,
+    return {adding,    spec("list", "the accounts", "chiron-cli user list --as alice --json", list),
+            disabling, enabling,
+            changing,  setting,
             importing, recovering};
 }
 

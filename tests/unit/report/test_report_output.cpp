@@ -31,7 +31,8 @@ private:
 
 namespace {
 
-// A session as the exercise makes one: approach, circling contact, marks; values are made up for the pictures.
+// A session as the exercise makes one: approach, circling contact, marks; values are made up for the
+// pictures.
 ReportData sample(std::size_t samples) {
     ReportData data;
     data.person = QStringLiteral("Dr Ada Example");
@@ -45,14 +46,36 @@ ReportData sample(std::size_t samples) {
     data.device = QStringLiteral("Simulated gimbal (H, P, R, D)");
     data.state = QStringLiteral("completed");
     data.passed = false;
-    data.metrics = {
-        {"apex_error_mean", "Apex error, mean", "%", 17.31, {}, {}, 15.0, false, true, 2.9, 25.5, "published mean ± SD"},
-        {"time", "Time", "s", 184.2, {}, {}, 300.0, true, true, {}, {}, {}},
-        {"force_max", "Maximum force", "N", 4.62, {}, {}, 4.0, false, true, {}, {}, {}},
-        {"apex_error_sd", "Apex error, SD", "%", 12.04, {}, {}, {}, {}, false, {}, {}, {}},
-        {"path_inefficiency", "Path inefficiency", "%", {}, "ends less than 5 mm apart", {}, {}, {}, false, {}, {}, {}},
-        {"sparc", "Smoothness (SPARC)", "", -2.417, {}, {}, {}, {}, false, {}, {}, {}}};
-    const double misfit[10][2] = {{12, -8}, {-22, 5}, {7, 14}, {31, -19}, {-4, -11}, {15, 3}, {-140, 60}, {9, -27}, {2, 6}, {-13, 18}};
+    data.metrics = {{"apex_error_mean",
+                     "Apex error, mean",
+                     "%",
+                     17.31,
+                     {},
+                     {},
+                     15.0,
+                     false,
+                     true,
+                     2.9,
+                     25.5,
+                     "published mean ± SD"},
+                    {"time", "Time", "s", 184.2, {}, {}, 300.0, true, true, {}, {}, {}},
+                    {"force_max", "Maximum force", "N", 4.62, {}, {}, 4.0, false, true, {}, {}, {}},
+                    {"apex_error_sd", "Apex error, SD", "%", 12.04, {}, {}, {}, {}, false, {}, {}, {}},
+                    {"path_inefficiency",
+                     "Path inefficiency",
+                     "%",
+                     {},
+                     "ends less than 5 mm apart",
+                     {},
+                     {},
+                     {},
+                     false,
+                     {},
+                     {},
+                     {}},
+                    {"sparc", "Smoothness (SPARC)", "", -2.417, {}, {}, {}, {}, false, {}, {}, {}}};
+    const double misfit[10][2] = {{12, -8}, {-22, 5},   {7, 14},  {31, -19}, {-4, -11},
+                                  {15, 3},  {-140, 60}, {9, -27}, {2, 6},    {-13, 18}};
     for (int i = 0; i < 10; ++i)
         data.apexErrors.push_back({i, misfit[i][0], misfit[i][1], i == 6, false});
     SampleSeries& s = data.series;
@@ -73,28 +96,48 @@ ReportData sample(std::size_t samples) {
         s.events.push_back({18.0 * i, QStringLiteral("trial %1").arg(i + 1)});
     s.paused = {{62.0, 71.5}};
     data.loop = {180000, 12, 0.61, 1.9, 38.4};
-    data.integrity = {"S-000042", 180000, 0, 3481220, "0.1.0 gcc-12.2.0",
+    data.integrity = {"S-000042",
+                      180000,
+                      0,
+                      3481220,
+                      "0.1.0 gcc-12.2.0",
                       "9f2c4e0f7ad1c7f6a0a3a54f0a98c9d6f1b3b2f4e5d60718293a4b5c6d7e8f90",
-                      "0f1e2d3c4b5a69788796a5b4c3d2e1f00112233445566778899aabbccddeeff0", {}};
+                      "0f1e2d3c4b5a69788796a5b4c3d2e1f00112233445566778899aabbccddeeff0",
+                      {}};
     return data;
 }
 
 ReportData longAndGreek() {
     ReportData data = sample(60000);
-    data.person = QStringLiteral("Αικατερίνη Παπαδημητρακοπούλου-Οικονομοπούλου von Weißenstein-Großschönau zu Überlingen, "
-                                 "Assistenzärztin für Urologie und Kinderurologie");
-    data.exerciseTitle = QStringLiteral("Εύρεση της κορυφής μιας εικονικής σφαίρας / Auffinden des Scheitelpunkts");
-    data.levelTitle = QStringLiteral("Nur Haptik, veränderliche Steifigkeit und Reibung, μεταβλητή δυσκαμψία και τριβή");
-    data.device = QStringLiteral("Kraftrückkopplungsgerätesimulationsaufbau_ohne_Leerzeichen_0123456789_abcdefghijklmnop");
+    data.person = QStringLiteral(
+        "Αικατερίνη Παπαδημητρακοπούλου-Οικονομοπούλου von Weißenstein-Großschönau zu Überlingen, "
+        "Assistenzärztin für Urologie und Kinderurologie");
+    data.exerciseTitle =
+        QStringLiteral("Εύρεση της κορυφής μιας εικονικής σφαίρας / Auffinden des Scheitelpunkts");
+    data.levelTitle =
+        QStringLiteral("Nur Haptik, veränderliche Steifigkeit und Reibung, μεταβλητή δυσκαμψία και τριβή");
+    data.device = QStringLiteral(
+        "Kraftrückkopplungsgerätesimulationsaufbau_ohne_Leerzeichen_0123456789_abcdefghijklmnop");
     data.demonstration = true;
     data.felt = false;
     data.passed = true;
     for (MetricRow& row : data.metrics)
         row.passed = row.passed ? std::optional<bool>(true) : std::nullopt;
-    data.metrics[0].name = QStringLiteral("Mittlerer Betrag des Scheitelfehlers über beide Achsen / Μέσο σφάλμα κορυφής");
+    data.metrics[0].name =
+        QStringLiteral("Mittlerer Betrag des Scheitelfehlers über beide Achsen / Μέσο σφάλμα κορυφής");
     for (int i = 0; i < 60; ++i)
-        data.metrics.push_back({QStringLiteral("metric_%1").arg(i), QStringLiteral("Größe Nr. %1 (δοκιμή)").arg(i), "N·s",
-                                0.37 * i, {}, {}, {}, {}, false, {}, {}, {}});
+        data.metrics.push_back({QStringLiteral("metric_%1").arg(i),
+                                QStringLiteral("Größe Nr. %1 (δοκιμή)").arg(i),
+                                "N·s",
+                                0.37 * i,
+                                {},
+                                {},
+                                {},
+                                {},
+                                false,
+                                {},
+                                {},
+                                {}});
     return data;
 }
 
@@ -145,9 +188,9 @@ void TestReportOutput::sessionReport() {
     QVERIFY(bytes.startsWith("%PDF-1."));
     QVERIFY(bytes.trimmed().endsWith("%%EOF"));
     QVERIFY(count(bytes, "/Type /Page\n") >= atLeastPages);
-    QVERIFY(bytes.contains("pdfaid:part")); // archive metadata
+    QVERIFY(bytes.contains("pdfaid:part"));      // archive metadata
     QVERIFY(!bytes.contains("/Subtype /Image")); // plots are vectors
-    QVERIFY(bytes.contains("/FontFile")); // embedded
+    QVERIFY(bytes.contains("/FontFile"));        // embedded
 }
 
 void TestReportOutput::pictures() {
@@ -171,7 +214,8 @@ void TestReportOutput::theLimitIsVisibleWhereForceIsOverIt() {
     const ReportData data = sample(40000);
     const auto coloured = [&](double limit_N) {
         auto plot = forcePlot(data.series, limit_N, theme);
-        const QImage image = renderPanels({{plot.get(), QRectF(0, 0, 600, 300)}}, QSize(600, 300), 1.0, theme);
+        const QImage image =
+            renderPanels({{plot.get(), QRectF(0, 0, 600, 300)}}, QSize(600, 300), 1.0, theme);
         int reddish = 0;
         for (int y = 0; y < image.height(); ++y) {
             for (int x = 0; x < image.width(); ++x)
@@ -184,14 +228,16 @@ void TestReportOutput::theLimitIsVisibleWhereForceIsOverIt() {
 }
 
 void TestReportOutput::comparison() {
-    ComparisonData data{QStringLiteral("Apex error of the scripted operators, haptics alone"), QStringLiteral("Mean apex error"),
+    ComparisonData data{QStringLiteral("Apex error of the scripted operators, haptics alone"),
+                        QStringLiteral("Mean apex error"),
                         QStringLiteral("% of radius"),
                         {{QStringLiteral("novice"), {38.1, 44.0, 31.2, 52.7, 40.1, 35.5}},
                          {QStringLiteral("intermediate"), {22.4, 19.8, 27.1, 24.9, 20.3, 25.0}},
                          {QStringLiteral("expert"), {9.8, 11.7, 8.9, 13.2, 10.4, 9.1}},
                          {QStringLiteral("unsafe"), {16.2}},
                          {QStringLiteral("nobody"), {}}},
-                        14.2, QStringLiteral("published mean, 14.2 %")};
+                        14.2,
+                        QStringLiteral("published mean, 14.2 %")};
     const PlotTheme theme = lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom));
     QVERIFY(writeComparisonPng(path(QStringLiteral("comparison.png")), data, theme).has_value());
     QVERIFY(QImage(path(QStringLiteral("comparison.png"))).width() >= 1800);
