@@ -94,6 +94,8 @@ core::Result<std::unique_ptr<Database>> Database::create(const std::string& file
         (*connection)->setSite(database->m_siteKey.get(), database->m_options.clock.get());
         auto migrated = MigrationRunner().migrate(**connection);
         done = migrated ? fillNew(**connection, options) : tl::unexpected(migrated.error());
+        // In WAL mode from birth: a rollback journal left by a kill would shut out readers.
+        done = done ? (*connection)->execute("PRAGMA journal_mode=WAL") : done;
         const auto head = done ? auditHead(**connection) : tl::unexpected(done.error());
         done = head ? writeHeadFile(*database->m_siteKey, *head) : tl::unexpected(head.error());
     }

@@ -16,7 +16,13 @@ core::Result<std::unique_ptr<QLockFile>> takeWriterLock(const std::string& file)
     qint64 pid = 0;
     QString host;
     QString program;
-    lock->getLockInfo(&pid, &host, &program);
+    if (!lock->getLockInfo(&pid, &host, &program)) {
+        // Killed between making the file and signing it. A live holder also keeps it flocked, so this removes dead ones only.
+        lock->removeStaleLockFile();
+        if (lock->tryLock(300)) {
+            return lock;
+        }
+    }
     return core::fail(core::ErrorCode::locked, file + ": " + program.toStdString() + " (process " +
                                                    std::to_string(pid) + ") has it open for writing");
 }

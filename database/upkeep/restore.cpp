@@ -99,7 +99,8 @@ core::Result<int> prepare(const std::string& copy, const Actor& actor, const Sit
     if (auto committed = (*connection)->commit(); !committed) {
         return tl::unexpected(committed.error());
     }
-    auto vacuumed = (*connection)->execute("VACUUM");
+    // WAL before it is put in place: a rollback journal left by a kill would shut out readers.
+    auto vacuumed = (*connection)->execute("VACUUM; PRAGMA journal_mode=WAL;");
     return vacuumed ? applied : tl::unexpected(vacuumed.error());
 }
 

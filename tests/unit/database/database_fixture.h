@@ -124,7 +124,7 @@ inline scoring::ScoreCard someCard() {
 
 /// A whole session of the actor: chunks, summaries, trials, events, end, scores.
 inline core::Result<database::SessionId> storeSession(database::Database& database, const database::Actor& actor,
-                                                      std::uint32_t chunks = 4) {
+                                                      std::uint32_t chunks = 4, std::size_t chunkBytes = 700) {
     using namespace database;
     auto id = database.write([&](WriteContext& w) -> core::Result<SessionId> {
         SessionRepository sessions(w.connection(), actor);
@@ -137,7 +137,7 @@ inline core::Result<database::SessionId> storeSession(database::Database& databa
             return tl::unexpected(sink.error());
         }
         for (std::uint32_t i = 0; i < chunks; ++i) {
-            const recording::Chunk chunk = someChunk(i);
+            const recording::Chunk chunk = someChunk(i, chunkBytes);
             const recording::SecondSummary second{i, 0, 250, 0.01, 1.5, 0.5, 0.25, 0.0, 3};
             if (auto done = (*sink)->write({&chunk, 1}, {&second, 1}); !done) {
                 return tl::unexpected(done.error());

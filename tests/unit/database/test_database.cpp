@@ -99,6 +99,9 @@ void TestDatabase::lockOfADeadProcessIsNoObstacle() {
     sleeper.kill();
     QVERIFY(sleeper.waitForFinished());
     REQUIRE(Database::openForWriting(f.path(), f.options));
+    QVERIFY(lock.open(QIODevice::WriteOnly | QIODevice::Truncate)); // killed before it could sign the lock
+    lock.close();
+    REQUIRE(Database::openForWriting(f.path(), f.options));
 }
 
 void TestDatabase::readersWorkBesideTheWriterAndCannotWrite() {

@@ -105,6 +105,7 @@ private:
     Actor m_ada = Actor::anonymous();
     std::map<std::int64_t, KnownRow> m_chunks;
     std::map<std::int64_t, KnownRow> m_scores;
+    int m_damaged = 0; ///< chunks and scores that the flips of a test have damaged
 };
 
 void TestVerify::initTestCase() {
@@ -112,8 +113,8 @@ void TestVerify::initTestCase() {
     const auto ada = m.administrator();
     REQUIRE(ada);
     m_ada = *ada;
-    REQUIRE(storeSession(*m.database, Actor::simulated(), 6));
-    const auto id = storeSession(*m.database, *ada, 5);
+    REQUIRE(storeSession(*m.database, Actor::simulated(), 6, 9000));
+    const auto id = storeSession(*m.database, *ada, 5, 5000);
     REQUIRE(id);
     REQUIRE(storeSession(*m.database, Actor::simulated(), 3));
     REQUIRE(m.database->write([&](WriteContext& w) -> core::Result<void> {
@@ -345,6 +346,7 @@ void TestVerify::flipAndCheck(const QByteArray& sound, const std::vector<std::si
         for (const auto& [rowid, row] : *known) {
             const auto found = now.find(rowid);
             const bool damaged = found == now.end() || found->second.content != row.content;
+            m_damaged += damaged ? 1 : 0;
             QVERIFY2(!damaged || reported(report, table, row), (table + " " + row.key + ", bit " + std::to_string(bits.front())).c_str());
         }
     }
@@ -361,9 +363,11 @@ void TestVerify::singleBitFlips() {
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray sound = file.readAll();
     core::Random random(20261120);
+    m_damaged = 0;
     for (int i = 0; i < std::max(flips, 40); ++i) {
         flipAndCheck(sound, {random.below(static_cast<std::uint64_t>(sound.size()) * 8)});
     }
+    QVERIFY2(m_damaged >= std::max(flips, 40) / 10, qPrintable(QString::number(m_damaged))); // else this showed nothing
 }
 
 void TestVerify::manyFlipsAtOnce() {
