@@ -15,5 +15,10 @@ std::vector<CommandSpec> evaluateCommands();
 std::vector<CommandSpec> metricsCommands();
 std::vector<CommandSpec> deviceCommands();
 std::vector<CommandSpec> storageCommands();
+std::vector<CommandSpec> trainCommands();
+std::vector<CommandSpec> sessionCommands();
+std::vector<CommandSpec> reviewCommands();
+std::vector<CommandSpec> reportCommands();
+std::vector<CommandSpec> demoCommands();
 
 } // namespace chiron::cli

@@ -14,9 +14,20 @@ namespace {
 std::vector<CommandSpec> makeTable() {
     std::vector<CommandSpec> table;
     for (const auto& group : {
+             initCommands,
+             userCommands,
+             personCommands,
+             exerciseCommands,
+             trainCommands,
+             sessionCommands,
+             reviewCommands,
+             verifyCommands,
+             reportCommands,
              evaluateCommands,
              metricsCommands,
              deviceCommands,
+             storageCommands,
+             demoCommands,
          }) {
         std::vector<CommandSpec> rows = group();
         std::move(rows.begin(), rows.end(), std::back_inserter(table));

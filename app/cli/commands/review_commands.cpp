@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_groups.h"
+#include "cli/session_output.h"
+#include "cli/site_access.h"
+#include "database/repositories/score_repository.h"
+#include "session/replayer.h"
+
+#include <QJsonValue>
+#include <limits>
+
+namespace chiron::cli {
+
+namespace {
+
+/// A session opened for looking back: database, connection and session in the order of their lives.
+struct Opened {
+    Site site;
+    std::unique_ptr<database::Connection> connection;
+    std::unique_ptr<session::StoredSession> session;
+};
+
+core::Result<Opened> openStored(const Arguments& arguments) {
+    auto id = arguments.integerOperand(0, 1, std::numeric_limits<qint64>::max());
+    if (!id)
+        return tl::unexpected(id.error());
+    auto site = openAsAnybody(arguments, Opening::forReading);
+    if (!site)
+        return tl::unexpected(site.error());
+    auto connection = site->database->openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    auto session = session::StoredSession::open(**connection, site->actor, *id);
+    if (!session)
+        return tl::unexpected(session.error());
+    return Opened{std::move(*site), std::move(*connection), std::move(*session)};
+}
+
+core::Result<CommandOutput> score(const Arguments& arguments) {
+    auto version = arguments.integer(QStringLiteral("metric-version"), 1, 1000, 0);
+    if (!version)
+        return tl::unexpected(version.error());
+    auto opened = openStored(arguments);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    auto card = opened->session->computeScores(static_cast<int>(*version));
+    if (!card)
+        return tl::unexpected(card.error());
+    auto view = viewOf(*opened->connection, opened->site.actor, opened->session->record().summary.id);
+    if (!view)
+        return tl::unexpected(view.error());
+    const bool same = session::sameScores(view->card, *card);
+    const QJsonArray stored = metricsJson(view->card.metrics);
+    view->card = std::move(*card);
+    QJsonObject json = scoreJson(*view);
+    json.insert("stored", stored);
+    json.insert("same", same);
+    const QString verdict = same ? QStringLiteral("\nsame as stored\n") : QStringLiteral("\nDIFFERS from what is stored\n");
+    // Another version of a metric may well differ: that is an answer, not a failure.
+    return CommandOutput{QJsonDocument(json), scoreText(*view) + verdict, same || *version > 0 ? 0 : 1};
+}
+
+core::Result<CommandOutput> replay(const Arguments& arguments) {
+    auto opened = openStored(arguments);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    auto report = session::replaySession(*opened->session);
+    if (!report)
+        return tl::unexpected(report.error());
+    QJsonObject json{{"session_id", static_cast<double>(opened->session->record().summary.id)},
+                     {"frames", static_cast<double>(report->frames)},
+                     {"identical", report->identical},
+                     {"comparable", report->comparable},
+                     {"max_difference_N", report->maximumDifference_N},
+                     {"first_different_tick", report->firstDifferentTick
+                                                  ? QJsonValue(static_cast<double>(*report->firstDifferentTick))
+                                                  : QJsonValue()}};
+    if (!report->note.empty())
+        json.insert("note", QString::fromStdString(report->note));
+    const QString text = QStringLiteral("%1 frames re-simulated: %2 (largest difference %3 N)%4\n")
+                             .arg(report->frames)
+                             .arg(report->identical ? QStringLiteral("identical") : QStringLiteral("NOT identical"))
+                             .arg(report->maximumDifference_N)
+                             .arg(report->note.empty() ? QString()
+                                                       : QStringLiteral("; not comparable bit for bit: ") +
+                                                             QString::fromStdString(report->note));
+    return CommandOutput{QJsonDocument(json), text, report->identical || !report->comparable ? 0 : 1};
+}
+
+} // namespace
+
+std::vector<CommandSpec> reviewCommands() {
+    CommandSpec scoring;
+    scoring.group = QStringLiteral("score");
+    scoring.summary = QStringLiteral("compute a session's scores again from its recording");
+    scoring.operands = {{QStringLiteral("ID"), QStringLiteral("number of the session")}};
+    scoring.options = {{QStringLiteral("metric-version"), QStringLiteral("V"), QStringLiteral("of every metric; default: the session's own")}};
+    scoring.example = QStringLiteral("chiron-cli score 12 --json");
+    scoring.run = score;
+    CommandSpec replaying;
+    replaying.group = QStringLiteral("replay");
+    replaying.summary = QStringLiteral("simulate a session again from its recorded inputs and compare the forces");
+    replaying.operands = scoring.operands;
+    replaying.example = QStringLiteral("chiron-cli replay 12 --json");
+    replaying.run = replay;
+    return {scoring, replaying};
+}
+
+} // namespace chiron::cli

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_groups.h"
+#include "cli/messages.h"
+#include "cli/session_output.h"
+#include "cli/site_access.h"
+#include "cli/text_table.h"
+#include "database/repositories/session_reader.h"
+#include "session/session_export.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <limits>
+
+namespace chiron::cli {
+
+namespace {
+
+/// A database that may be read, on this thread's connection.
+struct Reading {
+    Site site;
+    std::unique_ptr<database::Connection> connection;
+};
+
+core::Result<Reading> openReading(const Arguments& arguments) {
+    auto site = openAsAnybody(arguments, Opening::forReading);
+    if (!site)
+        return tl::unexpected(site.error());
+    auto connection = site->database->openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    return Reading{std::move(*site), std::move(*connection)};
+}
+
+core::Result<CommandOutput> list(const Arguments& arguments) {
+    database::SessionFilter filter;
+    auto limit = arguments.integer(QStringLiteral("limit"), 1, 1'000'000, 0);
+    if (!limit)
+        return tl::unexpected(limit.error());
+    filter.limit = static_cast<int>(*limit);
+    filter.exercise = arguments.value(QStringLiteral("exercise")).toStdString();
+    filter.includeArchived = arguments.has(QStringLiteral("archived"));
+    auto reading = openReading(arguments);
+    if (!reading)
+        return tl::unexpected(reading.error());
+    auto sessions = database::SessionReader(*reading->connection, reading->site.actor).listSessions(filter);
+    if (!sessions)
+        return tl::unexpected(sessions.error());
+    QJsonArray array;
+    TextTable table({">id", "person", "exercise", ">level", "operator", "state", "passed", "started (UTC)", ">frames", ">bytes"});
+    for (const database::SessionSummary& session : *sessions) {
+        const QJsonObject json = summaryJson(session);
+        array.append(json);
+        table.add({QString::number(session.id), json["person"].toString(), json["exercise"].toString(),
+                   QString::number(session.level), json["operator"].toString(), json["state"].toString(),
+                   session.passed ? (*session.passed ? "yes" : "no") : "", json["started_utc"].toString(),
+                   QString::number(session.frames), QString::number(session.recordingBytes)});
+    }
+    return CommandOutput{QJsonDocument(QJsonObject{{"sessions", array}}), table.toText(), 0};
+}
+
+core::Result<CommandOutput> show(const Arguments& arguments) {
+    auto id = arguments.integerOperand(0, 1, std::numeric_limits<qint64>::max());
+    if (!id)
+        return tl::unexpected(id.error());
+    auto reading = openReading(arguments);
+    if (!reading)
+        return tl::unexpected(reading.error());
+    auto record = database::SessionReader(*reading->connection, reading->site.actor).session(*id);
+    if (!record)
+        return tl::unexpected(record.error());
+    auto view = viewOf(*reading->connection, reading->site.actor, *id);
+    if (!view)
+        return tl::unexpected(view.error());
+    return CommandOutput{QJsonDocument(sessionJson(*view, *record)), scoreText(*view), 0};
+}
+
+core::Result<void> writeFormat(const QString& format, session::StoredSession& session, const QJsonObject& summary,
+                               const QString& path) {
+    return format == QLatin1String("csv") ? session::exportCsv(session, path)
+                                          : session::exportJson(session, summary, path);
+}
+
+core::Result<CommandOutput> exportSession(const Arguments& arguments) {
+    auto id = arguments.integerOperand(0, 1, std::numeric_limits<qint64>::max());
+    auto formats = arguments.list(QStringLiteral("format"));
+    if (!id || !formats)
+        return tl::unexpected(id ? formats.error() : id.error());
+    if (formats->isEmpty())
+        *formats << QStringLiteral("csv");
+    for (const QString& format : *formats) {
+        if (format != QLatin1String("csv") && format != QLatin1String("json"))
+            return wrongUse(QStringLiteral("--format: %1: unknown; expected csv, json").arg(quoted(format)));
+    }
+    auto reading = openReading(arguments);
+    if (!reading)
+        return tl::unexpected(reading.error());
+    auto session = session::StoredSession::open(*reading->connection, reading->site.actor, *id);
+    if (!session)
+        return tl::unexpected(session.error());
+    auto view = viewOf(*reading->connection, reading->site.actor, *id);
+    if (!view)
+        return tl::unexpected(view.error());
+    const QDir folder(arguments.has(QStringLiteral("folder")) ? arguments.value(QStringLiteral("folder")) : QStringLiteral("."));
+    if (!folder.mkpath(QStringLiteral(".")))
+        return core::fail(core::ErrorCode::storage, folder.path().toStdString() + ": the folder cannot be made");
+    QJsonArray files;
+    QString text;
+    for (const QString& format : *formats) {
+        const QString path = folder.filePath(QStringLiteral("session_%1.%2").arg(*id).arg(format));
+        if (auto written = writeFormat(format, **session, sessionJson(*view, (*session)->record()), path); !written)
+            return tl::unexpected(written.error());
+        files.append(path);
+        text += path + QLatin1Char('\n');
+    }
+    return CommandOutput{QJsonDocument(QJsonObject{{"session_id", static_cast<double>(*id)}, {"files", files}}), text, 0};
+}
+
+} // namespace
+
+std::vector<CommandSpec> sessionCommands() {
+    CommandSpec listing;
+    listing.group = QStringLiteral("session");
+    listing.verb = QStringLiteral("list");
+    listing.summary = QStringLiteral("the sessions that you may see; without --as the simulated ones");
+    listing.options = {{QStringLiteral("exercise"), QStringLiteral("ID"), QStringLiteral("only of this exercise")},
+                       {QStringLiteral("limit"), QStringLiteral("N"), QStringLiteral("at most so many")},
+                       {QStringLiteral("archived"), {}, QStringLiteral("archived ones too")}};
+    listing.example = QStringLiteral("chiron-cli session list --exercise sphere_apex");
+    listing.run = list;
+    CommandSpec showing = listing;
+    showing.verb = QStringLiteral("show");
+    showing.summary = QStringLiteral("one session with its scores");
+    showing.operands = {{QStringLiteral("ID"), QStringLiteral("number of the session")}};
+    showing.options = {};
+    showing.example = QStringLiteral("chiron-cli session show 12 --json");
+    showing.run = show;
+    CommandSpec exporting = showing;
+    exporting.verb = QStringLiteral("export");
+    exporting.summary = QStringLiteral("write a session's samples (csv) and what is known of it (json)");
+    exporting.options = {{QStringLiteral("format"), QStringLiteral("csv,json"), QStringLiteral("which files; default: csv")},
+                         {QStringLiteral("folder"), QStringLiteral("DIR"), QStringLiteral("where to; default: here")}};
+    exporting.example = QStringLiteral("chiron-cli session export 12 --format csv,json --folder out");
+    exporting.run = exportSession;
+    return {listing, showing, exporting};
+}
+
+} // namespace chiron::cli

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_groups.h"
+#include "cli/messages.h"
+#include "cli/session_output.h"
+#include "cli/site_access.h"
+#include "database/accounts/account_service.h"
+#include "session/site.h"
+
+#include <QJsonArray>
+#include <atomic>
+#include <csignal>
+
+namespace chiron::cli {
+
+namespace {
+
+std::atomic<bool> g_cancel{false}; // the one thing a signal handler may touch
+
+void onSignal(int) { g_cancel.store(true, std::memory_order_relaxed); }
+
+core::Result<database::Actor> actorFor(const Arguments& arguments, database::Database& database,
+                                       const std::vector<std::string>& secrets) {
+    if (!arguments.has(QStringLiteral("as")))
+        return database::Actor::simulated(); // may create and read simulated sessions, nothing else
+    return database::AccountService(database).login(arguments.value(QStringLiteral("as")).toStdString(), secrets[0]);
+}
+
+core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& arguments,
+                                                         const catalogue::Catalogue& catalogue) {
+    session::ScriptedSession asked;
+    asked.exercise = arguments.operand(0).toStdString();
+    const catalogue::Exercise* exercise = catalogue.find(asked.exercise);
+    if (!exercise)
+        return badInput(QStringLiteral("EXERCISE %1: unknown; see chiron-cli exercise list").arg(quoted(arguments.operand(0))));
+    asked.operatorName = arguments.value(QStringLiteral("operator")).toStdString();
+    auto seed = arguments.seed(QStringLiteral("seed"), 1);
+    if (!seed)
+        return tl::unexpected(seed.error());
+    asked.seed = *seed;
+    asked.realtime = arguments.has(QStringLiteral("realtime"));
+    asked.familiarisation = arguments.has(QStringLiteral("familiarisation"));
+    std::vector<session::ScriptedSession> sessions;
+    const int levels = static_cast<int>(exercise->levels.size());
+    const bool all = arguments.value(QStringLiteral("level")) == QLatin1String("all");
+    auto level = all ? core::Result<qint64>(1) : arguments.integer(QStringLiteral("level"), 1, levels, 1);
+    if (!level)
+        return tl::unexpected(level.error());
+    for (int number = all ? 1 : static_cast<int>(*level); number <= (all ? levels : static_cast<int>(*level)); ++number) {
+        asked.level = number;
+        sessions.push_back(asked);
+    }
+    return sessions;
+}
+
+core::Result<std::vector<ScoreView>> runAll(session::OpenedSite& site, const database::Actor& actor,
+                                            const catalogue::Catalogue& catalogue,
+                                            const std::vector<session::ScriptedSession>& sessions) {
+    std::vector<ScoreView> views;
+    for (const session::ScriptedSession& session : sessions) {
+        auto result = session::runScripted(*site.database, actor, catalogue, session, &g_cancel);
+        if (!result)
+            return tl::unexpected(result.error());
+        if (result->loop.realtime && !result->loop.priorityGranted)
+            tell(QStringLiteral("no real-time priority: %1").arg(QString::fromStdString(result->loop.priorityDetail)));
+        auto connection = site.database->openReader();
+        if (!connection)
+            return tl::unexpected(connection.error());
+        auto view = viewOf(**connection, actor, result->session);
+        if (!view)
+            return tl::unexpected(view.error());
+        views.push_back(std::move(*view));
+        if (g_cancel.load())
+            break;
+    }
+    return views;
+}
+
+core::Result<CommandOutput> train(const Arguments& arguments) {
+    std::vector<std::string> secrets;
+    if (arguments.has(QStringLiteral("as"))) {
+        auto read = readSecrets(arguments, {QStringLiteral("CHIRON_PASSWORD")});
+        if (!read)
+            return tl::unexpected(read.error());
+        secrets = std::move(*read);
+    }
+    auto content = catalogue::findContentDirectory();
+    if (!content)
+        return tl::unexpected(content.error());
+    auto catalogue = catalogue::Catalogue::load(*content);
+    if (!catalogue)
+        return tl::unexpected(catalogue.error());
+    auto sessions = plan(arguments, *catalogue);
+    if (!sessions)
+        return tl::unexpected(sessions.error());
+    auto site = session::openSite(databasePath(arguments).toStdString(), databaseOptions());
+    if (!site)
+        return tl::unexpected(site.error());
+    for (const session::RecoveredSession& recovered : site->recovered)
+        tell(QStringLiteral("session %1 was interrupted; %2 frames are kept").arg(recovered.session).arg(recovered.frames));
+    auto actor = actorFor(arguments, *site->database, secrets);
+    if (!actor)
+        return tl::unexpected(actor.error());
+    std::signal(SIGINT, onSignal);
+    std::signal(SIGTERM, onSignal);
+    auto views = runAll(*site, *actor, *catalogue, *sessions);
+    if (!views)
+        return tl::unexpected(views.error());
+    QString text;
+    QJsonArray list;
+    for (const ScoreView& view : *views) {
+        text += scoreText(view) + QLatin1Char('\n');
+        list.append(scoreJson(view));
+    }
+    const bool one = sessions->size() == 1;
+    return CommandOutput{QJsonDocument(one ? list.at(0).toObject() : QJsonObject{{"sessions", list}}), text, 0};
+}
+
+} // namespace
+
+std::vector<CommandSpec> trainCommands() {
+    CommandSpec command;
+    command.group = QStringLiteral("train");
+    command.summary = QStringLiteral("run one session with a scripted hand or a trace; recorded and scored");
+    command.operands = {{QStringLiteral("EXERCISE"), QStringLiteral("id of an exercise, see exercise list")}};
+    command.options = {
+        {QStringLiteral("level"), QStringLiteral("N|all"), QStringLiteral("which level; default: 1")},
+        {QStringLiteral("operator"), QStringLiteral("NAME|TRACE.csv"), QStringLiteral("novice, intermediate, expert, unsafe, or a trace file"), true},
+        {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of scene and hand; default: 1")},
+        {QStringLiteral("realtime"), {}, QStringLiteral("at 1 kHz by the clock; default: as fast as the machine can, same result")},
+        {QStringLiteral("familiarisation"), {}, QStringLiteral("recorded and marked, never counted")}};
+    command.example = QStringLiteral("chiron-cli train sphere_apex --level 2 --operator expert --seed 7 --json");
+    command.run = train;
+    return {command};
+}
+
+} // namespace chiron::cli

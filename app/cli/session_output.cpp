@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/session_output.h"
+
+#include "database/repositories/score_repository.h"
+#include "database/repositories/session_reader.h"
+
+#include <QJsonDocument>
+#include <cstdio>
+
+namespace chiron::cli {
+
+namespace {
+
+QString text(const std::string& words) { return QString::fromStdString(words); }
+
+QJsonObject parsed(const std::string& json) { return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object(); }
+
+} // namespace
+
+core::Result<ScoreView> viewOf(database::Connection& connection, const database::Actor& actor,
+                               database::SessionId session) {
+    auto record = database::SessionReader(connection, actor).session(session);
+    if (!record)
+        return tl::unexpected(record.error());
+    ScoreView view;
+    view.sessionId = session;
+    const std::string_view state = database::token(record->summary.state);
+    view.state = QString::fromUtf8(state.data(), qsizetype(state.size()));
+    view.loop = parsed(record->loopJson);
+    view.recording = {{"frames", static_cast<double>(record->summary.frames)},
+                      {"dropped", static_cast<double>(record->summary.dropped)},
+                      {"bytes", static_cast<double>(record->summary.recordingBytes)}};
+    auto card = database::ScoreRepository(connection, actor).scores(session);
+    if (!card && card.error().code != core::ErrorCode::notFound)
+        return tl::unexpected(card.error());
+    if (card)
+        view.card = std::move(*card);
+    return view;
+}
+
+QJsonObject summaryJson(const database::SessionSummary& summary) {
+    const std::string_view state = database::token(summary.state);
+    return {{"session_id", static_cast<double>(summary.id)},
+            {"person", text(summary.personName)},
+            {"exercise", text(summary.exercise)},
+            {"level", summary.level},
+            {"operator", text(summary.operatorName)},
+            {"state", QString::fromUtf8(state.data(), qsizetype(state.size()))},
+            {"passed", summary.passed ? QJsonValue(*summary.passed) : QJsonValue()},
+            {"started_utc", text(summary.startedUtc)},
+            {"utc_offset_min", summary.utcOffset_min},
+            {"device_class", summary.felt ? "felt" : "shown"},
+            {"familiarisation", summary.familiarisation},
+            {"demonstration", summary.demonstration},
+            {"archived", summary.archived},
+            {"frames", static_cast<double>(summary.frames)},
+            {"bytes", static_cast<double>(summary.recordingBytes)}};
+}
+
+QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& record) {
+    QJsonObject json = scoreJson(view);
+    const QJsonObject summary = summaryJson(record.summary);
+    for (auto it = summary.begin(); it != summary.end(); ++it) {
+        if (!json.contains(it.key()))
+            json.insert(it.key(), it.value());
+    }
+    json.insert("seed", text(std::to_string(record.setup.seed))); // a text: JSON numbers lose large seeds
+    json.insert("content_sha256", text(record.contentSha256));
+    json.insert("build", text(record.setup.buildId));
+    json.insert("cpu_class", text(record.setup.cpuClass));
+    if (!record.voidReason.empty())
+        json.insert("void_reason", text(record.voidReason));
+    return json;
+}
+
+void tell(const QString& line) {
+    const QByteArray bytes = (line + QLatin1Char('\n')).toUtf8();
+    std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stderr);
+}
+
+} // namespace chiron::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/score_output.h"
+#include "session/training_run.h"
+
+#include <QJsonObject>
+#include <QString>
+
+namespace chiron::cli {
+
+/// A stored session with its latest scores, as `session show` and `train` print it. Failure: the reader's.
+core::Result<ScoreView> viewOf(database::Connection& connection, const database::Actor& actor,
+                               database::SessionId session);
+
+/// `session show`'s document: the view and what is known of the session beside it.
+QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& record);
+
+/// One line of a list of sessions.
+QJsonObject summaryJson(const database::SessionSummary& summary);
+
+/// A progress line for people, to stderr.
+void tell(const QString& line);
+
+} // namespace chiron::cli

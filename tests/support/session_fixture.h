@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/catalogue.h"
+#include "database/database.h"
+#include "session/exercise_kind.h"
+#include "session/stored_session.h"
+#include "session/training_run.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+
+namespace chiron::tests {
+
+/// A shipped level of sphere_apex with fewer trials and a shorter limit, so that a test takes seconds.
+inline catalogue::ExerciseLevel shortLevel(int number, int trials, double limit_s) {
+    const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+    if (!catalogue)
+        qFatal("%s", catalogue.error().message.c_str());
+    const catalogue::ExerciseLevel* level = catalogue->find("sphere_apex", number);
+    QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(level->resolvedJson)).object();
+    QJsonObject parameters = json["parameters"].toObject();
+    parameters["trials"] = trials;
+    parameters["trial_limit_s"] = limit_s;
+    json["parameters"] = parameters;
+    auto changed = catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
+    if (!changed)
+        qFatal("%s", changed.error().message.c_str());
+    return *changed;
+}
+
+/// A fresh database in a folder of its own, with rings in the same folder.
+class SessionFixture {
+public:
+    SessionFixture() {
+        database::DatabaseOptions options;
+        options.passwordCost = database::PasswordCost::minimalForTests();
+        auto created = database::Database::create(file(), options);
+        if (!created)
+            qFatal("%s", created.error().message.c_str());
+        database = std::move(*created);
+    }
+
+    std::string file() const { return m_folder.filePath("test.db").toStdString(); }
+    std::string folder() const { return m_folder.path().toStdString(); }
+
+    session::TrainingRequest request(const catalogue::ExerciseLevel& level, const std::string& operatorName,
+                                     std::uint64_t seed) const {
+        session::TrainingRequest request;
+        request.level = level;
+        request.seed = seed;
+        request.ringFolder = folder();
+        const auto kind = session::exerciseKind(level.exercise);
+        auto station = session::scriptedStation(**kind, operatorName, seed);
+        if (!station)
+            qFatal("%s", station.error().message.c_str());
+        request.station = std::move(*station);
+        return request;
+    }
+
+    core::Result<session::TrainingResult> run(session::TrainingRequest request) {
+        return session::runTraining(*database, database::Actor::simulated(), std::move(request));
+    }
+
+    std::unique_ptr<database::Database> database;
+
+private:
+    QTemporaryDir m_folder;
+};
+
+/// A stored session with the connection it lives on.
+struct OpenStored {
+    OpenStored(database::Database& database, database::SessionId id) {
+        auto opened = database.openReader();
+        if (!opened)
+            qFatal("%s", opened.error().message.c_str());
+        connection = std::move(*opened);
+        auto stored = session::StoredSession::open(*connection, database::Actor::simulated(), id);
+        if (!stored)
+            qFatal("%s", stored.error().message.c_str());
+        session = std::move(*stored);
+    }
+    std::unique_ptr<database::Connection> connection;
+    std::unique_ptr<session::StoredSession> session;
+};
+
+} // namespace chiron::tests
