@@ -62,21 +62,28 @@ public:
         if (shifted)
             tool.p_WT.head<2>() -= sign * m_deception.shift;
         m_scene.respond(now, seen, out);
-        core::Wrench& wrench = out.tissue.tools[0];
-        wrench.force.head<2>() *= sign;
-        m_line[m_next] = wrench;
+        out.tissue.tools[0].force.head<2>() *= sign;
+        // What the supervisor knows of the contact goes with the force, or its damping would tell of the
+        // ball.
+        m_line[m_next] = {out.tissue.tools[0], out.storedEnergy_J, out.contactStiffness_N_per_m};
         m_next = (m_next + 1) % m_line.size();
-        wrench = m_line[m_next];
-        if (m_deception.mute)
-            wrench = {};
+        const Contact late = m_deception.mute ? Contact{} : m_line[m_next];
+        out.tissue.tools[0] = late.wrench;
+        out.storedEnergy_J = late.energy_J;
+        out.contactStiffness_N_per_m = late.stiffness_N_per_m;
         m_running = out.phase == core::TrialPhase::running;
     }
     const simulation::SphereApexScene& scene() const { return m_scene; }
 
 private:
+    struct Contact {
+        core::Wrench wrench;
+        double energy_J = 0.0;
+        double stiffness_N_per_m = 0.0;
+    };
     simulation::SphereApexScene m_scene;
     ApexDeception m_deception;
-    std::vector<core::Wrench> m_line;
+    std::vector<Contact> m_line;
     std::size_t m_next = 0;
     std::uint64_t m_ticks = 0;
     bool m_running = false;

@@ -16,8 +16,10 @@ enum class ApexTechniqueKind {
                     ///< repeats
 };
 
-/// One scripted trainee: how it moves, presses, searches and when it is content. Assumptions, chosen to be
-/// plausible for people and set before any result was seen; nothing is fitted to P2's 14.2 %. SI.
+/// One scripted trainee: how it moves, presses, searches and when it is content. Assumptions, plausible for
+/// people. The noises were set first and never changed; speeds, gains and techniques were revised while the
+/// trainees fell off the ball, and the expert's fit once when it did no better than the intermediate
+/// (README.md). Nothing is fitted to P2's 14.2 %. SI.
 struct SphereApexOperatorSettings {
     std::string name = "expert";
     PerceptionSettings perception;

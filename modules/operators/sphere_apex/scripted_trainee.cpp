@@ -60,6 +60,10 @@ void ScriptedTrainee::think(const Percept& felt) noexcept {
         beginTrial(felt);
     else if (outOfTime(felt))
         enter(m_stage == Stage::search ? Stage::approach : Stage::press, felt);
+    act(felt);
+}
+
+void ScriptedTrainee::act(const Percept& felt) noexcept {
     switch (m_stage) {
     case Stage::rest:
         return rest(felt);
@@ -91,6 +95,8 @@ void ScriptedTrainee::enter(Stage stage, const Percept& felt) noexcept {
     m_flatFor_s = 0.0;
     m_thereFor_s = 0.0;
     m_lostFor_s = 0.0;
+    if (stage == Stage::climb)
+        m_climbFrom_m = felt.place.z();
     if (stage == Stage::search) {
         m_topHeight_m = felt.place.z();
         m_steady = false;
@@ -193,9 +199,11 @@ void ScriptedTrainee::climb(const Percept& felt) noexcept {
     const double steepness = std::hypot(outward.x(), outward.y());
     const bool flat = outward.z() > 0.0 && steepness < m_settings.topSlope;
     m_flatFor_s = flat ? m_flatFor_s + Senses::kLook_s : 0.0;
-    // Felt height drifts, so only a table touched in this trial tells a hill; else it must have led up.
-    const bool low =
-        m_tableTouched ? felt.place.z() < m_table_m + kHill_m : felt.place.z() < m_cameDown_m + kRise_m;
+    // Felt height drifts, so what led up is a hill whatever its height; else the table touched in this trial
+    // tells.
+    const bool risen = felt.place.z() > m_climbFrom_m + kRise_m;
+    const double flatBelow_m = m_tableTouched ? m_table_m + kHill_m : m_cameDown_m + kRise_m;
+    const bool low = !risen && felt.place.z() < flatBelow_m;
     if (m_flatFor_s > 0.25 || since(felt) > kLongestClimb_s) {
         m_pressGoal_m = m_reach.place().z() - m_settings.pressDepth_m;
         if (low)

@@ -31,6 +31,7 @@ public:
 
 private:
     void think(const Percept& felt) noexcept;
+    void act(const Percept& felt) noexcept;
     void enter(Stage stage, const Percept& felt) noexcept;
     void beginTrial(const Percept& felt) noexcept;
     void rest(const Percept& felt) noexcept;
@@ -72,6 +73,7 @@ private:
     double m_table_m = 0.0;      ///< felt height of the table; from its beginning at first, then as touched
     bool m_tableTouched = false; ///< in this trial
     double m_cameDown_m = 0.0;   ///< felt height where it came down in this trial
+    double m_climbFrom_m = 0.0;  ///< felt height where it began to climb
     double m_scanHeight_m = 0.0;
     double m_pressGoal_m = 0.0; ///< desired height while a depth is held
     double m_lostFor_s = 0.0;   ///< without touch

@@ -30,13 +30,13 @@ simulation::SphereApexParameters level(int number) {
 int main(int argc, char** argv) {
     const int seeds = argc > 1 ? std::atoi(argv[1]) : 20;
     const int number = argc > 2 ? std::atoi(argv[2]) : 2;
-    std::printf("| operator | mean abs. error, %% of R | SD over seeds | time, s | max. force, N | marked | "
+    std::printf("| operator | mean abs. error, %% of R | SD over seeds | time, s | max. force, N: mean (largest) | marked | "
                 "in contact |\n"
                 "|---|---|---|---|---|---|---|\n");
     std::uint64_t ticks = 0;
     const auto begin = std::chrono::steady_clock::now();
     for (const auto name : operators::sphereApexOperatorNames()) {
-        double sum = 0.0, squares = 0.0, time = 0.0, force = 0.0;
+        double sum = 0.0, squares = 0.0, time = 0.0, force = 0.0, forces = 0.0;
         int trials = 0, marked = 0, touching = 0;
         for (int seed = 1; seed <= seeds; ++seed) {
             const auto outcome = support::runApexSession(
@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
                 mean += trial.meanAbsoluteError_percent() / static_cast<double>(outcome.trials.size());
                 time += trial.time_s;
                 force = std::max(force, trial.maximumForce_N);
+                forces += trial.maximumForce_N;
                 ++trials;
                 marked += trial.marked;
                 touching += trial.touching;
@@ -55,9 +56,9 @@ int main(int argc, char** argv) {
             ticks += outcome.ticks;
         }
         const double mean = sum / seeds;
-        std::printf("| %s | %.1f | %.1f | %.1f | %.1f | %d of %d | %d |\n", std::string(name).c_str(), mean,
+        std::printf("| %s | %.1f | %.1f | %.1f | %.1f (%.1f) | %d of %d | %d |\n", std::string(name).c_str(), mean,
                     std::sqrt(std::max(0.0, (squares - seeds * mean * mean) / std::max(1, seeds - 1))),
-                    time / trials, force, marked, trials, touching);
+                    time / trials, forces / trials, force, marked, trials, touching);
     }
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::fprintf(stderr, "%.0f thousand ticks a second\n", 1e-3 * static_cast<double>(ticks) / wall);
