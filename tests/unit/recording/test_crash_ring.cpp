@@ -10,8 +10,8 @@
 #include <QtTest>
 #include <atomic>
 #include <csignal>
-#include <fcntl.h>
 #include <fstream>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -346,14 +346,16 @@ void TestCrashRing::tooLittleRoomRefuses() {
     const pid_t child = fork();
     if (child == 0) { // 0: refused in words and nothing left; 1: not refused; 2: cannot be tried here
         rlimit limit{100'000, 100'000};
-        if (fullDisk ? mount("none", s.folder.c_str(), "tmpfs", 0, "size=256k") != 0 : setrlimit(RLIMIT_FSIZE, &limit) != 0)
+        const bool ready = fullDisk ? unshare(CLONE_NEWNS) == 0 && // the mount is the child's alone
+                                          mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+                                          mount("none", s.folder.c_str(), "tmpfs", 0, "size=256k") == 0
+                                    : setrlimit(RLIMIT_FSIZE, &limit) == 0;
+        if (!ready)
             _exit(2);
         const auto ring = CrashRing::create(s);
         const bool empty = std::filesystem::is_empty(s.folder) || !fullDisk;
         const bool gone = listRings(s.folder, s.database).empty() || !fullDisk;
         const bool words = !ring && ring.error().code == core::ErrorCode::storage;
-        if (fullDisk)
-            umount2(s.folder.c_str(), MNT_DETACH);
         _exit(words && empty && gone ? 0 : 1);
     }
     int status = 0;

@@ -22,7 +22,8 @@ struct Recorded {
         : table(*ChannelTable::forTools(tests::HapticTrace::channels(tools))), store(table.encode()) {
         frames = tests::HapticTrace(21, tools).take(1700);
         frames.erase(frames.begin() + 500, frames.begin() + 550);
-        Recorder recorder(table, Nowhere(), store, {});
+        const Nowhere position;
+        Recorder recorder(table, position, store, {});
         ok = recorder.add(frames) && recorder.finish();
     }
     ChannelTable table;
