@@ -91,13 +91,18 @@ core::Result<void> ChunkDecoder::decodeAll(const Chunk& chunk) {
     return {};
 }
 
+core::Result<void> ChunkDecoder::misfit(const Chunk& chunk, std::size_t channel, std::size_t row) const {
+    return flaw(chunk, m_offsets[channel],
+                "channel \"" + m_table.channels()[channel].id + "\", frame " + std::to_string(row) + ": count " +
+                    std::to_string(m_values[channel * chunk.frames + row]) + ", expected one that fits its field");
+}
+
 core::Result<void> ChunkDecoder::fill(const Chunk& chunk, std::size_t row, core::HapticFrame& frame) const {
     frame.tools = static_cast<std::uint32_t>(m_table.tools());
     for (std::size_t c = 0; c < m_fields.size(); ++c) {
         const std::int64_t count = m_values[c * chunk.frames + row];
         if (!put(m_fields[c], count, frame))
-            return flaw(chunk, m_offsets[c], "channel \"" + m_table.channels()[c].id + "\", frame " + std::to_string(row) +
-                                                 ": count " + std::to_string(count) + ", expected one that fits its field");
+            return misfit(chunk, c, row);
     }
     return {};
 }
@@ -107,11 +112,16 @@ core::Result<void> ChunkDecoder::decode(const Chunk& chunk, std::vector<core::Ha
         return decoded;
     const std::size_t before = frames.size();
     frames.resize(before + chunk.frames);
-    for (std::size_t row = 0; row < chunk.frames; ++row) {
-        if (auto filled = fill(chunk, row, frames[before + row]); !filled) {
-            frames.resize(before);
-            return filled;
-        }
+    const auto added = std::span(frames).subspan(before);
+    for (core::HapticFrame& frame : added)
+        frame.tools = static_cast<std::uint32_t>(m_table.tools());
+    for (std::size_t c = 0; c < m_fields.size(); ++c) {
+        const auto values = std::span<const std::int64_t>(m_values).subspan(c * chunk.frames, chunk.frames);
+        const std::size_t row = scatter(m_fields[c], values, added);
+        if (row == chunk.frames)
+            continue;
+        frames.resize(before);
+        return misfit(chunk, c, row);
     }
     return {};
 }

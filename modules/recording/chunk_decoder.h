@@ -38,6 +38,7 @@ private:
     core::Result<void> decodeColumn(const Chunk& chunk, std::size_t channel, std::span<std::int64_t> values);
     void addReference(std::size_t channel, std::span<const std::int64_t> reference, std::span<std::int64_t> values) const;
     core::Result<void> decodeAll(const Chunk& chunk);
+    core::Result<void> misfit(const Chunk& chunk, std::size_t channel, std::size_t row) const;
     core::Result<void> fill(const Chunk& chunk, std::size_t row, core::HapticFrame& frame) const;
 
     ChannelTable m_table;

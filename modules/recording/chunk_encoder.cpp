@@ -4,11 +4,15 @@
 #include "recording/byte_cursor.h"
 #include "recording/chunk_format.h"
 #include "recording/digest.h"
+#include "recording/ring_layout.h"
+
+#include <algorithm>
 
 namespace chiron::recording {
 
 namespace {
-constexpr std::uint32_t kProbeEvery = 16; // chunks: zstd on packed numbers seldom helps, and costs more than all the rest
+constexpr std::uint32_t kProbeEvery = 32; // chunks: zstd on packed numbers seldom helps, and costs more than all the rest
+constexpr std::size_t kFramesAtOnce = 32;
 }
 
 ChunkEncoder::ChunkEncoder(ChannelTable table)
@@ -32,9 +36,7 @@ core::Result<Chunk> ChunkEncoder::encode(std::uint32_t sequence, std::span<const
             return core::fail(ErrorCode::wrongUse, "frame of " + std::to_string(frame.tools) + " tools, expected " +
                                                        std::to_string(m_table.tools()) + " as in the channel table");
     const std::size_t channels = m_fields.size();
-    m_counts.resize(channels * n);
-    for (std::size_t c = 0; c < channels; ++c)
-        gather(m_fields[c], frames, std::span(m_counts).subspan(c * n, n));
+    gatherAll(frames);
 
     Chunk chunk;
     chunk.sequence = sequence;
@@ -46,7 +48,10 @@ core::Result<Chunk> ChunkEncoder::encode(std::uint32_t sequence, std::span<const
     m_columns.clear();
     for (std::size_t c = 0; c < channels; ++c) {
         const std::size_t start = m_columns.size();
-        encodeColumn(c, n, sequence % kProbeEvery == 0);
+        const bool tryZstd = sequence % kProbeEvery == 0 || m_zstdHelps[c];
+        const bool helped = m_encoder->encode(valuesOf(c, n), tryZstd, m_columns);
+        if (tryZstd)
+            m_zstdHelps[c] = helped;
         appendVarint(chunk.payload, m_columns.size() - start);
     }
     chunk.payload.insert(chunk.payload.end(), m_columns.begin(), m_columns.end());
@@ -55,23 +60,38 @@ core::Result<Chunk> ChunkEncoder::encode(std::uint32_t sequence, std::span<const
     return chunk;
 }
 
-void ChunkEncoder::encodeColumn(std::size_t channel, std::size_t frames, bool probe) {
-    const Channel& about = m_table.channels()[channel];
-    auto values = std::span<const std::int64_t>(m_counts).subspan(channel * frames, frames);
-    if (about.reference != kNoReference) {
-        const auto base = std::span<const std::int64_t>(m_counts).subspan(
-            static_cast<std::size_t>(about.reference) * frames, frames);
-        m_residual.resize(frames);
-        const auto factor = static_cast<std::uint64_t>(about.factor);
-        for (std::size_t i = 0; i < frames; ++i)
-            m_residual[i] = static_cast<std::int64_t>(static_cast<std::uint64_t>(values[i]) -
-                                                      factor * static_cast<std::uint64_t>(base[i]));
-        values = m_residual;
+// Half of the fields or more stay the same in a chunk: looking at whole words first is cheaper than at every field.
+void ChunkEncoder::gatherAll(std::span<const core::HapticFrame> frames) {
+    const std::size_t n = frames.size();
+    const std::size_t words = usedFrameBytes(frames.front().tools) / sizeof(std::uint64_t);
+    m_counts.resize(m_fields.size() * n);
+    m_changes.assign(words, 0);
+    findChanges(frames, m_changes);
+    for (std::size_t i = 0; i < n; i += kFramesAtOnce) { // few enough that every column finds them in the first cache
+        const auto some = frames.subspan(i, std::min(kFramesAtOnce, n - i));
+        for (std::size_t c = 0; c < m_fields.size(); ++c) {
+            const auto values = std::span(m_counts).subspan(c * n + i, some.size());
+            if (m_changes[m_fields[c].offset / sizeof(std::uint64_t)] != 0)
+                gather(m_fields[c], some, values);
+            else
+                gatherConstant(m_fields[c], some.front(), values);
+        }
     }
-    const bool tryZstd = probe || m_zstdHelps[channel];
-    const bool helped = m_encoder->encode(values, tryZstd, m_columns);
-    if (tryZstd)
-        m_zstdHelps[channel] = helped;
+}
+
+std::span<const std::int64_t> ChunkEncoder::valuesOf(std::size_t channel, std::size_t frames) {
+    const Channel& about = m_table.channels()[channel];
+    const auto values = std::span<const std::int64_t>(m_counts).subspan(channel * frames, frames);
+    if (about.reference == kNoReference)
+        return values;
+    const auto base =
+        std::span<const std::int64_t>(m_counts).subspan(static_cast<std::size_t>(about.reference) * frames, frames);
+    m_residual.resize(frames);
+    const auto factor = static_cast<std::uint64_t>(about.factor);
+    for (std::size_t i = 0; i < frames; ++i)
+        m_residual[i] = static_cast<std::int64_t>(static_cast<std::uint64_t>(values[i]) -
+                                                  factor * static_cast<std::uint64_t>(base[i]));
+    return m_residual;
 }
 
 } // namespace chiron::recording

@@ -15,7 +15,7 @@
 namespace chiron::recording {
 
 /// HapticFrames -> Chunk: one column a channel, each as constant, line, offset, difference or second difference,
-/// bit-packed, then zstd if smaller (probed every 16th chunk, and tried on while it helps a channel). Payload: version byte, varint frames, varint channels, varint length of each column,
+/// bit-packed, then zstd if smaller (probed every 32nd chunk, and tried on while it helps a channel). Payload: version byte, varint frames, varint channels, varint length of each column,
 /// columns. Not copied (owns a compression context); one thread at a time; may allocate.
 class ChunkEncoder {
 public:
@@ -31,11 +31,13 @@ public:
     core::Result<Chunk> encode(std::uint32_t sequence, std::span<const core::HapticFrame> frames);
 
 private:
-    void encodeColumn(std::size_t channel, std::size_t frames, bool probe);
+    void gatherAll(std::span<const core::HapticFrame> frames);
+    std::span<const std::int64_t> valuesOf(std::size_t channel, std::size_t frames);
 
     ChannelTable m_table;
     std::vector<FrameField> m_fields;
     std::vector<std::int64_t> m_counts; ///< channels × frames
+    std::vector<std::uint64_t> m_changes; ///< a word of the frame: bits that differ somewhere in the chunk
     std::vector<std::int64_t> m_residual;
     std::vector<std::uint8_t> m_columns; ///< encoded
     std::vector<bool> m_zstdHelps;       ///< a channel: zstd was smaller when last tried

@@ -11,7 +11,7 @@ enum class ColumnMode : std::uint8_t {
     zero = 0,             ///< nothing follows
     constant = 1,         ///< zig-zag varint value
     line = 2,             ///< zig-zag varints first, step
-    offset = 3,           ///< zig-zag varint minimum, packed value − minimum (bit_packing.h)
+    offset = 3,           ///< zig-zag varint base, packed zig-zag value − base (bit_packing.h)
     difference = 4,       ///< zig-zag varint first, packed zig-zag differences
     secondDifference = 5, ///< zig-zag varints first, first difference, packed zig-zag second differences
     zstd = 16,            ///< varint length of the plain column, zstd frame of it (mode byte included)

@@ -19,7 +19,7 @@ void rebuild(ColumnMode mode, std::uint64_t head, std::uint64_t step, std::span<
              std::span<std::int64_t> values) noexcept {
     if (mode == ColumnMode::offset) {
         for (std::size_t i = 0; i < words.size(); ++i)
-            values[i] = static_cast<std::int64_t>(head + words[i]);
+            values[i] = static_cast<std::int64_t>(head + unZigZag(words[i]));
         return;
     }
     std::uint64_t value = head;

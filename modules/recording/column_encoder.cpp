@@ -41,14 +41,18 @@ void ColumnEncoder::encodePlain(std::span<const std::int64_t> values, std::vecto
         return;
     }
     const std::size_t n = values.size(); // at least 2: one value is constant
-    const std::int64_t minimum = *std::min_element(values.begin(), values.end());
+    std::uint64_t sum = 0;
+    for (const std::int64_t v : values)
+        sum += bits(v);
+    // The mean, or anything if the sum ran over: every base is right modulo 2^64, a central one is short.
+    const std::uint64_t base = bits(static_cast<std::int64_t>(sum) / static_cast<std::int64_t>(n));
     m_offsets.resize(n);
     m_first.resize(n - 1);
     m_second.resize(n - 2);
     std::uint64_t bend = 0;
     const std::uint64_t step = bits(values[1]) - bits(values[0]);
     for (std::size_t i = 0; i < n; ++i)
-        m_offsets[i] = bits(values[i]) - bits(minimum);
+        m_offsets[i] = zigZag(bits(values[i]) - base);
     for (std::size_t i = 1; i < n; ++i)
         m_first[i - 1] = zigZag(bits(values[i]) - bits(values[i - 1]));
     for (std::size_t i = 2; i < n; ++i) {
@@ -66,7 +70,7 @@ void ColumnEncoder::encodePlain(std::span<const std::int64_t> values, std::vecto
     const std::size_t secondBytes = packedSize(m_second);
     if (offsetBytes <= firstBytes && offsetBytes <= secondBytes) {
         appendMode(out, ColumnMode::offset);
-        appendSigned(out, bits(minimum));
+        appendSigned(out, base);
         packBlocks(m_offsets, out);
     } else if (firstBytes <= secondBytes) {
         appendMode(out, ColumnMode::difference);
@@ -89,8 +93,7 @@ bool ColumnEncoder::encode(std::span<const std::int64_t> values, bool tryZstd, s
     m_compressed.resize(ZSTD_compressBound(plain));
     const std::size_t size = ZSTD_compressCCtx(m_context->zstd.get(), m_compressed.data(), m_compressed.size(),
                                                out.data() + start, plain, kZstdLevel);
-    constexpr std::size_t kModeAndLength = 4;
-    if (ZSTD_isError(size) || size + kModeAndLength >= plain)
+    if (ZSTD_isError(size) || size + plain / 8 >= plain) // an eighth at least, or it is not worth the time of reading
         return false;
     out.resize(start);
     appendMode(out, ColumnMode::zstd);

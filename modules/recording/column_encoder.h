@@ -20,7 +20,7 @@ public:
 
     /// Appends the values in the smallest of the plain modes.
     void encodePlain(std::span<const std::int64_t> values, std::vector<std::uint8_t>& out);
-    /// As encodePlain, then zstd in its place if that is smaller (tried only if `tryZstd`). True if zstd was smaller.
+    /// As encodePlain, then zstd in its place if that saves an eighth (tried only if `tryZstd`). True if it did.
     bool encode(std::span<const std::int64_t> values, bool tryZstd, std::vector<std::uint8_t>& out);
 
 private:

@@ -46,25 +46,47 @@ Digest payloadDigestOf(const Chunk& chunk) {
     return hash.finish();
 }
 
+namespace {
+constexpr std::size_t kWrenchParts = 6;
+constexpr std::size_t kMostBytes = sizeof(std::uint16_t) + 2 * kWrenchParts * sizeof(double);
+
+/// One tool's two wrenches in the form that is hashed; returns the bytes written, at most kMostBytes.
+std::size_t writeWrenches(const core::ToolFrame& tool, std::uint8_t* out) noexcept {
+    std::uint16_t mask = 0;
+    std::size_t at = sizeof(mask);
+    const auto put = [&](std::uint64_t value, bool listed, std::size_t bit) { // no branch: contact comes and goes
+        std::memcpy(out + at, &value, sizeof(value));
+        at += listed ? sizeof(value) : 0;
+        mask = static_cast<std::uint16_t>(mask | (listed ? 1u << bit : 0u));
+    };
+    for (std::size_t i = 0; i < kWrenchParts; ++i) {
+        const auto bits = std::bit_cast<std::uint64_t>(tool.tissue[i]);
+        put(bits, bits != 0, i);
+    }
+    for (std::size_t i = 0; i < kWrenchParts; ++i) {
+        const auto bits = std::bit_cast<std::uint64_t>(tool.commanded[i]);
+        put(bits, bits != std::bit_cast<std::uint64_t>(tool.tissue[i]), kWrenchParts + i);
+    }
+    std::memcpy(out, &mask, sizeof(mask));
+    return at;
+}
+} // namespace
+
 Digest forceHashOf(std::span<const core::HapticFrame> frames) {
     chooseVariant();
     Blake2b hash;
-    std::array<core::Array6, 64> buffer; // a few blocks at once: the state is entered less often
+    std::array<std::uint8_t, 4096> buffer;
     std::size_t filled = 0;
-    const auto flush = [&] {
-        hash.add(buffer.data(), filled * sizeof(core::Array6));
-        filled = 0;
-    };
     for (const core::HapticFrame& frame : frames) {
-        const auto tools = std::min<std::size_t>(frame.tools, core::kMaxTools);
-        if (filled + 2 * tools > buffer.size())
-            flush();
-        for (std::size_t t = 0; t < tools; ++t) {
-            buffer[filled++] = frame.tool[t].tissue;
-            buffer[filled++] = frame.tool[t].commanded;
+        for (std::size_t t = 0; t < std::min<std::size_t>(frame.tools, core::kMaxTools); ++t) {
+            if (filled + kMostBytes + sizeof(double) > buffer.size()) {
+                hash.add(buffer.data(), filled);
+                filled = 0;
+            }
+            filled += writeWrenches(frame.tool[t], buffer.data() + filled);
         }
     }
-    flush();
+    hash.add(buffer.data(), filled);
     return hash.finish();
 }
 

@@ -3,6 +3,7 @@
 
 #include "recording/wrench_rounding.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>
@@ -96,6 +97,18 @@ void gatherReal(const FrameField& field, std::span<const HapticFrame> frames, st
 }
 
 template <class T>
+std::size_t scatterAs(std::size_t offset, std::span<const std::int64_t> values, std::span<HapticFrame> frames) noexcept {
+    std::size_t row = 0;
+    for (; row < values.size(); ++row) {
+        const T value = static_cast<T>(values[row]);
+        std::memcpy(reinterpret_cast<std::uint8_t*>(&frames[row]) + offset, &value, sizeof(T));
+        if (static_cast<std::int64_t>(value) != values[row])
+            break;
+    }
+    return row;
+}
+
+template <class T>
 bool putAs(std::size_t offset, std::int64_t count, HapticFrame& frame) noexcept {
     const T value = static_cast<T>(count);
     std::memcpy(reinterpret_cast<std::uint8_t*>(&frame) + offset, &value, sizeof(T));
@@ -132,6 +145,49 @@ void gather(const FrameField& field, std::span<const HapticFrame> frames, std::s
     case Type::unknown: break;
     }
     std::memset(values.data(), 0, values.size_bytes());
+}
+
+void gatherConstant(const FrameField& field, const HapticFrame& frame, std::span<std::int64_t> values) noexcept {
+    std::int64_t value = 0;
+    gather(field, {&frame, 1}, {&value, 1});
+    std::fill(values.begin(), values.end(), value);
+}
+
+void findChanges(std::span<const HapticFrame> frames, std::span<std::uint64_t> changes) noexcept {
+    std::array<std::uint64_t, sizeof(HapticFrame) / sizeof(std::uint64_t)> first;
+    std::memcpy(first.data(), &frames.front(), sizeof(first));
+    const std::size_t words = std::min(changes.size(), first.size());
+    for (const HapticFrame& frame : frames) {
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(&frame);
+        for (std::size_t w = 0; w < words; ++w) {
+            std::uint64_t word;
+            std::memcpy(&word, bytes + w * sizeof(word), sizeof(word));
+            changes[w] |= word ^ first[w];
+        }
+    }
+}
+
+std::size_t scatter(const FrameField& field, std::span<const std::int64_t> values,
+                    std::span<HapticFrame> frames) noexcept {
+    std::int64_t any = 0;
+    for (const std::int64_t v : values)
+        any |= v;
+    if (any == 0)
+        return values.size(); // zero already
+    switch (field.type) {
+    case Type::u8: return scatterAs<std::uint8_t>(field.offset, values, frames);
+    case Type::u16: return scatterAs<std::uint16_t>(field.offset, values, frames);
+    case Type::u32: return scatterAs<std::uint32_t>(field.offset, values, frames);
+    case Type::i32: return scatterAs<std::int32_t>(field.offset, values, frames);
+    case Type::u64: return scatterAs<std::uint64_t>(field.offset, values, frames);
+    case Type::i64: return scatterAs<std::int64_t>(field.offset, values, frames);
+    case Type::real:
+    case Type::unknown: break;
+    }
+    std::size_t row = 0;
+    while (row < values.size() && put(field, values[row], frames[row]))
+        ++row;
+    return row;
 }
 
 bool put(const FrameField& field, std::int64_t count, HapticFrame& frame) noexcept {

@@ -23,6 +23,15 @@ FrameField fieldOf(const Channel& channel) noexcept;
 
 /// Column of counts of one field over frames. values.size() == frames.size().
 void gather(const FrameField& field, std::span<const core::HapticFrame> frames, std::span<std::int64_t> values) noexcept;
+/// The same where the field has the value of `frame` in all of them.
+void gatherConstant(const FrameField& field, const core::HapticFrame& frame, std::span<std::int64_t> values) noexcept;
+/// ORs into changes[w] the bits in which the w-th 8-byte word of any frame differs from that of the first.
+void findChanges(std::span<const core::HapticFrame> frames, std::span<std::uint64_t> changes) noexcept;
+
+/// Puts a column into frames that are zero there. Returns the first row whose count does not fit the field (the
+/// recording is damaged), or values.size().
+std::size_t scatter(const FrameField& field, std::span<const std::int64_t> values,
+                    std::span<core::HapticFrame> frames) noexcept;
 /// Puts one count into a frame. False if it does not fit the field (the recording is damaged).
 bool put(const FrameField& field, std::int64_t count, core::HapticFrame& frame) noexcept;
 

@@ -5,16 +5,14 @@
 #include "recording/wrench_rounding.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace chiron::recording {
 
 using core::ErrorCode;
 
-RecordingReader::RecordingReader(ChunkSource& source, ChannelTable table, std::vector<ChunkInfo> index)
-    : m_source(&source), m_decoder(std::move(table)), m_index(std::move(index)), m_checked(m_index.size(), false) {
-    for (const ChunkInfo& info : m_index)
-        m_frames += info.frames;
-}
+RecordingReader::RecordingReader(ChunkSource& source, ChannelTable table)
+    : m_source(&source), m_decoder(std::move(table)), m_checked(source.chunkCount(), false) {}
 
 core::Result<RecordingReader> RecordingReader::open(ChunkSource& source) {
     const auto bytes = source.channelTable();
@@ -23,32 +21,20 @@ core::Result<RecordingReader> RecordingReader::open(ChunkSource& source) {
     auto table = ChannelTable::decode(*bytes);
     if (!table)
         return tl::make_unexpected(table.error());
-    auto index = source.index();
-    if (!index)
-        return tl::make_unexpected(index.error());
-    for (std::size_t i = 0; i < index->size(); ++i) {
-        const ChunkInfo& info = (*index)[i];
-        if (info.sequence != i)
-            return core::fail(ErrorCode::badInput, "recording: found chunk " + std::to_string(info.sequence) +
-                                                       ", expected chunk " + std::to_string(i));
-        if (i > 0 && info.firstTick <= (*index)[i - 1].firstTick)
-            return core::fail(ErrorCode::badInput, "recording: chunk " + std::to_string(i) + " begins at tick " +
-                                                       std::to_string(info.firstTick) + ", expected one after " +
-                                                       std::to_string((*index)[i - 1].firstTick));
-    }
-    return RecordingReader(source, std::move(*table), std::move(*index));
+    return RecordingReader(source, std::move(*table));
 }
 
 core::Result<Chunk> RecordingReader::checkedChunk(std::size_t sequence) {
-    if (sequence >= m_index.size())
-        return core::fail(ErrorCode::notFound, "chunk " + std::to_string(sequence) + " of " + std::to_string(m_index.size()));
+    if (sequence >= m_checked.size())
+        return core::fail(ErrorCode::notFound,
+                          "chunk " + std::to_string(sequence) + " of " + std::to_string(m_checked.size()));
     auto chunk = m_source->chunk(sequence);
     if (!chunk)
         return chunk;
-    const ChunkInfo& info = m_index[sequence];
-    if (chunk->sequence != info.sequence || chunk->firstTick != info.firstTick || chunk->frames != info.frames)
-        return core::fail(ErrorCode::doesNotHold,
-                          "chunk " + std::to_string(sequence) + ": its number, first tick or length is not that of the index");
+    if (chunk->sequence != sequence)
+        return core::fail(ErrorCode::doesNotHold, "chunk " + std::to_string(sequence) + ": found number " +
+                                                      std::to_string(chunk->sequence) + ", expected " +
+                                                      std::to_string(sequence));
     if (m_checked[sequence])
         return chunk;
     const Digest found = payloadDigestOf(*chunk);
@@ -71,7 +57,7 @@ core::Result<std::vector<core::HapticFrame>> RecordingReader::framesOf(std::size
 
 core::Result<std::vector<core::HapticFrame>> RecordingReader::allFrames() {
     std::vector<core::HapticFrame> all;
-    for (std::size_t i = 0; i < m_index.size(); ++i) {
+    for (std::size_t i = 0; i < m_checked.size(); ++i) {
         const auto chunk = checkedChunk(i);
         if (!chunk)
             return tl::make_unexpected(chunk.error());
@@ -81,15 +67,53 @@ core::Result<std::vector<core::HapticFrame>> RecordingReader::allFrames() {
     return all;
 }
 
+core::Result<std::uint64_t> RecordingReader::frameCount() {
+    std::uint64_t frames = 0;
+    for (std::size_t i = 0; i < m_checked.size(); ++i) {
+        const auto chunk = checkedChunk(i);
+        if (!chunk)
+            return tl::make_unexpected(chunk.error());
+        frames += chunk->frames;
+    }
+    return frames;
+}
+
+core::Result<std::uint64_t> RecordingReader::lastTickOf(const Chunk& chunk) {
+    const auto channel = table().find(kNoTool, "tick");
+    if (!channel)
+        return chunk.firstTick + (chunk.frames - 1);
+    m_ticks.clear();
+    if (auto decoded = m_decoder.decodeChannel(chunk, *channel, m_ticks); !decoded)
+        return tl::make_unexpected(decoded.error());
+    return static_cast<std::uint64_t>(m_ticks.back());
+}
+
 core::Result<core::HapticFrame> RecordingReader::frameAtTick(std::uint64_t tick) {
-    const auto after = std::upper_bound(m_index.begin(), m_index.end(), tick,
-                                        [](std::uint64_t t, const ChunkInfo& info) { return t < info.firstTick; });
-    if (after == m_index.begin())
-        return core::fail(ErrorCode::notFound, "tick " + std::to_string(tick) + " is before the recording");
-    const auto chunk = checkedChunk(static_cast<std::size_t>(after - m_index.begin()) - 1);
-    if (!chunk)
-        return tl::make_unexpected(chunk.error());
-    return m_decoder.decodeTick(*chunk, tick);
+    constexpr int kGuesses = 3; // chunks are alike, so the first or second is right; then by halves
+    std::size_t low = 0, high = m_checked.size();
+    std::size_t guess = 0;
+    for (int tries = 0; low < high; ++tries) {
+        const auto chunk = checkedChunk(guess);
+        if (!chunk)
+            return tl::make_unexpected(chunk.error());
+        if (tick < chunk->firstTick) {
+            high = guess;
+        } else {
+            const auto last = lastTickOf(*chunk);
+            if (!last)
+                return tl::make_unexpected(last.error());
+            if (tick <= *last)
+                return m_decoder.decodeTick(*chunk, tick);
+            low = guess + 1;
+        }
+        if (low >= high)
+            break;
+        const auto away = (static_cast<double>(tick) - static_cast<double>(chunk->firstTick)) / chunk->frames;
+        const double aim = std::floor(static_cast<double>(guess) + away);
+        guess = tries < kGuesses ? static_cast<std::size_t>(std::clamp(aim, static_cast<double>(low), static_cast<double>(high - 1)))
+                                 : low + (high - low) / 2;
+    }
+    return core::fail(ErrorCode::notFound, "tick " + std::to_string(tick) + " is not in the recording");
 }
 
 core::Result<std::vector<std::int64_t>> RecordingReader::channelCounts(std::uint8_t tool, std::string_view id) {
@@ -98,7 +122,7 @@ core::Result<std::vector<std::int64_t>> RecordingReader::channelCounts(std::uint
         return core::fail(ErrorCode::notFound, "recording: tool " + std::to_string(tool) + " has no channel \"" +
                                                    std::string(id) + "\"");
     std::vector<std::int64_t> counts;
-    for (std::size_t i = 0; i < m_index.size(); ++i) {
+    for (std::size_t i = 0; i < m_checked.size(); ++i) {
         const auto chunk = checkedChunk(i);
         if (!chunk)
             return tl::make_unexpected(chunk.error());
@@ -129,10 +153,19 @@ core::Result<Digest> RecordingReader::forceHash(std::size_t sequence) {
 }
 
 core::Result<void> RecordingReader::verify() {
-    for (std::size_t i = 0; i < m_index.size(); ++i) {
+    std::uint64_t next = 0;
+    for (std::size_t i = 0; i < m_checked.size(); ++i) {
         m_checked[i] = false; // the source may have changed since
-        if (const auto frames = framesOf(i); !frames)
+        const auto frames = framesOf(i);
+        if (!frames)
             return tl::make_unexpected(frames.error());
+        for (const core::HapticFrame& frame : *frames) {
+            if (frame.header.index < next)
+                return core::fail(ErrorCode::doesNotHold, "chunk " + std::to_string(i) + ": tick " +
+                                                              std::to_string(frame.header.index) + ", expected at least " +
+                                                              std::to_string(next));
+            next = frame.header.index + 1;
+        }
     }
     return {};
 }

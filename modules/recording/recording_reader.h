@@ -18,19 +18,20 @@ namespace chiron::recording {
 /// Move-only, one thread at a time, blocks on the source.
 class RecordingReader {
 public:
-    /// Reads table and index. Errors: badInput (table, gaps in sequence), the source's own.
+    /// Reads the table only, so that opening costs the same for any length. Errors: badInput (table), the source's own.
     static core::Result<RecordingReader> open(ChunkSource& source);
 
     const ChannelTable& table() const noexcept { return m_decoder.table(); }
     int tools() const noexcept { return table().tools(); }
-    std::uint64_t frameCount() const noexcept { return m_frames; }
-    std::size_t chunkCount() const noexcept { return m_index.size(); }
-    const ChunkInfo& chunkInfo(std::size_t sequence) const { return m_index[sequence]; }
+    std::size_t chunkCount() const noexcept { return m_checked.size(); }
+    /// Walks all chunks without decoding them.
+    core::Result<std::uint64_t> frameCount();
 
     /// Frames of one chunk, in order: the way to iterate without holding a whole session.
     core::Result<std::vector<core::HapticFrame>> framesOf(std::size_t sequence);
     core::Result<std::vector<core::HapticFrame>> allFrames();
-    /// Random access by executed tick: decodes the one chunk that holds it. Error: notFound.
+    /// Random access by executed tick: the chunk is guessed from the length of its neighbours, then searched; only the
+    /// one that holds the tick is decoded. Error: notFound.
     core::Result<core::HapticFrame> frameAtTick(std::uint64_t tick);
 
     /// One channel over the whole recording without the rest, as counts. Error: notFound if the table has none such.
@@ -40,18 +41,18 @@ public:
 
     /// Hash of the unrounded forces of a chunk as recorded: what a replay compares (forceHashOf).
     core::Result<Digest> forceHash(std::size_t sequence);
-    /// Checks the digest and the decoding of every chunk. Error: the first that does not hold.
+    /// Checks the digest and the decoding of every chunk, and that ticks rise. Error: the first that does not hold.
     core::Result<void> verify();
 
 private:
-    RecordingReader(ChunkSource& source, ChannelTable table, std::vector<ChunkInfo> index);
+    RecordingReader(ChunkSource& source, ChannelTable table);
     core::Result<Chunk> checkedChunk(std::size_t sequence);
+    core::Result<std::uint64_t> lastTickOf(const Chunk& chunk);
 
     ChunkSource* m_source;
     ChunkDecoder m_decoder;
-    std::vector<ChunkInfo> m_index;
-    std::vector<bool> m_checked;
-    std::uint64_t m_frames = 0;
+    std::vector<bool> m_checked; ///< a chunk: its digest was found right
+    std::vector<std::int64_t> m_ticks;
 };
 
 } // namespace chiron::recording

@@ -44,13 +44,6 @@ public:
     virtual core::Result<void> write(std::span<const Chunk> chunks, std::span<const SecondSummary> summaries) = 0;
 };
 
-/// What is known of a chunk without its payload.
-struct ChunkInfo {
-    std::uint32_t sequence = 0;
-    std::uint64_t firstTick = 0;
-    std::uint32_t frames = 0;
-};
-
 /// Where chunks come from: a stored session, a bundle, memory.
 class ChunkSource {
 public:
@@ -58,17 +51,6 @@ public:
     virtual core::Result<std::vector<std::uint8_t>> channelTable() = 0; ///< encoded (channel_table.h)
     virtual std::size_t chunkCount() const = 0;
     virtual core::Result<Chunk> chunk(std::size_t sequence) = 0; ///< digest is checked by the reader, not here
-    /// All chunks in sequence order, without payloads. The default reads every chunk: sources that can, do better.
-    virtual core::Result<std::vector<ChunkInfo>> index() {
-        std::vector<ChunkInfo> infos;
-        for (std::size_t i = 0; i < chunkCount(); ++i) {
-            const auto one = chunk(i);
-            if (!one)
-                return tl::make_unexpected(one.error());
-            infos.push_back({one->sequence, one->firstTick, one->frames});
-        }
-        return infos;
-    }
 };
 
 } // namespace chiron::recording

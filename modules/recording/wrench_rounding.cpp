@@ -13,10 +13,7 @@ double stepsPerUnit(double resolution) noexcept {
     return std::abs(steps - whole) <= 1e-9 * whole ? whole : steps;
 }
 
-std::int64_t quantise(double value, double stepsPerUnit) noexcept {
-    const double steps = value * stepsPerUnit;
-    if (std::abs(steps) <= static_cast<double>(kMaximumQuantum)) [[likely]]
-        return std::lrint(steps);
+std::int64_t quantiseOutOfRange(double value) noexcept {
     if (std::isnan(value))
         return kNaNQuantum;
     if (std::isinf(value))
@@ -24,9 +21,7 @@ std::int64_t quantise(double value, double stepsPerUnit) noexcept {
     return value > 0 ? kMaximumQuantum : -kMaximumQuantum;
 }
 
-double dequantise(std::int64_t count, double stepsPerUnit) noexcept {
-    if (count >= -kMaximumQuantum && count <= kMaximumQuantum) [[likely]]
-        return static_cast<double>(count) / stepsPerUnit;
+double dequantiseCode(std::int64_t count) noexcept {
     if (count == kInfinityQuantum)
         return std::numeric_limits<double>::infinity();
     if (count == -kInfinityQuantum)

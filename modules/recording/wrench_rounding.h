@@ -3,6 +3,7 @@
 
 #include "core/haptic_frame.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace chiron::recording {
@@ -20,11 +21,26 @@ inline constexpr std::int64_t kInfinityQuantum = kMaximumQuantum + 1; ///< ± st
 /// so that a stored value equals the double nearest to its decimal text.
 double stepsPerUnit(double resolution) noexcept;
 
+/// What quantise() gives where `steps` = value · stepsPerUnit is no number within ±kMaximumQuantum.
+std::int64_t quantiseOutOfRange(double value) noexcept;
+
+/// NaN or ± infinity for their codes; NaN for anything else.
+double dequantiseCode(std::int64_t count) noexcept;
+
 /// Nearest step, ties to even (the mode that models run in); finite values saturate at ±kMaximumQuantum, NaN and infinities get their codes.
 /// Defined for every double.
-std::int64_t quantise(double value, double stepsPerUnit) noexcept;
+inline std::int64_t quantise(double value, double stepsPerUnit) noexcept {
+    const double steps = value * stepsPerUnit;
+    if (std::abs(steps) <= static_cast<double>(kMaximumQuantum)) [[likely]]
+        return std::lrint(steps);
+    return quantiseOutOfRange(value);
+}
 /// The double that a stored count stands for: count / stepsPerUnit; codes give NaN and ± infinity back.
-double dequantise(std::int64_t count, double stepsPerUnit) noexcept;
+inline double dequantise(std::int64_t count, double stepsPerUnit) noexcept {
+    if (count >= -kMaximumQuantum && count <= kMaximumQuantum) [[likely]]
+        return static_cast<double>(count) / stepsPerUnit;
+    return dequantiseCode(count);
+}
 
 /// Force parts at 1 mN, torque parts at 0.01 mN·m: exactly what a reader of the recording gets.
 core::Array6 roundedWrench(const core::Array6& wrench) noexcept;

@@ -20,6 +20,7 @@ using namespace chiron::recording;
 using namespace chiron::bench;
 
 namespace {
+constexpr const char* kRingFolder = "/dev/shm";
 constexpr int kRepeats = 7;
 constexpr std::size_t kMinute = 60'000;
 constexpr std::size_t kTenMinutes = 600'000;
@@ -43,24 +44,25 @@ void removeAll(const std::filesystem::path& file) {
         std::filesystem::remove(file.string() + suffix);
 }
 
-/// As in a session: pushes (not counted) 20 frames, then one drain (counted).
+/// As in a session: 20 frames into the ring, then one drain; the pushes count too.
 double recordThroughRing(std::span<const core::HapticFrame> frames, TrialSink& sink, const ChannelTable& table,
-                         const std::filesystem::path& folder) {
+                         const std::filesystem::path& ringFolder) {
     const Position position;
     Recorder recorder(table, position, sink, {});
     RingSettings settings;
-    settings.folder = folder;
+    settings.folder = ringFolder;
     auto ring = CrashRing::create(settings);
     if (!ring)
         return 0.0;
     FrameDrain drain(**ring, recorder);
-    double spent = 0.0;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        (*ring)->tryPush(frames[i]);
-        if (i % 20 == 19)
-            spent += cpuSeconds([&] { static_cast<void>(drain.drain(frames[i].header.now_ns)); });
-    }
-    spent += cpuSeconds([&] { static_cast<void>(drain.finish()); });
+    const double spent = cpuSeconds([&] {
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            (*ring)->tryPush(frames[i]);
+            if (i % 20 == 19)
+                static_cast<void>(drain.drain(frames[i].header.now_ns));
+        }
+        static_cast<void>(drain.finish());
+    });
     static_cast<void>((*ring)->remove());
     return spent;
 }
@@ -81,32 +83,32 @@ void benchWriting(const std::filesystem::path& folder, std::span<const core::Hap
         rowBytes = static_cast<double>(sizeOf(folder / "rows.db"));
         {
             SqliteChunks ours(folder / "chunks.db", table.encode());
-            chunks.push_back(perSecond * recordThroughRing(frames, ours, table, folder));
+            chunks.push_back(perSecond * recordThroughRing(frames, ours, table, kRingFolder));
             ours.finish();
         }
         chunkBytes = static_cast<double>(sizeOf(folder / "chunks.db"));
         MemoryChunkStore memory(table.encode());
-        encode.push_back(perSecond * recordThroughRing(frames, memory, table, folder));
+        encode.push_back(perSecond * recordThroughRing(frames, memory, table, kRingFolder));
         payloadBytes = 0;
         for (const Chunk& c : memory.chunks())
             payloadBytes += static_cast<double>(c.payload.size() + 2 * sizeof(Digest));
         if (Hdf5Table::available())
             hdf5.push_back(perSecond * cpuSeconds([&] { Hdf5Table::write(folder / "table.h5", frames); }));
     }
-    report("drain, encode, sum, hash | rows", "us/s", rows, encode, "goal >= 10");
+    report("push, drain, encode, sum, hash | rows", "us/s", rows, encode, "goal >= 10");
     report("the same and store in SQLite, 5 commits a second | rows", "us/s", rows, chunks, "");
     report("bytes a minute, chunks with digests | rows file", "MB", {rowBytes * 1e-6}, {payloadBytes * 1e-6}, "goal >= 18");
     report("bytes a minute, file | rows file", "MB", {rowBytes * 1e-6}, {chunkBytes * 1e-6}, "");
     if (!Hdf5Table::available())
         return void(std::printf("HDF5: not measured\n"));
     hdf5Bytes = static_cast<double>(sizeOf(folder / "table.h5"));
-    report("drain, encode, sum, hash | HDF5 (doubles, deflate 1)", "us/s", hdf5, encode, "");
+    report("push, drain, encode, sum, hash | HDF5 (doubles, deflate 1)", "us/s", hdf5, encode, "");
     report("bytes a minute, chunks with digests | HDF5", "MB", {hdf5Bytes * 1e-6}, {payloadBytes * 1e-6}, "");
 }
 
 double readSecond(RecordingReader& reader, std::uint64_t tick) {
     double sum = 0.0;
-    for (std::size_t chunk = tick / 200; chunk < reader.chunkCount() && reader.chunkInfo(chunk).firstTick < tick + 1000; ++chunk) {
+    for (std::size_t chunk = tick / 200; chunk < reader.chunkCount() && chunk * 200 < tick + 1000; ++chunk) {
         const auto frames = reader.framesOf(chunk);
         for (const core::HapticFrame& frame : *frames)
             sum += frame.tool[0].tissue[2];
@@ -159,14 +161,14 @@ void benchReading(const std::filesystem::path& folder, std::size_t frames, const
     }
 }
 
-void benchRing(const std::filesystem::path& folder, std::span<const core::HapticFrame> frames) {
+void benchRing(std::span<const core::HapticFrame> frames) {
     constexpr std::size_t kPushes = 4000;
     std::vector<double> locked, ours;
     std::mutex mutex;
     std::vector<core::HapticFrame> queue(kPushes);
     for (int r = 0; r < kRepeats * 5; ++r) {
         RingSettings settings;
-        settings.folder = folder;
+        settings.folder = kRingFolder;
         auto ring = CrashRing::create(settings);
         locked.push_back(1e9 / kPushes * cpuSeconds([&] {
             for (std::size_t i = 0; i < kPushes; ++i) {
@@ -185,12 +187,12 @@ void benchRing(const std::filesystem::path& folder, std::span<const core::Haptic
 } // namespace
 
 int main(int argc, char** argv) {
-    const std::filesystem::path folder = std::filesystem::path(argc > 1 ? argv[1] : "/dev/shm") / "chiron-bench-recording";
+    const std::filesystem::path folder = std::filesystem::path(argc > 1 ? argv[1] : ".") / "chiron-bench-recording";
     std::filesystem::create_directories(folder);
     const auto table = ChannelTable::forTools(tests::HapticTrace::channels(1));
     const auto frames = tests::HapticTrace(11).take(kTenMinutes);
     std::printf("%-58s %10s %10s %-10s %8s\n", "work | peer", "peer", "ours", "unit", "ratio");
-    benchRing(folder, frames);
+    benchRing(frames);
     benchWriting(folder, std::span(frames).first(kMinute), *table);
     removeAll(folder / "rows.db");
     removeAll(folder / "chunks.db");
@@ -200,7 +202,7 @@ int main(int argc, char** argv) {
             rows.append(frame);
         rows.finish();
         SqliteChunks chunks(folder / "chunks.db", table->encode());
-        recordThroughRing(frames, chunks, *table, folder);
+        recordThroughRing(frames, chunks, *table, kRingFolder);
         chunks.finish();
         if (Hdf5Table::available())
             Hdf5Table::write(folder / "table.h5", frames);

@@ -17,7 +17,7 @@ SqliteChunks::SqliteChunks(const std::filesystem::path& file, std::vector<std::u
                " mean REAL, impulse REAL, over REAL, events INTEGER, PRIMARY KEY(tool, second)) WITHOUT ROWID");
     sqlite3_prepare_v2(m_database, "INSERT INTO chunk VALUES(?,?,?,?,?,?)", -1, &m_insert, nullptr);
     sqlite3_prepare_v2(m_database, "INSERT OR REPLACE INTO second VALUES(?,?,?,?,?,?,?,?,?)", -1, &m_summary, nullptr);
-    sqlite3_prepare_v2(m_database, "SELECT first_tick, frames, digest, force_hash, payload FROM chunk WHERE sequence = ?", -1,
+    sqlite3_prepare_v2(m_database, "SELECT first_tick, frames, digest, force_hash, payload FROM chunk WHERE sequence >= ? ORDER BY sequence", -1,
                        &m_select, nullptr);
 }
 
@@ -59,7 +59,7 @@ core::Result<void> SqliteChunks::write(std::span<const recording::Chunk> chunks,
 
 std::size_t SqliteChunks::chunkCount() const {
     sqlite3_stmt* count = nullptr;
-    sqlite3_prepare_v2(m_database, "SELECT count(*) FROM chunk", -1, &count, nullptr);
+    sqlite3_prepare_v2(m_database, "SELECT coalesce(max(sequence) + 1, 0) FROM chunk", -1, &count, nullptr);
     sqlite3_step(count);
     const auto chunks = static_cast<std::size_t>(sqlite3_column_int64(count, 0));
     sqlite3_finalize(count);
@@ -67,8 +67,11 @@ std::size_t SqliteChunks::chunkCount() const {
 }
 
 core::Result<recording::Chunk> SqliteChunks::chunk(std::size_t sequence) {
-    sqlite3_reset(m_select);
-    sqlite3_bind_int64(m_select, 1, static_cast<sqlite3_int64>(sequence));
+    if (sequence != m_expected || sequence == 0) { // one after the other is one statement
+        sqlite3_reset(m_select);
+        sqlite3_bind_int64(m_select, 1, static_cast<sqlite3_int64>(sequence));
+    }
+    m_expected = sequence + 1;
     if (sqlite3_step(m_select) != SQLITE_ROW)
         return core::fail(core::ErrorCode::notFound, "chunk " + std::to_string(sequence));
     recording::Chunk c;
@@ -79,20 +82,7 @@ core::Result<recording::Chunk> SqliteChunks::chunk(std::size_t sequence) {
     std::memcpy(c.forceHash.data(), sqlite3_column_blob(m_select, 3), c.forceHash.size());
     const auto* bytes = static_cast<const std::uint8_t*>(sqlite3_column_blob(m_select, 4));
     c.payload.assign(bytes, bytes + sqlite3_column_bytes(m_select, 4));
-    sqlite3_reset(m_select);
     return c;
-}
-
-core::Result<std::vector<recording::ChunkInfo>> SqliteChunks::index() {
-    sqlite3_stmt* select = nullptr;
-    sqlite3_prepare_v2(m_database, "SELECT sequence, first_tick, frames FROM chunk ORDER BY sequence", -1, &select, nullptr);
-    std::vector<recording::ChunkInfo> infos;
-    while (sqlite3_step(select) == SQLITE_ROW)
-        infos.push_back({static_cast<std::uint32_t>(sqlite3_column_int64(select, 0)),
-                         static_cast<std::uint64_t>(sqlite3_column_int64(select, 1)),
-                         static_cast<std::uint32_t>(sqlite3_column_int64(select, 2))});
-    sqlite3_finalize(select);
-    return infos;
 }
 
 void SqliteChunks::finish() { sqliteExec(m_database, "PRAGMA wal_checkpoint(TRUNCATE)"); }

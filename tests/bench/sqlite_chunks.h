@@ -23,7 +23,6 @@ public:
     core::Result<std::vector<std::uint8_t>> channelTable() override { return m_table; }
     std::size_t chunkCount() const override;
     core::Result<recording::Chunk> chunk(std::size_t sequence) override;
-    core::Result<std::vector<recording::ChunkInfo>> index() override;
     void finish();
 
 private:
@@ -31,6 +30,7 @@ private:
     sqlite3_stmt* m_insert = nullptr;
     sqlite3_stmt* m_summary = nullptr;
     sqlite3_stmt* m_select = nullptr;
+    std::size_t m_expected = 0; ///< sequence of the row that the next step of m_select gives
     std::vector<std::uint8_t> m_table;
 };
 

@@ -16,9 +16,12 @@ void sqliteExec(sqlite3* database, const char* sql) {
 
 std::array<double, kRowChannels> rowOf(const core::HapticFrame& frame) {
     const core::ToolFrame& tool = frame.tool[0];
-    std::array<double, kRowChannels> row{static_cast<double>(frame.header.now_ns), static_cast<double>(tool.deviceTime_us),
-                                         static_cast<double>(tool.counts[0]),      static_cast<double>(tool.counts[1]),
-                                         static_cast<double>(tool.counts[2]),      static_cast<double>(tool.counts[3])};
+    std::array<double, kRowChannels> row{1e-9 * static_cast<double>(frame.header.now_ns),
+                                         1e-6 * static_cast<double>(tool.deviceTime_us),
+                                         1e-5 * tool.counts[0],
+                                         1e-5 * tool.counts[1],
+                                         1e-5 * tool.counts[2],
+                                         1e-4 * tool.counts[3]};
     for (std::size_t i = 0; i < 6; ++i) {
         row[6 + i] = tool.tissue[i];
         row[12 + i] = tool.commanded[i];

@@ -11,7 +11,8 @@
 namespace chiron::bench {
 
 inline constexpr std::size_t kRowChannels = 24;
-/// One frame as 24 numbers: clock, device time, four coordinates, three wrenches of six components.
+/// One frame as 24 numbers: clock and device time (s), four coordinates (m, rad), three wrenches of
+/// six components (N, N·m).
 std::array<double, kRowChannels> rowOf(const core::HapticFrame& frame);
 
 /// The peer: one SQLite row of 24 REAL columns a sample, prepared statements, a transaction a second, WAL and

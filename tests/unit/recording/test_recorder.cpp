@@ -355,7 +355,7 @@ void TestRecorder::ringToStoreLosesNothing() {
     QVERIFY2(oldest_ns <= 250'000'000, "data.md: at most 250 ms until committed");
     QVERIFY(drain.finish());
     QCOMPARE(drain.lost(), std::uint64_t{0});
-    QCOMPARE(RecordingReader::open(f.store)->frameCount(), std::uint64_t{6000});
+    QCOMPARE(*RecordingReader::open(f.store)->frameCount(), std::uint64_t{6000});
 }
 
 void TestRecorder::fullSinkFillsTheRingAndIsReported() {
@@ -375,7 +375,7 @@ void TestRecorder::fullSinkFillsTheRingAndIsReported() {
     QCOMPARE(drain.lost(), std::uint64_t{5000 - 4096});
     f.sink.full = false;
     QVERIFY(drain.finish());
-    QCOMPARE(RecordingReader::open(f.store)->frameCount(), kept);
+    QCOMPARE(*RecordingReader::open(f.store)->frameCount(), kept);
     QVERIFY(crashRing->hasRoom());
 }
 
