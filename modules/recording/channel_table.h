@@ -40,7 +40,7 @@ struct Channel {
     std::string frame;       ///< frame that the value is expressed in ("W", "D"), empty if it has none
     ChannelKind kind = ChannelKind::lossless;
     std::uint8_t slot = 0;              ///< coordinate number of an "axis." channel
-    int reference = kNoReference;       ///< stored as value − factor · value of this earlier channel, if there is one
+    int reference = kNoReference;       ///< a column may hold value − factor · value of this earlier channel
     std::int64_t factor = 0;
 };
 

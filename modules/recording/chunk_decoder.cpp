@@ -57,11 +57,17 @@ core::Result<void> ChunkDecoder::openPayload(const Chunk& chunk) {
 core::Result<void> ChunkDecoder::decodeColumn(const Chunk& chunk, std::size_t channel, std::span<std::int64_t> values) {
     const std::size_t start = m_offsets[channel];
     const auto bytes = std::span(chunk.payload).subspan(start, m_offsets[channel + 1] - start);
+    if (refers(chunk, channel) && m_table.channels()[channel].reference == kNoReference)
+        return flaw(chunk, start, "expected channel \"" + m_table.channels()[channel].id + "\" to stand alone");
     if (auto decoded = m_decoder->decode(bytes, start, values); !decoded)
         return core::fail(decoded.error().code, "chunk " + std::to_string(chunk.sequence) + ", channel \"" +
                                                     m_table.channels()[channel].id + "\", payload " +
                                                     decoded.error().message);
     return {};
+}
+
+bool ChunkDecoder::refers(const Chunk& chunk, std::size_t channel) const noexcept {
+    return m_offsets[channel + 1] > m_offsets[channel] && (chunk.payload[m_offsets[channel]] & kReferred) != 0;
 }
 
 void ChunkDecoder::addReference(std::size_t channel, std::span<const std::int64_t> reference,
@@ -82,9 +88,8 @@ core::Result<void> ChunkDecoder::decodeAll(const Chunk& chunk) {
         const auto values = all.subspan(c * n, n);
         if (auto decoded = decodeColumn(chunk, c, values); !decoded)
             return decoded;
-        const int reference = m_table.channels()[c].reference;
-        if (reference != kNoReference)
-            addReference(c, all.subspan(static_cast<std::size_t>(reference) * n, n), values);
+        if (refers(chunk, c))
+            addReference(c, all.subspan(static_cast<std::size_t>(m_table.channels()[c].reference) * n, n), values);
     }
     if (m_tickChannel < m_fields.size() && static_cast<std::uint64_t>(m_values[m_tickChannel * n]) != chunk.firstTick)
         return flaw(chunk, m_offsets[m_tickChannel], "expected first tick " + std::to_string(chunk.firstTick));
@@ -148,10 +153,9 @@ core::Result<void> ChunkDecoder::decodeChannel(const Chunk& chunk, std::size_t c
     counts.resize(before + chunk.frames);
     const auto values = std::span(counts).subspan(before);
     auto decoded = decodeColumn(chunk, channel, values);
-    const int reference = m_table.channels()[channel].reference;
-    if (decoded && reference != kNoReference) {
+    if (decoded && refers(chunk, channel)) {
         m_reference.resize(chunk.frames);
-        decoded = decodeColumn(chunk, static_cast<std::size_t>(reference), m_reference);
+        decoded = decodeColumn(chunk, static_cast<std::size_t>(m_table.channels()[channel].reference), m_reference);
         if (decoded)
             addReference(channel, m_reference, values);
     }

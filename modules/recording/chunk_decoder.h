@@ -36,6 +36,7 @@ public:
 private:
     core::Result<void> openPayload(const Chunk& chunk);
     core::Result<void> decodeColumn(const Chunk& chunk, std::size_t channel, std::span<std::int64_t> values);
+    bool refers(const Chunk& chunk, std::size_t channel) const noexcept;
     void addReference(std::size_t channel, std::span<const std::int64_t> reference, std::span<std::int64_t> values) const;
     core::Result<void> decodeAll(const Chunk& chunk);
     core::Result<void> misfit(const Chunk& chunk, std::size_t channel, std::size_t row) const;

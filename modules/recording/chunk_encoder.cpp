@@ -49,7 +49,9 @@ core::Result<Chunk> ChunkEncoder::encode(std::uint32_t sequence, std::span<const
     for (std::size_t c = 0; c < channels; ++c) {
         const std::size_t start = m_columns.size();
         const bool tryZstd = sequence % kProbeEvery == 0 || m_zstdHelps[c];
-        const bool helped = m_encoder->encode(valuesOf(c, n), tryZstd, m_columns);
+        const bool referred = m_table.channels()[c].reference != kNoReference && changes(c);
+        const bool helped = m_encoder->encode(referred ? residualOf(c, n) : countsOf(c, n), tryZstd, m_columns);
+        m_columns[start] |= referred ? kReferred : 0;
         if (tryZstd)
             m_zstdHelps[c] = helped;
         appendVarint(chunk.payload, m_columns.size() - start);
@@ -71,7 +73,7 @@ void ChunkEncoder::gatherAll(std::span<const core::HapticFrame> frames) {
         const auto some = frames.subspan(i, std::min(kFramesAtOnce, n - i));
         for (std::size_t c = 0; c < m_fields.size(); ++c) {
             const auto values = std::span(m_counts).subspan(c * n + i, some.size());
-            if (m_changes[m_fields[c].offset / sizeof(std::uint64_t)] != 0)
+            if (changes(c))
                 gather(m_fields[c], some, values);
             else
                 gatherConstant(m_fields[c], some.front(), values);
@@ -79,13 +81,18 @@ void ChunkEncoder::gatherAll(std::span<const core::HapticFrame> frames) {
     }
 }
 
-std::span<const std::int64_t> ChunkEncoder::valuesOf(std::size_t channel, std::size_t frames) {
+bool ChunkEncoder::changes(std::size_t channel) const noexcept {
+    return m_changes[m_fields[channel].offset / sizeof(std::uint64_t)] != 0;
+}
+
+std::span<const std::int64_t> ChunkEncoder::countsOf(std::size_t channel, std::size_t frames) const noexcept {
+    return std::span<const std::int64_t>(m_counts).subspan(channel * frames, frames);
+}
+
+std::span<const std::int64_t> ChunkEncoder::residualOf(std::size_t channel, std::size_t frames) {
     const Channel& about = m_table.channels()[channel];
-    const auto values = std::span<const std::int64_t>(m_counts).subspan(channel * frames, frames);
-    if (about.reference == kNoReference)
-        return values;
-    const auto base =
-        std::span<const std::int64_t>(m_counts).subspan(static_cast<std::size_t>(about.reference) * frames, frames);
+    const auto values = countsOf(channel, frames);
+    const auto base = countsOf(static_cast<std::size_t>(about.reference), frames);
     m_residual.resize(frames);
     const auto factor = static_cast<std::uint64_t>(about.factor);
     for (std::size_t i = 0; i < frames; ++i)

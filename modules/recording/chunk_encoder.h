@@ -32,7 +32,9 @@ public:
 
 private:
     void gatherAll(std::span<const core::HapticFrame> frames);
-    std::span<const std::int64_t> valuesOf(std::size_t channel, std::size_t frames);
+    bool changes(std::size_t channel) const noexcept;
+    std::span<const std::int64_t> countsOf(std::size_t channel, std::size_t frames) const noexcept;
+    std::span<const std::int64_t> residualOf(std::size_t channel, std::size_t frames);
 
     ChannelTable m_table;
     std::vector<FrameField> m_fields;

@@ -58,12 +58,14 @@ ColumnDecoder::~ColumnDecoder() = default;
 
 core::Result<void> ColumnDecoder::decode(std::span<const std::uint8_t> bytes, std::size_t offset,
                                          std::span<std::int64_t> values) {
-    if (!bytes.empty() && bytes[0] == static_cast<std::uint8_t>(ColumnMode::zstd)) {
-        if (const auto inflated = inflate(bytes, offset, values.size()); !inflated)
-            return inflated;
-        return decodePlain(m_plain, offset, values);
-    }
-    return decodePlain(bytes, offset, values);
+    if (bytes.empty())
+        return flaw(offset, "a column");
+    const auto mode = static_cast<std::uint8_t>(bytes[0] & ~kReferred);
+    if (mode != static_cast<std::uint8_t>(ColumnMode::zstd))
+        return decodePlain(mode, bytes, offset, values);
+    if (const auto inflated = inflate(bytes, offset, values.size()); !inflated)
+        return inflated;
+    return decodePlain(m_plain[0], m_plain, offset, values);
 }
 
 core::Result<void> ColumnDecoder::inflate(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t values) {
@@ -86,13 +88,13 @@ core::Result<void> ColumnDecoder::inflate(std::span<const std::uint8_t> bytes, s
     return {};
 }
 
-core::Result<void> ColumnDecoder::decodePlain(std::span<const std::uint8_t> bytes, std::size_t offset,
-                                              std::span<std::int64_t> values) {
-    ByteCursor in(bytes);
-    const auto modeByte = in.word<std::uint8_t>();
-    if (!modeByte || *modeByte > static_cast<std::uint8_t>(ColumnMode::secondDifference))
+core::Result<void> ColumnDecoder::decodePlain(std::uint8_t modeByte, std::span<const std::uint8_t> bytes,
+                                              std::size_t offset, std::span<std::int64_t> values) {
+    if (modeByte > static_cast<std::uint8_t>(ColumnMode::secondDifference))
         return flaw(offset, "a column mode 0..5");
-    const auto mode = static_cast<ColumnMode>(*modeByte);
+    ByteCursor in(bytes);
+    in.bytes(1);
+    const auto mode = static_cast<ColumnMode>(modeByte);
     const bool hasHead = mode != ColumnMode::zero;
     const bool hasStep = mode == ColumnMode::line || mode == ColumnMode::secondDifference;
     const auto head = hasHead ? in.varint() : std::optional<std::uint64_t>(0);

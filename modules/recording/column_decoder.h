@@ -20,11 +20,11 @@ public:
     ColumnDecoder& operator=(const ColumnDecoder&) = delete;
     ~ColumnDecoder();
 
-    /// Fills `values` (at least one); the column must end where `bytes` end. Offsets in messages count from `offset`.
+    /// Fills `values` (at least one) with what the column holds, whatever it refers to; the column must end where `bytes` end. Offsets in messages count from `offset`.
     core::Result<void> decode(std::span<const std::uint8_t> bytes, std::size_t offset, std::span<std::int64_t> values);
 
 private:
-    core::Result<void> decodePlain(std::span<const std::uint8_t> bytes, std::size_t offset,
+    core::Result<void> decodePlain(std::uint8_t mode, std::span<const std::uint8_t> bytes, std::size_t offset,
                                    std::span<std::int64_t> values);
     core::Result<void> inflate(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t values);
 

@@ -70,7 +70,7 @@ void addTool(std::vector<Channel>& out, std::uint8_t tool, const ToolChannels& i
     const std::size_t tissue = out.size();
     addWrench(out, tool, "tissue", std::nullopt);
     addWrench(out, tool, "commanded", tissue);
-    addWrench(out, tool, "measured", std::nullopt);
+    addWrench(out, tool, "measured", tissue); // a device follows what it is asked for
     out.push_back(quantised(tool, "display.normal_force", "N", kForceResolution_N, ""));
     out.push_back(quantised(tool, "display.pitch", "rad", kAngleResolution_rad, ""));
     out.push_back(quantised(tool, "display.roll", "rad", kAngleResolution_rad, ""));

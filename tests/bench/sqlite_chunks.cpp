@@ -10,7 +10,7 @@ namespace chiron::bench {
 SqliteChunks::SqliteChunks(const std::filesystem::path& file, std::vector<std::uint8_t> table) : m_table(std::move(table)) {
     sqlite3_open(file.c_str(), &m_database);
     sqliteExec(m_database,
-               "PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL;"
+               "PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA mmap_size=268435456;"
                "CREATE TABLE IF NOT EXISTS chunk(sequence INTEGER PRIMARY KEY, first_tick INTEGER, frames INTEGER,"
                " digest BLOB, force_hash BLOB, payload BLOB);"
                "CREATE TABLE IF NOT EXISTS second(tool INTEGER, second INTEGER, frames INTEGER, path REAL, maximum REAL,"

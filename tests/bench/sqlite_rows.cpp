@@ -32,7 +32,7 @@ std::array<double, kRowChannels> rowOf(const core::HapticFrame& frame) {
 
 SqliteRows::SqliteRows(const std::filesystem::path& file) {
     sqlite3_open(file.c_str(), &m_database);
-    sqliteExec(m_database, "PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL");
+    sqliteExec(m_database, "PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA mmap_size=268435456");
     std::string create = "CREATE TABLE IF NOT EXISTS sample(tick INTEGER PRIMARY KEY";
     std::string insert = "INSERT INTO sample VALUES(?";
     for (std::size_t i = 0; i < kRowChannels; ++i) {
