@@ -18,8 +18,9 @@ enum class ActorKind : std::uint8_t {
     person,      ///< somebody who logged in
 };
 
-/// On whose behalf something is done. A person's actor can only come from a login; what it may do is looked up in the
-/// database at every call (roles, enabled, password to be changed), so a disabled account stops at once. A value.
+/// On whose behalf something is done. A person's actor can only come from a login; what it may do is looked
+/// up in the database at every call (roles, enabled, password to be changed), so a disabled account stops at
+/// once. A value.
 class Actor {
 public:
     static Actor anonymous() { return Actor(ActorKind::anonymous, 0, {}, {}, false); }
@@ -30,7 +31,9 @@ public:
     PersonId personId() const noexcept { return m_person; } ///< 0 for anonymous and maintenance
     const std::string& name() const noexcept { return m_name; }
     const RoleSet& roles() const noexcept { return m_roles; } ///< as they were at login; for display only
-    bool mustChangePassword() const noexcept { return m_mustChange; } ///< until then only changePassword is permitted
+    bool mustChangePassword() const noexcept {
+        return m_mustChange;
+    } ///< until then only changePassword is permitted
 
     static constexpr PersonId kSimulatedPerson = 1; ///< the row that every database is created with
 

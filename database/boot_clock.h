@@ -6,7 +6,8 @@
 
 namespace chiron::database {
 
-/// Time that nobody can set back: nanoseconds since this boot (CLOCK_BOOTTIME, suspend included) and which boot it is.
+/// Time that nobody can set back: nanoseconds since this boot (CLOCK_BOOTTIME, suspend included) and which
+/// boot it is.
 struct BootTime {
     std::string bootId;
     std::int64_t now_ns = 0;

@@ -15,7 +15,8 @@ namespace chiron::database {
 namespace {
 
 std::string uniqueName() {
-    static std::atomic<unsigned long long> counter{0}; // Qt's registry of connections is global: names must differ
+    static std::atomic<unsigned long long> counter{
+        0}; // Qt's registry of connections is global: names must differ
     return "chiron-" + std::to_string(++counter);
 }
 
@@ -28,7 +29,8 @@ sqlite3* handleOf(const QSqlDatabase& database) {
 
 } // namespace
 
-Connection::Connection(std::string file, Mode mode) : m_file(std::move(file)), m_mode(mode), m_name(uniqueName()) {}
+Connection::Connection(std::string file, Mode mode)
+    : m_file(std::move(file)), m_mode(mode), m_name(uniqueName()) {}
 
 Connection::~Connection() {
     m_handle = nullptr;
@@ -74,8 +76,8 @@ core::Result<void> Connection::openQt(const std::string& connectOptions) {
     m_database->setDatabaseName(QString::fromStdString(m_file));
     m_database->setConnectOptions(QString::fromStdString(connectOptions));
     if (!m_database->open()) {
-        return core::fail(core::ErrorCode::storage,
-                          m_file + ": cannot be opened (" + m_database->lastError().text().toStdString() + ")");
+        return core::fail(core::ErrorCode::storage, m_file + ": cannot be opened (" +
+                                                        m_database->lastError().text().toStdString() + ")");
     }
     m_handle = handleOf(*m_database);
     if (m_handle == nullptr) {
@@ -86,7 +88,8 @@ core::Result<void> Connection::openQt(const std::string& connectOptions) {
 }
 
 core::Result<void> Connection::configure(bool useWal) {
-    // A schema from a damaged or foreign file must not run code or be trusted; damaged cells are looked for on reading.
+    // A schema from a damaged or foreign file must not run code or be trusted; damaged cells are looked for
+    // on reading.
     auto done = execute("PRAGMA foreign_keys=ON; PRAGMA trusted_schema=OFF; PRAGMA cell_size_check=ON;"
                         "PRAGMA synchronous=FULL;");
     if (done) {
@@ -100,7 +103,8 @@ core::Result<void> Connection::configure(bool useWal) {
         return tl::unexpected(mode.error());
     }
     if (*mode != "wal") {
-        return core::fail(core::ErrorCode::storage, m_file + ": the file system does not allow write-ahead logging");
+        return core::fail(core::ErrorCode::storage,
+                          m_file + ": the file system does not allow write-ahead logging");
     }
     return {};
 }
@@ -130,6 +134,8 @@ void Connection::rollback() noexcept {
     }
 }
 
-bool Connection::inTransaction() const noexcept { return m_handle != nullptr && sqlite3_get_autocommit(m_handle) == 0; }
+bool Connection::inTransaction() const noexcept {
+    return m_handle != nullptr && sqlite3_get_autocommit(m_handle) == 0;
+}
 
 } // namespace chiron::database

@@ -14,8 +14,8 @@ namespace chiron::database {
 
 class SiteKey;
 
-/// One connection, used and destroyed on the thread that opened it. Repositories work on one; those that write need
-/// the writer's (WriteContext). foreign_keys on, trusted_schema off, synchronous FULL, WAL.
+/// One connection, used and destroyed on the thread that opened it. Repositories work on one; those that
+/// write need the writer's (WriteContext). foreign_keys on, trusted_schema off, synchronous FULL, WAL.
 class Connection {
 public:
     enum class Mode { readOnly, readWrite };

@@ -33,10 +33,14 @@ core::Result<void> fillNew(Connection& connection, const DatabaseOptions& option
         }
     }
     auto person = insertRow(connection, "person",
-                            {{"id", Actor::kSimulatedPerson}, {"kind", std::string("simulated")},
-                             {"name", std::string("simulated")}, {"name_key", std::string("simulated")},
-                             {"display_name", std::string("simulated")}, {"roles", std::string()},
-                             {"enabled", std::int64_t{1}}, {"created_utc", core::utcNowIso8601()}});
+                            {{"id", Actor::kSimulatedPerson},
+                             {"kind", std::string("simulated")},
+                             {"name", std::string("simulated")},
+                             {"name_key", std::string("simulated")},
+                             {"display_name", std::string("simulated")},
+                             {"roles", std::string()},
+                             {"enabled", std::int64_t{1}},
+                             {"created_utc", core::utcNowIso8601()}});
     if (!person) {
         connection.rollback();
         return tl::unexpected(person.error());
@@ -48,6 +52,21 @@ core::Result<void> fillNew(Connection& connection, const DatabaseOptions& option
         return done;
     }
     return connection.commit();
+}
+
+// A whole new database under a name of its own.
+core::Result<void> fillFile(const std::string& file, const SiteKey& key, const DatabaseOptions& options) {
+    auto connection = Connection::create(file);
+    if (!connection) {
+        return tl::unexpected(connection.error());
+    }
+    (*connection)->setSite(&key, options.clock.get());
+    auto migrated = MigrationRunner().migrate(**connection);
+    auto done = migrated ? fillNew(**connection, options) : tl::unexpected(migrated.error());
+    // In WAL mode from birth: a rollback journal left by a kill would shut out readers.
+    done = done ? (*connection)->execute("PRAGMA journal_mode=WAL") : done;
+    const auto head = done ? auditHead(**connection) : tl::unexpected(done.error());
+    return head ? writeHeadFile(key, *head) : tl::unexpected(head.error());
 }
 
 } // namespace
@@ -67,7 +86,8 @@ Database::~Database() {
     m_writer.reset(); // before key and lock: its last drains still need both
 }
 
-core::Result<std::unique_ptr<Database>> Database::create(const std::string& file, const DatabaseOptions& options) {
+core::Result<std::unique_ptr<Database>> Database::create(const std::string& file,
+                                                         const DatabaseOptions& options) {
     std::unique_ptr<Database> database(new Database(file, options));
     auto lock = takeWriterLock(file);
     if (!lock) {
@@ -84,21 +104,7 @@ core::Result<std::unique_ptr<Database>> Database::create(const std::string& file
     database->m_siteKey = *std::move(key);
     const QString fresh = QString::fromStdString(file + ".new"); // complete or not there
     QFile::remove(fresh);
-    core::Result<void> done;
-    {
-        auto connection = Connection::create(fresh.toStdString());
-        if (!connection) {
-            QFile::remove(fresh);
-            return tl::unexpected(connection.error());
-        }
-        (*connection)->setSite(database->m_siteKey.get(), database->m_options.clock.get());
-        auto migrated = MigrationRunner().migrate(**connection);
-        done = migrated ? fillNew(**connection, options) : tl::unexpected(migrated.error());
-        // In WAL mode from birth: a rollback journal left by a kill would shut out readers.
-        done = done ? (*connection)->execute("PRAGMA journal_mode=WAL") : done;
-        const auto head = done ? auditHead(**connection) : tl::unexpected(done.error());
-        done = head ? writeHeadFile(*database->m_siteKey, *head) : tl::unexpected(head.error());
-    }
+    auto done = fillFile(fresh.toStdString(), *database->m_siteKey, database->m_options);
     if (done && !QFile::rename(fresh, QString::fromStdString(file))) {
         done = core::fail(core::ErrorCode::storage, file + ": cannot be put in place");
     }
@@ -142,7 +148,8 @@ core::Result<std::unique_ptr<Database>> Database::openForWriting(const std::stri
     return database;
 }
 
-core::Result<std::unique_ptr<Database>> Database::openReadOnly(const std::string& file, const DatabaseOptions& options) {
+core::Result<std::unique_ptr<Database>> Database::openReadOnly(const std::string& file,
+                                                               const DatabaseOptions& options) {
     std::unique_ptr<Database> database(new Database(file, options));
     const MigrationRunner runner;
     auto present = runner.inspect(file);
@@ -151,7 +158,8 @@ core::Result<std::unique_ptr<Database>> Database::openReadOnly(const std::string
     }
     if (present->version < runner.newest()) {
         return core::fail(core::ErrorCode::storage, file + ": made by an older Chiron (schema " +
-                                                        std::to_string(present->version) + "); run migrate first");
+                                                        std::to_string(present->version) +
+                                                        "); run migrate first");
     }
     auto read = database->readIdentity();
     if (!read) {

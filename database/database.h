@@ -15,25 +15,30 @@ namespace chiron::database {
 
 class SiteKey;
 
-/// One database file. Needs a QCoreApplication (Qt loads the SQLite driver as a plugin). Opened for writing it holds
-/// "<database>.lock" and owns the writer thread with the only read-write connection; opened read-only it works beside
-/// a writer in this or another process, and never checkpoints. Blocking; thread-safe except construction and destruction.
+/// One database file. Needs a QCoreApplication (Qt loads the SQLite driver as a plugin). Opened for writing
+/// it holds
+/// "<database>.lock" and owns the writer thread with the only read-write connection; opened read-only it
+/// works beside a writer in this or another process, and never checkpoints. Blocking; thread-safe except
+/// construction and destruction.
 class Database {
 public:
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
     ~Database(); ///< the writer drains its sources, runs what is queued, and closes
 
-    /// A new file with schema, site key and the simulated account, then opened for writing. Failure: badInput if the
-    /// file exists (it is left as it is), locked, storage.
-    static core::Result<std::unique_ptr<Database>> create(const std::string& file, const DatabaseOptions& options = {});
+    /// A new file with schema, site key and the simulated account, then opened for writing. Failure: badInput
+    /// if the file exists (it is left as it is), locked, storage.
+    static core::Result<std::unique_ptr<Database>> create(const std::string& file,
+                                                          const DatabaseOptions& options = {});
 
-    /// An existing file; an older one is migrated (backed up first). Failure: locked within 1 s, naming program and
-    /// pid; notFound; storage if it is damaged, foreign, or newer than this program (left unchanged, byte for byte).
+    /// An existing file; an older one is migrated (backed up first). Failure: locked within 1 s, naming
+    /// program and pid; notFound; storage if it is damaged, foreign, or newer than this program (left
+    /// unchanged, byte for byte).
     static core::Result<std::unique_ptr<Database>> openForWriting(const std::string& file,
                                                                   const DatabaseOptions& options = {});
 
-    /// An existing file of this version; never waits for the writer. Failure as openForWriting, but never locked.
+    /// An existing file of this version; never waits for the writer. Failure as openForWriting, but never
+    /// locked.
     static core::Result<std::unique_ptr<Database>> openReadOnly(const std::string& file,
                                                                 const DatabaseOptions& options = {});
 
@@ -41,8 +46,8 @@ public:
     core::Result<std::unique_ptr<Connection>> openReader() const;
 
     bool isWritable() const noexcept { return m_writer != nullptr; }
-    /// Runs a job on the writer thread in one transaction and waits. Failure: wrongUse when opened read-only; the
-    /// job's own error (everything it did is undone); storage when the commit fails.
+    /// Runs a job on the writer thread in one transaction and waits. Failure: wrongUse when opened read-only;
+    /// the job's own error (everything it did is undone); storage when the commit fails.
     template <class F> auto write(F&& job) -> std::invoke_result_t<F, WriteContext&> {
         if (!m_writer) {
             return core::fail(core::ErrorCode::wrongUse, m_file + ": opened read-only, cannot write");
@@ -55,7 +60,7 @@ public:
     const std::string& siteFolder() const noexcept { return m_siteFolder; }
     const DatabaseOptions& options() const noexcept { return m_options; }
     int schemaVersion() const noexcept { return m_schemaVersion; }
-    const std::string& uuid() const noexcept { return m_uuid; }           ///< the crash ring's header carries it
+    const std::string& uuid() const noexcept { return m_uuid; } ///< the crash ring's header carries it
     bool isDemonstration() const noexcept { return m_demonstration; }
 
 private:

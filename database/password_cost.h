@@ -5,10 +5,10 @@
 
 namespace chiron::database {
 
-/// Cost of one Argon2id hash (libsodium crypto_pwhash). Production is fixed (architecture.md, Dependencies); the
-/// minimal cost exists for tests, can be chosen in code only, and no option or file reaches it.
+/// Cost of one Argon2id hash (libsodium crypto_pwhash). Production is fixed (architecture.md, Dependencies);
+/// the minimal cost exists for tests, can be chosen in code only, and no option or file reaches it.
 struct PasswordCost {
-    unsigned long long passes = 3;         ///< t
+    unsigned long long passes = 3;        ///< t
     std::size_t memory_bytes = 64u << 20; ///< 64 MiB
     static PasswordCost production() { return {}; }
     static PasswordCost minimalForTests() { return {1, 8192}; } ///< crypto_pwhash_OPSLIMIT_MIN, MEMLIMIT_MIN

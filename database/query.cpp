@@ -18,8 +18,9 @@ core::Result<QVariant> textToQt(const std::string& text) {
     QString string = decoder.decode(QByteArrayView(text.data(), static_cast<qsizetype>(text.size())));
     const bool altered = text.starts_with("\xef\xbb\xbf") || text.find('\0') != std::string::npos;
     if (decoder.hasError() || altered) { // SQLite would drop a byte order mark: the digest would not fit
-        return core::fail(core::ErrorCode::badInput,
-                          "a text to be stored is not valid UTF-8, begins with a byte order mark or holds a NUL");
+        return core::fail(
+            core::ErrorCode::badInput,
+            "a text to be stored is not valid UTF-8, begins with a byte order mark or holds a NUL");
     }
     return QVariant(string.isNull() ? QString(QLatin1String("")) : string);
 }
@@ -45,13 +46,15 @@ core::Result<QVariant> toQt(const Value& value) {
 
 core::Error errorOf(const QSqlError& error, const std::string& file, const std::string& sql) {
     const int code = error.nativeErrorCode().toInt();
-    const std::string words = (error.driverText() + QStringLiteral(": ") + error.databaseText()).toStdString();
+    const std::string words =
+        (error.driverText() + QStringLiteral(": ") + error.databaseText()).toStdString();
     return storageError(file, sql.substr(0, 80), code, words);
 }
 
 } // namespace
 
-core::Error storageError(const std::string& file, const std::string& what, int extendedCode, const std::string& words) {
+core::Error storageError(const std::string& file, const std::string& what, int extendedCode,
+                         const std::string& words) {
     std::string message = file + ": ";
     switch (extendedCode & 0xff) {
     case SQLITE_FULL:
@@ -71,7 +74,8 @@ core::Error storageError(const std::string& file, const std::string& what, int e
     return core::Error{core::ErrorCode::storage, std::move(message)};
 }
 
-core::Result<Query> Query::run(Connection& connection, const std::string& sql, const std::vector<Value>& values) {
+core::Result<Query> Query::run(Connection& connection, const std::string& sql,
+                               const std::vector<Value>& values) {
     QSqlQuery query(connection.qt());
     query.setForwardOnly(true);
     if (!query.prepare(QString::fromStdString(sql))) {
@@ -100,10 +104,18 @@ core::Result<bool> Query::next() {
     return false;
 }
 
-bool Query::isNull(int column) const { return m_query.value(column).isNull(); }
-std::int64_t Query::integer(int column) const { return m_query.value(column).toLongLong(); }
-double Query::real(int column) const { return m_query.value(column).toDouble(); }
-std::string Query::text(int column) const { return m_query.value(column).toString().toStdString(); }
+bool Query::isNull(int column) const {
+    return m_query.value(column).isNull();
+}
+std::int64_t Query::integer(int column) const {
+    return m_query.value(column).toLongLong();
+}
+double Query::real(int column) const {
+    return m_query.value(column).toDouble();
+}
+std::string Query::text(int column) const {
+    return m_query.value(column).toString().toStdString();
+}
 
 Blob Query::blob(int column) const {
     const QByteArray bytes = m_query.value(column).toByteArray();

@@ -13,12 +13,14 @@
 
 namespace chiron::database {
 
-/// One prepared statement with its values bound, forward only. Every value is bound, none is ever pasted into SQL.
+/// One prepared statement with its values bound, forward only. Every value is bound, none is ever pasted into
+/// SQL.
 class Query {
 public:
-    /// Prepares, binds and runs. Failure: storage with SQLite's words; badInput for text that is not UTF-8 and for
-    /// NaN or infinity.
-    static core::Result<Query> run(Connection& connection, const std::string& sql, const std::vector<Value>& values = {});
+    /// Prepares, binds and runs. Failure: storage with SQLite's words; badInput for text that is not UTF-8
+    /// and for NaN or infinity.
+    static core::Result<Query> run(Connection& connection, const std::string& sql,
+                                   const std::vector<Value>& values = {});
 
     /// Steps to the next row; false after the last. Failure: storage.
     core::Result<bool> next();
@@ -47,6 +49,7 @@ core::Result<std::optional<std::string>> selectText(Connection& connection, cons
                                                     const std::vector<Value>& values = {});
 
 /// Error{storage} with the file, what was done, and SQLite's words; a full disk is called so.
-core::Error storageError(const std::string& file, const std::string& what, int extendedCode, const std::string& words);
+core::Error storageError(const std::string& file, const std::string& what, int extendedCode,
+                         const std::string& words);
 
 } // namespace chiron::database

@@ -37,11 +37,14 @@ public:
     std::string list() const;                ///< tokens joined by commas, as stored
 
 private:
-    static std::uint8_t bit(Role role) noexcept { return static_cast<std::uint8_t>(1u << static_cast<unsigned>(role)); }
+    static std::uint8_t bit(Role role) noexcept {
+        return static_cast<std::uint8_t>(1u << static_cast<unsigned>(role));
+    }
     std::uint8_t m_bits = 0;
 };
 
-/// Roles from "trainee,trainer" as the command line and CSV files write them; nothing if a word is unknown or none is given.
+/// Roles from "trainee,trainer" as the command line and CSV files write them; nothing if a word is unknown or
+/// none is given.
 std::optional<RoleSet> rolesFromList(std::string_view commaSeparated);
 
 } // namespace chiron::database

@@ -14,7 +14,13 @@ using Blob = std::vector<std::uint8_t>;
 /// What a column holds: NULL, INTEGER, REAL, TEXT (UTF-8) or BLOB. A value.
 class Value {
 public:
-    enum class Type : std::uint8_t { null = 0, integer = 1, real = 2, text = 3, blob = 4 }; ///< tags of row_digest.h
+    enum class Type : std::uint8_t {
+        null = 0,
+        integer = 1,
+        real = 2,
+        text = 3,
+        blob = 4
+    }; ///< tags of row_digest.h
 
     Value() = default;
     Value(std::int64_t integer) : m_type(Type::integer), m_integer(integer) {}
@@ -42,10 +48,16 @@ struct Column {
 
 /// Lower-case hexadecimal of bytes.
 std::string hex(const std::uint8_t* bytes, std::size_t count);
-inline std::string hex(const Blob& bytes) { return hex(bytes.data(), bytes.size()); }
+inline std::string hex(const Blob& bytes) {
+    return hex(bytes.data(), bytes.size());
+}
 
 /// A 64-bit seed or counter as SQLite keeps it (same bits, signed), and back.
-inline std::int64_t storedFromUnsigned(std::uint64_t value) { return static_cast<std::int64_t>(value); }
-inline std::uint64_t unsignedFromStored(std::int64_t value) { return static_cast<std::uint64_t>(value); }
+inline std::int64_t storedFromUnsigned(std::uint64_t value) {
+    return static_cast<std::int64_t>(value);
+}
+inline std::uint64_t unsignedFromStored(std::int64_t value) {
+    return static_cast<std::uint64_t>(value);
+}
 
 } // namespace chiron::database

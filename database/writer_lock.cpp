@@ -11,13 +11,15 @@ core::Result<std::unique_ptr<QLockFile>> takeWriterLock(const std::string& file)
         return lock;
     }
     if (lock->error() != QLockFile::LockFailedError) {
-        return core::fail(core::ErrorCode::storage, file + ".lock: cannot be created (folder missing or not writable)");
+        return core::fail(core::ErrorCode::storage,
+                          file + ".lock: cannot be created (folder missing or not writable)");
     }
     qint64 pid = 0;
     QString host;
     QString program;
     if (!lock->getLockInfo(&pid, &host, &program)) {
-        // Killed between making the file and signing it. A live holder also keeps it flocked, so this removes dead ones only.
+        // Killed between making the file and signing it. A live holder also keeps it flocked, so this removes
+        // dead ones only.
         lock->removeStaleLockFile();
         if (lock->tryLock(300)) {
             return lock;

@@ -107,7 +107,8 @@ void WriterThread::runJob(Connection& connection, IWriterJob& job) {
         job.finish(committed.error());
         return;
     }
-    // After the commit: a crash in between leaves the file one step behind, which verify allows (never ahead).
+    // After the commit: a crash in between leaves the file one step behind, which verify allows (never
+    // ahead).
     const auto after = auditHead(connection);
     if (connection.siteKey() != nullptr && before && after && *before != *after) {
         if (auto written = writeHeadFile(*connection.siteKey(), *after); !written) {

@@ -18,10 +18,11 @@
 
 namespace chiron::database {
 
-/// Owns the only read-write connection. Every 20 ms it drains the registered live sources; between drains it runs
-/// queued jobs one at a time, each in one transaction: all or nothing. A job should take less than 50 ms; longer work
-/// (Argon2id, scoring, replay) belongs on a worker that hands in a short job. All functions are thread-safe and, except
-/// submit, block; none but the jobs' own code may be called from the writer thread itself.
+/// Owns the only read-write connection. Every 20 ms it drains the registered live sources; between drains it
+/// runs queued jobs one at a time, each in one transaction: all or nothing. A job should take less than 50
+/// ms; longer work (Argon2id, scoring, replay) belongs on a worker that hands in a short job. All functions
+/// are thread-safe and, except submit, block; none but the jobs' own code may be called from the writer
+/// thread itself.
 class WriterThread {
 public:
     WriterThread(const WriterThread&) = delete;
@@ -43,7 +44,8 @@ public:
         }
         return enqueue(std::move(job), true).get();
     }
-    /// As run, but outside any transaction (VACUUM, checkpoint); may take long, so refused (wrongUse) while a source is live.
+    /// As run, but outside any transaction (VACUUM, checkpoint); may take long, so refused (wrongUse) while a
+    /// source is live.
     template <class F> auto runMaintenance(F job) -> std::invoke_result_t<F, WriteContext&> {
         if (onWriterThread() || hasSources()) {
             return core::fail(core::ErrorCode::wrongUse, "storage upkeep waits until no session is running");
@@ -52,7 +54,8 @@ public:
     }
 
     void addSource(IDrainable& source);
-    /// Drains once more, forgets the source, returns the first error it ever had. After this it may be destroyed.
+    /// Drains once more, forgets the source, returns the first error it ever had. After this it may be
+    /// destroyed.
     core::Result<void> removeSource(IDrainable& source);
     /// Drains every source now and waits: as-fast-as-possible sessions call it before their ring is full.
     core::Result<void> flush();
@@ -67,7 +70,8 @@ private:
         std::optional<core::Error> error;
     };
     WriterThread() = default;
-    template <class F> auto enqueue(F job, bool transaction) -> std::future<std::invoke_result_t<F, WriteContext&>> {
+    template <class F>
+    auto enqueue(F job, bool transaction) -> std::future<std::invoke_result_t<F, WriteContext&>> {
         auto typed = std::make_unique<WriterJob<F>>(std::move(job), transaction);
         auto future = typed->future();
         push(std::move(typed));

@@ -94,7 +94,8 @@ std::string_view token(Action action) noexcept {
 }
 
 std::optional<AccessRow> accessRow(Action action) noexcept {
-    const auto* found = std::find_if(std::begin(kRows), std::end(kRows), [&](const AccessRow& r) { return r.action == action; });
+    const auto* found = std::find_if(std::begin(kRows), std::end(kRows),
+                                     [&](const AccessRow& r) { return r.action == action; });
     return found == std::end(kRows) ? std::nullopt : std::optional(*found);
 }
 

@@ -7,16 +7,20 @@ namespace chiron::database {
 namespace {
 
 core::Error denied(const Actor& actor, Action action, const std::string& why) {
-    const std::string who = actor.kind() == ActorKind::person ? actor.name()
+    const std::string who = actor.kind() == ActorKind::person      ? actor.name()
                             : actor.kind() == ActorKind::anonymous ? "nobody logged in"
-                            : actor.kind() == ActorKind::simulated ? "the simulated account" : "maintenance";
-    return core::Error{core::ErrorCode::notAllowed, "not allowed: " + std::string(token(action)) + " by " + who + " (" + why + ")"};
+                            : actor.kind() == ActorKind::simulated ? "the simulated account"
+                                                                   : "maintenance";
+    return core::Error{core::ErrorCode::notAllowed,
+                       "not allowed: " + std::string(token(action)) + " by " + who + " (" + why + ")"};
 }
 
 core::Result<Scope> scopeOfPerson(Connection& connection, const Actor& actor, Action action) {
-    auto query = Query::run(connection,
-                            "SELECT p.roles, p.enabled, c.must_change FROM person p JOIN credential c ON c.person_id = p.id "
-                            "WHERE p.id = ? AND p.kind = 'person'", {actor.personId()});
+    auto query = Query::run(
+        connection,
+        "SELECT p.roles, p.enabled, c.must_change FROM person p JOIN credential c ON c.person_id = p.id "
+        "WHERE p.id = ? AND p.kind = 'person'",
+        {actor.personId()});
     if (!query) {
         return tl::unexpected(query.error());
     }
@@ -55,15 +59,16 @@ bool reaches(Scope scope, const Actor& actor, PersonId owner) {
 } // namespace
 
 core::Result<Scope> authorise(Connection& connection, const Actor& actor, Action action) {
-    const auto scope = actor.kind() == ActorKind::person ? scopeOfPerson(connection, actor, action)
-                                                         : core::Result<Scope>(scopeOf(action, actor.kind(), {}));
+    const auto scope = actor.kind() == ActorKind::person
+                           ? scopeOfPerson(connection, actor, action)
+                           : core::Result<Scope>(scopeOf(action, actor.kind(), {}));
     if (!scope) {
         return scope;
     }
     if (*scope == Scope::none) {
-        return tl::unexpected(denied(actor, action, actor.kind() == ActorKind::anonymous
-                                                        ? "log in first"
-                                                        : "the roles do not permit it"));
+        return tl::unexpected(
+            denied(actor, action,
+                   actor.kind() == ActorKind::anonymous ? "log in first" : "the roles do not permit it"));
     }
     return scope;
 }
@@ -79,7 +84,8 @@ core::Result<void> authoriseFor(Connection& connection, const Actor& actor, Acti
     return {};
 }
 
-core::Result<void> authoriseForSession(Connection& connection, const Actor& actor, Action action, SessionId session) {
+core::Result<void> authoriseForSession(Connection& connection, const Actor& actor, Action action,
+                                       SessionId session) {
     const auto scope = authorise(connection, actor, action);
     if (!scope) {
         return tl::unexpected(scope.error());

@@ -7,15 +7,17 @@
 
 namespace chiron::database {
 
-/// The scope with which the actor may do this, from the access table and from the account as it stands now in the
-/// database. Failure: notAllowed (no scope, disabled, password to be changed first), storage.
+/// The scope with which the actor may do this, from the access table and from the account as it stands now in
+/// the database. Failure: notAllowed (no scope, disabled, password to be changed first), storage.
 core::Result<Scope> authorise(Connection& connection, const Actor& actor, Action action);
 
-/// As above, for something that belongs to a person. Failure: notAllowed also where the scope does not reach that far.
+/// As above, for something that belongs to a person. Failure: notAllowed also where the scope does not reach
+/// that far.
 core::Result<void> authoriseFor(Connection& connection, const Actor& actor, Action action, PersonId owner);
 
 /// As above, for the owner of a session. Failure: also notFound, which somebody without a wider scope gets as
 /// notAllowed, so that session numbers cannot be probed.
-core::Result<void> authoriseForSession(Connection& connection, const Actor& actor, Action action, SessionId session);
+core::Result<void> authoriseForSession(Connection& connection, const Actor& actor, Action action,
+                                       SessionId session);
 
 } // namespace chiron::database

@@ -6,11 +6,12 @@
 
 namespace chiron::database {
 
-/// Failure: wrongUse unless this is the writer's connection inside a transaction, so that a failing function leaves
-/// nothing half done.
+/// Failure: wrongUse unless this is the writer's connection inside a transaction, so that a failing function
+/// leaves nothing half done.
 inline core::Result<void> requireWriter(Connection& connection) {
     if (!connection.isWritable() || !connection.inTransaction()) {
-        return core::fail(core::ErrorCode::wrongUse, connection.file() + ": only a writer job may change the database");
+        return core::fail(core::ErrorCode::wrongUse,
+                          connection.file() + ": only a writer job may change the database");
     }
     return {};
 }

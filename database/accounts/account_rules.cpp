@@ -18,7 +18,9 @@ std::optional<QString> decoded(const std::string& text) {
     return string;
 }
 
-core::Result<void> bad(const std::string& message) { return core::fail(core::ErrorCode::badInput, message); }
+core::Result<void> bad(const std::string& message) {
+    return core::fail(core::ErrorCode::badInput, message);
+}
 
 } // namespace
 
@@ -28,7 +30,8 @@ core::Result<void> checkPassword(const std::string& name, const std::string& pas
     const QSet<uint> different(characters.begin(), characters.end());
     const bool sameAsName = text && nameKey(password) == nameKey(name);
     if (!text || characters.size() < kMinimumPasswordCharacters ||
-        password.size() > static_cast<std::size_t>(kMaximumPasswordBytes) || different.size() < 4 || sameAsName) {
+        password.size() > static_cast<std::size_t>(kMaximumPasswordBytes) || different.size() < 4 ||
+        sameAsName) {
         return bad("password not accepted: it needs at least " + std::to_string(kMinimumPasswordCharacters) +
                    " characters, at most " + std::to_string(kMaximumPasswordBytes) +
                    " bytes of valid UTF-8, at least 4 different characters, and must not be the login name");
@@ -38,8 +41,9 @@ core::Result<void> checkPassword(const std::string& name, const std::string& pas
 
 core::Result<void> checkName(const std::string& name) {
     const auto text = decoded(name);
-    const std::string rule = "name not accepted: it needs 1 to " + std::to_string(kMaximumNameCharacters) +
-                             " characters of valid UTF-8, no control characters, commas or spaces at the ends";
+    const std::string rule =
+        "name not accepted: it needs 1 to " + std::to_string(kMaximumNameCharacters) +
+        " characters of valid UTF-8, no control characters, commas or spaces at the ends";
     if (!text || text->trimmed() != *text || text->isEmpty() || text->contains(QLatin1Char(','))) {
         return bad(rule);
     }
@@ -63,7 +67,8 @@ core::Result<void> checkName(const std::string& name) {
 core::Result<void> checkText(const std::string& field, const std::string& text, int maximumCharacters) {
     const auto string = decoded(text);
     if (!string || string->toUcs4().size() > maximumCharacters) {
-        return bad(field + ": expected valid UTF-8 of at most " + std::to_string(maximumCharacters) + " characters");
+        return bad(field + ": expected valid UTF-8 of at most " + std::to_string(maximumCharacters) +
+                   " characters");
     }
     return {};
 }

@@ -11,12 +11,13 @@ inline constexpr int kMinimumPasswordCharacters = 10;
 inline constexpr int kMaximumPasswordBytes = 1024;
 inline constexpr int kMaximumNameCharacters = 64;
 
-/// Password rules, all stated in the Error (badInput): at least 10 characters, at most 1024 bytes, valid UTF-8, not
-/// the login name, at least 4 different characters. No rule about kinds of characters (NIST SP 800-63B §5.1.1.2).
+/// Password rules, all stated in the Error (badInput): at least 10 characters, at most 1024 bytes, valid
+/// UTF-8, not the login name, at least 4 different characters. No rule about kinds of characters (NIST SP
+/// 800-63B §5.1.1.2).
 core::Result<void> checkPassword(const std::string& name, const std::string& password);
 
-/// Login names: 1..64 characters, valid UTF-8, no control characters, no leading or trailing space, not "simulated",
-/// no comma. Anything else is allowed: names are bound, never pasted into SQL.
+/// Login names: 1..64 characters, valid UTF-8, no control characters, no leading or trailing space, not
+/// "simulated", no comma. Anything else is allowed: names are bound, never pasted into SQL.
 core::Result<void> checkName(const std::string& name);
 
 /// Free text: valid UTF-8 without NUL, at most the given number of characters.

@@ -23,7 +23,9 @@ std::string newRecoveryCode() {
     return code;
 }
 
-core::Error wrongPassword() { return {core::ErrorCode::notAllowed, "name or password is wrong"}; }
+core::Error wrongPassword() {
+    return {core::ErrorCode::notAllowed, "name or password is wrong"};
+}
 
 core::Error mustWait(std::int64_t wait_ns) {
     return {core::ErrorCode::notAllowed, "too many wrong passwords: wait " +
@@ -32,7 +34,8 @@ core::Error mustWait(std::int64_t wait_ns) {
 }
 
 // Verifies on this thread; an unknown account costs the same time as a known one.
-core::Result<void> check(const PasswordHasher& hasher, const LoginAttempt& attempt, const std::string& secret) {
+core::Result<void> check(const PasswordHasher& hasher, const LoginAttempt& attempt,
+                         const std::string& secret) {
     if (attempt.wait_ns > 0) {
         return tl::unexpected(mustWait(attempt.wait_ns));
     }
@@ -40,12 +43,14 @@ core::Result<void> check(const PasswordHasher& hasher, const LoginAttempt& attem
         (void)hasher.hash(secret);
         return tl::unexpected(wrongPassword());
     }
-    return hasher.verify(attempt.passwordHash, secret) ? core::Result<void>() : tl::unexpected(wrongPassword());
+    return hasher.verify(attempt.passwordHash, secret) ? core::Result<void>()
+                                                       : tl::unexpected(wrongPassword());
 }
 
 } // namespace
 
-core::Result<FirstAdministrator> AccountService::createFirstAdministrator(const std::string& name, const std::string& password,
+core::Result<FirstAdministrator> AccountService::createFirstAdministrator(const std::string& name,
+                                                                          const std::string& password,
                                                                           const std::string& displayName) {
     if (auto good = checkName(name); !good) {
         return tl::unexpected(good.error());
@@ -125,7 +130,8 @@ core::Result<std::string> AccountService::recover(const std::string& name, const
         return tl::unexpected(!passwordHash ? passwordHash.error() : codeHash.error());
     }
     const auto done = m_database.write([&](WriteContext& writing) {
-        return AccountRepository(writing.connection(), Actor::anonymous()).finishRecovery(*attempt, *passwordHash, *codeHash);
+        return AccountRepository(writing.connection(), Actor::anonymous())
+            .finishRecovery(*attempt, *passwordHash, *codeHash);
     });
     return done ? core::Result<std::string>(newCode) : tl::unexpected(done.error());
 }
@@ -140,11 +146,13 @@ core::Result<PersonId> AccountService::createPerson(const Actor& actor, const Pe
     }
     return m_database.write([&](WriteContext& writing) {
         return AccountRepository(writing.connection(), actor)
-            .createPerson({request.name, request.displayName, request.roles, *hash, request.mustChangePassword});
+            .createPerson(
+                {request.name, request.displayName, request.roles, *hash, request.mustChangePassword});
     });
 }
 
-core::Result<std::vector<PersonId>> AccountService::importCsv(const Actor& actor, const std::string& csvText) {
+core::Result<std::vector<PersonId>> AccountService::importCsv(const Actor& actor,
+                                                              const std::string& csvText) {
     const auto rows = parseUserCsv(csvText);
     if (!rows) {
         return tl::unexpected(rows.error());
@@ -191,7 +199,8 @@ core::Result<void> AccountService::changePassword(const Actor& actor, const std:
     });
 }
 
-core::Result<void> AccountService::resetPassword(const Actor& actor, PersonId person, const std::string& newPassword) {
+core::Result<void> AccountService::resetPassword(const Actor& actor, PersonId person,
+                                                 const std::string& newPassword) {
     if (auto good = checkPassword("", newPassword); !good) {
         return good;
     }
@@ -226,13 +235,15 @@ core::Result<Person> AccountService::personByName(const Actor& actor, const std:
     return reader ? AccountRepository(**reader, actor).personByName(name) : tl::unexpected(reader.error());
 }
 
-core::Result<void> AccountService::erasePerson(const Actor& actor, const std::string& password, PersonId person,
-                                               const std::string& reason, bool withdrawRecordings) {
+core::Result<void> AccountService::erasePerson(const Actor& actor, const std::string& password,
+                                               PersonId person, const std::string& reason,
+                                               bool withdrawRecordings) {
     if (auto confirmed = confirm(actor, password); !confirmed) {
         return tl::unexpected(confirmed.error());
     }
     if (!m_database.isWritable() || m_database.writer().hasSources()) {
-        return core::fail(core::ErrorCode::wrongUse, "an erasure needs the writer and waits until no session is running");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "an erasure needs the writer and waits until no session is running");
     }
     const auto erased = m_database.write([&](WriteContext& writing) {
         return PrivacyRepository(writing.connection(), actor).erasePerson(person, reason, withdrawRecordings);

@@ -25,37 +25,44 @@ struct FirstAdministrator {
     std::string recoveryCode; ///< shown once; only its hash is stored
 };
 
-/// Accounts as the programs use them: hashes on the calling thread (a worker in the desktop), hands short jobs to the
-/// writer. Every call is checked in the data layer. Blocking; thread-safe.
+/// Accounts as the programs use them: hashes on the calling thread (a worker in the desktop), hands short
+/// jobs to the writer. Every call is checked in the data layer. Blocking; thread-safe.
 class AccountService {
 public:
     explicit AccountService(Database& database) : m_database(database) {}
 
     /// Only while the database has no people. Failure: wrongUse otherwise; badInput with the rules.
-    core::Result<FirstAdministrator> createFirstAdministrator(const std::string& name, const std::string& password,
+    core::Result<FirstAdministrator> createFirstAdministrator(const std::string& name,
+                                                              const std::string& password,
                                                               const std::string& displayName = {});
 
-    /// Who this is. Wrong passwords are counted per account before they are checked, and make it wait: after the third
-    /// 2 s, doubling to 5 minutes, kept over restarts and clock changes. On a database opened read-only the wait is
-    /// honoured but cannot be lengthened. Failure: notAllowed (same words for an unknown name), with the wait in seconds.
+    /// Who this is. Wrong passwords are counted per account before they are checked, and make it wait: after
+    /// the third 2 s, doubling to 5 minutes, kept over restarts and clock changes. On a database opened
+    /// read-only the wait is honoured but cannot be lengthened. Failure: notAllowed (same words for an
+    /// unknown name), with the wait in seconds.
     core::Result<Actor> login(const std::string& name, const std::string& password);
 
-    /// Sets a new password with the recovery code; the code is used up and a new one returned. Throttled like login.
-    core::Result<std::string> recover(const std::string& name, const std::string& code, const std::string& newPassword);
+    /// Sets a new password with the recovery code; the code is used up and a new one returned. Throttled like
+    /// login.
+    core::Result<std::string> recover(const std::string& name, const std::string& code,
+                                      const std::string& newPassword);
 
     core::Result<PersonId> createPerson(const Actor& actor, const PersonRequest& request);
-    /// CSV with a header line: name,display_name,roles,password (roles separated by ';' or quoted commas). All or nothing; every wrong
-    /// row is named (line, column, value, expectation). People must change these passwords at first login.
+    /// CSV with a header line: name,display_name,roles,password (roles separated by ';' or quoted commas).
+    /// All or nothing; every wrong row is named (line, column, value, expectation). People must change these
+    /// passwords at first login.
     core::Result<std::vector<PersonId>> importCsv(const Actor& actor, const std::string& csvText);
-    core::Result<void> changePassword(const Actor& actor, const std::string& oldPassword, const std::string& newPassword);
+    core::Result<void> changePassword(const Actor& actor, const std::string& oldPassword,
+                                      const std::string& newPassword);
     /// By an administrator: the person must change it at the next login.
     core::Result<void> resetPassword(const Actor& actor, PersonId person, const std::string& newPassword);
     core::Result<void> setEnabled(const Actor& actor, PersonId person, bool enabled);
     core::Result<void> setRoles(const Actor& actor, PersonId person, const RoleSet& roles);
     core::Result<std::vector<Person>> listPeople(const Actor& actor);
     core::Result<Person> personByName(const Actor& actor, const std::string& name);
-    /// Erases a person (data.md, Proof): the administrator's own password confirms it. Overwrites, then VACUUMs.
-    /// withdrawRecordings also overwrites their samples. Failure: wrongUse while a session is running.
+    /// Erases a person (data.md, Proof): the administrator's own password confirms it. Overwrites, then
+    /// VACUUMs. withdrawRecordings also overwrites their samples. Failure: wrongUse while a session is
+    /// running.
     core::Result<void> erasePerson(const Actor& actor, const std::string& password, PersonId person,
                                    const std::string& reason, bool withdrawRecordings);
 

@@ -11,7 +11,8 @@ core::Result<std::string> PasswordHasher::hash(const std::string& secret) const 
     if (sodium_init() < 0 || crypto_pwhash_str_alg(text.data(), secret.data(), secret.size(), m_cost.passes,
                                                    m_cost.memory_bytes, crypto_pwhash_ALG_ARGON2ID13) != 0) {
         return core::fail(core::ErrorCode::storage, "not enough memory to protect the password (" +
-                                                        std::to_string(m_cost.memory_bytes >> 20) + " MiB needed)");
+                                                        std::to_string(m_cost.memory_bytes >> 20) +
+                                                        " MiB needed)");
     }
     return std::string(text.data());
 }

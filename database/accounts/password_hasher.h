@@ -8,7 +8,8 @@
 
 namespace chiron::database {
 
-/// Argon2id through libsodium (crypto_pwhash_str). Slow on purpose: call it on a worker, never in a writer job.
+/// Argon2id through libsodium (crypto_pwhash_str). Slow on purpose: call it on a worker, never in a writer
+/// job.
 class PasswordHasher {
 public:
     explicit PasswordHasher(PasswordCost cost) : m_cost(cost) {}

@@ -10,16 +10,17 @@ namespace chiron::database {
 /// A person as the accounts show them.
 struct Person {
     PersonId id = 0;
-    std::string name;        ///< login name, unique after case folding
+    std::string name; ///< login name, unique after case folding
     std::string displayName;
-    std::string code;        ///< pseudonym used in studies and for readers who may not see names
+    std::string code; ///< pseudonym used in studies and for readers who may not see names
     RoleSet roles;
     bool enabled = true;
     bool mustChangePassword = false;
     std::string createdUtc;
 };
 
-/// A person to be created; the password is already hashed (PasswordHasher), so that no writer job waits for Argon2id.
+/// A person to be created; the password is already hashed (PasswordHasher), so that no writer job waits for
+/// Argon2id.
 struct NewPerson {
     std::string name;
     std::string displayName;
@@ -30,8 +31,9 @@ struct NewPerson {
 
 /// One stored attempt to log in, between beginLogin and finishLogin.
 struct LoginAttempt {
-    PersonId person = 0;      ///< 0: no such account; hash something all the same, so that it takes as long
-    std::string passwordHash; ///< what to verify against (password or recovery code); empty where there is nothing
+    PersonId person = 0; ///< 0: no such account; hash something all the same, so that it takes as long
+    std::string
+        passwordHash; ///< what to verify against (password or recovery code); empty where there is nothing
     std::int64_t wait_ns = 0; ///< > 0: the account must wait so long; nothing was counted
 };
 

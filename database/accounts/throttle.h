@@ -18,8 +18,8 @@ struct ThrottleState {
 /// Wait after so many failures: none for the first two, 2 s after the third, doubling up to 5 minutes.
 std::int64_t throttleWait_ns(std::int64_t failures) noexcept;
 
-/// How long to wait still; 0: try. After a restart of the machine the whole wait counts again, from now (the state is
-/// changed accordingly): setting a clock or restarting never shortens it.
+/// How long to wait still; 0: try. After a restart of the machine the whole wait counts again, from now (the
+/// state is changed accordingly): setting a clock or restarting never shortens it.
 std::int64_t throttleRemaining_ns(ThrottleState& state, const BootTime& now) noexcept;
 
 /// Counts one attempt as failed, before it is checked.

@@ -19,53 +19,68 @@ constexpr std::size_t kMaximumRecords = 10000;
 constexpr int kMaximumNamedErrors = 20;
 
 // One pass over the text; quotes double inside quotes, line ends may be LF or CRLF.
-core::Result<std::vector<Record>> split(const std::string& text) {
-    std::vector<Record> records;
-    Record record;
-    std::string field;
-    bool quoted = false;
-    int line = 1;
-    const auto endRecord = [&] {
-        record.fields.push_back(std::move(field));
-        field.clear();
-        if (record.fields.size() > 1 || !record.fields.front().empty()) {
-            records.push_back(std::move(record));
-        }
-        record = Record{line, {}};
-    };
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        line += c == '\n' ? 1 : 0;
-        if (quoted) {
-            if (c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
-                field.push_back(text[++i]);
-            } else if (c == '"') {
-                quoted = false;
-            } else {
-                field.push_back(c);
+class CsvReader {
+public:
+    explicit CsvReader(const std::string& text) : m_text(text) {}
+    core::Result<std::vector<Record>> read() {
+        for (std::size_t i = 0; i < m_text.size(); ++i) {
+            m_line += m_text[i] == '\n' ? 1 : 0;
+            m_quoted ? inside(i) : outside(m_text[i]);
+            if (m_records.size() > kMaximumRecords) {
+                return core::fail(core::ErrorCode::badInput, "more than 10000 lines");
             }
-        } else if (c == '"' && field.empty()) {
-            quoted = true;
+        }
+        if (m_quoted) {
+            return core::fail(core::ErrorCode::badInput,
+                              "line " + std::to_string(m_record.line) + ": a quotation mark is not closed");
+        }
+        if (!m_field.empty() || !m_record.fields.empty()) {
+            endRecord();
+        }
+        return std::move(m_records);
+    }
+
+private:
+    void inside(std::size_t& i) {
+        const bool quote = m_text[i] == '"';
+        if (quote && i + 1 < m_text.size() && m_text[i + 1] == '"') {
+            m_field.push_back(m_text[++i]);
+        } else if (quote) {
+            m_quoted = false;
+        } else {
+            m_field.push_back(m_text[i]);
+        }
+    }
+    void outside(char c) {
+        if (c == '"' && m_field.empty()) {
+            m_quoted = true;
         } else if (c == ',') {
-            record.fields.push_back(std::move(field));
-            field.clear();
+            endField();
         } else if (c == '\n') {
             endRecord();
         } else if (c != '\r') {
-            field.push_back(c);
-        }
-        if (records.size() > kMaximumRecords) {
-            return core::fail(core::ErrorCode::badInput, "more than 10000 lines");
+            m_field.push_back(c);
         }
     }
-    if (quoted) {
-        return core::fail(core::ErrorCode::badInput, "line " + std::to_string(record.line) + ": a quotation mark is not closed");
+    void endField() {
+        m_record.fields.push_back(std::move(m_field));
+        m_field.clear();
     }
-    if (!field.empty() || !record.fields.empty()) {
-        endRecord();
+    void endRecord() {
+        endField();
+        if (m_record.fields.size() > 1 || !m_record.fields.front().empty()) {
+            m_records.push_back(std::move(m_record));
+        }
+        m_record = Record{m_line, {}};
     }
-    return records;
-}
+
+    const std::string& m_text;
+    std::vector<Record> m_records;
+    Record m_record;
+    std::string m_field;
+    bool m_quoted = false;
+    int m_line = 1;
+};
 
 struct Columns {
     std::optional<std::size_t> name, displayName, roles, password;
@@ -81,13 +96,15 @@ core::Result<Columns> headerOf(const Record& header) {
                                              : title == "password"     ? &columns.password
                                                                        : nullptr;
         if (column == nullptr || column->has_value()) {
-            return core::fail(core::ErrorCode::badInput, "line 1: column \"" + title +
-                              "\" is unknown or given twice; expected name,display_name,roles,password");
+            return core::fail(core::ErrorCode::badInput,
+                              "line 1: column \"" + title +
+                                  "\" is unknown or given twice; expected name,display_name,roles,password");
         }
         *column = i;
     }
     if (!columns.name || !columns.roles || !columns.password) {
-        return core::fail(core::ErrorCode::badInput, "line 1: expected the columns name,display_name,roles,password");
+        return core::fail(core::ErrorCode::badInput,
+                          "line 1: expected the columns name,display_name,roles,password");
     }
     return columns;
 }
@@ -102,7 +119,9 @@ public:
     }
     bool any() const { return m_count > 0; }
     std::string text() const {
-        return m_count > kMaximumNamedErrors ? m_text + "\nand " + std::to_string(m_count - kMaximumNamedErrors) + " more" : m_text;
+        return m_count > kMaximumNamedErrors
+                   ? m_text + "\nand " + std::to_string(m_count - kMaximumNamedErrors) + " more"
+                   : m_text;
     }
 
 private:
@@ -121,7 +140,8 @@ UserCsvRow rowOf(const Record& record, const Columns& columns, Collector& errors
     if (const auto set = rolesFromList(roles)) {
         row.roles = *set;
     } else {
-        errors.add(row.line, "roles", record.fields[*columns.roles], "expected trainee, trainer, researcher or admin, separated by ;");
+        errors.add(row.line, "roles", record.fields[*columns.roles],
+                   "expected trainee, trainer, researcher or admin, separated by ;");
     }
     if (const auto good = checkName(row.name); !good) {
         errors.add(row.line, "name", row.name, good.error().message);
@@ -139,7 +159,7 @@ UserCsvRow rowOf(const Record& record, const Columns& columns, Collector& errors
 
 core::Result<std::vector<UserCsvRow>> parseUserCsv(const std::string& text) {
     const std::string body = text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
-    auto records = split(body);
+    auto records = CsvReader(body).read();
     if (!records) {
         return tl::unexpected(records.error());
     }
@@ -163,7 +183,8 @@ core::Result<std::vector<UserCsvRow>> parseUserCsv(const std::string& text) {
         rows.push_back(rowOf(record, *columns, errors));
         const auto [other, isNew] = lineOfName.emplace(nameKey(rows.back().name), record.line);
         if (!isNew) {
-            errors.add(record.line, "name", rows.back().name, "given already in line " + std::to_string(other->second));
+            errors.add(record.line, "name", rows.back().name,
+                       "given already in line " + std::to_string(other->second));
         }
     }
     if (errors.any()) {

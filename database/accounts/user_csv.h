@@ -18,9 +18,9 @@ struct UserCsvRow {
     std::string password;
 };
 
-/// Reads RFC 4180 text with the header name,display_name,roles,password (any order; display_name may be missing).
-/// Roles are separated by ';' or, quoted, by ','. Failure: badInput that names every wrong row (at most 20): line,
-/// column, value and what was expected; also names given twice.
+/// Reads RFC 4180 text with the header name,display_name,roles,password (any order; display_name may be
+/// missing). Roles are separated by ';' or, quoted, by ','. Failure: badInput that names every wrong row (at
+/// most 20): line, column, value and what was expected; also names given twice.
 core::Result<std::vector<UserCsvRow>> parseUserCsv(const std::string& text);
 
 } // namespace chiron::database

@@ -48,10 +48,13 @@ std::string detailOf(const AuditNote& note) {
         return note.detail;
     }
     const std::string row = "\"row\":\"" + hex(note.row->data(), note.row->size()) + "\"";
-    return note.detail == "{}" ? "{" + row + "}" : note.detail.substr(0, note.detail.size() - 1) + "," + row + "}";
+    return note.detail == "{}" ? "{" + row + "}"
+                               : note.detail.substr(0, note.detail.size() - 1) + "," + row + "}";
 }
 
-std::string headFile(const SiteKey& key) { return key.folder() + "/audit_head.json"; }
+std::string headFile(const SiteKey& key) {
+    return key.folder() + "/audit_head.json";
+}
 
 std::string headSignature(const SiteKey& key, const AuditHead& head) {
     Blob bytes;
@@ -79,8 +82,9 @@ std::string_view token(ActorKind kind) noexcept {
 }
 
 core::Result<std::string> databaseIdentity(Connection& connection) {
-    const auto text = selectText(connection, "SELECT group_concat(key || '=' || value, ';') FROM (SELECT key, value FROM "
-                                             "meta WHERE key IN ('uuid', 'created_utc', 'demonstration') ORDER BY key)");
+    const auto text =
+        selectText(connection, "SELECT group_concat(key || '=' || value, ';') FROM (SELECT key, value FROM "
+                               "meta WHERE key IN ('uuid', 'created_utc', 'demonstration') ORDER BY key)");
     if (!text) {
         return tl::unexpected(text.error());
     }
@@ -111,7 +115,8 @@ RowDigest auditMac(const SiteKey& key, const AuditLink& link) {
 core::Result<void> appendAudit(Connection& connection, const Actor& actor, const AuditNote& note) {
     const SiteKey* key = connection.siteKey();
     if (key == nullptr) {
-        return core::fail(core::ErrorCode::storage, connection.file() + ": no site key, so nothing can be audited");
+        return core::fail(core::ErrorCode::storage,
+                          connection.file() + ": no site key, so nothing can be audited");
     }
     auto last = lastLink(connection);
     auto identity = databaseIdentity(connection);
@@ -129,11 +134,12 @@ core::Result<void> appendAudit(Connection& connection, const Actor& actor, const
     link.detailJson = detailOf(note);
     link.previous = *last ? (*last)->mac : toBlob(auditGenesis(*key, *identity));
     link.mac = toBlob(auditMac(*key, link));
-    auto done = Query::run(connection,
-                           "INSERT INTO audit (sequence, utc, actor_kind, actor_id, action, target, target_id, "
-                           "detail_json, previous, mac) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-                           {link.sequence, link.utc, link.actorKind, link.actor, link.action, link.target,
-                            link.targetId, link.detailJson, link.previous, link.mac});
+    auto done =
+        Query::run(connection,
+                   "INSERT INTO audit (sequence, utc, actor_kind, actor_id, action, target, target_id, "
+                   "detail_json, previous, mac) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                   {link.sequence, link.utc, link.actorKind, link.actor, link.action, link.target,
+                    link.targetId, link.detailJson, link.previous, link.mac});
     if (!done) {
         return tl::unexpected(done.error());
     }
@@ -171,7 +177,8 @@ core::Result<std::optional<AuditHead>> readHeadFile(const SiteKey& key) {
     const QJsonObject json = QJsonDocument::fromJson(file.read(4096)).object();
     const AuditHead head{json["count"].toInteger(-1), json["hash"].toString().toStdString()};
     if (head.count < 0 || json["signature"].toString().toStdString() != headSignature(key, head)) {
-        return core::fail(core::ErrorCode::doesNotHold, headFile(key) + ": malformed, or not signed with this site's key");
+        return core::fail(core::ErrorCode::doesNotHold,
+                          headFile(key) + ": malformed, or not signed with this site's key");
     }
     return std::optional(head);
 }

@@ -16,10 +16,10 @@ namespace chiron::database {
 /// What is to be recorded. Ids, tokens, numbers and digests only: never names or free text.
 struct AuditNote {
     std::string_view action;
-    std::string_view target;          ///< table
+    std::string_view target; ///< table
     std::int64_t targetId = 0;
-    std::optional<RowDigest> row;     ///< digest of the target's row after the action: verify compares it
-    std::string detail = "{}";        ///< further JSON object, without "row"
+    std::optional<RowDigest> row; ///< digest of the target's row after the action: verify compares it
+    std::string detail = "{}";    ///< further JSON object, without "row"
 };
 
 /// One stored entry with its links.
@@ -38,8 +38,9 @@ struct AuditHead {
     bool operator==(const AuditHead&) const = default;
 };
 
-/// Appends an entry in the running transaction: mac = keyed BLAKE2b over its fields and the mac before it; the first
-/// one follows a genesis made from the database's identity, so chains of two databases cannot be spliced.
+/// Appends an entry in the running transaction: mac = keyed BLAKE2b over its fields and the mac before it;
+/// the first one follows a genesis made from the database's identity, so chains of two databases cannot be
+/// spliced.
 core::Result<void> appendAudit(Connection& connection, const Actor& actor, const AuditNote& note);
 
 /// The code that an entry must have.

@@ -15,7 +15,9 @@ namespace {
 
 constexpr char kPrefix[] = "chiron-site-key-1 ";
 
-std::string keyFile(const std::string& folder) { return folder + "/site.key"; }
+std::string keyFile(const std::string& folder) {
+    return folder + "/site.key";
+}
 
 core::Result<void> writeNew(const std::string& file, const std::string& text) {
     // O_EXCL with mode 0600 from the first moment: the key is never readable by others, not even briefly.
@@ -35,7 +37,9 @@ core::Result<void> writeNew(const std::string& file, const std::string& text) {
 
 } // namespace
 
-SiteKey::~SiteKey() { sodium_memzero(m_key.data(), m_key.size()); }
+SiteKey::~SiteKey() {
+    sodium_memzero(m_key.data(), m_key.size());
+}
 
 core::Result<std::unique_ptr<SiteKey>> SiteKey::createOrLoad(const std::string& siteFolder) {
     if (QFileInfo::exists(QString::fromStdString(keyFile(siteFolder)))) {
@@ -71,13 +75,15 @@ core::Result<std::unique_ptr<SiteKey>> SiteKey::load(const std::string& siteFold
     }
     struct stat status {};
     if (::fstat(file.handle(), &status) != 0 || (status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
-        return core::fail(core::ErrorCode::storage, name + ": others may read the site key; allow its owner only (0600)");
+        return core::fail(core::ErrorCode::storage,
+                          name + ": others may read the site key; allow its owner only (0600)");
     }
     const QByteArray text = file.read(256).trimmed();
     const QByteArray digits = text.startsWith(kPrefix) ? text.mid(sizeof(kPrefix) - 1) : QByteArray();
     const QByteArray bytes = QByteArray::fromHex(digits);
     if (digits.size() != 64 || bytes.size() != 32) {
-        return core::fail(core::ErrorCode::storage, name + ": not a site key (expected \"chiron-site-key-1\" and 64 hex digits)");
+        return core::fail(core::ErrorCode::storage,
+                          name + ": not a site key (expected \"chiron-site-key-1\" and 64 hex digits)");
     }
     std::unique_ptr<SiteKey> key(new SiteKey(siteFolder));
     std::copy(bytes.begin(), bytes.end(), key->m_key.begin());

@@ -12,9 +12,9 @@
 
 namespace chiron::database {
 
-/// The secret that the audit chain is keyed with: 32 random bytes in "<site folder>/site.key" (0600), outside the
-/// database. Wiped from memory on destruction. Whoever holds it could forge the chain: an administrator of the machine is
-/// outside the chain's promise (data.md, Proof).
+/// The secret that the audit chain is keyed with: 32 random bytes in "<site folder>/site.key" (0600), outside
+/// the database. Wiped from memory on destruction. Whoever holds it could forge the chain: an administrator
+/// of the machine is outside the chain's promise (data.md, Proof).
 class SiteKey {
 public:
     SiteKey(const SiteKey&) = delete;

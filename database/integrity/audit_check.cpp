@@ -32,7 +32,8 @@ public:
         if (m_head && link.sequence == m_head->count) {
             m_headSeen = hex(link.mac) == m_head->hash;
         }
-        const QJsonObject detail = QJsonDocument::fromJson(QByteArray::fromStdString(link.detailJson)).object();
+        const QJsonObject detail =
+            QJsonDocument::fromJson(QByteArray::fromStdString(link.detailJson)).object();
         if (detail.contains("row")) {
             m_rows[{link.target, link.targetId}] = detail["row"].toString().toStdString();
         }
@@ -42,7 +43,8 @@ public:
     void finish() {
         if (m_head && m_head->count > 0 && !m_headSeen) {
             report("sequence=" + std::to_string(m_head->count),
-                   "cut off: the chain does not contain the head that the site keeps (" + m_head->hash.substr(0, 16) + "...)");
+                   "cut off: the chain does not contain the head that the site keeps (" +
+                       m_head->hash.substr(0, 16) + "...)");
         }
     }
     void report(const std::string& row, const std::string& detail) {
@@ -76,32 +78,38 @@ AuditLink linkOf(const Query& row) {
 }
 
 // A row that was changed together with its digest by somebody without the key shows here.
-void checkVouchedRows(Connection& connection, const std::map<Target, std::string>& rows, VerifyReport& report) {
+void checkVouchedRows(Connection& connection, const std::map<Target, std::string>& rows,
+                      VerifyReport& report) {
     for (const auto& [target, expected] : rows) {
         const auto& [table, id] = target;
         if (table != "person" && table != "session" && table != "score_set" && table != "session_comment") {
             continue;
         }
-        const auto digest = selectText(connection, "SELECT lower(hex(digest)) FROM " + table + " WHERE id = ?", {id});
+        const auto digest =
+            selectText(connection, "SELECT lower(hex(digest)) FROM " + table + " WHERE id = ?", {id});
         const std::string row = "id=" + std::to_string(id);
         if (!digest) {
             report.findings.push_back({"unreadable", table, row, digest.error().message});
         } else if (!*digest) {
-            report.findings.push_back({"missing", table, row, "the audit chain knows this row, the table has it no more"});
+            report.findings.push_back(
+                {"missing", table, row, "the audit chain knows this row, the table has it no more"});
         } else if (**digest != expected) {
-            report.findings.push_back({"audit", table, row, "was changed without an entry in the audit chain"});
+            report.findings.push_back(
+                {"audit", table, row, "was changed without an entry in the audit chain"});
         }
     }
 }
 
 } // namespace
 
-void checkAudit(Connection& connection, const SiteKey& key, const std::optional<AuditHead>& head, VerifyReport& report) {
+void checkAudit(Connection& connection, const SiteKey& key, const std::optional<AuditHead>& head,
+                VerifyReport& report) {
     const auto identity = databaseIdentity(connection);
     const Blob genesis = toBlob(auditGenesis(key, identity.value_or("")));
     ChainCheck chain(key, genesis, head, report);
-    auto query = Query::run(connection, "SELECT sequence, utc, actor_kind, actor_id, action, target, target_id, detail_json, "
-                                        "previous, mac FROM audit ORDER BY sequence");
+    auto query = Query::run(
+        connection, "SELECT sequence, utc, actor_kind, actor_id, action, target, target_id, detail_json, "
+                    "previous, mac FROM audit ORDER BY sequence");
     if (!query) {
         chain.report("", query.error().message);
         return;

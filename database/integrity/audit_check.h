@@ -8,8 +8,9 @@
 
 namespace chiron::database {
 
-/// Checks the audit chain: codes (edit), numbers (gap, reorder), links (splice), the head it must contain (truncation), and that the
-/// rows it vouches for are as they were at their last entry.
-void checkAudit(Connection& connection, const SiteKey& key, const std::optional<AuditHead>& head, VerifyReport& report);
+/// Checks the audit chain: codes (edit), numbers (gap, reorder), links (splice), the head it must contain
+/// (truncation), and that the rows it vouches for are as they were at their last entry.
+void checkAudit(Connection& connection, const SiteKey& key, const std::optional<AuditHead>& head,
+                VerifyReport& report);
 
 } // namespace chiron::database

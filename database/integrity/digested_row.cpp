@@ -15,7 +15,8 @@ void normalise(std::vector<Column>& columns) {
 }
 
 const Value* find(const std::vector<Column>& columns, std::string_view name) {
-    const auto found = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
+    const auto found =
+        std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
     return found == columns.end() ? nullptr : &found->value;
 }
 
@@ -37,8 +38,10 @@ std::vector<Value> valuesOf(const std::vector<Column>& columns) {
 
 core::Result<std::vector<Value>> presentValues(Connection& connection, const DigestedTable& spec,
                                                const std::vector<Column>& key) {
-    auto query = Query::run(connection, "SELECT " + rawSelectList(spec) + ", digest FROM " + std::string(spec.name) +
-                                            whereOf(key), valuesOf(key));
+    auto query =
+        Query::run(connection,
+                   "SELECT " + rawSelectList(spec) + ", digest FROM " + std::string(spec.name) + whereOf(key),
+                   valuesOf(key));
     if (!query) {
         return tl::unexpected(query.error());
     }
@@ -51,7 +54,8 @@ core::Result<std::vector<Value>> presentValues(Connection& connection, const Dig
     }
     auto values = rawValues(*query, spec, 0);
     if (query->blob(static_cast<int>(2 * spec.columns.size())) != toBlob(rowDigest(spec.name, values))) {
-        return core::fail(core::ErrorCode::storage, connection.file() + ": a row of " + std::string(spec.name) +
+        return core::fail(core::ErrorCode::storage, connection.file() + ": a row of " +
+                                                        std::string(spec.name) +
                                                         " is damaged (its digest does not fit); run verify");
     }
     return values;
@@ -59,7 +63,8 @@ core::Result<std::vector<Value>> presentValues(Connection& connection, const Dig
 
 } // namespace
 
-core::Result<RowDigest> insertRow(Connection& connection, std::string_view table, std::vector<Column> columns) {
+core::Result<RowDigest> insertRow(Connection& connection, std::string_view table,
+                                  std::vector<Column> columns) {
     normalise(columns);
     const DigestedTable& spec = digestedTable(table);
     std::vector<Value> covered;
@@ -75,7 +80,8 @@ core::Result<RowDigest> insertRow(Connection& connection, std::string_view table
         names += (names.empty() ? "" : ", ") + std::string(column.name);
         marks += marks.empty() ? "?" : ", ?";
     }
-    auto done = Query::run(connection, "INSERT INTO " + std::string(table) + " (" + names + ") VALUES (" + marks + ")",
+    auto done = Query::run(connection,
+                           "INSERT INTO " + std::string(table) + " (" + names + ") VALUES (" + marks + ")",
                            valuesOf(columns));
     if (!done) {
         return tl::unexpected(done.error());
@@ -83,8 +89,8 @@ core::Result<RowDigest> insertRow(Connection& connection, std::string_view table
     return digest;
 }
 
-core::Result<RowDigest> updateRow(Connection& connection, std::string_view table, const std::vector<Column>& key,
-                                  std::vector<Column> changes) {
+core::Result<RowDigest> updateRow(Connection& connection, std::string_view table,
+                                  const std::vector<Column>& key, std::vector<Column> changes) {
     normalise(changes);
     const DigestedTable& spec = digestedTable(table);
     auto values = presentValues(connection, spec, key);

@@ -12,14 +12,16 @@
 
 namespace chiron::database {
 
-/// Inserts a row with its digest; columns that the digest covers and that are not given are NULL. -0.0 becomes 0.0.
-/// Returns the digest. Failure: badInput (not finite, not UTF-8), storage. Writer's connection only.
-core::Result<RowDigest> insertRow(Connection& connection, std::string_view table, std::vector<Column> columns);
+/// Inserts a row with its digest; columns that the digest covers and that are not given are NULL. -0.0
+/// becomes 0.0. Returns the digest. Failure: badInput (not finite, not UTF-8), storage. Writer's connection
+/// only.
+core::Result<RowDigest> insertRow(Connection& connection, std::string_view table,
+                                  std::vector<Column> columns);
 
-/// Changes columns of one row and renews its digest; first checks that the row still fits its old one, so that damage
-/// is never signed over. Failure: notFound, storage (damaged row), as insertRow.
-core::Result<RowDigest> updateRow(Connection& connection, std::string_view table, const std::vector<Column>& key,
-                                  std::vector<Column> changes);
+/// Changes columns of one row and renews its digest; first checks that the row still fits its old one, so
+/// that damage is never signed over. Failure: notFound, storage (damaged row), as insertRow.
+core::Result<RowDigest> updateRow(Connection& connection, std::string_view table,
+                                  const std::vector<Column>& key, std::vector<Column> changes);
 
 /// The covered values of the query's present row, whose select list begins with rawSelectList at this column.
 std::vector<Value> rawValues(const Query& query, const DigestedTable& table, int firstColumn);

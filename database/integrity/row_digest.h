@@ -15,15 +15,15 @@ namespace chiron::database {
 
 using RowDigest = std::array<std::uint8_t, 32>;
 
-/// A table whose rows carry a digest: the columns that identify a row for people, and those that the digest covers, in
-/// the encoding's order. Payloads and free texts are covered through the column with their hash.
+/// A table whose rows carry a digest: the columns that identify a row for people, and those that the digest
+/// covers, in the encoding's order. Payloads and free texts are covered through the column with their hash.
 struct DigestedTable {
     std::string_view name;
     std::vector<std::string_view> key;
     std::vector<std::string_view> columns;
-    std::string_view hashedColumn{};  ///< a payload or text that hashColumn covers; empty: none
+    std::string_view hashedColumn{}; ///< a payload or text that hashColumn covers; empty: none
     std::string_view hashColumn{};
-    std::string_view erasedSql{};     ///< expression that is 1 where an erasure has emptied hashedColumn
+    std::string_view erasedSql{}; ///< expression that is 1 where an erasure has emptied hashedColumn
 };
 
 /// All of them, parents first.
@@ -31,17 +31,20 @@ const std::vector<DigestedTable>& digestedTables();
 /// The one of this name; must exist.
 const DigestedTable& digestedTable(std::string_view name);
 
-/// BLAKE2b-256 over "chiron-row-1", the table's name and each value: a tag (0 NULL, 1 INTEGER, 2 REAL, 3 TEXT, 4 BLOB), then 8 bytes
-/// little-endian (two's complement; the double's bits), or an 8-byte length and the bytes.
+/// BLAKE2b-256 over "chiron-row-1", the table's name and each value: a tag (0 NULL, 1 INTEGER, 2 REAL, 3
+/// TEXT, 4 BLOB), then 8 bytes little-endian (two's complement; the double's bits), or an 8-byte length and
+/// the bytes.
 RowDigest rowDigest(std::string_view table, std::span<const Value> values);
 
 /// BLAKE2b-256 of bytes.
 RowDigest bytesDigest(std::span<const std::uint8_t> bytes);
 RowDigest textDigest(std::string_view text);
-inline Blob toBlob(const RowDigest& digest) { return Blob(digest.begin(), digest.end()); }
+inline Blob toBlob(const RowDigest& digest) {
+    return Blob(digest.begin(), digest.end());
+}
 
-/// Comma-separated select list that yields, for each covered column, its raw value: text as the stored bytes, each
-/// preceded by its type, so that a damaged encoding cannot pass as the same text.
+/// Comma-separated select list that yields, for each covered column, its raw value: text as the stored bytes,
+/// each preceded by its type, so that a damaged encoding cannot pass as the same text.
 std::string rawSelectList(const DigestedTable& table);
 
 } // namespace chiron::database

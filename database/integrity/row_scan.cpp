@@ -33,8 +33,8 @@ void RowScan::report(const std::string& kind, const std::string& row, const std:
 std::string RowScan::sql() const {
     std::string text = "SELECT rowid, " + rawSelectList(m_table) + ", digest";
     if (!m_table.hashedColumn.empty()) {
-        text += ", CAST(" + std::string(m_table.hashedColumn) + " AS BLOB), " + std::string(m_table.hashColumn) + ", " +
-                std::string(m_table.erasedSql);
+        text += ", CAST(" + std::string(m_table.hashedColumn) + " AS BLOB), " +
+                std::string(m_table.hashColumn) + ", " + std::string(m_table.erasedSql);
     }
     return text + " FROM " + std::string(m_table.name) + " NOT INDEXED WHERE rowid > ? ORDER BY rowid";
 }
@@ -92,7 +92,8 @@ void RowScan::checkRow(const Query& query, const Visitor& visit) {
     const std::vector<Value> values = rawValues(query, m_table, 1);
     const int digestColumn = 1 + static_cast<int>(2 * m_table.columns.size());
     if (query.blob(digestColumn) != toBlob(rowDigest(m_table.name, values))) {
-        report("digest", keyOf(values), "the row does not fit its digest (rowid " + std::to_string(query.integer(0)) + ")");
+        report("digest", keyOf(values),
+               "the row does not fit its digest (rowid " + std::to_string(query.integer(0)) + ")");
     }
     if (!m_table.hashedColumn.empty() && !query.isNull(digestColumn + 2)) {
         const Blob bytes = query.blob(digestColumn + 1);

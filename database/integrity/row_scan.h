@@ -11,8 +11,9 @@
 
 namespace chiron::database {
 
-/// Reads every row of a digested table and compares its digest, and the hash of its payload or text. Damage on the way
-/// stops neither: rows that cannot be read are named by their numbers, and reading goes on behind them.
+/// Reads every row of a digested table and compares its digest, and the hash of its payload or text. Damage
+/// on the way stops neither: rows that cannot be read are named by their numbers, and reading goes on behind
+/// them.
 class RowScan {
 public:
     using Visitor = std::function<void(const std::vector<Value>& values)>;

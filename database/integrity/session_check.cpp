@@ -7,7 +7,9 @@
 namespace chiron::database {
 namespace {
 
-std::string sessionKey(std::int64_t session) { return "session_id=" + std::to_string(session); }
+std::string sessionKey(std::int64_t session) {
+    return "session_id=" + std::to_string(session);
+}
 
 struct Ended {
     std::int64_t id = 0;
@@ -26,7 +28,8 @@ struct ScoreSet {
 
 // All rows of a query; what cannot be read is reported.
 template <class T, class Make>
-std::vector<T> collect(Connection& connection, const std::string& table, const std::string& sql, VerifyReport& report, Make make) {
+std::vector<T> collect(Connection& connection, const std::string& table, const std::string& sql,
+                       VerifyReport& report, Make make) {
     std::vector<T> values;
     auto query = Query::run(connection, sql);
     if (!query) {
@@ -51,14 +54,17 @@ void checkEnded(Connection& connection, const Ended& session, const SeenRows& se
     constexpr std::int64_t kMostNamed = 1'000'000;
     for (std::int64_t i = 0; i < std::min(session.chunks, kMostNamed); ++i) {
         if (!sequences.contains(i)) {
-            report.findings.push_back({"missing", "chunk", sessionKey(session.id) + " sequence=" + std::to_string(i), "not there"});
+            report.findings.push_back(
+                {"missing", "chunk", sessionKey(session.id) + " sequence=" + std::to_string(i), "not there"});
         }
     }
     const auto seal = sessionSeal(connection, session.id);
     if (!seal) {
-        report.findings.push_back({"unreadable", "session", "id=" + std::to_string(session.id), seal.error().message});
+        report.findings.push_back(
+            {"unreadable", "session", "id=" + std::to_string(session.id), seal.error().message});
     } else if (toBlob(*seal) != session.seal) {
-        report.findings.push_back({"seal", "session", "id=" + std::to_string(session.id), "chunks, trials, events or summaries are not those of the session's end"});
+        report.findings.push_back({"seal", "session", "id=" + std::to_string(session.id),
+                                   "chunks, trials, events or summaries are not those of the session's end"});
     }
 }
 
@@ -67,7 +73,9 @@ void checkScoreSet(Connection& connection, const ScoreSet& set, const SeenRows& 
     const auto found = seen.scores.find(set.id);
     const std::int64_t present = found == seen.scores.end() ? 0 : found->second;
     if (present != set.scores) {
-        report.findings.push_back({"missing", "score", row, std::to_string(set.scores) + " scores expected, " + std::to_string(present) + " there"});
+        report.findings.push_back(
+            {"missing", "score", row,
+             std::to_string(set.scores) + " scores expected, " + std::to_string(present) + " there"});
     }
     const auto seal = scoreSeal(connection, set.id);
     if (!seal) {
@@ -79,17 +87,21 @@ void checkScoreSet(Connection& connection, const ScoreSet& set, const SeenRows& 
 
 } // namespace
 
-void checkSessions(Connection& connection, const SeenRows& seen, const ScoreCheck& check, VerifyReport& report) {
-    const auto ended = collect<Ended>(connection, "session",
-                                      "SELECT id, chunks, seal, recording_erased, EXISTS (SELECT 1 FROM score_set WHERE "
-                                      "session_id = session.id) FROM session WHERE state <> 'running' ORDER BY id", report,
-                                      [](const Query& row) {
-                                          return Ended{row.integer(0), row.integer(1), row.blob(2), row.integer(3) != 0, row.integer(4) != 0};
-                                      });
-    const auto sets = collect<ScoreSet>(connection, "score_set", "SELECT id, session_id, scores, seal FROM score_set ORDER BY id", report,
-                                        [](const Query& row) {
-                                            return ScoreSet{row.integer(0), row.integer(1), row.integer(2), row.blob(3)};
-                                        });
+void checkSessions(Connection& connection, const SeenRows& seen, const ScoreCheck& check,
+                   VerifyReport& report) {
+    const auto ended =
+        collect<Ended>(connection, "session",
+                       "SELECT id, chunks, seal, recording_erased, EXISTS (SELECT 1 FROM score_set WHERE "
+                       "session_id = session.id) FROM session WHERE state <> 'running' ORDER BY id",
+                       report, [](const Query& row) {
+                           return Ended{row.integer(0), row.integer(1), row.blob(2), row.integer(3) != 0,
+                                        row.integer(4) != 0};
+                       });
+    const auto sets = collect<ScoreSet>(
+        connection, "score_set", "SELECT id, session_id, scores, seal FROM score_set ORDER BY id", report,
+        [](const Query& row) {
+            return ScoreSet{row.integer(0), row.integer(1), row.integer(2), row.blob(3)};
+        });
     for (const Ended& session : ended) {
         checkEnded(connection, session, seen, report);
     }
@@ -98,7 +110,8 @@ void checkSessions(Connection& connection, const SeenRows& seen, const ScoreChec
     }
     for (const auto& [session, sequences] : seen.chunks) {
         if (!seen.sessions.contains(session)) {
-            report.findings.push_back({"missing", "session", "id=" + std::to_string(session), "chunks refer to it"});
+            report.findings.push_back(
+                {"missing", "session", "id=" + std::to_string(session), "chunks refer to it"});
         }
     }
     for (const Ended& session : ended) {

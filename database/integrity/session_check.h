@@ -15,8 +15,9 @@ struct SeenRows {
     std::set<std::int64_t> sessions;
 };
 
-/// Checks what belongs together: no chunk or score missing, seals as stored when the session ended; then, if given, the scores
-/// themselves.
-void checkSessions(Connection& connection, const SeenRows& seen, const ScoreCheck& check, VerifyReport& report);
+/// Checks what belongs together: no chunk or score missing, seals as stored when the session ended; then, if
+/// given, the scores themselves.
+void checkSessions(Connection& connection, const SeenRows& seen, const ScoreCheck& check,
+                   VerifyReport& report);
 
 } // namespace chiron::database

@@ -11,7 +11,8 @@
 namespace chiron::database {
 namespace {
 
-void add(VerifyReport& report, const std::string& kind, const std::string& table, const std::string& row, const std::string& detail) {
+void add(VerifyReport& report, const std::string& kind, const std::string& table, const std::string& row,
+         const std::string& detail) {
     report.findings.push_back({kind, table, row, detail});
 }
 
@@ -29,14 +30,16 @@ void checkStructure(Connection& connection, VerifyReport& report) {
     auto keys = Query::run(connection, "PRAGMA foreign_key_check");
     auto key = keys ? keys->next() : tl::unexpected(keys.error());
     for (; key && *key; key = keys->next()) {
-        add(report, "foreign_key", keys->text(0), "rowid=" + std::to_string(keys->integer(1)), "refers to a missing row of " + keys->text(2));
+        add(report, "foreign_key", keys->text(0), "rowid=" + std::to_string(keys->integer(1)),
+            "refers to a missing row of " + keys->text(2));
     }
     if (!key) {
         add(report, "foreign_key", "", "", key.error().message);
     }
 }
 
-std::int64_t integerOf(const DigestedTable& table, const std::vector<Value>& values, std::string_view column) {
+std::int64_t integerOf(const DigestedTable& table, const std::vector<Value>& values,
+                       std::string_view column) {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         if (table.columns[i] == column) {
             return values[i].integer();
@@ -50,7 +53,8 @@ SeenRows checkRows(Connection& connection, VerifyReport& report) {
     for (const DigestedTable& table : digestedTables()) {
         RowScan(connection, table, report).run([&](const std::vector<Value>& values) {
             if (table.name == "chunk") {
-                seen.chunks[integerOf(table, values, "session_id")].insert(integerOf(table, values, "sequence"));
+                seen.chunks[integerOf(table, values, "session_id")].insert(
+                    integerOf(table, values, "sequence"));
             } else if (table.name == "score") {
                 ++seen.scores[integerOf(table, values, "score_set_id")];
             } else if (table.name == "session") {
@@ -69,7 +73,8 @@ VerifyReport verifySnapshot(const std::string& file, const SiteKey* key, const s
     if (const auto present = MigrationRunner().inspect(file); !present) {
         add(report, "file", "", "", present.error().message);
     }
-    auto connection = Connection::open(file, Connection::Mode::readOnly); // a damaged header may still be readable
+    auto connection =
+        Connection::open(file, Connection::Mode::readOnly); // a damaged header may still be readable
     if (!connection) {
         if (report.ok()) {
             add(report, "file", "", "", connection.error().message);
@@ -86,7 +91,8 @@ VerifyReport verifySnapshot(const std::string& file, const SiteKey* key, const s
     return report;
 }
 
-VerifyReport verifyDatabase(const std::string& file, const DatabaseOptions& options, const ScoreCheck& check) {
+VerifyReport verifyDatabase(const std::string& file, const DatabaseOptions& options,
+                            const ScoreCheck& check) {
     const auto key = SiteKey::load(siteFolderFor(file, options));
     if (!key) {
         VerifyReport report = verifySnapshot(file, nullptr, std::nullopt, check);
@@ -98,7 +104,8 @@ VerifyReport verifyDatabase(const std::string& file, const DatabaseOptions& opti
     if (!head) {
         add(report, "audit", "audit", "", head.error().message);
     } else if (!*head) {
-        add(report, "audit", "audit", "", "the site's head file is missing: a chain cut short could not be told");
+        add(report, "audit", "audit", "",
+            "the site's head file is missing: a chain cut short could not be told");
     }
     return report;
 }

@@ -14,9 +14,10 @@ namespace chiron::database {
 
 /// Something that verify found.
 struct Finding {
-    std::string kind;   ///< file, integrity, foreign_key, digest, payload, missing, unreadable, seal, audit, score, database
+    std::string kind; ///< file, integrity, foreign_key, digest, payload, missing, unreadable, seal, audit,
+                      ///< score, database
     std::string table;
-    std::string row;    ///< the row's key, e.g. "session_id=3 sequence=7"
+    std::string row; ///< the row's key, e.g. "session_id=3 sequence=7"
     std::string detail;
 };
 
@@ -26,13 +27,15 @@ struct VerifyReport {
     bool ok() const noexcept { return findings.empty(); }
 };
 
-/// Recomputes the scores of one session and compares them with the stored ones; given by the session layer. Called with
-/// a read-only connection, once for each ended session whose recording is there.
+/// Recomputes the scores of one session and compares them with the stored ones; given by the session layer.
+/// Called with a read-only connection, once for each ended session whose recording is there.
 using ScoreCheck = std::function<std::vector<Finding>(Connection&, SessionId)>;
 
-/// Checks a database file: header, SQLite's integrity check, foreign keys, the digest of every row, payloads, session
-/// seals, the audit chain against key and head file, scores. Needs no login and changes nothing. Whatever is wrong with the file
-/// becomes a finding; never an error, never a crash. Blocking and long: a worker's task.
-VerifyReport verifyDatabase(const std::string& file, const DatabaseOptions& options = {}, const ScoreCheck& check = {});
+/// Checks a database file: header, SQLite's integrity check, foreign keys, the digest of every row, payloads,
+/// session seals, the audit chain against key and head file, scores. Needs no login and changes nothing.
+/// Whatever is wrong with the file becomes a finding; never an error, never a crash. Blocking and long: a
+/// worker's task.
+VerifyReport verifyDatabase(const std::string& file, const DatabaseOptions& options = {},
+                            const ScoreCheck& check = {});
 
 } // namespace chiron::database

@@ -10,7 +10,8 @@
 namespace chiron::database {
 namespace {
 
-core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std::string& sql, PersonId person) {
+core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std::string& sql,
+                                              PersonId person) {
     auto query = Query::run(connection, sql, {person});
     if (!query) {
         return tl::unexpected(query.error());
@@ -26,7 +27,8 @@ core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std:
 core::Result<void> overwriteIdentity(Connection& connection, const Actor& byWhom, Erasure& erasure) {
     const PersonId id = erasure.person;
     const std::string name = "erased-" + std::to_string(id);
-    const auto before = selectText(connection, "SELECT lower(hex(digest)) FROM person WHERE id = ? AND kind <> 'simulated'", {id});
+    const auto before = selectText(
+        connection, "SELECT lower(hex(digest)) FROM person WHERE id = ? AND kind <> 'simulated'", {id});
     if (!before) {
         return tl::unexpected(before.error());
     }
@@ -34,12 +36,16 @@ core::Result<void> overwriteIdentity(Connection& connection, const Actor& byWhom
         return core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
     }
     const auto person = updateRow(connection, "person", {{"id", id}},
-                                  {{"kind", std::string("erased")}, {"name", name}, {"name_key", name},
-                                   {"display_name", std::string()}, {"roles", std::string()}, {"enabled", std::int64_t{0}}});
+                                  {{"kind", std::string("erased")},
+                                   {"name", name},
+                                   {"name_key", name},
+                                   {"display_name", std::string()},
+                                   {"roles", std::string()},
+                                   {"enabled", std::int64_t{0}}});
     const auto code = updateRow(connection, "person_code", {{"person_id", id}}, {{"code", name}});
-    const auto credential = updateRow(connection, "credential", {{"person_id", id}},
-                                      {{"password_hash", std::string()}, {"recovery_hash", std::string()},
-                                       {"wait_boot", std::string()}});
+    const auto credential = updateRow(
+        connection, "credential", {{"person_id", id}},
+        {{"password_hash", std::string()}, {"recovery_hash", std::string()}, {"wait_boot", std::string()}});
     if (!person || !code || !credential) {
         return tl::unexpected(!person ? person.error() : !code ? code.error() : credential.error());
     }
@@ -48,13 +54,17 @@ core::Result<void> overwriteIdentity(Connection& connection, const Actor& byWhom
 }
 
 core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, PersonId id) {
-    auto comments = Query::run(connection, "UPDATE session_comment SET text = '' WHERE author_id = ? OR session_id IN "
-                                           "(SELECT id FROM session WHERE person_id = ?)", {id, id});
-    auto reasons = Query::run(connection, "UPDATE session SET void_reason = '' WHERE voided_by = ? OR person_id = ?", {id, id});
+    auto comments = Query::run(connection,
+                               "UPDATE session_comment SET text = '' WHERE author_id = ? OR session_id IN "
+                               "(SELECT id FROM session WHERE person_id = ?)",
+                               {id, id});
+    auto reasons = Query::run(
+        connection, "UPDATE session SET void_reason = '' WHERE voided_by = ? OR person_id = ?", {id, id});
     if (!comments || !reasons) {
         return tl::unexpected(!comments ? comments.error() : reasons.error());
     }
-    // A trace's name or the ring's folder may tell who it was; scripted operators' names do not, but one rule is simpler.
+    // A trace's name or the ring's folder may tell who it was; scripted operators' names do not, but one rule
+    // is simpler.
     const auto sessions = idsOf(connection, "SELECT id FROM session WHERE person_id = ?", id);
     if (!sessions) {
         return tl::unexpected(sessions.error());
@@ -65,7 +75,8 @@ core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, P
         if (!row) {
             return tl::unexpected(row.error());
         }
-        if (auto audited = appendAudit(connection, byWhom, {"eraseTexts", "session", session, *row, "{}"}); !audited) {
+        if (auto audited = appendAudit(connection, byWhom, {"eraseTexts", "session", session, *row, "{}"});
+            !audited) {
             return audited;
         }
     }
@@ -80,31 +91,40 @@ core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWh
     erasure.digestsJson += ",\"sessions\":{";
     for (std::size_t i = 0; i < sessions->size(); ++i) {
         const SessionId session = (*sessions)[i];
-        const auto seal = selectText(connection, "SELECT lower(hex(seal)) FROM session WHERE id = ?", {session});
-        auto payloads = Query::run(connection, "UPDATE chunk SET payload = zeroblob(0) WHERE session_id = ?", {session});
+        const auto seal =
+            selectText(connection, "SELECT lower(hex(seal)) FROM session WHERE id = ?", {session});
+        auto payloads =
+            Query::run(connection, "UPDATE chunk SET payload = zeroblob(0) WHERE session_id = ?", {session});
         if (!seal || !payloads) {
             return tl::unexpected(!seal ? seal.error() : payloads.error());
         }
-        const auto row = updateRow(connection, "session", {{"id", session}}, {{"recording_erased", std::int64_t{1}}});
+        const auto row =
+            updateRow(connection, "session", {{"id", session}}, {{"recording_erased", std::int64_t{1}}});
         if (!row) {
             return tl::unexpected(row.error());
         }
-        if (auto audited = appendAudit(connection, byWhom, {"eraseRecording", "session", session, *row, "{}"}); !audited) {
+        if (auto audited =
+                appendAudit(connection, byWhom, {"eraseRecording", "session", session, *row, "{}"});
+            !audited) {
             return audited;
         }
-        erasure.digestsJson += (i > 0 ? ",\"" : "\"") + std::to_string(session) + "\":\"" + seal->value_or("") + "\"";
+        erasure.digestsJson +=
+            (i > 0 ? ",\"" : "\"") + std::to_string(session) + "\":\"" + seal->value_or("") + "\"";
     }
     erasure.digestsJson += "}";
     return {};
 }
 
 core::Result<void> storeTombstone(Connection& connection, const Erasure& erasure) {
-    const auto known = selectInteger(connection, "SELECT 1 FROM erasure WHERE person_id = ?", {erasure.person});
+    const auto known =
+        selectInteger(connection, "SELECT 1 FROM erasure WHERE person_id = ?", {erasure.person});
     if (!known) {
         return tl::unexpected(known.error());
     }
     const std::vector<Column> key{{"person_id", erasure.person}};
-    std::vector<Column> rest{{"utc", erasure.utc}, {"reason", erasure.reason}, {"administrator_id", erasure.administrator},
+    std::vector<Column> rest{{"utc", erasure.utc},
+                             {"reason", erasure.reason},
+                             {"administrator_id", erasure.administrator},
                              {"recordings_withdrawn", std::int64_t{erasure.recordingsWithdrawn}},
                              {"digests_json", erasure.digestsJson}};
     if (!*known) {
@@ -132,16 +152,17 @@ core::Result<Erasure> overwritePerson(Connection& connection, const Actor& byWho
 }
 
 core::Result<std::vector<Erasure>> storedErasures(Connection& connection) {
-    auto query = Query::run(connection, "SELECT person_id, utc, reason, administrator_id, recordings_withdrawn, digests_json "
-                                        "FROM erasure ORDER BY person_id");
+    auto query = Query::run(
+        connection, "SELECT person_id, utc, reason, administrator_id, recordings_withdrawn, digests_json "
+                    "FROM erasure ORDER BY person_id");
     if (!query) {
         return tl::unexpected(query.error());
     }
     std::vector<Erasure> erasures;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
-        erasures.push_back({query->integer(0), query->text(1), query->text(2), query->integer(3), query->integer(4) != 0,
-                            query->text(5)});
+        erasures.push_back({query->integer(0), query->text(1), query->text(2), query->integer(3),
+                            query->integer(4) != 0, query->text(5)});
     }
     return row ? core::Result<std::vector<Erasure>>(std::move(erasures)) : tl::unexpected(row.error());
 }

@@ -20,13 +20,14 @@ struct Erasure {
     std::string digestsJson; ///< digests of what was overwritten
 };
 
-/// Overwrites a person's name, code, credentials and free texts (and recordings, if withdrawn), stores the tombstone and audits it on
-/// behalf of byWhom. In the running transaction. Row digests of trials, chunks and comments, and seals, stay as they were: they cover
-/// payloads and texts through their hashes. Failure: notFound, storage.
+/// Overwrites a person's name, code, credentials and free texts (and recordings, if withdrawn), stores the
+/// tombstone and audits it on behalf of byWhom. In the running transaction. Row digests of trials, chunks and
+/// comments, and seals, stay as they were: they cover payloads and texts through their hashes. Failure:
+/// notFound, storage.
 core::Result<Erasure> overwritePerson(Connection& connection, const Actor& byWhom, Erasure erasure);
 
-/// "<site folder>/erasures.json": what a restore must erase again. Adds (or renews) one. Failure: storage, badInput if the
-/// file is malformed.
+/// "<site folder>/erasures.json": what a restore must erase again. Adds (or renews) one. Failure: storage,
+/// badInput if the file is malformed.
 core::Result<void> writeErasureList(const std::string& siteFolder, const Erasure& erasure);
 /// A list as written above or found in a backup; empty where there is no file. Failure: badInput.
 core::Result<std::vector<Erasure>> readErasureList(const std::string& file);
@@ -35,6 +36,8 @@ core::Result<void> saveErasureList(const std::string& file, const std::vector<Er
 /// The tombstones in a database.
 core::Result<std::vector<Erasure>> storedErasures(Connection& connection);
 
-inline std::string erasureListFile(const std::string& siteFolder) { return siteFolder + "/erasures.json"; }
+inline std::string erasureListFile(const std::string& siteFolder) {
+    return siteFolder + "/erasures.json";
+}
 
 } // namespace chiron::database

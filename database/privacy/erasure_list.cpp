@@ -37,9 +37,12 @@ core::Result<std::vector<Erasure>> readErasureList(const std::string& name) {
     std::vector<Erasure> erasures;
     for (const QJsonValue& value : document.array()) {
         const QJsonObject json = value.toObject();
-        const Erasure erasure{json["person"].toInteger(), json["utc"].toString().toStdString(),
-                              json["reason"].toString().toStdString(), json["administrator"].toInteger(),
-                              json["recordings_withdrawn"].toBool(), json["digests"].toString().toStdString()};
+        const Erasure erasure{json["person"].toInteger(),
+                              json["utc"].toString().toStdString(),
+                              json["reason"].toString().toStdString(),
+                              json["administrator"].toInteger(),
+                              json["recordings_withdrawn"].toBool(),
+                              json["digests"].toString().toStdString()};
         if (erasure.person <= Actor::kSimulatedPerson) {
             return core::fail(core::ErrorCode::badInput, name + ": an erasure names no person");
         }

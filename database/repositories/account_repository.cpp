@@ -13,16 +13,6 @@
 namespace chiron::database {
 namespace {
 
-constexpr const char* kPersonColumns =
-    "SELECT p.id, p.name, p.display_name, coalesce(k.code, ''), p.roles, p.enabled, coalesce(c.must_change, 0), "
-    "p.created_utc FROM person p LEFT JOIN person_code k ON k.person_id = p.id "
-    "LEFT JOIN credential c ON c.person_id = p.id WHERE p.kind = 'person'";
-
-Person personOf(const Query& row) {
-    return {row.integer(0), row.text(1), row.text(2), row.text(3), rolesFromList(row.text(4)).value_or(RoleSet{}),
-            row.integer(5) != 0, row.integer(6) != 0, row.text(7)};
-}
-
 // 8 symbols of 32 without look-alikes: 40 bits, checked for uniqueness by the table.
 std::string randomCode() {
     static constexpr char kSymbols[] = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
@@ -42,11 +32,13 @@ core::Result<void> writeAllowed(Connection& connection, const Actor& actor, Acti
 }
 
 core::Result<void> exists(Connection& connection, PersonId id) {
-    const auto found = selectInteger(connection, "SELECT 1 FROM person WHERE id = ? AND kind = 'person'", {id});
+    const auto found =
+        selectInteger(connection, "SELECT 1 FROM person WHERE id = ? AND kind = 'person'", {id});
     if (!found) {
         return tl::unexpected(found.error());
     }
-    return *found ? core::Result<void>() : core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
+    return *found ? core::Result<void>()
+                  : core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
 }
 
 } // namespace
@@ -61,7 +53,8 @@ core::Result<PersonId> AccountRepository::createFirstAdministrator(const NewPers
         return tl::unexpected(any.error());
     }
     if (any->value_or(1) != 0) {
-        return core::fail(core::ErrorCode::wrongUse, "this database has people already; an administrator adds more");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "this database has people already; an administrator adds more");
     }
     NewPerson administrator = person;
     administrator.roles = {Role::admin};
@@ -69,7 +62,8 @@ core::Result<PersonId> AccountRepository::createFirstAdministrator(const NewPers
     if (!id) {
         return id;
     }
-    auto stored = updateRow(m_connection, "credential", {{"person_id", *id}}, {{"recovery_hash", recoveryCodeHash}});
+    auto stored =
+        updateRow(m_connection, "credential", {{"person_id", *id}}, {{"recovery_hash", recoveryCodeHash}});
     return stored ? id : tl::unexpected(stored.error());
 }
 
@@ -103,90 +97,48 @@ core::Result<PersonId> AccountRepository::insertPerson(const NewPerson& person) 
         return tl::unexpected(good.error());
     }
     if (person.roles.empty() || person.passwordHash.empty()) {
-        return core::fail(core::ErrorCode::badInput, person.name + ": at least one role and a password are needed");
+        return core::fail(core::ErrorCode::badInput,
+                          person.name + ": at least one role and a password are needed");
     }
-    const auto taken = selectInteger(m_connection, "SELECT id FROM person WHERE name_key = ?", {nameKey(person.name)});
+    const auto taken =
+        selectInteger(m_connection, "SELECT id FROM person WHERE name_key = ?", {nameKey(person.name)});
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM person");
     if (!taken || !last) {
         return tl::unexpected(!taken ? taken.error() : last.error());
     }
     if (*taken) {
-        return core::fail(core::ErrorCode::badInput, "the name \"" + person.name + "\" is taken (names differ by more than case)");
+        return core::fail(core::ErrorCode::badInput,
+                          "the name \"" + person.name + "\" is taken (names differ by more than case)");
     }
     const PersonId id = last->value_or(0) + 1;
     const auto row = insertRow(m_connection, "person",
-                               {{"id", id}, {"kind", std::string("person")}, {"name", person.name},
-                                {"name_key", nameKey(person.name)}, {"display_name", person.displayName},
-                                {"roles", person.roles.list()}, {"enabled", std::int64_t{1}},
+                               {{"id", id},
+                                {"kind", std::string("person")},
+                                {"name", person.name},
+                                {"name_key", nameKey(person.name)},
+                                {"display_name", person.displayName},
+                                {"roles", person.roles.list()},
+                                {"enabled", std::int64_t{1}},
                                 {"created_utc", core::utcNowIso8601()}});
     if (!row) {
         return tl::unexpected(row.error());
     }
     const auto code = insertRow(m_connection, "person_code", {{"person_id", id}, {"code", randomCode()}});
     const auto credential = insertRow(m_connection, "credential",
-                                      {{"person_id", id}, {"password_hash", person.passwordHash},
-                                       {"recovery_hash", std::string()}, {"failures", std::int64_t{0}},
+                                      {{"person_id", id},
+                                       {"password_hash", person.passwordHash},
+                                       {"recovery_hash", std::string()},
+                                       {"failures", std::int64_t{0}},
                                        {"must_change", std::int64_t{person.mustChangePassword}},
-                                       {"wait_boot", std::string()}, {"wait_until_ns", std::int64_t{0}}});
+                                       {"wait_boot", std::string()},
+                                       {"wait_until_ns", std::int64_t{0}}});
     if (!code || !credential) {
         return tl::unexpected(!code ? code.error() : credential.error());
     }
-    auto audited = appendAudit(m_connection, m_actor, {"createPerson", "person", id, *row,
-                                                       "{\"roles\":\"" + person.roles.list() + "\"}"});
+    auto audited =
+        appendAudit(m_connection, m_actor,
+                    {"createPerson", "person", id, *row, "{\"roles\":\"" + person.roles.list() + "\"}"});
     return audited ? core::Result<PersonId>(id) : tl::unexpected(audited.error());
-}
-
-core::Result<std::vector<Person>> AccountRepository::listPeople() {
-    if (const auto scope = authorise(m_connection, m_actor, Action::listPeople); !scope) {
-        return tl::unexpected(scope.error());
-    }
-    auto query = Query::run(m_connection, std::string(kPersonColumns) + " ORDER BY p.name_key");
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
-    std::vector<Person> people;
-    auto row = query->next();
-    for (; row && *row; row = query->next()) {
-        people.push_back(personOf(*query));
-    }
-    return row ? core::Result<std::vector<Person>>(std::move(people)) : tl::unexpected(row.error());
-}
-
-core::Result<Person> AccountRepository::person(PersonId id) {
-    if (auto allowed = authoriseFor(m_connection, m_actor, Action::person, id); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
-    auto query = Query::run(m_connection, std::string(kPersonColumns) + " AND p.id = ?", {id});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
-    const auto row = query->next();
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
-    return *row ? core::Result<Person>(personOf(*query))
-                : core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
-}
-
-core::Result<Person> AccountRepository::personByName(const std::string& name) {
-    const auto scope = authorise(m_connection, m_actor, Action::personByName);
-    if (!scope) {
-        return tl::unexpected(scope.error());
-    }
-    auto query = Query::run(m_connection, std::string(kPersonColumns) + " AND p.name_key = ?", {nameKey(name)});
-    if (!query) {
-        return tl::unexpected(query.error());
-    }
-    const auto row = query->next();
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
-    if (*row && (*scope == Scope::all || query->integer(0) == m_actor.personId())) {
-        return personOf(*query);
-    }
-    // Whoever may see only themselves learns nothing about who else exists.
-    return *scope == Scope::all ? core::fail(core::ErrorCode::notFound, "there is no person named \"" + name + "\"")
-                                : core::fail(core::ErrorCode::notAllowed, "not allowed: people other than oneself");
 }
 
 core::Result<void> AccountRepository::setEnabled(PersonId id, bool enabled) {
@@ -214,7 +166,8 @@ core::Result<void> AccountRepository::setRoles(PersonId id, const RoleSet& roles
         return found;
     }
     if (roles.empty()) {
-        return core::fail(core::ErrorCode::badInput, "at least one role is needed (disable the account instead)");
+        return core::fail(core::ErrorCode::badInput,
+                          "at least one role is needed (disable the account instead)");
     }
     const auto row = updateRow(m_connection, "person", {{"id", id}}, {{"roles", roles.list()}});
     if (!row) {
@@ -223,18 +176,21 @@ core::Result<void> AccountRepository::setRoles(PersonId id, const RoleSet& roles
     if (auto kept = keepsAnAdministrator(); !kept) {
         return kept;
     }
-    return appendAudit(m_connection, m_actor, {"setRoles", "person", id, *row, "{\"roles\":\"" + roles.list() + "\"}"});
+    return appendAudit(m_connection, m_actor,
+                       {"setRoles", "person", id, *row, "{\"roles\":\"" + roles.list() + "\"}"});
 }
 
 core::Result<void> AccountRepository::keepsAnAdministrator() {
-    const auto left = selectInteger(m_connection, "SELECT count(*) FROM person WHERE kind = 'person' AND enabled = 1 AND "
-                                                  "instr(',' || roles || ',', ',admin,') > 0");
+    const auto left =
+        selectInteger(m_connection, "SELECT count(*) FROM person WHERE kind = 'person' AND enabled = 1 AND "
+                                    "instr(',' || roles || ',', ',admin,') > 0");
     if (!left) {
         return tl::unexpected(left.error());
     }
     return left->value_or(0) > 0
                ? core::Result<void>()
-               : core::fail(core::ErrorCode::wrongUse, "this is the last enabled administrator; make another one first");
+               : core::fail(core::ErrorCode::wrongUse,
+                            "this is the last enabled administrator; make another one first");
 }
 
 core::Result<void> AccountRepository::changePassword(PersonId id, const std::string& newHash) {
@@ -265,8 +221,10 @@ core::Result<void> AccountRepository::resetPassword(PersonId id, const std::stri
 
 core::Result<void> AccountRepository::storePassword(PersonId id, const std::string& hash, bool mustChange) {
     const auto row = updateRow(m_connection, "credential", {{"person_id", id}},
-                               {{"password_hash", hash}, {"must_change", std::int64_t{mustChange}},
-                                {"failures", std::int64_t{0}}, {"wait_until_ns", std::int64_t{0}}});
+                               {{"password_hash", hash},
+                                {"must_change", std::int64_t{mustChange}},
+                                {"failures", std::int64_t{0}},
+                                {"wait_until_ns", std::int64_t{0}}});
     return row ? core::Result<void>() : tl::unexpected(row.error());
 }
 

@@ -10,15 +10,18 @@
 
 namespace chiron::database {
 
-/// People, their roles and credentials. Functions that change something need the writer's connection; each checks the
-/// actor first. Callers use accounts/account_service.h, which hashes outside the writer.
+/// People, their roles and credentials. Functions that change something need the writer's connection; each
+/// checks the actor first. Callers use accounts/account_service.h, which hashes outside the writer.
 class AccountRepository {
 public:
-    AccountRepository(Connection& connection, Actor actor) : m_connection(connection), m_actor(std::move(actor)) {}
+    AccountRepository(Connection& connection, Actor actor)
+        : m_connection(connection), m_actor(std::move(actor)) {}
 
     /// Failure: wrongUse when there are people already.
-    core::Result<PersonId> createFirstAdministrator(const NewPerson& person, const std::string& recoveryCodeHash);
-    /// Counts the attempt as failed until finishLogin says otherwise. Failure: notAllowed while the account must wait.
+    core::Result<PersonId> createFirstAdministrator(const NewPerson& person,
+                                                    const std::string& recoveryCodeHash);
+    /// Counts the attempt as failed until finishLogin says otherwise. Failure: notAllowed while the account
+    /// must wait.
     core::Result<LoginAttempt> beginLogin(const std::string& name);
     /// After the password was found right. Failure: notAllowed when the account is disabled.
     core::Result<Actor> finishLogin(const LoginAttempt& attempt);
@@ -27,11 +30,12 @@ public:
                                       const std::string& newRecoveryCodeHash);
 
     core::Result<PersonId> createPerson(const NewPerson& person);
-    core::Result<std::vector<PersonId>> importPeople(const std::vector<NewPerson>& people); ///< all or nothing
-    core::Result<std::vector<Person>> listPeople(); ///< never the simulated account, never the erased
+    core::Result<std::vector<PersonId>>
+    importPeople(const std::vector<NewPerson>& people); ///< all or nothing
+    core::Result<std::vector<Person>> listPeople();     ///< never the simulated account, never the erased
     core::Result<Person> person(PersonId id);
     core::Result<Person> personByName(const std::string& name);
-    core::Result<void> setEnabled(PersonId id, bool enabled);      ///< not the last enabled administrator
+    core::Result<void> setEnabled(PersonId id, bool enabled);       ///< not the last enabled administrator
     core::Result<void> setRoles(PersonId id, const RoleSet& roles); ///< not the last enabled administrator
     core::Result<void> changePassword(PersonId id, const std::string& newHash);
     core::Result<void> resetPassword(PersonId id, const std::string& newHash);

@@ -21,7 +21,8 @@ core::Result<StoredCredential> credentialOf(Connection& connection, const std::s
     auto query = Query::run(connection,
                             "SELECT c.person_id, c.password_hash, c.recovery_hash, c.failures, c.wait_boot, "
                             "c.wait_until_ns FROM credential c JOIN person p ON p.id = c.person_id "
-                            "WHERE p.name_key = ? AND p.kind = 'person'", {nameKey(name)});
+                            "WHERE p.name_key = ? AND p.kind = 'person'",
+                            {nameKey(name)});
     if (!query) {
         return tl::unexpected(query.error());
     }
@@ -74,19 +75,23 @@ core::Result<LoginAttempt> AccountRepository::beginAttempt(const std::string& na
     if (remaining > 0 && throttle.boot == bootBefore) {
         return tl::unexpected(mustWait(remaining));
     }
-    if (!m_connection.isWritable()) { // beside a writer: the wait is honoured, but the attempt cannot be counted
-        return remaining > 0 ? core::Result<LoginAttempt>(tl::unexpected(mustWait(remaining))) : found->attempt;
+    if (!m_connection
+             .isWritable()) { // beside a writer: the wait is honoured, but the attempt cannot be counted
+        return remaining > 0 ? core::Result<LoginAttempt>(tl::unexpected(mustWait(remaining)))
+                             : found->attempt;
     }
     if (remaining == 0) {
         throttleCount(throttle, now);
     }
     const auto stored = updateRow(m_connection, "credential", {{"person_id", found->attempt.person}},
-                                  {{"failures", throttle.failures}, {"wait_boot", throttle.boot},
+                                  {{"failures", throttle.failures},
+                                   {"wait_boot", throttle.boot},
                                    {"wait_until_ns", throttle.waitUntil_ns}});
     if (!stored) {
         return tl::unexpected(stored.error());
     }
-    // After a restart the wait begins anew and must be kept: that is an outcome, not a failure (which would undo it).
+    // After a restart the wait begins anew and must be kept: that is an outcome, not a failure (which would
+    // undo it).
     return remaining > 0 ? LoginAttempt{found->attempt.person, "", remaining} : found->attempt;
 }
 
@@ -98,7 +103,8 @@ core::Result<Actor> AccountRepository::finishLogin(const LoginAttempt& attempt) 
     if (!actor || !m_connection.isWritable()) {
         return actor;
     }
-    const auto failures = selectInteger(m_connection, "SELECT failures FROM credential WHERE person_id = ?", {attempt.person});
+    const auto failures =
+        selectInteger(m_connection, "SELECT failures FROM credential WHERE person_id = ?", {attempt.person});
     if (!failures) {
         return tl::unexpected(failures.error());
     }
@@ -109,15 +115,17 @@ core::Result<Actor> AccountRepository::finishLogin(const LoginAttempt& attempt) 
     }
     // The right attempt was counted too, before it was checked.
     const std::string wrong = std::to_string(std::max<std::int64_t>(failures->value_or(1) - 1, 0));
-    auto audited = appendAudit(m_connection, *actor, {"login", "person", attempt.person, std::nullopt,
-                                                      "{\"wrong_before\":" + wrong + "}"});
+    auto audited =
+        appendAudit(m_connection, *actor,
+                    {"login", "person", attempt.person, std::nullopt, "{\"wrong_before\":" + wrong + "}"});
     return audited ? actor : tl::unexpected(audited.error());
 }
 
 core::Result<Actor> AccountRepository::actorFor(PersonId id) {
     auto query = Query::run(m_connection,
                             "SELECT p.name, p.roles, p.enabled, c.must_change FROM person p "
-                            "JOIN credential c ON c.person_id = p.id WHERE p.id = ? AND p.kind = 'person'", {id});
+                            "JOIN credential c ON c.person_id = p.id WHERE p.id = ? AND p.kind = 'person'",
+                            {id});
     if (!query) {
         return tl::unexpected(query.error());
     }
@@ -132,7 +140,8 @@ core::Result<Actor> AccountRepository::actorFor(PersonId id) {
                  query->integer(3) != 0);
 }
 
-core::Result<void> AccountRepository::finishRecovery(const LoginAttempt& attempt, const std::string& newPasswordHash,
+core::Result<void> AccountRepository::finishRecovery(const LoginAttempt& attempt,
+                                                     const std::string& newPasswordHash,
                                                      const std::string& newRecoveryCodeHash) {
     if (auto writer = requireWriter(m_connection); !writer) {
         return writer;

@@ -10,17 +10,19 @@ core::Result<std::vector<AuditEntry>> AuditRepository::listAudit(int limit) {
     if (const auto scope = authorise(m_connection, m_actor, Action::listAudit); !scope) {
         return tl::unexpected(scope.error());
     }
-    auto query = Query::run(m_connection,
-                            "SELECT sequence, utc, actor_kind, actor_id, action, target, target_id, detail_json FROM audit "
-                            "ORDER BY sequence DESC LIMIT ?", {std::int64_t{limit > 0 ? limit : -1}});
+    auto query = Query::run(
+        m_connection,
+        "SELECT sequence, utc, actor_kind, actor_id, action, target, target_id, detail_json FROM audit "
+        "ORDER BY sequence DESC LIMIT ?",
+        {std::int64_t{limit > 0 ? limit : -1}});
     if (!query) {
         return tl::unexpected(query.error());
     }
     std::vector<AuditEntry> entries;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
-        entries.push_back({query->integer(0), query->text(1), query->text(2), query->integer(3), query->text(4),
-                           query->text(5), query->integer(6), query->text(7)});
+        entries.push_back({query->integer(0), query->text(1), query->text(2), query->integer(3),
+                           query->text(4), query->text(5), query->integer(6), query->text(7)});
     }
     return row ? core::Result<std::vector<AuditEntry>>(std::move(entries)) : tl::unexpected(row.error());
 }

@@ -19,9 +19,13 @@ core::Result<PersonSession> sessionOf(Connection& connection, const Actor& actor
     auto events = reader.events(id);
     auto comments = reader.comments(id);
     if (!record || !trials || !events || !comments) {
-        return tl::unexpected(!record ? record.error() : !trials ? trials.error() : !events ? events.error() : comments.error());
+        return tl::unexpected(!record   ? record.error()
+                              : !trials ? trials.error()
+                              : !events ? events.error()
+                                        : comments.error());
     }
-    PersonSession session{*std::move(record), *std::move(trials), *std::move(events), *std::move(comments), {}};
+    PersonSession session{
+        *std::move(record), *std::move(trials), *std::move(events), *std::move(comments), {}};
     auto scores = ScoreRepository(connection, actor).scores(id);
     if (scores) {
         session.scores = *std::move(scores);
@@ -32,7 +36,9 @@ core::Result<PersonSession> sessionOf(Connection& connection, const Actor& actor
 }
 
 core::Result<std::vector<SessionComment>> commentsBy(Connection& connection, PersonId author) {
-    auto query = Query::run(connection, "SELECT id, author_id, utc, text FROM session_comment WHERE author_id = ? ORDER BY id", {author});
+    auto query = Query::run(
+        connection, "SELECT id, author_id, utc, text FROM session_comment WHERE author_id = ? ORDER BY id",
+        {author});
     if (!query) {
         return tl::unexpected(query.error());
     }
@@ -45,18 +51,20 @@ core::Result<std::vector<SessionComment>> commentsBy(Connection& connection, Per
 }
 
 core::Result<std::vector<AuditEntry>> auditOf(Connection& connection, PersonId person) {
-    auto query = Query::run(connection,
-                            "SELECT sequence, utc, actor_kind, actor_id, action, target, target_id, detail_json FROM audit "
-                            "WHERE (actor_id = ? AND actor_kind = 'person') OR (target IN ('person', 'credential') AND "
-                            "target_id = ?) ORDER BY sequence", {person, person});
+    auto query = Query::run(
+        connection,
+        "SELECT sequence, utc, actor_kind, actor_id, action, target, target_id, detail_json FROM audit "
+        "WHERE (actor_id = ? AND actor_kind = 'person') OR (target IN ('person', 'credential') AND "
+        "target_id = ?) ORDER BY sequence",
+        {person, person});
     if (!query) {
         return tl::unexpected(query.error());
     }
     std::vector<AuditEntry> entries;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
-        entries.push_back({query->integer(0), query->text(1), query->text(2), query->integer(3), query->text(4),
-                           query->text(5), query->integer(6), query->text(7)});
+        entries.push_back({query->integer(0), query->text(1), query->text(2), query->integer(3),
+                           query->text(4), query->text(5), query->integer(6), query->text(7)});
     }
     return row ? core::Result<std::vector<AuditEntry>>(std::move(entries)) : tl::unexpected(row.error());
 }
@@ -75,10 +83,14 @@ core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
     auto sessions = SessionReader(m_connection, m_actor).listSessions(all);
     auto comments = commentsBy(m_connection, id);
     auto audit = auditOf(m_connection, id);
-    auto credential = Query::run(m_connection, "SELECT password_hash <> '', failures FROM credential WHERE person_id = ?", {id});
+    auto credential = Query::run(
+        m_connection, "SELECT password_hash <> '', failures FROM credential WHERE person_id = ?", {id});
     if (!person || !sessions || !comments || !audit || !credential) {
-        return tl::unexpected(!person ? person.error() : !sessions ? sessions.error() : !comments ? comments.error()
-                                                       : !audit ? audit.error() : credential.error());
+        return tl::unexpected(!person     ? person.error()
+                              : !sessions ? sessions.error()
+                              : !comments ? comments.error()
+                              : !audit    ? audit.error()
+                                          : credential.error());
     }
     held.person = *std::move(person);
     held.commentsWritten = *std::move(comments);
@@ -97,7 +109,8 @@ core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
     return held;
 }
 
-core::Result<Erasure> PrivacyRepository::erasePerson(PersonId person, const std::string& reason, bool withdrawRecordings) {
+core::Result<Erasure> PrivacyRepository::erasePerson(PersonId person, const std::string& reason,
+                                                     bool withdrawRecordings) {
     if (auto writer = requireWriter(m_connection); !writer) {
         return tl::unexpected(writer.error());
     }
@@ -105,13 +118,17 @@ core::Result<Erasure> PrivacyRepository::erasePerson(PersonId person, const std:
         return tl::unexpected(scope.error());
     }
     if (auto good = checkText("reason", reason, 1000); !good || reason.empty()) {
-        return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text") : tl::unexpected(good.error());
+        return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text")
+                    : tl::unexpected(good.error());
     }
     if (person == Actor::kSimulatedPerson || person == m_actor.personId()) {
-        return core::fail(core::ErrorCode::wrongUse, "neither oneself nor the simulated account can be erased");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "neither oneself nor the simulated account can be erased");
     }
-    const auto present = selectInteger(m_connection, "SELECT count(*) FROM person WHERE id = ? AND kind = 'person'", {person});
-    const auto running = selectInteger(m_connection, "SELECT count(*) FROM session WHERE person_id = ? AND state = 'running'", {person});
+    const auto present =
+        selectInteger(m_connection, "SELECT count(*) FROM person WHERE id = ? AND kind = 'person'", {person});
+    const auto running = selectInteger(
+        m_connection, "SELECT count(*) FROM session WHERE person_id = ? AND state = 'running'", {person});
     if (!present || !running) {
         return tl::unexpected(!present ? present.error() : running.error());
     }
@@ -121,7 +138,8 @@ core::Result<Erasure> PrivacyRepository::erasePerson(PersonId person, const std:
     if (running->value_or(0) > 0) {
         return core::fail(core::ErrorCode::wrongUse, "a session of this person has not ended yet");
     }
-    return overwritePerson(m_connection, m_actor, {person, "", reason, m_actor.personId(), withdrawRecordings, ""});
+    return overwritePerson(m_connection, m_actor,
+                           {person, "", reason, m_actor.personId(), withdrawRecordings, ""});
 }
 
 core::Result<std::vector<Erasure>> PrivacyRepository::listErasures() {

@@ -24,8 +24,8 @@ struct PersonSession {
     std::optional<scoring::ScoreCard> scores;
 };
 
-/// Everything held about one person. Samples are exported per session (recording reader); credentials are secrets, only
-/// their presence is told.
+/// Everything held about one person. Samples are exported per session (recording reader); credentials are
+/// secrets, only their presence is told.
 struct PersonExport {
     Person person;
     std::vector<PersonSession> sessions;
@@ -38,12 +38,13 @@ struct PersonExport {
 /// What the law gives a person: a copy, and oblivion.
 class PrivacyRepository {
 public:
-    PrivacyRepository(Connection& connection, Actor actor) : m_connection(connection), m_actor(std::move(actor)) {}
+    PrivacyRepository(Connection& connection, Actor actor)
+        : m_connection(connection), m_actor(std::move(actor)) {}
 
     core::Result<PersonExport> exportPerson(PersonId person);
-    /// Overwrites identity, code, credentials and free texts (and recordings if asked) and leaves a tombstone. The
-    /// caller confirms the password and VACUUMs afterwards (AccountService::erasePerson). Failure: wrongUse for the
-    /// simulated account, oneself, the last administrator or a running session.
+    /// Overwrites identity, code, credentials and free texts (and recordings if asked) and leaves a
+    /// tombstone. The caller confirms the password and VACUUMs afterwards (AccountService::erasePerson).
+    /// Failure: wrongUse for the simulated account, oneself, the last administrator or a running session.
     core::Result<Erasure> erasePerson(PersonId person, const std::string& reason, bool withdrawRecordings);
     core::Result<std::vector<Erasure>> listErasures();
 

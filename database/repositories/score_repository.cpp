@@ -18,10 +18,12 @@ core::Result<void> checkValue(const scoring::MetricValue& metric) {
         return core::fail(core::ErrorCode::badInput, "a score needs a metric id and a version from 1");
     }
     if (metric.value && !std::isfinite(*metric.value)) {
-        return core::fail(core::ErrorCode::badInput, metric.id + ": the value is not finite; leave it out and give a reason");
+        return core::fail(core::ErrorCode::badInput,
+                          metric.id + ": the value is not finite; leave it out and give a reason");
     }
     if (metric.value.has_value() == !metric.reason.empty()) {
-        return core::fail(core::ErrorCode::badInput, metric.id + ": expected either a value or a reason why there is none");
+        return core::fail(core::ErrorCode::badInput,
+                          metric.id + ": expected either a value or a reason why there is none");
     }
     return {};
 }
@@ -33,12 +35,17 @@ core::Result<void> storeGroup(Connection& connection, std::int64_t set, int tria
         if (auto good = checkValue(metric); !good) {
             return good;
         }
-        const auto row = insertRow(connection, "score",
-                                   {{"score_set_id", set}, {"trial", std::int64_t{trial}},
-                                    {"ordinal", static_cast<std::int64_t>(i)}, {"metric", metric.id},
-                                    {"version", std::int64_t{metric.version}}, {"unit", metric.unit},
-                                    {"value", metric.value ? Value(*metric.value) : Value()}, {"reason", metric.reason},
-                                    {"passed", metric.passed ? Value(std::int64_t{*metric.passed}) : Value()}});
+        const auto row =
+            insertRow(connection, "score",
+                      {{"score_set_id", set},
+                       {"trial", std::int64_t{trial}},
+                       {"ordinal", static_cast<std::int64_t>(i)},
+                       {"metric", metric.id},
+                       {"version", std::int64_t{metric.version}},
+                       {"unit", metric.unit},
+                       {"value", metric.value ? Value(*metric.value) : Value()},
+                       {"reason", metric.reason},
+                       {"passed", metric.passed ? Value(std::int64_t{*metric.passed}) : Value()}});
         if (!row) {
             return tl::unexpected(row.error());
         }
@@ -53,13 +60,15 @@ struct NewSet {
 
 core::Result<NewSet> nextSet(Connection& connection, SessionId session) {
     const auto id = selectInteger(connection, "SELECT max(id) FROM score_set");
-    const auto ordinal = selectInteger(connection, "SELECT max(ordinal) FROM score_set WHERE session_id = ?", {session});
+    const auto ordinal =
+        selectInteger(connection, "SELECT max(ordinal) FROM score_set WHERE session_id = ?", {session});
     const auto running = selectText(connection, "SELECT state FROM session WHERE id = ?", {session});
     if (!id || !ordinal || !running) {
         return tl::unexpected(!id ? id.error() : !ordinal ? ordinal.error() : running.error());
     }
     if (running->value_or("") == "running") {
-        return core::fail(core::ErrorCode::wrongUse, "session " + std::to_string(session) + " has not ended yet");
+        return core::fail(core::ErrorCode::wrongUse,
+                          "session " + std::to_string(session) + " has not ended yet");
     }
     return NewSet{id->value_or(0) + 1, ordinal->value_or(0) + 1};
 }
@@ -88,7 +97,8 @@ core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring:
     if (!set) {
         return tl::unexpected(set.error());
     }
-    // Scores refer to their set, whose seal is over them: the reference is checked when the transaction commits.
+    // Scores refer to their set, whose seal is over them: the reference is checked when the transaction
+    // commits.
     auto done = m_connection.execute("PRAGMA defer_foreign_keys=ON;");
     done = done ? storeGroup(m_connection, set->id, -1, card.metrics) : done;
     std::size_t count = card.metrics.size();
@@ -101,15 +111,20 @@ core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring:
         return tl::unexpected(seal.error());
     }
     const auto row = insertRow(m_connection, "score_set",
-                               {{"id", set->id}, {"session_id", session}, {"ordinal", set->ordinal},
-                                {"utc", core::utcNowIso8601()}, {"passed", std::int64_t{card.passed}},
+                               {{"id", set->id},
+                                {"session_id", session},
+                                {"ordinal", set->ordinal},
+                                {"utc", core::utcNowIso8601()},
+                                {"passed", std::int64_t{card.passed}},
                                 {"trials", static_cast<std::int64_t>(card.trials.size())},
-                                {"scores", static_cast<std::int64_t>(count)}, {"seal", toBlob(*seal)}});
+                                {"scores", static_cast<std::int64_t>(count)},
+                                {"seal", toBlob(*seal)}});
     if (!row) {
         return tl::unexpected(row.error());
     }
-    auto audited = appendAudit(m_connection, m_actor, {"storeScores", "score_set", set->id, *row,
-                                                       "{\"session\":" + std::to_string(session) + "}"});
+    auto audited = appendAudit(
+        m_connection, m_actor,
+        {"storeScores", "score_set", set->id, *row, "{\"session\":" + std::to_string(session) + "}"});
     return audited ? core::Result<int>(static_cast<int>(set->ordinal)) : tl::unexpected(audited.error());
 }
 
@@ -117,9 +132,11 @@ core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std:
     if (auto allowed = authoriseForSession(m_connection, m_actor, Action::scores, session); !allowed) {
         return tl::unexpected(allowed.error());
     }
-    auto set = Query::run(m_connection, "SELECT id, passed, trials FROM score_set WHERE session_id = ? AND ordinal BETWEEN ? AND ? "
-                                        "ORDER BY ordinal DESC LIMIT 1",
-                          {session, std::int64_t{wanted.value_or(1)}, std::int64_t{wanted.value_or(1'000'000)}});
+    auto set = Query::run(
+        m_connection,
+        "SELECT id, passed, trials FROM score_set WHERE session_id = ? AND ordinal BETWEEN ? AND ? "
+        "ORDER BY ordinal DESC LIMIT 1",
+        {session, std::int64_t{wanted.value_or(1)}, std::int64_t{wanted.value_or(1'000'000)}});
     const auto found = set ? set->next() : tl::unexpected(set.error());
     if (!found) {
         return tl::unexpected(found.error());
@@ -130,8 +147,10 @@ core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std:
     scoring::ScoreCard card;
     card.passed = set->integer(1) != 0;
     card.trials.resize(static_cast<std::size_t>(set->integer(2)));
-    auto query = Query::run(m_connection, "SELECT trial, metric, version, unit, value, reason, passed FROM score "
-                                          "WHERE score_set_id = ? ORDER BY trial, ordinal", {set->integer(0)});
+    auto query = Query::run(m_connection,
+                            "SELECT trial, metric, version, unit, value, reason, passed FROM score "
+                            "WHERE score_set_id = ? ORDER BY trial, ordinal",
+                            {set->integer(0)});
     if (!query) {
         return tl::unexpected(query.error());
     }
@@ -139,7 +158,8 @@ core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std:
     for (; row && *row; row = query->next()) {
         const std::int64_t trial = query->integer(0);
         if (trial >= static_cast<std::int64_t>(card.trials.size())) {
-            return core::fail(core::ErrorCode::storage, "scores of session " + std::to_string(session) + " are damaged; run verify");
+            return core::fail(core::ErrorCode::storage,
+                              "scores of session " + std::to_string(session) + " are damaged; run verify");
         }
         (trial < 0 ? card.metrics : card.trials[static_cast<std::size_t>(trial)]).push_back(metricOf(*query));
     }

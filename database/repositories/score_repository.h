@@ -10,14 +10,15 @@
 
 namespace chiron::database {
 
-/// Scores of sessions. Each storing makes a new numbered set; none is ever changed. Values are stored as the double's
-/// bits, but for -0.0, which SQLite keeps as 0.0 (so it is stored and digested as 0.0).
+/// Scores of sessions. Each storing makes a new numbered set; none is ever changed. Values are stored as the
+/// double's bits, but for -0.0, which SQLite keeps as 0.0 (so it is stored and digested as 0.0).
 class ScoreRepository {
 public:
-    ScoreRepository(Connection& connection, Actor actor) : m_connection(connection), m_actor(std::move(actor)) {}
+    ScoreRepository(Connection& connection, Actor actor)
+        : m_connection(connection), m_actor(std::move(actor)) {}
 
-    /// Stores a card of an ended session and audits its seal; returns the set's number (from 1). Failure: badInput for
-    /// NaN, infinity, a value together with a reason or neither; all or nothing.
+    /// Stores a card of an ended session and audits its seal; returns the set's number (from 1). Failure:
+    /// badInput for NaN, infinity, a value together with a reason or neither; all or nothing.
     core::Result<int> storeScores(SessionId session, const scoring::ScoreCard& card);
     /// The latest set, or the one asked for. Failure: notFound when there is none.
     core::Result<scoring::ScoreCard> scores(SessionId session, std::optional<int> set = {});

@@ -11,12 +11,14 @@ namespace chiron::database {
 namespace {
 
 constexpr const char* kSummaryColumns =
-    "s.id, s.person_id, p.name, coalesce(k.code, p.name), s.exercise, s.level, s.state, s.started_utc, s.utc_offset_min, "
-    "s.operator_name, s.felt, s.familiarisation, s.demonstration, s.archived, s.recording_erased, s.ticks, s.frames, "
+    "s.id, s.person_id, p.name, coalesce(k.code, p.name), s.exercise, s.level, s.state, s.started_utc, "
+    "s.utc_offset_min, "
+    "s.operator_name, s.felt, s.familiarisation, s.demonstration, s.archived, s.recording_erased, s.ticks, "
+    "s.frames, "
     "s.dropped, s.chunks, s.recording_bytes, "
     "(SELECT passed FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1)";
-constexpr const char* kSummaryTables =
-    " FROM session s JOIN person p ON p.id = s.person_id LEFT JOIN person_code k ON k.person_id = s.person_id";
+constexpr const char* kSummaryTables = " FROM session s JOIN person p ON p.id = s.person_id LEFT JOIN "
+                                       "person_code k ON k.person_id = s.person_id";
 constexpr int kSummaryCount = 21;
 
 SessionSummary summaryOf(const Query& row, bool names, PersonId self) {
@@ -44,10 +46,11 @@ SessionSummary summaryOf(const Query& row, bool names, PersonId self) {
     return summary;
 }
 
-constexpr const char* kDetailColumns =
-    ", c.json, lower(hex(c.sha256)), s.seed, s.device_json, s.mapping_json, s.supervisor_json, s.versions_json, s.build_id, "
-    "s.cpu_class, s.force_limit_n, s.planned_trials, s.realtime, s.ring_file, s.channel_table, s.loop_json, s.ended_utc, "
-    "s.void_reason, coalesce(s.voided_by, 0), s.state_before_void";
+constexpr const char* kDetailColumns = ", c.json, lower(hex(c.sha256)), s.seed, s.device_json, "
+                                       "s.mapping_json, s.supervisor_json, s.versions_json, s.build_id, "
+                                       "s.cpu_class, s.force_limit_n, s.planned_trials, s.realtime, "
+                                       "s.ring_file, s.channel_table, s.loop_json, s.ended_utc, "
+                                       "s.void_reason, coalesce(s.voided_by, 0), s.state_before_void";
 
 SessionRecord recordOf(const Query& row, bool names, PersonId self) {
     SessionRecord record;
@@ -161,13 +164,15 @@ core::Result<std::vector<SessionSummary>> SessionReader::listSessions(const Sess
     return row ? core::Result<std::vector<SessionSummary>>(std::move(sessions)) : tl::unexpected(row.error());
 }
 
-core::Result<std::vector<SessionRecord>> SessionReader::records(const std::string& where, const std::vector<Value>& values) {
+core::Result<std::vector<SessionRecord>> SessionReader::records(const std::string& where,
+                                                                const std::vector<Value>& values) {
     const auto names = mayReadNames(m_connection, m_actor);
     if (!names) {
         return tl::unexpected(names.error());
     }
-    auto query = Query::run(m_connection, std::string("SELECT ") + kSummaryColumns + kDetailColumns + kSummaryTables +
-                                              " JOIN content c ON c.id = s.content_id WHERE " + where + " ORDER BY s.id",
+    auto query = Query::run(m_connection,
+                            std::string("SELECT ") + kSummaryColumns + kDetailColumns + kSummaryTables +
+                                " JOIN content c ON c.id = s.content_id WHERE " + where + " ORDER BY s.id",
                             values);
     if (!query) {
         return tl::unexpected(query.error());
@@ -195,7 +200,8 @@ core::Result<SessionRecord> SessionReader::session(SessionId id) {
     if (!found) {
         return tl::unexpected(found.error());
     }
-    return found->empty() ? core::fail(core::ErrorCode::storage, "session " + std::to_string(id) + " is damaged; run verify")
+    return found->empty() ? core::fail(core::ErrorCode::storage,
+                                       "session " + std::to_string(id) + " is damaged; run verify")
                           : core::Result<SessionRecord>(std::move(found->front()));
 }
 
@@ -203,12 +209,14 @@ core::Result<std::unique_ptr<recording::ChunkSource>> SessionReader::openChunks(
     if (auto allowed = authoriseForSession(m_connection, m_actor, Action::openChunks, id); !allowed) {
         return tl::unexpected(allowed.error());
     }
-    const auto erased = selectInteger(m_connection, "SELECT recording_erased FROM session WHERE id = ?", {id});
+    const auto erased =
+        selectInteger(m_connection, "SELECT recording_erased FROM session WHERE id = ?", {id});
     if (!erased) {
         return tl::unexpected(erased.error());
     }
     if (erased->value_or(0) != 0) {
-        return core::fail(core::ErrorCode::notFound, "the recording of session " + std::to_string(id) + " was erased");
+        return core::fail(core::ErrorCode::notFound,
+                          "the recording of session " + std::to_string(id) + " was erased");
     }
     return makeChunkSource(m_connection, id);
 }

@@ -12,28 +12,32 @@
 
 namespace chiron::database {
 
-/// Reads sessions, on any connection. Trainees see their own and simulated ones; nobody logged in sees simulated ones.
+/// Reads sessions, on any connection. Trainees see their own and simulated ones; nobody logged in sees
+/// simulated ones.
 class SessionReader {
 public:
-    SessionReader(Connection& connection, Actor actor) : m_connection(connection), m_actor(std::move(actor)) {}
+    SessionReader(Connection& connection, Actor actor)
+        : m_connection(connection), m_actor(std::move(actor)) {}
 
     core::Result<std::vector<SessionSummary>> listSessions(const SessionFilter& filter = {});
-    /// Sessions still marked running: live ones, and those to recover (setup.ringFile says where the ring lies).
+    /// Sessions still marked running: live ones, and those to recover (setup.ringFile says where the ring
+    /// lies).
     core::Result<std::vector<SessionRecord>> listUnfinished();
     core::Result<SessionRecord> session(SessionId id);
     core::Result<std::vector<TrialRecord>> trials(SessionId id);
     core::Result<std::vector<EventRecord>> events(SessionId id);
     core::Result<std::vector<recording::SecondSummary>> secondSummaries(SessionId id);
     core::Result<std::vector<SessionComment>> comments(SessionId id);
-    /// Chunks of a session; works on this connection, so on its thread and not beyond it. Failure: notFound also where
-    /// the recording was erased.
+    /// Chunks of a session; works on this connection, so on its thread and not beyond it. Failure: notFound
+    /// also where the recording was erased.
     core::Result<std::unique_ptr<recording::ChunkSource>> openChunks(SessionId id);
 
     /// The statement behind listSessions; a test looks at its query plan.
     static std::string listSql(const std::string& where, bool newestFirst);
 
 private:
-    core::Result<std::vector<SessionRecord>> records(const std::string& where, const std::vector<Value>& values);
+    core::Result<std::vector<SessionRecord>> records(const std::string& where,
+                                                     const std::vector<Value>& values);
 
     Connection& m_connection;
     Actor m_actor;

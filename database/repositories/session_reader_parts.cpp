@@ -33,10 +33,14 @@ core::Result<std::vector<TrialRecord>> SessionReader::trials(SessionId id) {
         "SELECT ordinal, seed, state, first_tick, last_tick, marked, timed_out, scene_json FROM trial "
         "WHERE session_id = ? ORDER BY ordinal",
         [](const Query& row) {
-            return TrialRecord{static_cast<int>(row.integer(0)), unsignedFromStored(row.integer(1)),
+            return TrialRecord{static_cast<int>(row.integer(0)),
+                               unsignedFromStored(row.integer(1)),
                                sessionStateFromToken(row.text(2)).value_or(SessionState::faulted),
-                               unsignedFromStored(row.integer(3)), unsignedFromStored(row.integer(4)),
-                               row.integer(5) != 0, row.integer(6) != 0, row.text(7)};
+                               unsignedFromStored(row.integer(3)),
+                               unsignedFromStored(row.integer(4)),
+                               row.integer(5) != 0,
+                               row.integer(6) != 0,
+                               row.text(7)};
         });
 }
 
@@ -45,31 +49,37 @@ core::Result<std::vector<EventRecord>> SessionReader::events(SessionId id) {
         m_connection, m_actor, Action::events, id,
         "SELECT tick, time_s, tool, kind, detail_json FROM event WHERE session_id = ? ORDER BY ordinal",
         [](const Query& row) {
-            return EventRecord{unsignedFromStored(row.integer(0)), row.real(1), static_cast<int>(row.integer(2)),
-                               row.text(3), row.text(4)};
+            return EventRecord{unsignedFromStored(row.integer(0)), row.real(1),
+                               static_cast<int>(row.integer(2)), row.text(3), row.text(4)};
         });
 }
 
 core::Result<std::vector<recording::SecondSummary>> SessionReader::secondSummaries(SessionId id) {
-    return rowsOf<recording::SecondSummary>(
-        m_connection, m_actor, Action::secondSummaries, id,
-        "SELECT second, tool, frames, path_length_m, maximum_force_n, mean_force_n, impulse_ns, time_over_limit_s, events "
-        "FROM second_summary WHERE session_id = ? ORDER BY second, tool",
-        [](const Query& row) {
-            return recording::SecondSummary{static_cast<std::uint32_t>(row.integer(0)),
-                                            static_cast<std::uint8_t>(row.integer(1)),
-                                            static_cast<std::uint32_t>(row.integer(2)),
-                                            row.real(3), row.real(4), row.real(5), row.real(6), row.real(7),
-                                            static_cast<std::uint32_t>(row.integer(8))};
-        });
+    return rowsOf<recording::SecondSummary>(m_connection, m_actor, Action::secondSummaries, id,
+                                            "SELECT second, tool, frames, path_length_m, maximum_force_n, "
+                                            "mean_force_n, impulse_ns, time_over_limit_s, events "
+                                            "FROM second_summary WHERE session_id = ? ORDER BY second, tool",
+                                            [](const Query& row) {
+                                                return recording::SecondSummary{
+                                                    static_cast<std::uint32_t>(row.integer(0)),
+                                                    static_cast<std::uint8_t>(row.integer(1)),
+                                                    static_cast<std::uint32_t>(row.integer(2)),
+                                                    row.real(3),
+                                                    row.real(4),
+                                                    row.real(5),
+                                                    row.real(6),
+                                                    row.real(7),
+                                                    static_cast<std::uint32_t>(row.integer(8))};
+                                            });
 }
 
 core::Result<std::vector<SessionComment>> SessionReader::comments(SessionId id) {
-    return rowsOf<SessionComment>(m_connection, m_actor, Action::comments, id,
-                                  "SELECT id, author_id, utc, text FROM session_comment WHERE session_id = ? ORDER BY id",
-                                  [](const Query& row) {
-                                      return SessionComment{row.integer(0), row.integer(1), row.text(2), row.text(3)};
-                                  });
+    return rowsOf<SessionComment>(
+        m_connection, m_actor, Action::comments, id,
+        "SELECT id, author_id, utc, text FROM session_comment WHERE session_id = ? ORDER BY id",
+        [](const Query& row) {
+            return SessionComment{row.integer(0), row.integer(1), row.text(2), row.text(3)};
+        });
 }
 
 } // namespace chiron::database

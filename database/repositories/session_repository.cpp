@@ -4,10 +4,10 @@
 #include "core/clock.h"
 #include "database/access/authorise.h"
 #include "database/access/writer_only.h"
-#include "database/accounts/account_rules.h"
 #include "database/audit/audit_trail.h"
 #include "database/integrity/digested_row.h"
 #include "database/repositories/chunk_store.h"
+#include "database/repositories/session_rules.h"
 #include "database/repositories/session_seal.h"
 
 #include <QCryptographicHash>
@@ -16,37 +16,20 @@
 namespace chiron::database {
 namespace {
 
-constexpr int kMaximumFreeText = 10000;
-
-core::Result<void> writeAllowed(Connection& connection, const Actor& actor, Action action, SessionId session) {
-    if (auto writer = requireWriter(connection); !writer) {
-        return writer;
-    }
-    return authoriseForSession(connection, actor, action, session);
-}
-
-core::Result<SessionState> stateOf(Connection& connection, SessionId session) {
-    const auto word = selectText(connection, "SELECT state FROM session WHERE id = ?", {session});
-    if (!word) {
-        return tl::unexpected(word.error());
-    }
-    const auto state = sessionStateFromToken(word->value_or(""));
-    return state ? core::Result<SessionState>(*state)
-                 : core::fail(core::ErrorCode::storage, "session " + std::to_string(session) + " has no valid state");
-}
-
 core::Result<void> mustRun(Connection& connection, SessionId session) {
-    const auto state = stateOf(connection, session);
+    const auto state = sessionState(connection, session);
     if (!state) {
         return tl::unexpected(state.error());
     }
     return *state == SessionState::running
                ? core::Result<void>()
-               : core::fail(core::ErrorCode::wrongUse, "session " + std::to_string(session) + " has ended (" + std::string(token(*state)) + ")");
+               : core::fail(core::ErrorCode::wrongUse, "session " + std::to_string(session) + " has ended (" +
+                                                           std::string(token(*state)) + ")");
 }
 
 core::Result<std::int64_t> contentIdFor(Connection& connection, const std::string& json) {
-    const QByteArray hash = QCryptographicHash::hash(QByteArray::fromStdString(json), QCryptographicHash::Sha256);
+    const QByteArray hash =
+        QCryptographicHash::hash(QByteArray::fromStdString(json), QCryptographicHash::Sha256);
     const Blob sha256(hash.begin(), hash.end());
     const auto known = selectInteger(connection, "SELECT id FROM content WHERE sha256 = ?", {sha256});
     if (!known) {
@@ -65,7 +48,9 @@ core::Result<std::int64_t> contentIdFor(Connection& connection, const std::strin
 }
 
 core::Result<void> checkSetup(const NewSession& setup) {
-    const auto bad = [](const std::string& message) { return core::fail(core::ErrorCode::badInput, message); };
+    const auto bad = [](const std::string& message) {
+        return core::fail(core::ErrorCode::badInput, message);
+    };
     if (setup.exercise.empty() || setup.exercise.size() > 100) {
         return bad("exercise: expected an id of 1 to 100 characters");
     }
@@ -85,20 +70,38 @@ core::Result<void> checkSetup(const NewSession& setup) {
 }
 
 std::vector<Column> columnsOf(SessionId id, const NewSession& setup, std::int64_t content) {
-    return {{"id", id}, {"exercise", setup.exercise}, {"level", std::int64_t{setup.level}}, {"content_id", content},
-            {"seed", storedFromUnsigned(setup.seed)}, {"operator_name", setup.operatorName},
-            {"felt", std::int64_t{setup.felt}}, {"device_json", setup.deviceJson}, {"mapping_json", setup.mappingJson},
-            {"supervisor_json", setup.supervisorJson}, {"versions_json", setup.versionsJson},
-            {"build_id", setup.buildId}, {"cpu_class", setup.cpuClass}, {"force_limit_n", setup.forceLimit_N},
+    return {{"id", id},
+            {"exercise", setup.exercise},
+            {"level", std::int64_t{setup.level}},
+            {"content_id", content},
+            {"seed", storedFromUnsigned(setup.seed)},
+            {"operator_name", setup.operatorName},
+            {"felt", std::int64_t{setup.felt}},
+            {"device_json", setup.deviceJson},
+            {"mapping_json", setup.mappingJson},
+            {"supervisor_json", setup.supervisorJson},
+            {"versions_json", setup.versionsJson},
+            {"build_id", setup.buildId},
+            {"cpu_class", setup.cpuClass},
+            {"force_limit_n", setup.forceLimit_N},
             {"planned_trials", std::int64_t{setup.plannedTrials}},
-            {"familiarisation", std::int64_t{setup.familiarisation}}, {"realtime", std::int64_t{setup.realtime}},
-            {"ring_file", setup.ringFile}, {"channel_table", Blob(setup.channelTable)},
+            {"familiarisation", std::int64_t{setup.familiarisation}},
+            {"realtime", std::int64_t{setup.realtime}},
+            {"ring_file", setup.ringFile},
+            {"channel_table", Blob(setup.channelTable)},
             {"started_utc", core::utcNowIso8601()},
             {"utc_offset_min", std::int64_t{QDateTime::currentDateTime().offsetFromUtc() / 60}},
-            {"state", std::string("running")}, {"ended_utc", std::string()}, {"ticks", std::int64_t{0}},
-            {"frames", std::int64_t{0}}, {"dropped", std::int64_t{0}}, {"chunks", std::int64_t{0}},
-            {"recording_bytes", std::int64_t{0}}, {"loop_json", std::string("{}")}, {"archived", std::int64_t{0}},
-            {"recording_erased", std::int64_t{0}}, {"void_reason", std::string()}};
+            {"state", std::string("running")},
+            {"ended_utc", std::string()},
+            {"ticks", std::int64_t{0}},
+            {"frames", std::int64_t{0}},
+            {"dropped", std::int64_t{0}},
+            {"chunks", std::int64_t{0}},
+            {"recording_bytes", std::int64_t{0}},
+            {"loop_json", std::string("{}")},
+            {"archived", std::int64_t{0}},
+            {"recording_erased", std::int64_t{0}},
+            {"void_reason", std::string()}};
 }
 
 } // namespace
@@ -107,7 +110,8 @@ core::Result<SessionId> SessionRepository::beginSession(const NewSession& setup)
     if (auto writer = requireWriter(m_connection); !writer) {
         return tl::unexpected(writer.error());
     }
-    if (auto allowed = authoriseFor(m_connection, m_actor, Action::beginSession, m_actor.personId()); !allowed) {
+    if (auto allowed = authoriseFor(m_connection, m_actor, Action::beginSession, m_actor.personId());
+        !allowed) {
         return tl::unexpected(allowed.error());
     }
     if (auto good = checkSetup(setup); !good) {
@@ -145,42 +149,50 @@ core::Result<std::unique_ptr<recording::TrialSink>> SessionRepository::openSink(
 }
 
 core::Result<void> SessionRepository::storeTrial(SessionId session, const TrialRecord& trial) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::storeTrial, session); !allowed) {
+    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::storeTrial, session); !allowed) {
         return allowed;
     }
     if (auto running = mustRun(m_connection, session); !running) {
         return running;
     }
     if (trial.state == SessionState::running || trial.state == SessionState::voided) {
-        return core::fail(core::ErrorCode::badInput, "a trial ends completed, stopped, interrupted, incomplete or faulted");
+        return core::fail(core::ErrorCode::badInput,
+                          "a trial ends completed, stopped, interrupted, incomplete or faulted");
     }
     const auto row = insertRow(m_connection, "trial",
-                               {{"session_id", session}, {"ordinal", std::int64_t{trial.index}},
-                                {"seed", storedFromUnsigned(trial.seed)}, {"state", std::string(token(trial.state))},
+                               {{"session_id", session},
+                                {"ordinal", std::int64_t{trial.index}},
+                                {"seed", storedFromUnsigned(trial.seed)},
+                                {"state", std::string(token(trial.state))},
                                 {"first_tick", storedFromUnsigned(trial.firstTick)},
                                 {"last_tick", storedFromUnsigned(trial.lastTick)},
-                                {"marked", std::int64_t{trial.marked}}, {"timed_out", std::int64_t{trial.timedOut}},
+                                {"marked", std::int64_t{trial.marked}},
+                                {"timed_out", std::int64_t{trial.timedOut}},
                                 {"scene_json", trial.sceneJson}});
     return row ? core::Result<void>() : tl::unexpected(row.error());
 }
 
 core::Result<void> SessionRepository::storeEvents(SessionId session, std::span<const EventRecord> events) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::storeEvents, session); !allowed) {
+    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::storeEvents, session); !allowed) {
         return allowed;
     }
     if (auto running = mustRun(m_connection, session); !running) {
         return running;
     }
-    const auto last = selectInteger(m_connection, "SELECT max(ordinal) FROM event WHERE session_id = ?", {session});
+    const auto last =
+        selectInteger(m_connection, "SELECT max(ordinal) FROM event WHERE session_id = ?", {session});
     if (!last) {
         return tl::unexpected(last.error());
     }
     std::int64_t ordinal = last->value_or(-1);
     for (const EventRecord& event : events) {
         const auto row = insertRow(m_connection, "event",
-                                   {{"session_id", session}, {"ordinal", ++ordinal},
-                                    {"tick", storedFromUnsigned(event.tick)}, {"time_s", event.time_s},
-                                    {"tool", std::int64_t{event.tool}}, {"kind", event.kind},
+                                   {{"session_id", session},
+                                    {"ordinal", ++ordinal},
+                                    {"tick", storedFromUnsigned(event.tick)},
+                                    {"time_s", event.time_s},
+                                    {"tool", std::int64_t{event.tool}},
+                                    {"kind", event.kind},
                                     {"detail_json", event.detailJson}});
         if (!row) {
             return tl::unexpected(row.error());
@@ -190,90 +202,42 @@ core::Result<void> SessionRepository::storeEvents(SessionId session, std::span<c
 }
 
 core::Result<void> SessionRepository::finishSession(SessionId session, const SessionEnd& end) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::finishSession, session); !allowed) {
+    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::finishSession, session); !allowed) {
         return allowed;
     }
     if (auto running = mustRun(m_connection, session); !running) {
         return running;
     }
     if (end.state == SessionState::running || end.state == SessionState::voided) {
-        return core::fail(core::ErrorCode::badInput, "a session ends completed, stopped, interrupted, incomplete or faulted");
+        return core::fail(core::ErrorCode::badInput,
+                          "a session ends completed, stopped, interrupted, incomplete or faulted");
     }
     const auto seal = sessionSeal(m_connection, session);
-    const auto chunks = selectInteger(m_connection, "SELECT count(*) FROM chunk WHERE session_id = ?", {session});
-    const auto bytes = selectInteger(m_connection, "SELECT sum(length(payload)) FROM chunk WHERE session_id = ?", {session});
+    const auto chunks =
+        selectInteger(m_connection, "SELECT count(*) FROM chunk WHERE session_id = ?", {session});
+    const auto bytes =
+        selectInteger(m_connection, "SELECT sum(length(payload)) FROM chunk WHERE session_id = ?", {session});
     if (!seal || !chunks || !bytes) {
         return tl::unexpected(!seal ? seal.error() : !chunks ? chunks.error() : bytes.error());
     }
     const auto row = updateRow(m_connection, "session", {{"id", session}},
-                               {{"state", std::string(token(end.state))}, {"ended_utc", core::utcNowIso8601()},
-                                {"ticks", storedFromUnsigned(end.ticks)}, {"frames", storedFromUnsigned(end.frames)},
-                                {"dropped", storedFromUnsigned(end.dropped)}, {"chunks", chunks->value_or(0)},
-                                {"recording_bytes", bytes->value_or(0)}, {"loop_json", end.loopJson},
-                                {"seal", toBlob(*seal)}, {"ring_file", std::string()}});
+                               {{"state", std::string(token(end.state))},
+                                {"ended_utc", core::utcNowIso8601()},
+                                {"ticks", storedFromUnsigned(end.ticks)},
+                                {"frames", storedFromUnsigned(end.frames)},
+                                {"dropped", storedFromUnsigned(end.dropped)},
+                                {"chunks", chunks->value_or(0)},
+                                {"recording_bytes", bytes->value_or(0)},
+                                {"loop_json", end.loopJson},
+                                {"seal", toBlob(*seal)},
+                                {"ring_file", std::string()}});
     if (!row) {
         return tl::unexpected(row.error());
     }
-    return appendAudit(m_connection, m_actor, {"finishSession", "session", session, *row,
-                                               "{\"seal\":\"" + hex(seal->data(), seal->size()) + "\",\"state\":\"" +
-                                                   std::string(token(end.state)) + "\"}"});
-}
-
-core::Result<void> SessionRepository::voidSession(SessionId session, const std::string& reason) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::voidSession, session); !allowed) {
-        return allowed;
-    }
-    if (auto good = checkText("reason", reason, kMaximumFreeText); !good || reason.empty()) {
-        return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text") : good;
-    }
-    const auto state = stateOf(m_connection, session);
-    if (!state) {
-        return tl::unexpected(state.error());
-    }
-    if (*state == SessionState::running || *state == SessionState::voided) {
-        return core::fail(core::ErrorCode::wrongUse, "session " + std::to_string(session) + " is " + std::string(token(*state)));
-    }
-    const auto row = updateRow(m_connection, "session", {{"id", session}},
-                               {{"state", std::string("voided")}, {"state_before_void", std::string(token(*state))},
-                                {"void_reason", reason}, {"void_reason_hash", toBlob(textDigest(reason))},
-                                {"voided_by", m_actor.personId()}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
-    return appendAudit(m_connection, m_actor, {"voidSession", "session", session, *row, "{}"});
-}
-
-core::Result<void> SessionRepository::setArchived(SessionId session, bool archived) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::setArchived, session); !allowed) {
-        return allowed;
-    }
-    const auto row = updateRow(m_connection, "session", {{"id", session}}, {{"archived", std::int64_t{archived}}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
-    return appendAudit(m_connection, m_actor, {archived ? "archive" : "unarchive", "session", session, *row, "{}"});
-}
-
-core::Result<std::int64_t> SessionRepository::addComment(SessionId session, const std::string& text) {
-    if (auto allowed = writeAllowed(m_connection, m_actor, Action::addComment, session); !allowed) {
-        return tl::unexpected(allowed.error());
-    }
-    if (auto good = checkText("comment", text, kMaximumFreeText); !good || text.empty()) {
-        return good ? core::fail(core::ErrorCode::badInput, "comment: expected a text") : tl::unexpected(good.error());
-    }
-    const auto last = selectInteger(m_connection, "SELECT max(id) FROM session_comment");
-    if (!last) {
-        return tl::unexpected(last.error());
-    }
-    const std::int64_t id = last->value_or(0) + 1;
-    const auto row = insertRow(m_connection, "session_comment",
-                               {{"id", id}, {"session_id", session}, {"author_id", m_actor.personId()},
-                                {"utc", core::utcNowIso8601()}, {"text", text}, {"text_hash", toBlob(textDigest(text))}});
-    if (!row) {
-        return tl::unexpected(row.error());
-    }
-    auto audited = appendAudit(m_connection, m_actor, {"addComment", "session_comment", id, *row, "{}"});
-    return audited ? core::Result<std::int64_t>(id) : tl::unexpected(audited.error());
+    return appendAudit(m_connection, m_actor,
+                       {"finishSession", "session", session, *row,
+                        "{\"seal\":\"" + hex(seal->data(), seal->size()) + "\",\"state\":\"" +
+                            std::string(token(end.state)) + "\"}"});
 }
 
 } // namespace chiron::database

@@ -47,8 +47,9 @@ core::Result<RowDigest> sessionSeal(Connection& connection, SessionId session) {
 
 core::Result<RowDigest> scoreSeal(Connection& connection, std::int64_t scoreSetId) {
     Blob bytes;
-    auto added = appendGroup(connection, bytes,
-                             "SELECT digest FROM score WHERE score_set_id = ? ORDER BY trial, ordinal", scoreSetId);
+    auto added =
+        appendGroup(connection, bytes,
+                    "SELECT digest FROM score WHERE score_set_id = ? ORDER BY trial, ordinal", scoreSetId);
     if (!added) {
         return tl::unexpected(added.error());
     }

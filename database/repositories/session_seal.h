@@ -10,8 +10,8 @@
 
 namespace chiron::database {
 
-/// BLAKE2b-256 over the row digests of a session's chunks, trials, events and per-second summaries, in order, each group with its
-/// count: what the audit chain vouches for when a session ends.
+/// BLAKE2b-256 over the row digests of a session's chunks, trials, events and per-second summaries, in order,
+/// each group with its count: what the audit chain vouches for when a session ends.
 core::Result<RowDigest> sessionSeal(Connection& connection, SessionId session);
 
 /// BLAKE2b-256 over the row digests of a set of scores, in order.

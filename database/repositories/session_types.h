@@ -13,29 +13,38 @@
 namespace chiron::database {
 
 /// States of a session (data.md, Words); running is a session that has not ended, or whose program died.
-enum class SessionState : std::uint8_t { running, completed, stopped, interrupted, incomplete, faulted, voided };
+enum class SessionState : std::uint8_t {
+    running,
+    completed,
+    stopped,
+    interrupted,
+    incomplete,
+    faulted,
+    voided
+};
 std::string_view token(SessionState state) noexcept;
 std::optional<SessionState> sessionStateFromToken(std::string_view word) noexcept;
 
-/// What is known of a session before its first tick. JSON texts are canonical (sorted keys, no spaces) where so said.
+/// What is known of a session before its first tick. JSON texts are canonical (sorted keys, no spaces) where
+/// so said.
 struct NewSession {
-    std::string exercise;          ///< id, snake_case
-    int level = 1;                 ///< from 1
-    std::string contentJson;       ///< resolved content, canonical; its SHA-256 is computed and stored
+    std::string exercise;    ///< id, snake_case
+    int level = 1;           ///< from 1
+    std::string contentJson; ///< resolved content, canonical; its SHA-256 is computed and stored
     std::uint64_t seed = 0;
-    std::string operatorName;      ///< scripted operator or trace; empty: the person's own hand
-    bool felt = false;             ///< device class: force is rendered (felt) or only shown
-    std::string deviceJson;        ///< device descriptor with calibration
-    std::string mappingJson;       ///< workspace mapping
-    std::string supervisorJson;    ///< supervisor settings
-    std::string versionsJson;      ///< model and metric versions
+    std::string operatorName;   ///< scripted operator or trace; empty: the person's own hand
+    bool felt = false;          ///< device class: force is rendered (felt) or only shown
+    std::string deviceJson;     ///< device descriptor with calibration
+    std::string mappingJson;    ///< workspace mapping
+    std::string supervisorJson; ///< supervisor settings
+    std::string versionsJson;   ///< model and metric versions
     std::string buildId;
     std::string cpuClass;
-    double forceLimit_N = 0.0;     ///< for "over the limit", >= 0
+    double forceLimit_N = 0.0; ///< for "over the limit", >= 0
     int plannedTrials = 1;
-    bool familiarisation = false;  ///< recorded, marked, never counted
+    bool familiarisation = false; ///< recorded, marked, never counted
     bool realtime = false;
-    std::string ringFile;          ///< where the crash ring lies while it runs; empty: none
+    std::string ringFile;                   ///< where the crash ring lies while it runs; empty: none
     std::vector<std::uint8_t> channelTable; ///< encoded (recording/channel_table.h)
 };
 
@@ -44,13 +53,13 @@ struct SessionEnd {
     SessionState state = SessionState::completed;
     std::uint64_t ticks = 0;
     std::uint64_t frames = 0;
-    std::uint64_t dropped = 0;    ///< frames lost to a full ring; > 0 belongs to state incomplete
-    std::string loopJson = "{}";  ///< loop statistics
+    std::uint64_t dropped = 0;   ///< frames lost to a full ring; > 0 belongs to state incomplete
+    std::string loopJson = "{}"; ///< loop statistics
 };
 
 /// One trial of a session.
 struct TrialRecord {
-    int index = 0;              ///< from 0
+    int index = 0; ///< from 0
     std::uint64_t seed = 0;
     SessionState state = SessionState::completed; ///< completed, stopped, interrupted, incomplete or faulted
     std::uint64_t firstTick = 0;
@@ -65,7 +74,7 @@ struct EventRecord {
     std::uint64_t tick = 0;
     double time_s = 0.0; ///< device time since the first frame
     int tool = 0;
-    std::string kind;    ///< snake_case
+    std::string kind; ///< snake_case
     std::string detailJson = "{}";
 };
 
@@ -120,7 +129,7 @@ struct SessionFilter {
     std::optional<SessionState> state;
     bool includeArchived = false;
     bool newestFirst = false;
-    int limit = 0;            ///< 0: all
+    int limit = 0;              ///< 0: all
     SessionId afterSession = 0; ///< for paging (before it, when newestFirst)
 };
 

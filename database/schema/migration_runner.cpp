@@ -11,7 +11,9 @@
 #include <unistd.h>
 
 // Resources of a static library are not registered by themselves; the macro must stand outside any namespace.
-static void registerMigrations() { Q_INIT_RESOURCE(migrations); }
+static void registerMigrations() {
+    Q_INIT_RESOURCE(migrations);
+}
 
 namespace chiron::database {
 namespace {
@@ -28,7 +30,8 @@ core::Result<SchemaVersion> headerOf(const std::string& name) {
     if (header.size() < 100 || !header.startsWith(QByteArray("SQLite format 3\0", 16))) {
         return core::fail(core::ErrorCode::storage, name + ": not a database (no SQLite header)");
     }
-    return SchemaVersion{qFromBigEndian<qint32>(header.constData() + 68), qFromBigEndian<qint32>(header.constData() + 60)};
+    return SchemaVersion{qFromBigEndian<qint32>(header.constData() + 68),
+                         qFromBigEndian<qint32>(header.constData() + 60)};
 }
 
 core::Result<SchemaVersion> pragmasOf(const std::string& name) {
@@ -47,7 +50,8 @@ core::Result<SchemaVersion> pragmasOf(const std::string& name) {
 
 core::Result<void> judge(const std::string& file, const SchemaVersion& found, int newest) {
     if (found.applicationId != kApplicationId) {
-        return core::fail(core::ErrorCode::storage, file + ": a database of another program (application id " +
+        return core::fail(core::ErrorCode::storage, file +
+                                                        ": a database of another program (application id " +
                                                         std::to_string(found.applicationId) + ", expected " +
                                                         std::to_string(kApplicationId) + "); left unchanged");
     }
@@ -150,7 +154,8 @@ core::Result<void> flushToDisk(const std::string& path) {
     if (descriptor >= 0) {
         ::close(descriptor);
     }
-    return flushed ? core::Result<void>() : core::fail(core::ErrorCode::storage, path + ": cannot be flushed to the disk");
+    return flushed ? core::Result<void>()
+                   : core::fail(core::ErrorCode::storage, path + ": cannot be flushed to the disk");
 }
 
 core::Result<void> copyDatabase(Connection& from, const std::string& toFile) {
@@ -160,7 +165,8 @@ core::Result<void> copyDatabase(Connection& from, const std::string& toFile) {
     }
     const std::string partial = toFile + ".partial";
     QFile::remove(QString::fromStdString(partial)); // left by a copy that was killed
-    // VACUUM INTO only reads `from`, but counts as writing for query_only (the file itself may be opened read-only).
+    // VACUUM INTO only reads `from`, but counts as writing for query_only (the file itself may be opened
+    // read-only).
     (void)from.execute("PRAGMA query_only=OFF");
     auto copied = Query::run(from, "VACUUM INTO ?", {partial});
     if (!from.isWritable()) {

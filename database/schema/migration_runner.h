@@ -36,12 +36,13 @@ public:
 
     int newest() const noexcept { return m_migrations.empty() ? 0 : m_migrations.back().version; }
 
-    /// Reads the header without changing the file, also past an unfinished write-ahead log. Failure: notFound; storage
-    /// if it is no SQLite file, damaged, not Chiron's, or newer than newest().
+    /// Reads the header without changing the file, also past an unfinished write-ahead log. Failure:
+    /// notFound; storage if it is no SQLite file, damaged, not Chiron's, or newer than newest().
     core::Result<SchemaVersion> inspect(const std::string& file) const;
 
-    /// Runs what is missing. Returns the copy made first ("<file>.before-v<N>"), empty where there was nothing to copy
-    /// or to do. On failure the file is as it was before the failing step, and the copy stays.
+    /// Runs what is missing. Returns the copy made first ("<file>.before-v<N>"), empty where there was
+    /// nothing to copy or to do. On failure the file is as it was before the failing step, and the copy
+    /// stays.
     core::Result<std::string> migrate(Connection& connection) const;
 
     /// Called inside each step's transaction just before it commits; tests stop the program here.
@@ -52,8 +53,9 @@ private:
     std::vector<Migration> m_migrations;
 };
 
-/// A consistent copy of the database as a new file (VACUUM INTO), flushed to the disk, checked by SQLite. The copy needs no
-/// write-ahead log. On failure nothing is left of it. Failure: badInput if the file exists, storage.
+/// A consistent copy of the database as a new file (VACUUM INTO), flushed to the disk, checked by SQLite. The
+/// copy needs no write-ahead log. On failure nothing is left of it. Failure: badInput if the file exists,
+/// storage.
 core::Result<void> copyDatabase(Connection& from, const std::string& toFile);
 
 /// Flushes a file (or the entries of a folder) to the disk.

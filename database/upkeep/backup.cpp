@@ -31,8 +31,8 @@ core::Result<void> writeErasures(Connection& reader, const std::string& siteFold
 }
 
 // Everything but the rename; the folder is thrown away when this fails.
-core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const std::string& folder, const std::string& kind,
-                                const SiteKey& key, const SnapshotExtra& extra) {
+core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const std::string& folder,
+                                const std::string& kind, const SiteKey& key, const SnapshotExtra& extra) {
     const std::string copy = folder + "/" + kSnapshotFile;
     auto done = copyDatabase(reader, copy);
     done = done ? writeErasures(reader, database.siteFolder(), folder + "/" + kErasuresFile) : done;
@@ -45,7 +45,8 @@ core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const st
         return tl::unexpected(head.error());
     }
     if (const VerifyReport report = verifySnapshot(copy, &key, *head); !report.ok()) {
-        return core::fail(core::ErrorCode::doesNotHold, "the copy does not verify, nothing was kept: " + firstOf(report));
+        return core::fail(core::ErrorCode::doesNotHold,
+                          "the copy does not verify, nothing was kept: " + firstOf(report));
     }
     std::vector<std::string> files{kSnapshotFile, kErasuresFile};
     if (extra) {
@@ -67,14 +68,19 @@ core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const st
     if (auto written = writeManifest(folder, manifest, key); !written) {
         return tl::unexpected(written.error());
     }
-    return SnapshotInfo{folder, kSnapshotFile, manifest.files[kSnapshotFile], head->count, head->hash,
+    return SnapshotInfo{folder,
+                        kSnapshotFile,
+                        manifest.files[kSnapshotFile],
+                        head->count,
+                        head->hash,
                         static_cast<std::uint64_t>(QFileInfo(QString::fromStdString(copy)).size())};
 }
 
 } // namespace
 
-core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& reader, const std::string& folder,
-                                               const std::string& kind, const SnapshotExtra& extra) {
+core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& reader,
+                                               const std::string& folder, const std::string& kind,
+                                               const SnapshotExtra& extra) {
     const auto key = SiteKey::load(database.siteFolder());
     if (!key) {
         return tl::unexpected(key.error());
@@ -114,7 +120,8 @@ core::Result<SnapshotInfo> Upkeep::backup(Database& database, const Actor& actor
         return info;
     }
     const auto audited = database.write([&](WriteContext& writing) {
-        return appendAudit(writing.connection(), actor, {"backup", "meta", 0, std::nullopt, "{\"blake2b\":\"" + info->blake2b + "\"}"});
+        return appendAudit(writing.connection(), actor,
+                           {"backup", "meta", 0, std::nullopt, "{\"blake2b\":\"" + info->blake2b + "\"}"});
     });
     return audited ? info : tl::unexpected(audited.error());
 }

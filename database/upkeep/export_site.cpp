@@ -15,7 +15,8 @@ namespace {
 // Secrets stay in the snapshot, which only an administrator can restore.
 constexpr const char* kSecretTable = "credential";
 
-core::Result<std::vector<std::string>> namesOf(Connection& connection, const std::string& sql, const std::vector<Value>& values) {
+core::Result<std::vector<std::string>> namesOf(Connection& connection, const std::string& sql,
+                                               const std::vector<Value>& values) {
     auto query = Query::run(connection, sql, values);
     if (!query) {
         return tl::unexpected(query.error());
@@ -41,7 +42,8 @@ QJsonValue jsonOf(const Value& value) {
     case Value::Type::blob:
         break;
     }
-    return QString::fromStdString(hex(reinterpret_cast<const std::uint8_t*>(value.bytes().data()), value.bytes().size()));
+    return QString::fromStdString(
+        hex(reinterpret_cast<const std::uint8_t*>(value.bytes().data()), value.bytes().size()));
 }
 
 core::Result<void> writeTable(Connection& connection, const std::string& table, const std::string& name) {
@@ -64,16 +66,20 @@ core::Result<void> writeTable(Connection& connection, const std::string& table, 
     if (!row) {
         return tl::unexpected(row.error());
     }
-    return written && file.commit() ? core::Result<void>()
-                                    : core::fail(core::ErrorCode::storage, name + ": cannot be written (disk full?)");
+    return written && file.commit()
+               ? core::Result<void>()
+               : core::fail(core::ErrorCode::storage, name + ": cannot be written (disk full?)");
 }
 
 core::Result<std::vector<std::string>> writeTables(Connection& snapshot, const std::string& folder) {
     if (!QDir().mkpath(QString::fromStdString(folder + "/tables"))) {
         return core::fail(core::ErrorCode::storage, folder + "/tables: cannot be created");
     }
-    const auto tables = namesOf(snapshot, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite\\_%' "
-                                          "ESCAPE '\\' AND name <> ? ORDER BY name", {std::string(kSecretTable)});
+    const auto tables =
+        namesOf(snapshot,
+                "SELECT name FROM sqlite_schema WHERE type = 'table' AND name NOT LIKE 'sqlite\\_%' "
+                "ESCAPE '\\' AND name <> ? ORDER BY name",
+                {std::string(kSecretTable)});
     if (!tables) {
         return tables;
     }
@@ -90,7 +96,8 @@ core::Result<std::vector<std::string>> writeTables(Connection& snapshot, const s
 
 } // namespace
 
-core::Result<SnapshotInfo> Upkeep::exportSite(Database& database, const Actor& actor, const std::string& folder) {
+core::Result<SnapshotInfo> Upkeep::exportSite(Database& database, const Actor& actor,
+                                              const std::string& folder) {
     auto reader = database.openReader();
     if (!reader) {
         return tl::unexpected(reader.error());

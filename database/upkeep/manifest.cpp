@@ -11,8 +11,10 @@ namespace chiron::database {
 namespace {
 
 std::string signatureOf(const QJsonObject& json, const SiteKey& key) {
-    const QByteArray text = "chiron-manifest-1" + QJsonDocument(json).toJson(QJsonDocument::Compact); // keys are sorted
-    const RowDigest mac = key.mac({reinterpret_cast<const std::uint8_t*>(text.constData()), static_cast<std::size_t>(text.size())});
+    const QByteArray text =
+        "chiron-manifest-1" + QJsonDocument(json).toJson(QJsonDocument::Compact); // keys are sorted
+    const RowDigest mac = key.mac(
+        {reinterpret_cast<const std::uint8_t*>(text.constData()), static_cast<std::size_t>(text.size())});
     return hex(mac.data(), mac.size());
 }
 
@@ -31,7 +33,8 @@ core::Result<std::string> fileDigest(const std::string& name) {
         if (part.isEmpty()) {
             return core::fail(core::ErrorCode::storage, name + ": cannot be read to its end");
         }
-        crypto_generichash_update(&state, reinterpret_cast<const unsigned char*>(part.constData()), static_cast<unsigned long long>(part.size()));
+        crypto_generichash_update(&state, reinterpret_cast<const unsigned char*>(part.constData()),
+                                  static_cast<unsigned long long>(part.size()));
     }
     crypto_generichash_final(&state, digest.data(), digest.size());
     return hex(digest.data(), digest.size());
@@ -70,16 +73,21 @@ core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& ke
         return core::fail(core::ErrorCode::badInput, name + ": malformed");
     }
     if (signature != signatureOf(json, key)) {
-        return core::fail(core::ErrorCode::doesNotHold, name + ": not signed with this site's key, or changed");
+        return core::fail(core::ErrorCode::doesNotHold,
+                          name + ": not signed with this site's key, or changed");
     }
-    Manifest manifest{json["kind"].toString().toStdString(), json["created_utc"].toString().toStdString(),
-                      json["schema_version"].toInt(), {json["audit_count"].toInteger(), json["audit_hash"].toString().toStdString()}, {}};
+    Manifest manifest{json["kind"].toString().toStdString(),
+                      json["created_utc"].toString().toStdString(),
+                      json["schema_version"].toInt(),
+                      {json["audit_count"].toInteger(), json["audit_hash"].toString().toStdString()},
+                      {}};
     const QJsonObject files = json["files"].toObject();
     for (auto it = files.begin(); it != files.end(); ++it) {
         const std::string path = it.key().toStdString();
         const auto digest = fileDigest(folder + "/" + path);
         if (!digest || *digest != it.value().toString().toStdString()) {
-            return core::fail(core::ErrorCode::doesNotHold, folder + "/" + path + ": missing or changed since the backup was made");
+            return core::fail(core::ErrorCode::doesNotHold,
+                              folder + "/" + path + ": missing or changed since the backup was made");
         }
         manifest.files[path] = *digest;
     }

@@ -9,8 +9,8 @@
 
 namespace chiron::database {
 
-/// manifest.json of a backup or an export: what files belong to it, with their BLAKE2b-256, and the head of the audit
-/// chain in the snapshot; signed with the site key.
+/// manifest.json of a backup or an export: what files belong to it, with their BLAKE2b-256, and the head of
+/// the audit chain in the snapshot; signed with the site key.
 struct Manifest {
     std::string kind; ///< "backup" or "export"
     std::string createdUtc;
@@ -24,8 +24,8 @@ inline constexpr const char* kErasuresFile = "erasures.json";
 
 core::Result<void> writeManifest(const std::string& folder, const Manifest& manifest, const SiteKey& key);
 
-/// Reads and checks: signature, and the digest of every file named. Failure: badInput (malformed), doesNotHold (a file
-/// is missing or changed, or the signature is not this site's), storage.
+/// Reads and checks: signature, and the digest of every file named. Failure: badInput (malformed),
+/// doesNotHold (a file is missing or changed, or the signature is not this site's), storage.
 core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& key);
 
 /// BLAKE2b-256 of a file as 64 hex digits. Failure: storage.

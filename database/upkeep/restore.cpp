@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "database/access/authorise.h"
-#include "database/accounts/account_service.h"
-#include "database/integrity/snapshot_check.h"
-#include "database/privacy/erasure.h"
-#include "database/query.h"
 #include "database/schema/migration_runner.h"
 #include "database/upkeep/manifest.h"
+#include "database/upkeep/restorable.h"
 #include "database/upkeep/upkeep.h"
 #include "database/writer_lock.h"
 
@@ -13,7 +9,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <filesystem>
-#include <map>
 
 namespace chiron::database {
 namespace {
@@ -21,87 +16,15 @@ namespace {
 core::Result<std::unique_ptr<SiteKey>> keyFor(const std::string& siteFolder, const std::string& keyFile) {
     const QString target = QString::fromStdString(siteFolder + "/site.key");
     if (!QFileInfo::exists(target) && !keyFile.empty()) {
-        const bool copied = QDir().mkpath(QString::fromStdString(siteFolder)) && QFile::copy(QString::fromStdString(keyFile), target) &&
+        const bool copied = QDir().mkpath(QString::fromStdString(siteFolder)) &&
+                            QFile::copy(QString::fromStdString(keyFile), target) &&
                             QFile::setPermissions(target, QFile::ReadOwner | QFile::WriteOwner);
         if (!copied) {
-            return core::fail(core::ErrorCode::storage, keyFile + ": the site key cannot be copied to " + siteFolder);
+            return core::fail(core::ErrorCode::storage,
+                              keyFile + ": the site key cannot be copied to " + siteFolder);
         }
     }
     return SiteKey::load(siteFolder);
-}
-
-// Everything that must stay erased: what the backup knew, what the site knows, what the file to be replaced knows.
-core::Result<std::map<PersonId, Erasure>> erasuresToApply(const std::string& backupFolder, const std::string& siteFolder,
-                                                          const std::string& target) {
-    std::map<PersonId, Erasure> all;
-    for (const std::string& file : {backupFolder + "/" + kErasuresFile, erasureListFile(siteFolder)}) {
-        const auto listed = readErasureList(file);
-        if (!listed) {
-            return tl::unexpected(listed.error());
-        }
-        for (const Erasure& erasure : *listed) {
-            all[erasure.person] = erasure;
-        }
-    }
-    if (auto old = Connection::open(target, Connection::Mode::readOnly)) {
-        // The file to be replaced may well be damaged; then the two lists have to do.
-        for (const Erasure& erasure : storedErasures(**old).value_or(std::vector<Erasure>())) {
-            all[erasure.person] = erasure;
-        }
-    }
-    return all;
-}
-
-core::Result<int> applyErasures(Connection& connection, const Actor& actor, const std::map<PersonId, Erasure>& erasures) {
-    int applied = 0;
-    for (const auto& [person, erasure] : erasures) {
-        const auto there = selectInteger(connection, "SELECT 1 FROM person WHERE id = ? AND kind = 'person'", {person});
-        if (!there) {
-            return tl::unexpected(there.error());
-        }
-        if (!*there) {
-            continue;
-        }
-        Erasure again = erasure;
-        const auto administrator = selectInteger(connection, "SELECT id FROM person WHERE id = ?", {erasure.administrator});
-        again.administrator = administrator.value_or(std::nullopt) ? erasure.administrator : actor.personId();
-        if (auto done = overwritePerson(connection, actor, again); !done) {
-            return tl::unexpected(done.error());
-        }
-        ++applied;
-    }
-    return applied;
-}
-
-// Brings the copy up to date inside one transaction: erasures, and an entry that says where the chain was cut.
-core::Result<int> prepare(const std::string& copy, const Actor& actor, const SiteKey& key, const IBootClock* clock,
-                          const std::map<PersonId, Erasure>& erasures) {
-    auto connection = Connection::create(copy);
-    if (!connection) {
-        return tl::unexpected(connection.error());
-    }
-    (*connection)->setSite(&key, clock);
-    if (auto begun = (*connection)->begin(); !begun) {
-        return tl::unexpected(begun.error());
-    }
-    const auto oldHead = readHeadFile(key);
-    const AuditHead cut = oldHead ? oldHead->value_or(AuditHead{}) : AuditHead{};
-    auto applied = applyErasures(**connection, actor, erasures);
-    if (applied) {
-        auto audited = appendAudit(**connection, actor, {"restore", "meta", 0, std::nullopt,
-                                                         "{\"head_count\":" + std::to_string(cut.count) + ",\"head_hash\":\"" + cut.hash + "\"}"});
-        applied = audited ? applied : tl::unexpected(audited.error());
-    }
-    if (!applied) {
-        (*connection)->rollback();
-        return applied;
-    }
-    if (auto committed = (*connection)->commit(); !committed) {
-        return tl::unexpected(committed.error());
-    }
-    // WAL before it is put in place: a rollback journal left by a kill would shut out readers.
-    auto vacuumed = (*connection)->execute("VACUUM; PRAGMA journal_mode=WAL;");
-    return vacuumed ? applied : tl::unexpected(vacuumed.error());
 }
 
 std::string freeName(const std::string& base) {
@@ -112,14 +35,16 @@ std::string freeName(const std::string& base) {
     return name;
 }
 
-// The old file is linked under its new name before the copy replaces it in one step: at no moment is there neither.
+// The old file is linked under its new name before the copy replaces it in one step: at no moment is there
+// neither.
 core::Result<std::string> swapIn(const std::string& copy, const std::string& target) {
     namespace fs = std::filesystem;
     std::error_code error;
     std::string kept;
     if (fs::exists(target, error)) {
         if (auto old = Connection::open(target, Connection::Mode::readWrite)) {
-            (void)(*old)->execute("PRAGMA wal_checkpoint(TRUNCATE)"); // its log goes into the file, if it still can
+            (void)(*old)->execute(
+                "PRAGMA wal_checkpoint(TRUNCATE)"); // its log goes into the file, if it still can
         }
         kept = freeName(target + ".before-restore");
         fs::create_hard_link(target, kept, error);
@@ -127,75 +52,25 @@ core::Result<std::string> swapIn(const std::string& copy, const std::string& tar
             fs::copy_file(target, kept, error);
         }
         if (error) {
-            return core::fail(core::ErrorCode::storage, kept + ": the old file cannot be kept aside; nothing was changed");
+            return core::fail(core::ErrorCode::storage,
+                              kept + ": the old file cannot be kept aside; nothing was changed");
         }
         if (fs::exists(target + "-wal", error)) {
-            fs::rename(target + "-wal", kept + "-wal", error); // else SQLite would play the old log into the new file
+            fs::rename(target + "-wal", kept + "-wal",
+                       error); // else SQLite would play the old log into the new file
         }
         fs::remove(target + "-shm", error);
     }
+    for (const char* suffix : {"-wal", "-shm"}) {
+        fs::remove(copy + suffix, error); // empty: left by the readers that verified it
+    }
     fs::rename(copy, target, error);
     if (error) {
-        return core::fail(core::ErrorCode::storage, target + ": the restored file cannot be put in place; the old one is " + kept);
+        return core::fail(core::ErrorCode::storage,
+                          target + ": the restored file cannot be put in place; the old one is " + kept);
     }
     auto flushed = flushToDisk(QFileInfo(QString::fromStdString(target)).absolutePath().toStdString());
     return flushed ? core::Result<std::string>(kept) : tl::unexpected(flushed.error());
-}
-
-core::Result<Actor> administratorOf(const std::string& copy, const RestoreRequest& request, const DatabaseOptions& options) {
-    auto database = Database::openReadOnly(copy, options);
-    if (!database) {
-        return tl::unexpected(database.error());
-    }
-    auto actor = AccountService(**database).login(request.name, request.password);
-    auto reader = (*database)->openReader();
-    if (!actor || !reader) {
-        return actor ? core::Result<Actor>(tl::unexpected(reader.error())) : actor;
-    }
-    const auto scope = authorise(**reader, *actor, Action::restore);
-    return scope ? actor : core::Result<Actor>(tl::unexpected(scope.error()));
-}
-
-core::Result<void> bringCopyUpToDate(const std::string& copy) {
-    const MigrationRunner runner;
-    const auto present = runner.inspect(copy);
-    if (!present || present->version == runner.newest()) {
-        return present ? core::Result<void>() : tl::unexpected(present.error());
-    }
-    auto connection = Connection::create(copy);
-    const auto migrated = connection ? runner.migrate(**connection) : tl::unexpected(connection.error());
-    return migrated ? core::Result<void>() : tl::unexpected(migrated.error());
-}
-
-core::Result<int> makeReady(const std::string& copy, const RestoreRequest& request, const DatabaseOptions& options,
-                            const SiteKey& key, const AuditHead& head) {
-    if (auto current = bringCopyUpToDate(copy); !current) {
-        return tl::unexpected(current.error());
-    }
-    const auto actor = administratorOf(copy, request, options);
-    if (!actor) {
-        return tl::unexpected(actor.error());
-    }
-    const auto verified = [&](const AuditHead& expected) -> core::Result<void> {
-        const VerifyReport report = verifySnapshot(copy, &key, expected);
-        return report.ok() ? core::Result<void>()
-                           : core::fail(core::ErrorCode::doesNotHold, "the backup does not verify, nothing was changed: " +
-                                        report.findings.front().table + " " + report.findings.front().row + " " + report.findings.front().detail);
-    };
-    if (auto good = verified(head); !good) {
-        return tl::unexpected(good.error());
-    }
-    const auto erasures = erasuresToApply(request.backupFolder, key.folder(), request.targetFile);
-    if (!erasures) {
-        return tl::unexpected(erasures.error());
-    }
-    const SystemBootClock clock;
-    const auto applied = prepare(copy, *actor, key, &clock, *erasures);
-    if (!applied) {
-        return applied;
-    }
-    const auto good = verified(head);
-    return good ? applied : core::Result<int>(tl::unexpected(good.error()));
 }
 
 } // namespace
@@ -223,16 +98,19 @@ core::Result<RestoreInfo> Upkeep::restore(const RestoreRequest& request, const D
         return core::fail(core::ErrorCode::storage, copy + ": the backup cannot be copied (disk full?)");
     }
     QFile::setPermissions(copyName, QFile::ReadOwner | QFile::WriteOwner);
-    const auto applied = makeReady(copy, request, options, **key, manifest->head);
-    const auto kept = applied ? swapIn(copy, request.targetFile) : core::Result<std::string>(tl::unexpected(applied.error()));
+    const auto applied = makeRestorable(copy, request, options, **key, manifest->head);
+    const auto kept = applied ? swapIn(copy, request.targetFile)
+                              : core::Result<std::string>(tl::unexpected(applied.error()));
     if (!kept) {
         QFile::remove(copyName);
         return tl::unexpected(kept.error());
     }
     auto restored = Connection::open(request.targetFile, Connection::Mode::readOnly);
     const auto head = restored ? auditHead(**restored) : tl::unexpected(restored.error());
-    const auto written = head ? writeHeadFile(**key, *head) : core::Result<void>(tl::unexpected(head.error()));
-    return written ? core::Result<RestoreInfo>({request.targetFile, *kept, *applied}) : tl::unexpected(written.error());
+    const auto written =
+        head ? writeHeadFile(**key, *head) : core::Result<void>(tl::unexpected(head.error()));
+    return written ? core::Result<RestoreInfo>({request.targetFile, *kept, *applied})
+                   : tl::unexpected(written.error());
 }
 
 } // namespace chiron::database

@@ -9,11 +9,14 @@
 namespace chiron::database {
 
 /// Adds further files to a folder that is being written; returns their paths inside it.
-using SnapshotExtra = std::function<core::Result<std::vector<std::string>>(Connection& snapshot, const std::string& folder)>;
+using SnapshotExtra =
+    std::function<core::Result<std::vector<std::string>>(Connection& snapshot, const std::string& folder)>;
 
-/// Writes a snapshot folder: the database's copy, verified, erasures and extras, then the manifest; under another name first, renamed
-/// when it is whole. Failure: badInput if the folder exists; doesNotHold if the copy does not verify; storage.
-core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& reader, const std::string& folder,
-                                               const std::string& kind, const SnapshotExtra& extra);
+/// Writes a snapshot folder: the database's copy, verified, erasures and extras, then the manifest; under
+/// another name first, renamed when it is whole. Failure: badInput if the folder exists; doesNotHold if the
+/// copy does not verify; storage.
+core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& reader,
+                                               const std::string& folder, const std::string& kind,
+                                               const SnapshotExtra& extra);
 
 } // namespace chiron::database

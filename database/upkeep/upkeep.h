@@ -22,29 +22,35 @@ struct SnapshotInfo {
 struct RestoreRequest {
     std::string backupFolder;
     std::string targetFile;
-    std::string name;         ///< an administrator of the backup
+    std::string name; ///< an administrator of the backup
     std::string password;
-    std::string siteKeyFile;  ///< copied where the target has no site key yet; empty: there must be one
+    std::string siteKeyFile; ///< copied where the target has no site key yet; empty: there must be one
 };
 
 struct RestoreInfo {
     std::string databaseFile;
-    std::string keptOldFile;  ///< where the file that stood there is now; empty if there was none
+    std::string keptOldFile; ///< where the file that stood there is now; empty if there was none
     int erasuresApplied = 0;
 };
 
-/// Storage upkeep, each verified after writing. Blocking and long: a worker's task, on connections of its own.
+/// Storage upkeep, each verified after writing. Blocking and long: a worker's task, on connections of its
+/// own.
 class Upkeep {
 public:
-    /// A consistent snapshot beside the running writer, with manifest, audit head and list of erasures, in a new folder
-    /// (badInput if it exists). Complete or not there: it is written under another name and renamed.
-    static core::Result<SnapshotInfo> backup(Database& database, const Actor& actor, const std::string& folder);
+    /// A consistent snapshot beside the running writer, with manifest, audit head and list of erasures, in a
+    /// new folder (badInput if it exists). Complete or not there: it is written under another name and
+    /// renamed.
+    static core::Result<SnapshotInfo> backup(Database& database, const Actor& actor,
+                                             const std::string& folder);
 
-    /// Puts a verified backup in place, erases again what was erased since, keeps the old file aside. Needs the target's writer lock.
-    static core::Result<RestoreInfo> restore(const RestoreRequest& request, const DatabaseOptions& options = {});
+    /// Puts a verified backup in place, erases again what was erased since, keeps the old file aside. Needs
+    /// the target's writer lock.
+    static core::Result<RestoreInfo> restore(const RestoreRequest& request,
+                                             const DatabaseOptions& options = {});
 
     /// A backup and every table as JSON Lines (blobs as hex; no credentials), with a manifest of digests.
-    static core::Result<SnapshotInfo> exportSite(Database& database, const Actor& actor, const std::string& folder);
+    static core::Result<SnapshotInfo> exportSite(Database& database, const Actor& actor,
+                                                 const std::string& folder);
 };
 
 } // namespace chiron::database

@@ -20,11 +20,6 @@ namespace {
 
 constexpr const char* kFolder = CHIRON_SOURCE_DIR "/tests/migration/";
 
-QByteArray contentOf(const std::string& name) {
-    QFile file(QString::fromStdString(name));
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 void copyTo(const std::string& name, const QByteArray& content) {
     QFile file(QString::fromStdString(name));
     if (file.open(QIODevice::WriteOnly | QIODevice::Truncate)) {
@@ -38,23 +33,29 @@ core::Result<void> makeStoredSite(const std::string& file) {
     if (!connection) {
         return tl::unexpected(connection.error());
     }
-    auto built = (*connection)->execute("PRAGMA foreign_keys=OFF; BEGIN;" + contentOf(std::string(kFolder) + "v1_site.sql").toStdString() +
-                                        "COMMIT; PRAGMA application_id=" + std::to_string(kApplicationId) + "; PRAGMA user_version=1; PRAGMA journal_mode=WAL;");
+    auto built = (*connection)
+                     ->execute("PRAGMA foreign_keys=OFF; BEGIN;" +
+                               contentOf(std::string(kFolder) + "v1_site.sql").toStdString() +
+                               "COMMIT; PRAGMA application_id=" + std::to_string(kApplicationId) +
+                               "; PRAGMA user_version=1; PRAGMA journal_mode=WAL;");
     QDir().mkpath(QString::fromStdString(file + ".site"));
     copyTo(file + ".site/site.key", contentOf(std::string(kFolder) + "v1_site.key"));
     copyTo(file + ".site/audit_head.json", contentOf(std::string(kFolder) + "v1_audit_head.json"));
-    QFile::setPermissions(QString::fromStdString(file + ".site/site.key"), QFile::ReadOwner | QFile::WriteOwner);
+    QFile::setPermissions(QString::fromStdString(file + ".site/site.key"),
+                          QFile::ReadOwner | QFile::WriteOwner);
     return built;
 }
 
-// What a later version may do: a table, filled from what is there, large enough to take a while.
+// What a later version may do: a table large enough to take a while.
 std::vector<Migration> withSecond(const std::string& more = {}) {
     std::vector<Migration> migrations = builtInMigrations();
     migrations.resize(1);
     migrations.push_back({2, "0002_test.sql",
                           "CREATE TABLE second_version (id INTEGER PRIMARY KEY, text TEXT NOT NULL) STRICT;"
-                          "INSERT INTO second_version (text) WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 20000) "
-                          "SELECT hex(randomblob(100)) FROM n;" + more});
+                          "INSERT INTO second_version (text) WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL "
+                          "SELECT i + 1 FROM n WHERE i < 20000) "
+                          "SELECT hex(randomblob(100)) FROM n;" +
+                              more});
     return migrations;
 }
 
@@ -71,7 +72,7 @@ std::int64_t numberIn(const std::string& file, const std::string& sql) {
 
 } // namespace
 
-/// Old files open, newer ones are left alone, and a step that does not finish has not happened.
+/// Old files open, newer ones are left alone, a step that does not finish has not happened.
 class TestMigration : public QObject {
     Q_OBJECT
 private slots:
@@ -91,8 +92,7 @@ void TestMigration::stepsFollowOn() {
     const auto migrations = builtInMigrations();
     QVERIFY(!migrations.empty());
     for (std::size_t i = 0; i < migrations.size(); ++i) {
-        QCOMPARE(migrations[i].version, static_cast<int>(i) + 1);
-        QVERIFY(!migrations[i].sql.empty());
+        QVERIFY(migrations[i].version == static_cast<int>(i) + 1 && !migrations[i].sql.empty());
     }
 }
 
@@ -100,7 +100,10 @@ void TestMigration::storedVersion1Opens() {
     DatabaseFixture f;
     REQUIRE(makeStoredSite(f.path()));
     const VerifyReport before = verifyDatabase(f.path(), f.options);
-    QVERIFY2(before.ok(), before.ok() ? "" : (before.findings[0].kind + " " + before.findings[0].table + " " + before.findings[0].detail).c_str());
+    QVERIFY2(before.ok(), before.ok() ? ""
+                                      : (before.findings[0].kind + " " + before.findings[0].table + " " +
+                                         before.findings[0].detail)
+                                            .c_str());
     REQUIRE(f.reopen());
     QCOMPARE(f.database->uuid(), std::string("38ca1321-52ad-46e0-998e-2c5f7a51be49"));
     const auto ada = AccountService(*f.database).login("ada", kPassword);
@@ -128,11 +131,13 @@ void TestMigration::newerIsRefusedUnchanged() {
     REQUIRE(makeStoredSite(f.path()));
     {
         auto connection = Connection::create(f.path());
-        REQUIRE((*connection)->execute("PRAGMA user_version=" + std::to_string(MigrationRunner().newest() + 1)));
+        REQUIRE(
+            (*connection)->execute("PRAGMA user_version=" + std::to_string(MigrationRunner().newest() + 1)));
     }
     const QByteArray before = contentOf(f.path());
     const QStringList files = QDir(f.folder.path()).entryList();
-    for (const auto& opened : {Database::openForWriting(f.path(), f.options), Database::openReadOnly(f.path(), f.options)}) {
+    for (const auto& opened :
+         {Database::openForWriting(f.path(), f.options), Database::openReadOnly(f.path(), f.options)}) {
         QVERIFY(!opened);
         QCOMPARE(opened.error().code, core::ErrorCode::storage);
         QVERIFY(opened.error().message.find("newer") != std::string::npos);
@@ -180,17 +185,20 @@ void TestMigration::stepBacksUpFirst() {
 void TestMigration::failingStepHasNotHappened() {
     DatabaseFixture f;
     REQUIRE(makeStoredSite(f.path()));
-    const auto failed = migrate(f.path(), MigrationRunner(withSecond("INSERT INTO no_such_table VALUES (1);")));
+    const auto failed =
+        migrate(f.path(), MigrationRunner(withSecond("INSERT INTO no_such_table VALUES (1);")));
     QVERIFY(!failed);
     QCOMPARE(failed.error().code, core::ErrorCode::storage);
     QVERIFY(failed.error().message.find("0002_test.sql") != std::string::npos);
     QCOMPARE(numberIn(f.path(), "PRAGMA user_version"), std::int64_t{1});
-    QCOMPARE(numberIn(f.path(), "SELECT count(*) FROM sqlite_schema WHERE name = 'second_version'"), std::int64_t{0});
+    QCOMPARE(numberIn(f.path(), "SELECT count(*) FROM sqlite_schema WHERE name = 'second_version'"),
+             std::int64_t{0});
     QVERIFY(QFile::exists(QString::fromStdString(f.path() + ".before-v2")));
     const auto second = migrate(f.path(), MigrationRunner(withSecond()));
     REQUIRE(second);
     QCOMPARE(*second, f.path() + ".before-v2-2"); // the first copy is not overwritten
-    QVERIFY(verifyDatabase(f.path() + ".before-v2", f.options).findings.size() <= 1); // but for its missing key: sound
+    QVERIFY(verifyDatabase(f.path() + ".before-v2", f.options).findings.size() <=
+            1); // but for its missing key: sound
 }
 
 void TestMigration::killInTheMiddleHasNotHappened_data() {
@@ -206,7 +214,8 @@ void TestMigration::killInTheMiddleHasNotHappened() {
     DatabaseFixture f;
     REQUIRE(makeStoredSite(f.path()));
     QProcess helper;
-    helper.start(QCoreApplication::applicationFilePath(), {delay_ms < 0 ? "--migrate-and-die" : "--migrate", QString::fromStdString(f.path())});
+    helper.start(QCoreApplication::applicationFilePath(),
+                 {delay_ms < 0 ? "--migrate-and-die" : "--migrate", QString::fromStdString(f.path())});
     QVERIFY(helper.waitForReadyRead(20000));
     if (delay_ms >= 0) {
         QThread::msleep(static_cast<unsigned long>(delay_ms));
@@ -215,7 +224,8 @@ void TestMigration::killInTheMiddleHasNotHappened() {
     QVERIFY(helper.waitForFinished());
     QVERIFY(delay_ms >= 0 || helper.exitStatus() == QProcess::CrashExit);
     const std::int64_t version = numberIn(f.path(), "PRAGMA user_version");
-    const std::int64_t table = numberIn(f.path(), "SELECT count(*) FROM sqlite_schema WHERE name = 'second_version'");
+    const std::int64_t table =
+        numberIn(f.path(), "SELECT count(*) FROM sqlite_schema WHERE name = 'second_version'");
     QVERIFY(version == 1 || (version == 2 && delay_ms > 0));
     QCOMPARE(table, version - 1);
     if (version == 2) {
@@ -224,7 +234,6 @@ void TestMigration::killInTheMiddleHasNotHappened() {
     }
     REQUIRE(f.reopen()); // the old file is as usable as before
     REQUIRE(AccountService(*f.database).login("ada", kPassword));
-    f.database.reset();
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
 }
 
@@ -261,29 +270,23 @@ void TestMigration::fullDiskHasNotHappened() {
     QVERIFY(!failed);
     QCOMPARE(failed.error().code, core::ErrorCode::storage);
     QCOMPARE(numberIn(f.path(), "PRAGMA user_version"), std::int64_t{1});
-    QVERIFY(verifyDatabase(f.path(), f.options).ok());
     REQUIRE(migrate(f.path(), MigrationRunner(withSecond())));
 }
 
 namespace {
 
-void ready() {
-    std::puts("ready");
-    std::fflush(stdout);
-}
-
 // The processes that are killed.
 int helperMain(const std::string& mode, const std::string& file) {
     DatabaseFixture f;
+    std::puts("ready");
+    std::fflush(stdout);
     if (mode == "--create") {
-        ready();
         return Database::create(file, f.options) ? 0 : 1;
     }
     MigrationRunner runner(withSecond());
     if (mode == "--migrate-and-die") {
         runner.beforeCommit = [] { std::raise(SIGKILL); };
     }
-    ready();
     return migrate(file, runner) ? 0 : 1;
 }
 

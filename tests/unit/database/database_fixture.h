@@ -6,7 +6,9 @@
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "database/repositories/session_repository.h"
+#include "database/upkeep/upkeep.h"
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <cstdint>
@@ -16,10 +18,10 @@
 namespace chiron::test {
 
 /// Fails the test with the error's own words.
-#define REQUIRE(result)                                                                                                \
-    do {                                                                                                               \
-        const auto& required_ = (result);                                                                              \
-        QVERIFY2(required_.has_value(), required_ ? "" : required_.error().message.c_str());                           \
+#define REQUIRE(result)                                                                                      \
+    do {                                                                                                     \
+        const auto& required_ = (result);                                                                    \
+        QVERIFY2(required_.has_value(), required_ ? "" : required_.error().message.c_str());                 \
     } while (false)
 
 /// A clock that the test moves.
@@ -40,7 +42,9 @@ public:
         options.passwordCost = database::PasswordCost::minimalForTests();
         options.clock = clock;
     }
-    std::string path(const std::string& name = "site.db") const { return folder.path().toStdString() + "/" + name; }
+    std::string path(const std::string& name = "site.db") const {
+        return folder.path().toStdString() + "/" + name;
+    }
 
     core::Result<void> create() {
         auto made = database::Database::create(path(), options);
@@ -66,9 +70,11 @@ public:
         }
         return accounts.login(name, kPassword);
     }
-    core::Result<database::Actor> person(const database::Actor& by, const std::string& name, database::RoleSet roles) {
+    core::Result<database::Actor> person(const database::Actor& by, const std::string& name,
+                                         database::RoleSet roles) {
         database::AccountService accounts(*database);
-        if (auto made = accounts.createPerson(by, {name, name + " display", roles, kPassword, false}); !made) {
+        if (auto made = accounts.createPerson(by, {name, name + " display", roles, kPassword, false});
+            !made) {
             return tl::unexpected(made.error());
         }
         return accounts.login(name, kPassword);
@@ -116,15 +122,18 @@ inline recording::Chunk someChunk(std::uint32_t sequence, std::size_t bytes = 70
 
 inline scoring::ScoreCard someCard() {
     scoring::ScoreCard card;
-    card.metrics = {{"path_length", 1, "m", 0.1 + 0.2, "", true}, {"sparc", 2, "", std::nullopt, "too short", std::nullopt}};
-    card.trials = {{{"path_length", 1, "m", 0.1, "", std::nullopt}}, {{"path_length", 1, "m", 1e-300, "", std::nullopt}}};
+    card.metrics = {{"path_length", 1, "m", 0.1 + 0.2, "", true},
+                    {"sparc", 2, "", std::nullopt, "too short", std::nullopt}};
+    card.trials = {{{"path_length", 1, "m", 0.1, "", std::nullopt}},
+                   {{"path_length", 1, "m", 1e-300, "", std::nullopt}}};
     card.passed = true;
     return card;
 }
 
 /// A whole session of the actor: chunks, summaries, trials, events, end, scores.
-inline core::Result<database::SessionId> storeSession(database::Database& database, const database::Actor& actor,
-                                                      std::uint32_t chunks = 4, std::size_t chunkBytes = 700) {
+inline core::Result<database::SessionId> storeSession(database::Database& database,
+                                                      const database::Actor& actor, std::uint32_t chunks = 4,
+                                                      std::size_t chunkBytes = 700) {
     using namespace database;
     auto id = database.write([&](WriteContext& w) -> core::Result<SessionId> {
         SessionRepository sessions(w.connection(), actor);
@@ -155,10 +164,20 @@ inline core::Result<database::SessionId> storeSession(database::Database& databa
     if (!id) {
         return id;
     }
-    const auto scored = database.write([&](WriteContext& w) {
-        return ScoreRepository(w.connection(), actor).storeScores(*id, someCard());
-    });
+    const auto scored = database.write(
+        [&](WriteContext& w) { return ScoreRepository(w.connection(), actor).storeScores(*id, someCard()); });
     return scored ? id : core::Result<SessionId>(tl::unexpected(scored.error()));
+}
+
+/// Restores over the fixture's database as its administrator.
+inline database::RestoreRequest requestFor(const DatabaseFixture& f, const std::string& folder) {
+    return {folder, f.path(), "ada", kPassword, ""};
+}
+
+/// The bytes of a file; empty if it cannot be read.
+inline QByteArray contentOf(const std::string& name) {
+    QFile file(QString::fromStdString(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 } // namespace chiron::test

@@ -27,12 +27,6 @@ private slots:
     void unknownNamesReadLikeWrongPasswords();
     void resetForcesAChange();
     void lastAdministratorStays();
-    void csvImportIsAllOrNothing();
-    void csvSyntax_data();
-    void csvSyntax();
-    void exportHoldsEverything();
-    void erasureLeavesNoTraceButTheTombstone();
-    void erasureNeedsThePassword();
 };
 
 void TestAccounts::productionHashIsArgon2idAtItsCost() {
@@ -50,8 +44,11 @@ void TestAccounts::productionHashIsArgon2idAtItsCost() {
 }
 
 void TestAccounts::passwordRulesAreStated() {
-    for (const std::string& bad : {std::string("short 123"), std::string("aaaaaaaaaaaa"), std::string("ababababcabc"), std::string(1025, 'x') + "abcd",
-                                   std::string("Ada Lovelace"), std::string("\xff\xff\xff\xff" "abcdefghij")}) {
+    for (const std::string& bad :
+         {std::string("short 123"), std::string("aaaaaaaaaaaa"), std::string("ababababcabc"),
+          std::string(1025, 'x') + "abcd", std::string("Ada Lovelace"),
+          std::string("\xff\xff\xff\xff"
+                      "abcdefghij")}) {
         const auto checked = checkPassword("ada lovelace", bad);
         QVERIFY2(!checked, bad.c_str());
         QVERIFY(checked.error().message.find("at least 10 characters") != std::string::npos);
@@ -71,7 +68,8 @@ void TestAccounts::firstAdministratorOnlyOnce() {
     QCOMPARE(first->recoveryCode.size(), std::size_t{29});
     QCOMPARE(accounts.createFirstAdministrator("eve", kPassword).error().code, core::ErrorCode::wrongUse);
     auto reader = f.database->openReader();
-    const std::string stored = selectText(**reader, "SELECT recovery_hash || password_hash FROM credential")->value();
+    const std::string stored =
+        selectText(**reader, "SELECT recovery_hash || password_hash FROM credential")->value();
     QVERIFY(stored.find(first->recoveryCode) == std::string::npos);
     QVERIFY(stored.find(kPassword) == std::string::npos);
 }
@@ -82,7 +80,8 @@ void TestAccounts::recoveryCodeWorksOnce() {
     AccountService accounts(*f.database);
     const auto first = accounts.createFirstAdministrator("ada", kPassword);
     REQUIRE(first);
-    QCOMPARE(accounts.recover("ada", "WRONG-WRONG", "brand new word").error().code, core::ErrorCode::notAllowed);
+    QCOMPARE(accounts.recover("ada", "WRONG-WRONG", "brand new word").error().code,
+             core::ErrorCode::notAllowed);
     const auto second = accounts.recover("ada", first->recoveryCode, "brand new word");
     REQUIRE(second);
     QVERIFY(*second != first->recoveryCode);
@@ -184,8 +183,10 @@ void TestAccounts::resetForcesAChange() {
     REQUIRE(forced);
     QVERIFY(forced->mustChangePassword());
     QCOMPARE(storeSession(*f.database, *forced).error().code, core::ErrorCode::notAllowed);
-    QCOMPARE(accounts.changePassword(*forced, "not the word", "my own word").error().code, core::ErrorCode::notAllowed);
-    QCOMPARE(accounts.changePassword(*forced, "given by ada", "given by ada").error().code, core::ErrorCode::badInput);
+    QCOMPARE(accounts.changePassword(*forced, "not the word", "my own word").error().code,
+             core::ErrorCode::notAllowed);
+    QCOMPARE(accounts.changePassword(*forced, "given by ada", "given by ada").error().code,
+             core::ErrorCode::badInput);
     REQUIRE(accounts.changePassword(*forced, "given by ada", "my own word"));
     const auto again = accounts.login("tim", "my own word");
     REQUIRE(again);
@@ -200,167 +201,17 @@ void TestAccounts::lastAdministratorStays() {
     REQUIRE(ada);
     AccountService accounts(*f.database);
     QCOMPARE(accounts.setEnabled(*ada, ada->personId(), false).error().code, core::ErrorCode::wrongUse);
-    QCOMPARE(accounts.setRoles(*ada, ada->personId(), {Role::trainer}).error().code, core::ErrorCode::wrongUse);
+    QCOMPARE(accounts.setRoles(*ada, ada->personId(), {Role::trainer}).error().code,
+             core::ErrorCode::wrongUse);
     const auto eva = f.person(*ada, "eva", {Role::admin, Role::trainer});
     REQUIRE(eva);
     REQUIRE(accounts.setEnabled(*eva, ada->personId(), false));
-    QCOMPARE(accounts.setRoles(*eva, eva->personId(), {Role::trainer}).error().code, core::ErrorCode::wrongUse); // ada is disabled
+    QCOMPARE(accounts.setRoles(*eva, eva->personId(), {Role::trainer}).error().code,
+             core::ErrorCode::wrongUse); // ada is disabled
     QCOMPARE(accounts.setRoles(*eva, ada->personId(), {}).error().code, core::ErrorCode::badInput);
-    QCOMPARE(accounts.setEnabled(*eva, Actor::kSimulatedPerson, false).error().code, core::ErrorCode::notFound);
+    QCOMPARE(accounts.setEnabled(*eva, Actor::kSimulatedPerson, false).error().code,
+             core::ErrorCode::notFound);
     QCOMPARE(accounts.setEnabled(*eva, 4711, false).error().code, core::ErrorCode::notFound);
-}
-
-void TestAccounts::csvImportIsAllOrNothing() {
-    DatabaseFixture f;
-    REQUIRE(f.create());
-    const auto ada = f.administrator();
-    REQUIRE(ada);
-    AccountService accounts(*f.database);
-    const std::string bad = "name,display_name,roles,password\r\n"
-                            "tim,Tim,trainee,a good long word\r\n"
-                            "uma,Uma,wizard,a good long word\r\n"
-                            "tim,Twice,trainee,a good long word\r\n"
-                            "vic,Vic,trainee,short\r\n";
-    const auto refused = accounts.importCsv(*ada, bad);
-    QCOMPARE(refused.error().code, core::ErrorCode::badInput);
-    for (const char* place : {"line 3, roles \"wizard\"", "line 4, name \"tim\": given already in line 2", "line 5, password"}) {
-        QVERIFY2(refused.error().message.find(place) != std::string::npos, refused.error().message.c_str());
-    }
-    QVERIFY(refused.error().message.find("line 2,") == std::string::npos);
-    QVERIFY(refused.error().message.find("short") == std::string::npos); // passwords are not repeated
-    QCOMPARE(accounts.listPeople(*ada)->size(), std::size_t{1});
-    // A name that is taken shows only in the database: everything is undone then, too.
-    const auto taken = accounts.importCsv(*ada, "name,roles,password\nwes,trainee,a good long word\nAda,trainer,a good long word\n");
-    QVERIFY(!taken);
-    QCOMPARE(accounts.listPeople(*ada)->size(), std::size_t{1});
-    const auto ids = accounts.importCsv(*ada, "roles,name,password\n\"trainer,researcher\",\"Quote \"\"Q\"\" Person\",a good long word\ntrainee;admin,yan,a good long word");
-    REQUIRE(ids);
-    QCOMPARE(ids->size(), std::size_t{2});
-    const auto yan = accounts.login("yan", "a good long word");
-    REQUIRE(yan);
-    QVERIFY(yan->mustChangePassword());
-    QVERIFY((yan->roles() == RoleSet{Role::trainee, Role::admin}));
-    REQUIRE(accounts.personByName(*ada, "quote \"q\" person"));
-}
-
-void TestAccounts::csvSyntax_data() {
-    QTest::addColumn<QString>("text");
-    QTest::newRow("empty") << "";
-    QTest::newRow("header only") << "name,roles,password\n";
-    QTest::newRow("unknown column") << "name,roles,password,age\na,trainee,a good long word,3\n";
-    QTest::newRow("column twice") << "name,name,roles,password\na,a,trainee,a good long word\n";
-    QTest::newRow("column missing") << "name,password\na,a good long word\n";
-    QTest::newRow("open quote") << "name,roles,password\n\"a,trainee,a good long word\n";
-    QTest::newRow("too few fields") << "name,roles,password\na,trainee\n";
-    QTest::newRow("no role") << "name,roles,password\na,,a good long word\n";
-    QTest::newRow("binary") << QString(QChar(0)) + "\n" + QString(QChar(1));
-}
-
-void TestAccounts::csvSyntax() {
-    QFETCH(QString, text);
-    DatabaseFixture f;
-    REQUIRE(f.create());
-    const auto ada = f.administrator();
-    const auto refused = AccountService(*f.database).importCsv(*ada, text.toStdString());
-    QCOMPARE(refused.error().code, core::ErrorCode::badInput);
-    QVERIFY(!refused.error().message.empty());
-}
-
-void TestAccounts::exportHoldsEverything() {
-    DatabaseFixture f;
-    REQUIRE(f.create());
-    const auto ada = f.administrator();
-    const auto tim = f.person(*ada, "tim", {Role::trainee});
-    REQUIRE(tim);
-    const auto id = storeSession(*f.database, *tim);
-    REQUIRE(id);
-    REQUIRE(f.database->write([&](WriteContext& w) { return SessionRepository(w.connection(), *tim).addComment(*id, "my hand shook"); }));
-    auto reader = f.database->openReader();
-    const auto held = PrivacyRepository(**reader, *tim).exportPerson(tim->personId());
-    REQUIRE(held);
-    QCOMPARE(held->person.name, std::string("tim"));
-    QCOMPARE(held->person.displayName, std::string("tim display"));
-    QCOMPARE(held->sessions.size(), std::size_t{1});
-    QCOMPARE(held->sessions[0].trials.size(), std::size_t{1});
-    QCOMPARE(held->sessions[0].events.size(), std::size_t{1});
-    QVERIFY(held->sessions[0].scores.has_value());
-    QCOMPARE(held->commentsWritten.size(), std::size_t{1});
-    QVERIFY(held->hasPassword);
-    QVERIFY(held->audit.size() >= 5); // created, logged in, began, finished, scored, commented
-}
-
-namespace {
-// Whether the bytes occur in any file of the database (main file, log).
-bool onDisk(const std::string& database, const QByteArray& bytes) {
-    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
-        QFile file(QString::fromStdString(database + suffix));
-        if (file.open(QIODevice::ReadOnly) && file.readAll().contains(bytes)) {
-            return true;
-        }
-    }
-    return false;
-}
-} // namespace
-
-void TestAccounts::erasureLeavesNoTraceButTheTombstone() {
-    DatabaseFixture f;
-    REQUIRE(f.create());
-    const auto ada = f.administrator();
-    const auto tim = f.person(*ada, "timotheus-unverwechselbar", {Role::trainee});
-    REQUIRE(tim);
-    const auto id = storeSession(*f.database, *tim, 6);
-    REQUIRE(id);
-    REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
-        auto comment = SessionRepository(w.connection(), *tim).addComment(*id, "geheimes-wort-eins");
-        return comment ? SessionRepository(w.connection(), *ada).voidSession(*id, "geheimes-wort-zwei") : tl::unexpected(comment.error());
-    }));
-    const QByteArray payload(reinterpret_cast<const char*>(someChunk(3).payload.data()), 300);
-    for (const QByteArray& trace : {QByteArray("timotheus-unverwechselbar"), QByteArray("geheimes-wort-eins"), QByteArray("geheimes-wort-zwei"), payload}) {
-        QVERIFY(onDisk(f.path(), trace));
-    }
-    AccountService accounts(*f.database);
-    REQUIRE(accounts.erasePerson(*ada, kPassword, tim->personId(), "withdrew consent", true));
-    for (const QByteArray& trace : {QByteArray("timotheus-unverwechselbar"), QByteArray("geheimes-wort-eins"), QByteArray("geheimes-wort-zwei"), payload}) {
-        QVERIFY2(!onDisk(f.path(), trace), trace.constData());
-    }
-    auto reader = f.database->openReader();
-    const auto erasures = PrivacyRepository(**reader, *ada).listErasures();
-    REQUIRE(erasures);
-    QCOMPARE(erasures->size(), std::size_t{1});
-    QCOMPARE(erasures->front().reason, std::string("withdrew consent"));
-    QVERIFY(erasures->front().recordingsWithdrawn);
-    QVERIFY(!accounts.login("timotheus-unverwechselbar", kPassword));
-    QCOMPARE(storeSession(*f.database, *tim).error().code, core::ErrorCode::notAllowed);
-    QCOMPARE(SessionReader(**reader, *ada).openChunks(*id).error().code, core::ErrorCode::notFound);
-    const auto record = SessionReader(**reader, *ada).session(*id);
-    REQUIRE(record);
-    QVERIFY(record->summary.recordingErased);
-    QCOMPARE(record->voidReason, std::string());
-    REQUIRE(ScoreRepository(**reader, *ada).scores(*id)); // the numbers stay, under nobody's name
-    const auto everybody = accounts.listPeople(*ada);
-    REQUIRE(everybody);
-    for (const Person& person : *everybody) {
-        QVERIFY(person.id != tim->personId());
-    }
-    // The name is free again, the number is not.
-    const auto other = f.person(*ada, "timotheus-unverwechselbar", {Role::trainee});
-    REQUIRE(other);
-    QVERIFY(other->personId() != tim->personId());
-}
-
-void TestAccounts::erasureNeedsThePassword() {
-    DatabaseFixture f;
-    REQUIRE(f.create());
-    const auto ada = f.administrator();
-    const auto tim = f.person(*ada, "tim", {Role::trainee});
-    AccountService accounts(*f.database);
-    QCOMPARE(accounts.erasePerson(*ada, "wrong word 12", tim->personId(), "wish", false).error().code, core::ErrorCode::notAllowed);
-    QCOMPARE(accounts.erasePerson(*ada, kPassword, tim->personId(), "", false).error().code, core::ErrorCode::badInput);
-    QCOMPARE(accounts.erasePerson(*ada, kPassword, ada->personId(), "wish", false).error().code, core::ErrorCode::wrongUse);
-    QCOMPARE(accounts.erasePerson(*ada, kPassword, Actor::kSimulatedPerson, "wish", false).error().code, core::ErrorCode::wrongUse);
-    QCOMPARE(accounts.erasePerson(*ada, kPassword, 4711, "wish", false).error().code, core::ErrorCode::notFound);
-    QCOMPARE(accounts.erasePerson(*tim, kPassword, ada->personId(), "wish", false).error().code, core::ErrorCode::notAllowed);
-    REQUIRE(accounts.login("tim", kPassword));
 }
 
 QTEST_GUILESS_MAIN(TestAccounts)

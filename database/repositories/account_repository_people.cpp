@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/access/authorise.h"
+#include "database/accounts/account_rules.h"
+#include "database/query.h"
+#include "database/repositories/account_repository.h"
+
+namespace chiron::database {
+namespace {
+
+constexpr const char* kPersonColumns =
+    "SELECT p.id, p.name, p.display_name, coalesce(k.code, ''), p.roles, p.enabled, coalesce(c.must_change, "
+    "0), "
+    "p.created_utc FROM person p LEFT JOIN person_code k ON k.person_id = p.id "
+    "LEFT JOIN credential c ON c.person_id = p.id WHERE p.kind = 'person'";
+
+Person personOf(const Query& row) {
+    return {row.integer(0),
+            row.text(1),
+            row.text(2),
+            row.text(3),
+            rolesFromList(row.text(4)).value_or(RoleSet{}),
+            row.integer(5) != 0,
+            row.integer(6) != 0,
+            row.text(7)};
+}
+
+} // namespace
+
+core::Result<std::vector<Person>> AccountRepository::listPeople() {
+    if (const auto scope = authorise(m_connection, m_actor, Action::listPeople); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    auto query = Query::run(m_connection, std::string(kPersonColumns) + " ORDER BY p.name_key");
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<Person> people;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        people.push_back(personOf(*query));
+    }
+    return row ? core::Result<std::vector<Person>>(std::move(people)) : tl::unexpected(row.error());
+}
+
+core::Result<Person> AccountRepository::person(PersonId id) {
+    if (auto allowed = authoriseFor(m_connection, m_actor, Action::person, id); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    auto query = Query::run(m_connection, std::string(kPersonColumns) + " AND p.id = ?", {id});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    const auto row = query->next();
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    return *row ? core::Result<Person>(personOf(*query))
+                : core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
+}
+
+core::Result<Person> AccountRepository::personByName(const std::string& name) {
+    const auto scope = authorise(m_connection, m_actor, Action::personByName);
+    if (!scope) {
+        return tl::unexpected(scope.error());
+    }
+    auto query =
+        Query::run(m_connection, std::string(kPersonColumns) + " AND p.name_key = ?", {nameKey(name)});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    const auto row = query->next();
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    if (*row && (*scope == Scope::all || query->integer(0) == m_actor.personId())) {
+        return personOf(*query);
+    }
+    // Whoever may see only themselves learns nothing about who else exists.
+    return *scope == Scope::all
+               ? core::fail(core::ErrorCode::notFound, "there is no person named \"" + name + "\"")
+               : core::fail(core::ErrorCode::notAllowed, "not allowed: people other than oneself");
+}
+
+} // namespace chiron::database

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/clock.h"
+#include "database/access/authorise.h"
+#include "database/access/writer_only.h"
+#include "database/accounts/account_rules.h"
+#include "database/audit/audit_trail.h"
+#include "database/integrity/digested_row.h"
+#include "database/repositories/session_repository.h"
+#include "database/repositories/session_rules.h"
+
+// What people add to a session afterwards: void, archive, comment.
+namespace chiron::database {
+namespace {
+constexpr int kMaximumFreeText = 10000;
+}
+
+core::Result<void> mayWriteSession(Connection& connection, const Actor& actor, Action action,
+                                   SessionId session) {
+    if (auto writer = requireWriter(connection); !writer) {
+        return writer;
+    }
+    return authoriseForSession(connection, actor, action, session);
+}
+
+core::Result<SessionState> sessionState(Connection& connection, SessionId session) {
+    const auto word = selectText(connection, "SELECT state FROM session WHERE id = ?", {session});
+    if (!word) {
+        return tl::unexpected(word.error());
+    }
+    const auto state = sessionStateFromToken(word->value_or(""));
+    return state ? core::Result<SessionState>(*state)
+                 : core::fail(core::ErrorCode::storage,
+                              "session " + std::to_string(session) + " has no valid state");
+}
+
+core::Result<void> SessionRepository::voidSession(SessionId session, const std::string& reason) {
+    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::voidSession, session); !allowed) {
+        return allowed;
+    }
+    if (auto good = checkText("reason", reason, kMaximumFreeText); !good || reason.empty()) {
+        return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text") : good;
+    }
+    const auto state = sessionState(m_connection, session);
+    if (!state) {
+        return tl::unexpected(state.error());
+    }
+    if (*state == SessionState::running || *state == SessionState::voided) {
+        return core::fail(core::ErrorCode::wrongUse,
+                          "session " + std::to_string(session) + " is " + std::string(token(*state)));
+    }
+    const auto row = updateRow(m_connection, "session", {{"id", session}},
+                               {{"state", std::string("voided")},
+                                {"state_before_void", std::string(token(*state))},
+                                {"void_reason", reason},
+                                {"void_reason_hash", toBlob(textDigest(reason))},
+                                {"voided_by", m_actor.personId()}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    return appendAudit(m_connection, m_actor, {"voidSession", "session", session, *row, "{}"});
+}
+
+core::Result<void> SessionRepository::setArchived(SessionId session, bool archived) {
+    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::setArchived, session); !allowed) {
+        return allowed;
+    }
+    const auto row =
+        updateRow(m_connection, "session", {{"id", session}}, {{"archived", std::int64_t{archived}}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    return appendAudit(m_connection, m_actor,
+                       {archived ? "archive" : "unarchive", "session", session, *row, "{}"});
+}
+
+core::Result<std::int64_t> SessionRepository::addComment(SessionId session, const std::string& text) {
+    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::addComment, session); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    if (auto good = checkText("comment", text, kMaximumFreeText); !good || text.empty()) {
+        return good ? core::fail(core::ErrorCode::badInput, "comment: expected a text")
+                    : tl::unexpected(good.error());
+    }
+    const auto last = selectInteger(m_connection, "SELECT max(id) FROM session_comment");
+    if (!last) {
+        return tl::unexpected(last.error());
+    }
+    const std::int64_t id = last->value_or(0) + 1;
+    const auto row = insertRow(m_connection, "session_comment",
+                               {{"id", id},
+                                {"session_id", session},
+                                {"author_id", m_actor.personId()},
+                                {"utc", core::utcNowIso8601()},
+                                {"text", text},
+                                {"text_hash", toBlob(textDigest(text))}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    auto audited = appendAudit(m_connection, m_actor, {"addComment", "session_comment", id, *row, "{}"});
+    return audited ? core::Result<std::int64_t>(id) : tl::unexpected(audited.error());
+}
+
+} // namespace chiron::database

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "database/access/action.h"
+#include "database/connection.h"
+#include "database/repositories/session_types.h"
+
+namespace chiron::database {
+
+/// The actor may do this to the session, on the writer's connection. Failure: wrongUse, notAllowed, notFound,
+/// storage.
+core::Result<void> mayWriteSession(Connection& connection, const Actor& actor, Action action,
+                                   SessionId session);
+
+/// The state of a session as stored. Failure: storage.
+core::Result<SessionState> sessionState(Connection& connection, SessionId session);
+
+} // namespace chiron::database

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/access/access_table.h"
+
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QtTest>
+#include <set>
+
+using namespace chiron::database;
+
+/// The access table by itself: complete, and as data.md and cli.md want it.
+class TestAccessRules : public QObject {
+    Q_OBJECT
+private slots:
+    void everyPublicFunctionIsListed();
+    void whatMattersMostIsSpeltOut();
+    void rolesAdd();
+};
+
+void TestAccessRules::everyPublicFunctionIsListed() {
+    std::set<QString> listed;
+#define LISTED(class_, function) listed.insert(QStringLiteral(#class_ "::" #function));
+    CHIRON_REPOSITORY_FUNCTIONS(LISTED)
+#undef LISTED
+    std::set<QString> found;
+    const QDir root(QStringLiteral(CHIRON_SOURCE_DIR "/database"));
+    QStringList headers;
+    for (const QString& folder : {QStringLiteral("repositories"), QStringLiteral("upkeep")}) {
+        for (const QString& name : QDir(root.filePath(folder)).entryList({QStringLiteral("*.h")})) {
+            headers.append(root.filePath(folder + "/" + name));
+        }
+    }
+    static const QRegularExpression classLine(QStringLiteral("^class (\\w+) \\{"));
+    static const QRegularExpression function(QStringLiteral("^    (?:static )?core::Result<.*> (\\w+)\\("));
+    for (const QString& header : headers) {
+        QFile file(header);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QString inside;
+        bool isPublic = false;
+        for (const QString& line : QString::fromUtf8(file.readAll()).split('\n')) {
+            if (const auto match = classLine.match(line); match.hasMatch()) {
+                inside = match.captured(1);
+            }
+            isPublic = line == QLatin1String("public:") ||
+                       (isPublic && line != QLatin1String("private:") && line != QLatin1String("};"));
+            if (const auto match = function.match(line); isPublic && match.hasMatch()) {
+                found.insert(inside + "::" + match.captured(1));
+            }
+        }
+    }
+    QCOMPARE(found, listed);
+}
+
+void TestAccessRules::whatMattersMostIsSpeltOut() {
+    // Not read from the table: the rules as data.md and cli.md state them.
+    using K = ActorKind;
+    for (const Role role : {Role::trainee, Role::trainer, Role::researcher}) {
+        for (const Action action : {Action::createPerson, Action::importPeople, Action::setRoles,
+                                    Action::setEnabled, Action::resetPassword, Action::erasePerson,
+                                    Action::backup, Action::restore, Action::exportSite, Action::listAudit}) {
+            QCOMPARE(scopeOf(action, K::person, {role}), Scope::none);
+        }
+    }
+    QCOMPARE(scopeOf(Action::session, K::person, {Role::trainee}), Scope::ownAndSimulated);
+    QCOMPARE(scopeOf(Action::listPeople, K::person, {Role::trainee}), Scope::none);
+    QCOMPARE(scopeOf(Action::voidSession, K::person, {Role::trainee}), Scope::none);
+    QCOMPARE(scopeOf(Action::session, K::anonymous, {}), Scope::simulated);
+    QCOMPARE(scopeOf(Action::beginSession, K::anonymous, {}), Scope::none);
+    QCOMPARE(scopeOf(Action::beginSession, K::simulated, {}), Scope::own);
+    QCOMPARE(scopeOf(Action::session, K::simulated, {}), Scope::simulated);
+    QCOMPARE(scopeOf(Action::listPeople, K::simulated, {}), Scope::none);
+    // Nobody stores a result for somebody else, but maintenance after a crash.
+    for (const Action action :
+         {Action::beginSession, Action::storeTrial, Action::storeScores, Action::finishSession}) {
+        for (const Role role : kAllRoles) {
+            QCOMPARE(scopeOf(action, K::person, {role}), Scope::own);
+        }
+    }
+}
+
+void TestAccessRules::rolesAdd() {
+    QCOMPARE(scopeOf(Action::session, ActorKind::person, {Role::trainee, Role::trainer}), Scope::all);
+    QCOMPARE(scopeOf(Action::createPerson, ActorKind::person, {Role::trainee, Role::admin}), Scope::all);
+    QCOMPARE(scopeOf(Action::exportPerson, ActorKind::person, {Role::trainee, Role::researcher}), Scope::own);
+    QCOMPARE(scopeOf(Action::session, ActorKind::person, {}), Scope::none);
+}
+
+QTEST_GUILESS_MAIN(TestAccessRules)
+#include "test_access_rules.moc"

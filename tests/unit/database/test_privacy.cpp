@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database_fixture.h"
+
+#include "database/accounts/account_rules.h"
+#include "database/accounts/password_hasher.h"
+#include "database/accounts/throttle.h"
+#include "database/query.h"
+#include "database/repositories/privacy_repository.h"
+
+#include <QFile>
+
+using namespace chiron;
+using namespace chiron::database;
+using namespace chiron::test;
+
+namespace {
+// Whether the bytes occur in any file of the database (main file, log).
+bool onDisk(const std::string& database, const QByteArray& bytes) {
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
+        QFile file(QString::fromStdString(database + suffix));
+        if (file.open(QIODevice::ReadOnly) && file.readAll().contains(bytes)) {
+            return true;
+        }
+    }
+    return false;
+}
+} // namespace
+
+/// Importing, exporting and erasing people.
+class TestPrivacy : public QObject {
+    Q_OBJECT
+private slots:
+    void csvImportIsAllOrNothing();
+    void csvSyntax_data();
+    void csvSyntax();
+    void exportHoldsEverything();
+    void erasureLeavesNoTraceButTheTombstone();
+    void erasureNeedsThePassword();
+};
+
+void TestPrivacy::csvImportIsAllOrNothing() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(ada);
+    AccountService accounts(*f.database);
+    const std::string bad = "name,display_name,roles,password\r\n"
+                            "tim,Tim,trainee,a good long word\r\n"
+                            "uma,Uma,wizard,a good long word\r\n"
+                            "tim,Twice,trainee,a good long word\r\n"
+                            "vic,Vic,trainee,short\r\n";
+    const auto refused = accounts.importCsv(*ada, bad);
+    QCOMPARE(refused.error().code, core::ErrorCode::badInput);
+    for (const char* place :
+         {"line 3, roles \"wizard\"", "line 4, name \"tim\": given already in line 2", "line 5, password"}) {
+        QVERIFY2(refused.error().message.find(place) != std::string::npos, refused.error().message.c_str());
+    }
+    QVERIFY(refused.error().message.find("line 2,") == std::string::npos);
+    QVERIFY(refused.error().message.find("short") == std::string::npos); // passwords are not repeated
+    QCOMPARE(accounts.listPeople(*ada)->size(), std::size_t{1});
+    // A name that is taken shows only in the database: everything is undone then, too.
+    const auto taken = accounts.importCsv(
+        *ada, "name,roles,password\nwes,trainee,a good long word\nAda,trainer,a good long word\n");
+    QVERIFY(!taken);
+    QCOMPARE(accounts.listPeople(*ada)->size(), std::size_t{1});
+    const auto ids =
+        accounts.importCsv(*ada, "roles,name,password\n\"trainer,researcher\",\"Quote \"\"Q\"\" Person\",a "
+                                 "good long word\ntrainee;admin,yan,a good long word");
+    REQUIRE(ids);
+    QCOMPARE(ids->size(), std::size_t{2});
+    const auto yan = accounts.login("yan", "a good long word");
+    REQUIRE(yan);
+    QVERIFY(yan->mustChangePassword());
+    QVERIFY((yan->roles() == RoleSet{Role::trainee, Role::admin}));
+    REQUIRE(accounts.personByName(*ada, "quote \"q\" person"));
+}
+
+void TestPrivacy::csvSyntax_data() {
+    QTest::addColumn<QString>("text");
+    QTest::newRow("empty") << "";
+    QTest::newRow("header only") << "name,roles,password\n";
+    QTest::newRow("unknown column") << "name,roles,password,age\na,trainee,a good long word,3\n";
+    QTest::newRow("column twice") << "name,name,roles,password\na,a,trainee,a good long word\n";
+    QTest::newRow("column missing") << "name,password\na,a good long word\n";
+    QTest::newRow("open quote") << "name,roles,password\n\"a,trainee,a good long word\n";
+    QTest::newRow("too few fields") << "name,roles,password\na,trainee\n";
+    QTest::newRow("no role") << "name,roles,password\na,,a good long word\n";
+    QTest::newRow("binary") << QString(QChar(0)) + "\n" + QString(QChar(1));
+}
+
+void TestPrivacy::csvSyntax() {
+    QFETCH(QString, text);
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto refused = AccountService(*f.database).importCsv(*ada, text.toStdString());
+    QCOMPARE(refused.error().code, core::ErrorCode::badInput);
+    QVERIFY(!refused.error().message.empty());
+}
+
+void TestPrivacy::exportHoldsEverything() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    REQUIRE(tim);
+    const auto id = storeSession(*f.database, *tim);
+    REQUIRE(id);
+    REQUIRE(f.database->write([&](WriteContext& w) {
+        return SessionRepository(w.connection(), *tim).addComment(*id, "my hand shook");
+    }));
+    auto reader = f.database->openReader();
+    const auto held = PrivacyRepository(**reader, *tim).exportPerson(tim->personId());
+    REQUIRE(held);
+    QCOMPARE(held->person.name, std::string("tim"));
+    QCOMPARE(held->person.displayName, std::string("tim display"));
+    QCOMPARE(held->sessions.size(), std::size_t{1});
+    QCOMPARE(held->sessions[0].trials.size(), std::size_t{1});
+    QCOMPARE(held->sessions[0].events.size(), std::size_t{1});
+    QVERIFY(held->sessions[0].scores.has_value());
+    QCOMPARE(held->commentsWritten.size(), std::size_t{1});
+    QVERIFY(held->hasPassword);
+    QVERIFY(held->audit.size() >= 5); // created, logged in, began, finished, scored, commented
+}
+
+void TestPrivacy::erasureLeavesNoTraceButTheTombstone() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "timotheus-unverwechselbar", {Role::trainee});
+    REQUIRE(tim);
+    const auto id = storeSession(*f.database, *tim, 6);
+    REQUIRE(id);
+    REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
+        auto comment = SessionRepository(w.connection(), *tim).addComment(*id, "geheimes-wort-eins");
+        return comment ? SessionRepository(w.connection(), *ada).voidSession(*id, "geheimes-wort-zwei")
+                       : tl::unexpected(comment.error());
+    }));
+    const QByteArray payload(reinterpret_cast<const char*>(someChunk(3).payload.data()), 300);
+    for (const QByteArray& trace : {QByteArray("timotheus-unverwechselbar"), QByteArray("geheimes-wort-eins"),
+                                    QByteArray("geheimes-wort-zwei"), payload}) {
+        QVERIFY(onDisk(f.path(), trace));
+    }
+    AccountService accounts(*f.database);
+    REQUIRE(accounts.erasePerson(*ada, kPassword, tim->personId(), "withdrew consent", true));
+    for (const QByteArray& trace : {QByteArray("timotheus-unverwechselbar"), QByteArray("geheimes-wort-eins"),
+                                    QByteArray("geheimes-wort-zwei"), payload}) {
+        QVERIFY2(!onDisk(f.path(), trace), trace.constData());
+    }
+    auto reader = f.database->openReader();
+    const auto erasures = PrivacyRepository(**reader, *ada).listErasures();
+    REQUIRE(erasures);
+    QCOMPARE(erasures->size(), std::size_t{1});
+    QCOMPARE(erasures->front().reason, std::string("withdrew consent"));
+    QVERIFY(erasures->front().recordingsWithdrawn);
+    QVERIFY(!accounts.login("timotheus-unverwechselbar", kPassword));
+    QCOMPARE(storeSession(*f.database, *tim).error().code, core::ErrorCode::notAllowed);
+    QCOMPARE(SessionReader(**reader, *ada).openChunks(*id).error().code, core::ErrorCode::notFound);
+    const auto record = SessionReader(**reader, *ada).session(*id);
+    REQUIRE(record);
+    QVERIFY(record->summary.recordingErased);
+    QCOMPARE(record->voidReason, std::string());
+    REQUIRE(ScoreRepository(**reader, *ada).scores(*id)); // the numbers stay, under nobody's name
+    const auto everybody = accounts.listPeople(*ada);
+    REQUIRE(everybody);
+    for (const Person& person : *everybody) {
+        QVERIFY(person.id != tim->personId());
+    }
+    // The name is free again, the number is not.
+    const auto other = f.person(*ada, "timotheus-unverwechselbar", {Role::trainee});
+    REQUIRE(other);
+    QVERIFY(other->personId() != tim->personId());
+}
+
+void TestPrivacy::erasureNeedsThePassword() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    AccountService accounts(*f.database);
+    QCOMPARE(accounts.erasePerson(*ada, "wrong word 12", tim->personId(), "wish", false).error().code,
+             core::ErrorCode::notAllowed);
+    QCOMPARE(accounts.erasePerson(*ada, kPassword, tim->personId(), "", false).error().code,
+             core::ErrorCode::badInput);
+    QCOMPARE(accounts.erasePerson(*ada, kPassword, ada->personId(), "wish", false).error().code,
+             core::ErrorCode::wrongUse);
+    QCOMPARE(accounts.erasePerson(*ada, kPassword, Actor::kSimulatedPerson, "wish", false).error().code,
+             core::ErrorCode::wrongUse);
+    QCOMPARE(accounts.erasePerson(*ada, kPassword, 4711, "wish", false).error().code,
+             core::ErrorCode::notFound);
+    QCOMPARE(accounts.erasePerson(*tim, kPassword, ada->personId(), "wish", false).error().code,
+             core::ErrorCode::notAllowed);
+    REQUIRE(accounts.login("tim", kPassword));
+}
+
+QTEST_GUILESS_MAIN(TestPrivacy)
+#include "test_privacy.moc"

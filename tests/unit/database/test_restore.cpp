@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database_fixture.h"
+
+#include "database/integrity/verifier.h"
+#include "database/query.h"
+#include "database/repositories/audit_repository.h"
+#include "database/repositories/privacy_repository.h"
+#include "database/upkeep/upkeep.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QThread>
+#include <csignal>
+#include <sys/resource.h>
+
+using namespace chiron;
+using namespace chiron::database;
+using namespace chiron::test;
+
+/// Restoring a backup: all of it, or nothing happened.
+class TestRestore : public QObject {
+    Q_OBJECT
+private slots:
+    void restoreBringsBackAndKeepsTheOld();
+    void restoreAppliesLaterErasures();
+    void restoreElsewhereNeedsTheKey();
+    void restoreRefusesChangedBackups_data();
+    void restoreRefusesChangedBackups();
+    void restoreNeedsAnAdministratorAndTheLock();
+    void restoreReplacesADamagedFile();
+};
+
+void TestRestore::restoreBringsBackAndKeepsTheOld() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto first = storeSession(*f.database, *ada);
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("backup")));
+    REQUIRE(storeSession(*f.database, *ada)); // after the backup
+    f.database.reset();
+    const auto info = Upkeep::restore(requestFor(f, f.path("backup")), f.options);
+    REQUIRE(info);
+    QCOMPARE(info->erasuresApplied, 0);
+    const auto countIn = [](const std::string& file) {
+        auto connection = Connection::open(file, Connection::Mode::readOnly);
+        return connection ? selectInteger(**connection, "SELECT count(*) FROM session")->value_or(-1) : -1;
+    };
+    QCOMPARE(countIn(f.path()), std::int64_t{1});
+    QCOMPARE(countIn(info->keptOldFile), std::int64_t{2}); // nothing is lost
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());     // also the head file follows
+    REQUIRE(f.reopen());
+    const auto again = AccountService(*f.database).login("ada", kPassword);
+    REQUIRE(again);
+    auto reader = f.database->openReader();
+    const auto scores = ScoreRepository(**reader, *again).scores(*first);
+    REQUIRE(scores);
+    QCOMPARE(*scores->metrics[0].value, 0.1 + 0.2);
+    const auto audit = AuditRepository(**reader, *again).listAudit();
+    QVERIFY(
+        std::any_of(audit->begin(), audit->end(), [](const AuditEntry& e) { return e.action == "restore"; }));
+    const auto next = storeSession(*f.database, *again);
+    REQUIRE(next);
+    reader->reset();
+    f.database.reset();
+    REQUIRE(Upkeep::restore(requestFor(f, f.path("backup")),
+                            f.options)); // a second time: the first kept file stays
+    QCOMPARE(countIn(info->keptOldFile), std::int64_t{2});
+}
+
+void TestRestore::restoreAppliesLaterErasures() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "timotheus-unverwechselbar", {Role::trainee});
+    REQUIRE(storeSession(*f.database, *tim));
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("backup")));
+    REQUIRE(AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", true));
+    f.database.reset();
+    QVERIFY(contentOf(f.path("backup") + "/chiron.db").contains("timotheus-unverwechselbar"));
+    const auto info = Upkeep::restore(requestFor(f, f.path("backup")), f.options);
+    REQUIRE(info);
+    QCOMPARE(info->erasuresApplied, 1);
+    QVERIFY(!contentOf(f.path()).contains("timotheus-unverwechselbar"));
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());
+    // The same where only the site's list remembers (the file itself is lost).
+    QFile::remove(QString::fromStdString(f.path()));
+    const auto second = Upkeep::restore(requestFor(f, f.path("backup")), f.options);
+    REQUIRE(second);
+    QCOMPARE(second->erasuresApplied, 1);
+    REQUIRE(f.reopen());
+    auto reader = f.database->openReader();
+    QCOMPARE(PrivacyRepository(**reader, *ada).listErasures()->size(), std::size_t{1});
+    // A later backup carries the list itself.
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("later")));
+    QVERIFY(contentOf(f.path("later") + "/erasures.json").contains("wish"));
+}
+
+void TestRestore::restoreElsewhereNeedsTheKey() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(storeSession(*f.database, *ada));
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("backup")));
+    RestoreRequest request = requestFor(f, f.path("backup"));
+    request.targetFile = f.path("elsewhere.db");
+    QCOMPARE(Upkeep::restore(request, f.options).error().code, core::ErrorCode::notFound);
+    QVERIFY(!QFile::exists(QString::fromStdString(request.targetFile)));
+    request.siteKeyFile = f.path() + ".site/site.key";
+    const auto info = Upkeep::restore(request, f.options);
+    REQUIRE(info);
+    QVERIFY(info->keptOldFile.empty());
+    QVERIFY(verifyDatabase(request.targetFile, f.options).ok());
+    REQUIRE(Database::openForWriting(request.targetFile, f.options));
+    // Another site's key is no key for this backup.
+    DatabaseFixture other;
+    REQUIRE(other.create());
+    other.database.reset();
+    request.targetFile = other.path();
+    QCOMPARE(Upkeep::restore(request, other.options).error().code, core::ErrorCode::doesNotHold);
+    QVERIFY(verifyDatabase(other.path(), other.options).ok());
+}
+
+void TestRestore::restoreRefusesChangedBackups_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<int>("offset");
+    QTest::newRow("database") << "chiron.db" << 9000;
+    QTest::newRow("erasures") << "erasures.json" << 0;
+    QTest::newRow("manifest") << "manifest.json" << 20;
+    QTest::newRow("database missing") << "chiron.db" << -1;
+    QTest::newRow("manifest missing") << "manifest.json" << -1;
+}
+
+void TestRestore::restoreRefusesChangedBackups() {
+    QFETCH(QString, file);
+    QFETCH(int, offset);
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(storeSession(*f.database, *ada));
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("backup")));
+    f.database.reset();
+    QFile damaged(QString::fromStdString(f.path("backup") + "/") + file);
+    if (offset < 0) {
+        QVERIFY(damaged.remove());
+    } else {
+        QVERIFY(damaged.open(QIODevice::ReadWrite));
+        damaged.seek(offset);
+        const char byte = static_cast<char>(damaged.peek(1)[0] ^ 4);
+        damaged.write(&byte, 1);
+        damaged.close();
+    }
+    const QByteArray before = contentOf(f.path());
+    QVERIFY(!Upkeep::restore(requestFor(f, f.path("backup")), f.options));
+    QCOMPARE(contentOf(f.path()), before);
+    QVERIFY(!QFile::exists(QString::fromStdString(f.path() + ".restoring")));
+    REQUIRE(f.reopen());
+}
+
+void TestRestore::restoreNeedsAnAdministratorAndTheLock() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(f.person(*ada, "tim", {Role::trainee, Role::trainer}));
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("backup")));
+    QCOMPARE(Upkeep::restore(requestFor(f, f.path("backup")), f.options).error().code,
+             core::ErrorCode::locked);
+    f.database.reset();
+    RestoreRequest request = requestFor(f, f.path("backup"));
+    request.name = "tim";
+    QCOMPARE(Upkeep::restore(request, f.options).error().code, core::ErrorCode::notAllowed);
+    request.name = "ada";
+    request.password = "wrong word 12";
+    QCOMPARE(Upkeep::restore(request, f.options).error().code, core::ErrorCode::notAllowed);
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());
+}
+
+void TestRestore::restoreReplacesADamagedFile() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(storeSession(*f.database, *ada));
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("backup")));
+    f.database.reset();
+    QFile file(QString::fromStdString(f.path()));
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    file.write(QByteArray(8192, 'x'));
+    file.close();
+    QVERIFY(!verifyDatabase(f.path(), f.options).ok());
+    const auto info = Upkeep::restore(requestFor(f, f.path("backup")), f.options);
+    REQUIRE(info);
+    QVERIFY(contentOf(info->keptOldFile).startsWith("xxxx"));
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());
+}
+
+QTEST_GUILESS_MAIN(TestRestore)
+#include "test_restore.moc"
