@@ -61,7 +61,8 @@ core::Result<void> fillFile(const std::string& file, const SiteKey& key, const D
         return tl::unexpected(connection.error());
     }
     (*connection)->setSite(&key, options.clock.get());
-    auto migrated = MigrationRunner().migrate(**connection);
+    const auto isPrivate = keepPrivate(file); // the log beside it gets the same permissions from SQLite
+    auto migrated = isPrivate ? MigrationRunner().migrate(**connection) : tl::unexpected(isPrivate.error());
     auto done = migrated ? fillNew(**connection, options) : tl::unexpected(migrated.error());
     // In WAL mode from birth: a rollback journal left by a kill would shut out readers.
     done = done ? (*connection)->execute("PRAGMA journal_mode=WAL") : done;

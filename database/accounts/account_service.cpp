@@ -4,6 +4,7 @@
 #include "database/accounts/account_rules.h"
 #include "database/accounts/password_hasher.h"
 #include "database/accounts/user_csv.h"
+#include "database/query.h"
 #include "database/repositories/account_repository.h"
 #include "database/repositories/privacy_repository.h"
 
@@ -45,6 +46,24 @@ core::Result<void> check(const PasswordHasher& hasher, const LoginAttempt& attem
     }
     return hasher.verify(attempt.passwordHash, secret) ? core::Result<void>()
                                                        : tl::unexpected(wrongPassword());
+}
+
+// Overwritten pages may still lie in the file's free space and in the log: the one is rebuilt, the other
+// emptied.
+core::Result<void> forgetOldPages(Connection& connection) {
+    if (auto vacuumed = connection.execute("VACUUM"); !vacuumed) {
+        return vacuumed;
+    }
+    const auto busy = selectInteger(connection, "PRAGMA wal_checkpoint(TRUNCATE)");
+    if (!busy) {
+        return tl::unexpected(busy.error());
+    }
+    if (busy->value_or(1) != 0) {
+        return core::fail(core::ErrorCode::storage,
+                          "the person is erased, but another program is reading the database, so old pages "
+                          "stay in its log until the last program has closed it");
+    }
+    return {};
 }
 
 } // namespace
@@ -254,10 +273,8 @@ core::Result<void> AccountService::erasePerson(const Actor& actor, const std::st
     if (auto listed = writeErasureList(m_database.siteFolder(), *erased); !listed) {
         return listed;
     }
-    // Overwritten pages may still lie in the log and in the file's free space.
-    return m_database.writer().runMaintenance([](WriteContext& writing) -> core::Result<void> {
-        return writing.connection().execute("VACUUM; PRAGMA wal_checkpoint(TRUNCATE);");
-    });
+    return m_database.writer().runMaintenance(
+        [](WriteContext& writing) { return forgetOldPages(writing.connection()); });
 }
 
 } // namespace chiron::database

@@ -148,6 +148,12 @@ core::Result<void> MigrationRunner::step(Connection& connection, const Migration
     return tl::unexpected(core::Error{done.error().code, migration.name + ": " + done.error().message});
 }
 
+core::Result<void> keepPrivate(const std::string& file) {
+    return QFile::setPermissions(QString::fromStdString(file), QFile::ReadOwner | QFile::WriteOwner)
+               ? core::Result<void>()
+               : core::fail(core::ErrorCode::storage, file + ": cannot be kept from others (permissions)");
+}
+
 core::Result<void> flushToDisk(const std::string& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     const bool flushed = descriptor >= 0 && ::fsync(descriptor) == 0;
@@ -175,7 +181,7 @@ core::Result<void> copyDatabase(Connection& from, const std::string& toFile) {
     core::Result<void> done;
     if (!copied) {
         done = tl::unexpected(copied.error());
-    } else if (done = flushToDisk(partial); done) {
+    } else if (done = keepPrivate(partial); done && (done = flushToDisk(partial))) {
         auto connection = Connection::open(partial, Connection::Mode::readOnly);
         const auto words = connection ? selectText(**connection, "PRAGMA integrity_check(1)")
                                       : tl::unexpected(connection.error());

@@ -58,6 +58,9 @@ private:
 /// storage.
 core::Result<void> copyDatabase(Connection& from, const std::string& toFile);
 
+/// Lets the file's owner alone read and write it (0600): it holds names and results. Failure: storage.
+core::Result<void> keepPrivate(const std::string& file);
+
 /// Flushes a file (or the entries of a folder) to the disk.
 core::Result<void> flushToDisk(const std::string& path);
 

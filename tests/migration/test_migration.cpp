@@ -27,7 +27,6 @@ void copyTo(const std::string& name, const QByteArray& content) {
     }
 }
 
-// The stored site of version 1 as a file, with its key and head.
 core::Result<void> makeStoredSite(const std::string& file) {
     auto connection = Connection::create(file);
     if (!connection) {
@@ -91,8 +90,9 @@ private slots:
 void TestMigration::stepsFollowOn() {
     const auto migrations = builtInMigrations();
     QVERIFY(!migrations.empty());
-    for (std::size_t i = 0; i < migrations.size(); ++i) {
-        QVERIFY(migrations[i].version == static_cast<int>(i) + 1 && !migrations[i].sql.empty());
+    int expected = 0;
+    for (const Migration& migration : migrations) {
+        QVERIFY(migration.version == ++expected && !migration.sql.empty());
     }
 }
 
@@ -222,12 +222,10 @@ void TestMigration::killInTheMiddleHasNotHappened() {
         helper.kill();
     }
     QVERIFY(helper.waitForFinished());
-    QVERIFY(delay_ms >= 0 || helper.exitStatus() == QProcess::CrashExit);
     const std::int64_t version = numberIn(f.path(), "PRAGMA user_version");
     const std::int64_t table =
         numberIn(f.path(), "SELECT count(*) FROM sqlite_schema WHERE name = 'second_version'");
-    QVERIFY(version == 1 || (version == 2 && delay_ms > 0));
-    QCOMPARE(table, version - 1);
+    QVERIFY((version == 1 || (version == 2 && delay_ms > 0)) && table == version - 1);
     if (version == 2) {
         QCOMPARE(numberIn(f.path(), "SELECT count(*) FROM second_version"), std::int64_t{20000});
         return;
@@ -275,7 +273,6 @@ void TestMigration::fullDiskHasNotHappened() {
 
 namespace {
 
-// The processes that are killed.
 int helperMain(const std::string& mode, const std::string& file) {
     DatabaseFixture f;
     std::puts("ready");

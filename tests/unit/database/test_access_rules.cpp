@@ -31,21 +31,20 @@ void TestAccessRules::everyPublicFunctionIsListed() {
             headers.append(root.filePath(folder + "/" + name));
         }
     }
-    static const QRegularExpression classLine(QStringLiteral("^class (\\w+) \\{"));
-    static const QRegularExpression function(QStringLiteral("^    (?:static )?core::Result<.*> (\\w+)\\("));
+    static const QRegularExpression classText(QStringLiteral("\nclass (\\w+) \\{(.*?)\n\\};"),
+                                              QRegularExpression::DotMatchesEverythingOption);
+    static const QRegularExpression hidden(QStringLiteral("\n(private|protected):.*?(?=\npublic:|$)"),
+                                           QRegularExpression::DotMatchesEverythingOption);
+    static const QRegularExpression function(QStringLiteral("core::Result<[^;()]*>\\s+(\\w+)\\("));
     for (const QString& header : headers) {
         QFile file(header);
         QVERIFY(file.open(QIODevice::ReadOnly));
-        QString inside;
-        bool isPublic = false;
-        for (const QString& line : QString::fromUtf8(file.readAll()).split('\n')) {
-            if (const auto match = classLine.match(line); match.hasMatch()) {
-                inside = match.captured(1);
-            }
-            isPublic = line == QLatin1String("public:") ||
-                       (isPublic && line != QLatin1String("private:") && line != QLatin1String("};"));
-            if (const auto match = function.match(line); isPublic && match.hasMatch()) {
-                found.insert(inside + "::" + match.captured(1));
+        auto classes = classText.globalMatch(QString::fromUtf8(file.readAll()));
+        while (classes.hasNext()) {
+            const auto inClass = classes.next();
+            auto functions = function.globalMatch(inClass.captured(2).remove(hidden));
+            while (functions.hasNext()) {
+                found.insert(inClass.captured(1) + "::" + functions.next().captured(1));
             }
         }
     }

@@ -36,6 +36,8 @@ private slots:
     void exportHoldsEverything();
     void erasureLeavesNoTraceButTheTombstone();
     void erasureNeedsThePassword();
+    void erasureTellsWhenAReaderKeepsOldPages();
+    void filesAreTheirOwnersAlone();
 };
 
 void TestPrivacy::csvImportIsAllOrNothing() {
@@ -191,6 +193,35 @@ void TestPrivacy::erasureNeedsThePassword() {
     QCOMPARE(accounts.erasePerson(*tim, kPassword, ada->personId(), "wish", false).error().code,
              core::ErrorCode::notAllowed);
     REQUIRE(accounts.login("tim", kPassword));
+}
+
+void TestPrivacy::erasureTellsWhenAReaderKeepsOldPages() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    auto reader = f.database->openReader();
+    REQUIRE(reader);
+    REQUIRE((*reader)->execute("BEGIN"));
+    QVERIFY(selectInteger(**reader, "SELECT count(*) FROM person").has_value()); // a snapshot from before
+    const auto told = AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", true);
+    QVERIFY(!told);
+    QVERIFY2(told.error().message.find("reading the database") != std::string::npos,
+             told.error().message.c_str());
+    (*reader)->rollback();
+    QVERIFY(!AccountService(*f.database).login("tim", kPassword)); // erased all the same
+}
+
+void TestPrivacy::filesAreTheirOwnersAlone() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    REQUIRE(storeSession(*f.database, Actor::simulated()));
+    const auto others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+    for (const char* suffix : {"", "-wal", "-shm", ".site/site.key"}) {
+        const QString name = QString::fromStdString(f.path() + suffix);
+        QVERIFY2(QFile::exists(name) && (QFile::permissions(name) & others) == QFile::Permissions(),
+                 qPrintable(name));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestPrivacy)
