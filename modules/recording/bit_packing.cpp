@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/bit_packing.h"
 
+#include "recording/vector_variants.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -19,8 +21,7 @@ using PackBlock = void (*)(const std::uint64_t* values, std::uint8_t* out) noexc
 using UnpackBlock = void (*)(const std::uint8_t* in, std::uint64_t* values) noexcept;
 
 /// 64-bit words of a whole block of that width.
-template <unsigned width>
-constexpr std::size_t kWords = (kBlockValues * width + kWordBits - 1) / kWordBits;
+template <unsigned width> constexpr std::size_t kWords = (kBlockValues * width + kWordBits - 1) / kWordBits;
 
 // One function a width, unrolled: every shift is known to the compiler, which is what makes packing cheap.
 template <unsigned width, std::size_t i>
@@ -43,19 +44,18 @@ inline void unpackValue(const std::uint64_t* words, std::uint64_t* values) noexc
     values[i] = value & kMask;
 }
 
-template <unsigned width>
-void pack(const std::uint64_t* values, std::uint8_t* out) noexcept {
+template <unsigned width> void pack(const std::uint64_t* values, std::uint8_t* out) noexcept {
     if constexpr (width > 0) {
         std::array<std::uint64_t, kWords<width>> words{};
         [&]<std::size_t... i>(std::index_sequence<i...>) {
             (packValue<width, i>(values, words.data()), ...);
-        }(std::make_index_sequence<kBlockValues>());
+        }
+        (std::make_index_sequence<kBlockValues>());
         std::memcpy(out, words.data(), kBlockValues * width / 8);
     }
 }
 
-template <unsigned width>
-void unpack(const std::uint8_t* in, std::uint64_t* values) noexcept {
+template <unsigned width> void unpack(const std::uint8_t* in, std::uint64_t* values) noexcept {
     if constexpr (width == 0) {
         std::fill_n(values, kBlockValues, 0);
     } else {
@@ -63,7 +63,8 @@ void unpack(const std::uint8_t* in, std::uint64_t* values) noexcept {
         std::memcpy(words.data(), in, kBlockValues * width / 8);
         [&]<std::size_t... i>(std::index_sequence<i...>) {
             (unpackValue<width, i>(words.data(), values), ...);
-        }(std::make_index_sequence<kBlockValues>());
+        }
+        (std::make_index_sequence<kBlockValues>());
     }
 }
 
@@ -78,17 +79,19 @@ constexpr std::array<UnpackBlock, sizeof...(widths)> unpackers(std::integer_sequ
 constexpr auto kPackers = packers(std::make_integer_sequence<unsigned, kMaximumWidth + 1>());
 constexpr auto kUnpackers = unpackers(std::make_integer_sequence<unsigned, kMaximumWidth + 1>());
 
-unsigned widthOf(std::span<const std::uint64_t> block) noexcept {
+inline unsigned widthOf(std::span<const std::uint64_t> block) noexcept {
     std::uint64_t all = 0;
     for (const std::uint64_t v : block)
         all |= v;
     return static_cast<unsigned>(std::bit_width(all));
 }
 
-constexpr std::size_t blockBytes(std::size_t count, unsigned width) noexcept { return (count * width + 7) / 8; }
+constexpr std::size_t blockBytes(std::size_t count, unsigned width) noexcept {
+    return (count * width + 7) / 8;
+}
 } // namespace
 
-std::size_t packedSize(std::span<const std::uint64_t> values) noexcept {
+CHIRON_AVX2_TOO std::size_t packedSize(std::span<const std::uint64_t> values) noexcept {
     std::size_t bytes = 0;
     std::size_t i = 0;
     for (; i + kBlockValues <= values.size(); i += kBlockValues)

@@ -8,8 +8,8 @@
 
 namespace chiron::recording {
 
-/// Values go in blocks of 32: a byte with the block's width (0..64 bits), then its values, low bits first, the last byte
-/// filled with zeros. Short enough that one late tick or contact widens 32 ms only.
+/// Values go in blocks of 32: a byte with the block's width (0..64 bits), then its values, low bits first,
+/// the last byte filled with zeros. Short enough that one late tick or contact widens 32 ms only.
 inline constexpr std::size_t kBlockValues = 32;
 
 /// Bytes that packing would take.

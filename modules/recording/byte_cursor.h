@@ -14,14 +14,19 @@
 
 namespace chiron::recording {
 
-static_assert(std::endian::native == std::endian::little, "the recording's formats are written as little-endian words");
+static_assert(std::endian::native == std::endian::little,
+              "the recording's formats are written as little-endian words");
 
-/// Zig-zag: small magnitudes of either sign become small unsigned numbers. Modulo 2^64, so defined for every value.
-constexpr std::uint64_t zigZag(std::uint64_t v) noexcept { return (v << 1) ^ (0 - (v >> 63)); }
-constexpr std::uint64_t unZigZag(std::uint64_t z) noexcept { return (z >> 1) ^ (0 - (z & 1)); }
+/// Zig-zag: small magnitudes of either sign become small unsigned numbers. Modulo 2^64, so defined for every
+/// value.
+constexpr std::uint64_t zigZag(std::uint64_t v) noexcept {
+    return (v << 1) ^ (0 - (v >> 63));
+}
+constexpr std::uint64_t unZigZag(std::uint64_t z) noexcept {
+    return (z >> 1) ^ (0 - (z & 1));
+}
 
-template <std::unsigned_integral T>
-void appendWord(std::vector<std::uint8_t>& out, T value) {
+template <std::unsigned_integral T> void appendWord(std::vector<std::uint8_t>& out, T value) {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(&value);
     out.insert(out.end(), bytes, bytes + sizeof(T));
 }
@@ -39,7 +44,8 @@ inline void appendText(std::vector<std::uint8_t>& out, std::string_view text) {
     out.insert(out.end(), text.begin(), text.end());
 }
 
-/// Reads forward through bytes that nobody vouches for: every read is checked, nothing is returned past the end.
+/// Reads forward through bytes that nobody vouches for: every read is checked, nothing is returned past the
+/// end.
 class ByteCursor {
 public:
     explicit ByteCursor(std::span<const std::uint8_t> bytes) noexcept : m_bytes(bytes) {}
@@ -47,8 +53,7 @@ public:
     std::size_t position() const noexcept { return m_position; }
     std::size_t remaining() const noexcept { return m_bytes.size() - m_position; }
 
-    template <std::unsigned_integral T>
-    std::optional<T> word() noexcept {
+    template <std::unsigned_integral T> std::optional<T> word() noexcept {
         if (remaining() < sizeof(T))
             return std::nullopt;
         T value;

@@ -16,14 +16,19 @@ constexpr std::uint32_t kTableMagic = 0x54434843; // "CHCT"
 constexpr std::uint16_t kTableVersion = 1;
 constexpr std::size_t kMaximumText = 64;
 
-std::string place(std::size_t offset) { return "channel table, byte " + std::to_string(offset) + ": "; }
+std::string place(std::size_t offset) {
+    return "channel table, byte " + std::to_string(offset) + ": ";
+}
 
 /// What a channel must satisfy, or nothing; `index` is its place in the list.
 std::optional<std::string> flawOf(const Channel& c, std::size_t index, const std::vector<Channel>& all) {
     if (c.tool != kNoTool && c.tool >= core::kMaxTools)
-        return "tool " + std::to_string(c.tool) + ", expected 0.." + std::to_string(core::kMaxTools - 1) + " or 255";
-    if (c.id.empty() || c.id.size() > kMaximumText || c.unit.size() > kMaximumText || c.frame.size() > kMaximumText)
-        return "an id, unit or frame of a wrong length, expected 1.." + std::to_string(kMaximumText) + " bytes";
+        return "tool " + std::to_string(c.tool) + ", expected 0.." + std::to_string(core::kMaxTools - 1) +
+               " or 255";
+    if (c.id.empty() || c.id.size() > kMaximumText || c.unit.size() > kMaximumText ||
+        c.frame.size() > kMaximumText)
+        return "an id, unit or frame of a wrong length, expected 1.." + std::to_string(kMaximumText) +
+               " bytes";
     if (!std::isfinite(c.resolution) || !(c.resolution > 0.0))
         return "a resolution that is not positive and finite, expected a number above 0";
     if (c.kind != ChannelKind::lossless && c.kind != ChannelKind::quantised)
@@ -84,19 +89,21 @@ ChannelTable::ChannelTable(std::vector<Channel> channels) : m_channels(std::move
 core::Result<ChannelTable> ChannelTable::fromChannels(std::vector<Channel> channels) {
     if (channels.empty() || channels.size() > kMaximumChannels)
         return core::fail(core::ErrorCode::badInput, "channel table: " + std::to_string(channels.size()) +
-                                                         " channels, expected 1.." + std::to_string(kMaximumChannels));
+                                                         " channels, expected 1.." +
+                                                         std::to_string(kMaximumChannels));
     std::set<std::pair<std::uint8_t, std::string_view>> seen;
     for (std::size_t i = 0; i < channels.size(); ++i) {
         auto flaw = flawOf(channels[i], i, channels);
         if (!flaw && !seen.emplace(channels[i].tool, channels[i].id).second)
             flaw = "an id that its tool has already, expected each once";
         if (flaw)
-            return core::fail(core::ErrorCode::badInput, "channel table: channel " + std::to_string(i) + " \"" +
-                                                             channels[i].id + "\": found " + *flaw);
+            return core::fail(core::ErrorCode::badInput, "channel table: channel " + std::to_string(i) +
+                                                             " \"" + channels[i].id + "\": found " + *flaw);
     }
     ChannelTable table(std::move(channels));
     if (table.encode().size() > kMaximumBytes)
-        return core::fail(core::ErrorCode::badInput, "channel table: more than " + std::to_string(kMaximumBytes) + " bytes");
+        return core::fail(core::ErrorCode::badInput,
+                          "channel table: more than " + std::to_string(kMaximumBytes) + " bytes");
     return table;
 }
 
@@ -113,33 +120,38 @@ std::vector<std::uint8_t> ChannelTable::encode() const {
 core::Result<ChannelTable> ChannelTable::decode(std::span<const std::uint8_t> bytes) {
     using core::ErrorCode;
     if (bytes.size() > kMaximumBytes)
-        return core::fail(ErrorCode::badInput, place(kMaximumBytes) + "found " + std::to_string(bytes.size()) +
-                                                   " bytes, expected at most " + std::to_string(kMaximumBytes));
+        return core::fail(ErrorCode::badInput,
+                          place(kMaximumBytes) + "found " + std::to_string(bytes.size()) +
+                              " bytes, expected at most " + std::to_string(kMaximumBytes));
     ByteCursor in(bytes);
     if (in.word<std::uint32_t>() != kTableMagic)
         return core::fail(ErrorCode::badInput, place(0) + "expected the mark \"CHCT\"");
     const auto version = in.word<std::uint16_t>();
     if (version != kTableVersion)
-        return core::fail(ErrorCode::badInput, place(4) + "found version " + (version ? std::to_string(*version) : "none") +
+        return core::fail(ErrorCode::badInput, place(4) + "found version " +
+                                                   (version ? std::to_string(*version) : "none") +
                                                    ", expected " + std::to_string(kTableVersion));
     const auto count = in.word<std::uint16_t>();
     if (!count || *count == 0 || *count > kMaximumChannels)
         return core::fail(ErrorCode::badInput, place(6) + "found " + (count ? std::to_string(*count) : "no") +
-                                                   " channels, expected 1.." + std::to_string(kMaximumChannels));
+                                                   " channels, expected 1.." +
+                                                   std::to_string(kMaximumChannels));
     std::vector<Channel> channels;
     for (std::size_t i = 0; i < *count; ++i) {
         const std::size_t start = in.position();
         auto channel = readChannel(in);
         if (!channel)
-            return core::fail(ErrorCode::badInput, place(start) + "expected channel " + std::to_string(i) + " of " +
-                                                       std::to_string(*count) + ", whole and with texts of at most " +
+            return core::fail(ErrorCode::badInput, place(start) + "expected channel " + std::to_string(i) +
+                                                       " of " + std::to_string(*count) +
+                                                       ", whole and with texts of at most " +
                                                        std::to_string(kMaximumText) + " bytes");
         if (const auto flaw = flawOf(*channel, i, channels))
             return core::fail(ErrorCode::badInput, place(start) + "found " + *flaw);
         channels.push_back(std::move(*channel));
     }
     if (in.remaining() != 0)
-        return core::fail(ErrorCode::badInput, place(in.position()) + "found " + std::to_string(in.remaining()) +
+        return core::fail(ErrorCode::badInput, place(in.position()) + "found " +
+                                                   std::to_string(in.remaining()) +
                                                    " bytes more, expected the end");
     return fromChannels(std::move(channels));
 }

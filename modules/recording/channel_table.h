@@ -12,7 +12,8 @@
 
 namespace chiron::recording {
 
-/// What the recording must know of one coordinate of a tool (from devices::AxisDescriptor, which it may not link).
+/// What the recording must know of one coordinate of a tool (from devices::AxisDescriptor, which it may not
+/// link).
 struct AxisChannel {
     std::string id;          ///< e.g. "heading"
     std::string unit;        ///< "m" or "rad"
@@ -23,7 +24,8 @@ struct AxisChannel {
 struct ToolChannels {
     std::vector<AxisChannel> axes; ///< 1..kMaxCoordinates, in the order of ToolFrame::counts
     double jawResolution_rad = 0.0;
-    std::uint32_t period_us = 1000; ///< declared time between packets: predicts device time from the packet number
+    std::uint32_t period_us =
+        1000; ///< declared time between packets: predicts device time from the packet number
 };
 
 enum class ChannelKind : std::uint8_t { lossless = 0, quantised = 1 };
@@ -39,19 +41,20 @@ struct Channel {
     double resolution = 1.0; ///< unit a count
     std::string frame;       ///< frame that the value is expressed in ("W", "D"), empty if it has none
     ChannelKind kind = ChannelKind::lossless;
-    std::uint8_t slot = 0;              ///< coordinate number of an "axis." channel
-    int reference = kNoReference;       ///< a column may hold value − factor · value of this earlier channel
+    std::uint8_t slot = 0;        ///< coordinate number of an "axis." channel
+    int reference = kNoReference; ///< a column may hold value − factor · value of this earlier channel
     std::int64_t factor = 0;
 };
 
-/// The description that opens a recording. Readers find channels by (tool, id), never by position, and skip the ones
-/// they do not know. Copyable; immutable after it is made.
+/// The description that opens a recording. Readers find channels by (tool, id), never by position, and skip
+/// the ones they do not know. Copyable; immutable after it is made.
 class ChannelTable {
 public:
     static constexpr std::size_t kMaximumChannels = 512;
     static constexpr std::size_t kMaximumBytes = 64 * 1024;
 
-    /// The table that this program writes for the given tools (1..kMaxTools). Error: wrongUse naming the tool.
+    /// The table that this program writes for the given tools (1..kMaxTools). Error: wrongUse naming the
+    /// tool.
     static core::Result<ChannelTable> forTools(std::span<const ToolChannels> tools);
     /// Any list of channels, checked (unique ids, finite positive resolutions, references). Error: badInput.
     static core::Result<ChannelTable> fromChannels(std::vector<Channel> channels);

@@ -8,8 +8,9 @@ namespace chiron::recording {
 
 namespace {
 tl::unexpected<core::Error> flaw(const Chunk& chunk, std::size_t offset, const std::string& what) {
-    return core::fail(core::ErrorCode::badInput, "chunk " + std::to_string(chunk.sequence) + ", payload byte " +
-                                                     std::to_string(offset) + ": " + what);
+    return core::fail(core::ErrorCode::badInput, "chunk " + std::to_string(chunk.sequence) +
+                                                     ", payload byte " + std::to_string(offset) + ": " +
+                                                     what);
 }
 } // namespace
 
@@ -25,10 +26,13 @@ ChunkDecoder::~ChunkDecoder() = default;
 
 core::Result<void> ChunkDecoder::openPayload(const Chunk& chunk) {
     if (chunk.frames == 0 || chunk.frames > kMaximumFramesPerChunk)
-        return flaw(chunk, 0, std::to_string(chunk.frames) + " frames, expected 1.." + std::to_string(kMaximumFramesPerChunk));
+        return flaw(chunk, 0,
+                    std::to_string(chunk.frames) + " frames, expected 1.." +
+                        std::to_string(kMaximumFramesPerChunk));
     if (chunk.payload.size() > kMaximumPayloadBytes)
-        return flaw(chunk, kMaximumPayloadBytes, std::to_string(chunk.payload.size()) + " bytes, expected at most " +
-                                                     std::to_string(kMaximumPayloadBytes));
+        return flaw(chunk, kMaximumPayloadBytes,
+                    std::to_string(chunk.payload.size()) + " bytes, expected at most " +
+                        std::to_string(kMaximumPayloadBytes));
     ByteCursor in(chunk.payload);
     if (in.word<std::uint8_t>() != kPayloadVersion)
         return flaw(chunk, 0, "expected version " + std::to_string(kPayloadVersion));
@@ -37,28 +41,33 @@ core::Result<void> ChunkDecoder::openPayload(const Chunk& chunk) {
         return flaw(chunk, at, "expected " + std::to_string(chunk.frames) + " frames as the chunk says");
     at = in.position();
     if (in.varint() != m_fields.size())
-        return flaw(chunk, at, "expected " + std::to_string(m_fields.size()) + " channels as in the channel table");
+        return flaw(chunk, at,
+                    "expected " + std::to_string(m_fields.size()) + " channels as in the channel table");
     m_offsets.assign(1, 0);
     for (std::size_t c = 0; c < m_fields.size(); ++c) {
         at = in.position();
         const auto length = in.varint();
         if (!length || *length > chunk.payload.size() - m_offsets.back())
-            return flaw(chunk, at, "expected the length of column " + std::to_string(c) + " within the payload");
+            return flaw(chunk, at,
+                        "expected the length of column " + std::to_string(c) + " within the payload");
         m_offsets.push_back(m_offsets.back() + static_cast<std::size_t>(*length));
     }
     if (m_offsets.back() != in.remaining())
-        return flaw(chunk, in.position(), "expected columns of " + std::to_string(m_offsets.back()) + " bytes, found " +
-                                              std::to_string(in.remaining()));
+        return flaw(chunk, in.position(),
+                    "expected columns of " + std::to_string(m_offsets.back()) + " bytes, found " +
+                        std::to_string(in.remaining()));
     for (std::size_t& offset : m_offsets)
         offset += in.position();
     return {};
 }
 
-core::Result<void> ChunkDecoder::decodeColumn(const Chunk& chunk, std::size_t channel, std::span<std::int64_t> values) {
+core::Result<void> ChunkDecoder::decodeColumn(const Chunk& chunk, std::size_t channel,
+                                              std::span<std::int64_t> values) {
     const std::size_t start = m_offsets[channel];
     const auto bytes = std::span(chunk.payload).subspan(start, m_offsets[channel + 1] - start);
     if (refers(chunk, channel) && m_table.channels()[channel].reference == kNoReference)
-        return flaw(chunk, start, "expected channel \"" + m_table.channels()[channel].id + "\" to stand alone");
+        return flaw(chunk, start,
+                    "expected channel \"" + m_table.channels()[channel].id + "\" to stand alone");
     if (auto decoded = m_decoder->decode(bytes, start, values); !decoded)
         return core::fail(decoded.error().code, "chunk " + std::to_string(chunk.sequence) + ", channel \"" +
                                                     m_table.channels()[channel].id + "\", payload " +
@@ -67,7 +76,8 @@ core::Result<void> ChunkDecoder::decodeColumn(const Chunk& chunk, std::size_t ch
 }
 
 bool ChunkDecoder::refers(const Chunk& chunk, std::size_t channel) const noexcept {
-    return m_offsets[channel + 1] > m_offsets[channel] && (chunk.payload[m_offsets[channel]] & kReferred) != 0;
+    return m_offsets[channel + 1] > m_offsets[channel] &&
+           (chunk.payload[m_offsets[channel]] & kReferred) != 0;
 }
 
 void ChunkDecoder::addReference(std::size_t channel, std::span<const std::int64_t> reference,
@@ -89,17 +99,21 @@ core::Result<void> ChunkDecoder::decodeAll(const Chunk& chunk) {
         if (auto decoded = decodeColumn(chunk, c, values); !decoded)
             return decoded;
         if (refers(chunk, c))
-            addReference(c, all.subspan(static_cast<std::size_t>(m_table.channels()[c].reference) * n, n), values);
+            addReference(c, all.subspan(static_cast<std::size_t>(m_table.channels()[c].reference) * n, n),
+                         values);
     }
-    if (m_tickChannel < m_fields.size() && static_cast<std::uint64_t>(m_values[m_tickChannel * n]) != chunk.firstTick)
-        return flaw(chunk, m_offsets[m_tickChannel], "expected first tick " + std::to_string(chunk.firstTick));
+    if (m_tickChannel < m_fields.size() &&
+        static_cast<std::uint64_t>(m_values[m_tickChannel * n]) != chunk.firstTick)
+        return flaw(chunk, m_offsets[m_tickChannel],
+                    "expected first tick " + std::to_string(chunk.firstTick));
     return {};
 }
 
 core::Result<void> ChunkDecoder::misfit(const Chunk& chunk, std::size_t channel, std::size_t row) const {
     return flaw(chunk, m_offsets[channel],
-                "channel \"" + m_table.channels()[channel].id + "\", frame " + std::to_string(row) + ": count " +
-                    std::to_string(m_values[channel * chunk.frames + row]) + ", expected one that fits its field");
+                "channel \"" + m_table.channels()[channel].id + "\", frame " + std::to_string(row) +
+                    ": count " + std::to_string(m_values[channel * chunk.frames + row]) +
+                    ", expected one that fits its field");
 }
 
 core::Result<void> ChunkDecoder::fill(const Chunk& chunk, std::size_t row, core::HapticFrame& frame) const {
@@ -146,7 +160,8 @@ core::Result<core::HapticFrame> ChunkDecoder::decodeTick(const Chunk& chunk, std
                       "tick " + std::to_string(tick) + " is not in chunk " + std::to_string(chunk.sequence));
 }
 
-core::Result<void> ChunkDecoder::decodeChannel(const Chunk& chunk, std::size_t channel, std::vector<std::int64_t>& counts) {
+core::Result<void> ChunkDecoder::decodeChannel(const Chunk& chunk, std::size_t channel,
+                                               std::vector<std::int64_t>& counts) {
     if (auto opened = openPayload(chunk); !opened)
         return opened;
     const std::size_t before = counts.size();
@@ -155,7 +170,8 @@ core::Result<void> ChunkDecoder::decodeChannel(const Chunk& chunk, std::size_t c
     auto decoded = decodeColumn(chunk, channel, values);
     if (decoded && refers(chunk, channel)) {
         m_reference.resize(chunk.frames);
-        decoded = decodeColumn(chunk, static_cast<std::size_t>(m_table.channels()[channel].reference), m_reference);
+        decoded =
+            decodeColumn(chunk, static_cast<std::size_t>(m_table.channels()[channel].reference), m_reference);
         if (decoded)
             addReference(channel, m_reference, values);
     }

@@ -13,9 +13,9 @@
 
 namespace chiron::recording {
 
-/// Chunk -> frames or single columns. Every length is checked: any bytes give a value or an Error (badInput naming the
-/// chunk, the byte offset in its payload, what was found and expected), never a crash or an allocation beyond the caps.
-/// Digests are the reader's business. One thread at a time.
+/// Chunk -> frames or single columns. Every length is checked: any bytes give a value or an Error (badInput
+/// naming the chunk, the byte offset in its payload, what was found and expected), never a crash or an
+/// allocation beyond the caps. Digests are the reader's business. One thread at a time.
 class ChunkDecoder {
 public:
     explicit ChunkDecoder(ChannelTable table);
@@ -31,13 +31,15 @@ public:
     /// The one frame with this executed tick. Error: notFound.
     core::Result<core::HapticFrame> decodeTick(const Chunk& chunk, std::uint64_t tick);
     /// Appends the counts of one channel (index in the table) without decoding the rest.
-    core::Result<void> decodeChannel(const Chunk& chunk, std::size_t channel, std::vector<std::int64_t>& counts);
+    core::Result<void> decodeChannel(const Chunk& chunk, std::size_t channel,
+                                     std::vector<std::int64_t>& counts);
 
 private:
     core::Result<void> openPayload(const Chunk& chunk);
     core::Result<void> decodeColumn(const Chunk& chunk, std::size_t channel, std::span<std::int64_t> values);
     bool refers(const Chunk& chunk, std::size_t channel) const noexcept;
-    void addReference(std::size_t channel, std::span<const std::int64_t> reference, std::span<std::int64_t> values) const;
+    void addReference(std::size_t channel, std::span<const std::int64_t> reference,
+                      std::span<std::int64_t> values) const;
     core::Result<void> decodeAll(const Chunk& chunk);
     core::Result<void> misfit(const Chunk& chunk, std::size_t channel, std::size_t row) const;
     core::Result<void> fill(const Chunk& chunk, std::size_t row, core::HapticFrame& frame) const;

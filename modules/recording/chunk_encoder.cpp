@@ -11,9 +11,10 @@
 namespace chiron::recording {
 
 namespace {
-constexpr std::uint32_t kProbeEvery = 32; // chunks: zstd on packed numbers seldom helps, and costs more than all the rest
+constexpr std::uint32_t kProbeEvery =
+    32; // chunks: zstd on packed numbers seldom helps, and costs more than all the rest
 constexpr std::size_t kFramesAtOnce = 32;
-}
+} // namespace
 
 ChunkEncoder::ChunkEncoder(ChannelTable table)
     : m_table(std::move(table)), m_zstdHelps(m_table.channels().size(), false),
@@ -33,8 +34,9 @@ core::Result<Chunk> ChunkEncoder::encode(std::uint32_t sequence, std::span<const
                                                    std::to_string(kMaximumFramesPerChunk));
     for (const core::HapticFrame& frame : frames)
         if (frame.tools != static_cast<std::uint32_t>(m_table.tools()))
-            return core::fail(ErrorCode::wrongUse, "frame of " + std::to_string(frame.tools) + " tools, expected " +
-                                                       std::to_string(m_table.tools()) + " as in the channel table");
+            return core::fail(ErrorCode::wrongUse, "frame of " + std::to_string(frame.tools) +
+                                                       " tools, expected " + std::to_string(m_table.tools()) +
+                                                       " as in the channel table");
     const std::size_t channels = m_fields.size();
     gatherAll(frames);
 
@@ -50,7 +52,8 @@ core::Result<Chunk> ChunkEncoder::encode(std::uint32_t sequence, std::span<const
         const std::size_t start = m_columns.size();
         const bool tryZstd = sequence % kProbeEvery == 0 || m_zstdHelps[c];
         const bool referred = m_table.channels()[c].reference != kNoReference && changes(c);
-        const bool helped = m_encoder->encode(referred ? residualOf(c, n) : countsOf(c, n), tryZstd, m_columns);
+        const bool helped =
+            m_encoder->encode(referred ? residualOf(c, n) : countsOf(c, n), tryZstd, m_columns);
         m_columns[start] |= referred ? kReferred : 0;
         if (tryZstd)
             m_zstdHelps[c] = helped;
@@ -62,14 +65,16 @@ core::Result<Chunk> ChunkEncoder::encode(std::uint32_t sequence, std::span<const
     return chunk;
 }
 
-// Half of the fields or more stay the same in a chunk: looking at whole words first is cheaper than at every field.
+// Half of the fields or more stay the same in a chunk: looking at whole words first is cheaper than at every
+// field.
 void ChunkEncoder::gatherAll(std::span<const core::HapticFrame> frames) {
     const std::size_t n = frames.size();
     const std::size_t words = usedFrameBytes(frames.front().tools) / sizeof(std::uint64_t);
     m_counts.resize(m_fields.size() * n);
     m_changes.assign(words, 0);
     findChanges(frames, m_changes);
-    for (std::size_t i = 0; i < n; i += kFramesAtOnce) { // few enough that every column finds them in the first cache
+    for (std::size_t i = 0; i < n;
+         i += kFramesAtOnce) { // few enough that every column finds them in the first cache
         const auto some = frames.subspan(i, std::min(kFramesAtOnce, n - i));
         for (std::size_t c = 0; c < m_fields.size(); ++c) {
             const auto values = std::span(m_counts).subspan(c * n + i, some.size());

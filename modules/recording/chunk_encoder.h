@@ -14,9 +14,10 @@
 
 namespace chiron::recording {
 
-/// HapticFrames -> Chunk: one column a channel, each as constant, line, offset, difference or second difference,
-/// bit-packed, then zstd if smaller (probed every 32nd chunk, and tried on while it helps a channel). Payload: version byte, varint frames, varint channels, varint length of each column,
-/// columns. Not copied (owns a compression context); one thread at a time; may allocate.
+/// HapticFrames -> Chunk: one column a channel, each as constant, line, offset, difference or second
+/// difference, bit-packed, then zstd if smaller (probed every 32nd chunk, and tried on while it helps a
+/// channel). Payload: version byte, varint frames, varint channels, varint length of each column, columns.
+/// Not copied (owns a compression context); one thread at a time; may allocate.
 class ChunkEncoder {
 public:
     explicit ChunkEncoder(ChannelTable table);
@@ -27,7 +28,8 @@ public:
     ~ChunkEncoder();
 
     const ChannelTable& table() const noexcept { return m_table; }
-    /// Error: wrongUse if there are no frames, too many, or a frame has another number of tools than the table.
+    /// Error: wrongUse if there are no frames, too many, or a frame has another number of tools than the
+    /// table.
     core::Result<Chunk> encode(std::uint32_t sequence, std::span<const core::HapticFrame> frames);
 
 private:
@@ -38,7 +40,7 @@ private:
 
     ChannelTable m_table;
     std::vector<FrameField> m_fields;
-    std::vector<std::int64_t> m_counts; ///< channels × frames
+    std::vector<std::int64_t> m_counts;   ///< channels × frames
     std::vector<std::uint64_t> m_changes; ///< a word of the frame: bits that differ somewhere in the chunk
     std::vector<std::int64_t> m_residual;
     std::vector<std::uint8_t> m_columns; ///< encoded

@@ -68,7 +68,8 @@ core::Result<void> ColumnDecoder::decode(std::span<const std::uint8_t> bytes, st
     return decodePlain(m_plain[0], m_plain, offset, values);
 }
 
-core::Result<void> ColumnDecoder::inflate(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t values) {
+core::Result<void> ColumnDecoder::inflate(std::span<const std::uint8_t> bytes, std::size_t offset,
+                                          std::size_t values) {
     ByteCursor in(bytes.subspan(1));
     const auto length = in.varint();
     const std::size_t limit = maximumPlainBytes(values);
@@ -81,8 +82,8 @@ core::Result<void> ColumnDecoder::inflate(std::span<const std::uint8_t> bytes, s
     m_plain.resize(static_cast<std::size_t>(*length));
     if (!m_context->zstd)
         return core::fail(core::ErrorCode::storage, "no memory for decompression");
-    const std::size_t got =
-        ZSTD_decompressDCtx(m_context->zstd.get(), m_plain.data(), m_plain.size(), frame.data(), frame.size());
+    const std::size_t got = ZSTD_decompressDCtx(m_context->zstd.get(), m_plain.data(), m_plain.size(),
+                                                frame.data(), frame.size());
     if (ZSTD_isError(got) || got != m_plain.size())
         return flaw(at, "a whole zstd frame");
     return {};
@@ -111,12 +112,14 @@ core::Result<void> ColumnDecoder::decodePlain(std::uint8_t modeByte, std::span<c
         const auto packed = bytes.subspan(in.position());
         const Unpacked result = unpackBlocks(packed, m_words);
         if (result.flawAt != Unpacked::npos)
-            return flaw(offset + in.position() + result.flawAt, "a block: its width 0..64 and all of its values");
+            return flaw(offset + in.position() + result.flawAt,
+                        "a block: its width 0..64 and all of its values");
         in.bytes(result.used);
         rebuild(mode, unZigZag(*head), unZigZag(*step), m_words, values);
     }
     if (in.remaining() != 0)
-        return flaw(offset + in.position(), "the end of the column, found " + std::to_string(in.remaining()) + " bytes");
+        return flaw(offset + in.position(),
+                    "the end of the column, found " + std::to_string(in.remaining()) + " bytes");
     return {};
 }
 

@@ -11,8 +11,8 @@
 
 namespace chiron::recording {
 
-/// Bytes of one column -> numbers; any bytes give numbers or an Error that says at which byte what was expected. Not
-/// copied, one thread at a time.
+/// Bytes of one column -> numbers; any bytes give numbers or an Error that says at which byte what was
+/// expected. Not copied, one thread at a time.
 class ColumnDecoder {
 public:
     ColumnDecoder();
@@ -20,8 +20,10 @@ public:
     ColumnDecoder& operator=(const ColumnDecoder&) = delete;
     ~ColumnDecoder();
 
-    /// Fills `values` (at least one) with what the column holds, whatever it refers to; the column must end where `bytes` end. Offsets in messages count from `offset`.
-    core::Result<void> decode(std::span<const std::uint8_t> bytes, std::size_t offset, std::span<std::int64_t> values);
+    /// Fills `values` (at least one) with what the column holds, whatever it refers to; the column must end
+    /// where `bytes` end. Offsets in messages count from `offset`.
+    core::Result<void> decode(std::span<const std::uint8_t> bytes, std::size_t offset,
+                              std::span<std::int64_t> values);
 
 private:
     core::Result<void> decodePlain(std::uint8_t mode, std::span<const std::uint8_t> bytes, std::size_t offset,

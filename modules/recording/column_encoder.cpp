@@ -3,6 +3,7 @@
 
 #include "recording/bit_packing.h"
 #include "recording/byte_cursor.h"
+#include "recording/vector_variants.h"
 
 #include <algorithm>
 #include <zstd.h>
@@ -10,19 +11,42 @@
 namespace chiron::recording {
 
 namespace {
-constexpr int kZstdLevel = 1;              // higher levels find nothing more in a few hundred bytes
+constexpr int kZstdLevel = 1;                 // higher levels find nothing more in a few hundred bytes
 constexpr std::size_t kWorthCompressing = 64; // a zstd frame alone costs about ten bytes
 
-constexpr std::uint64_t bits(std::int64_t v) noexcept { return static_cast<std::uint64_t>(v); }
+constexpr std::uint64_t bits(std::int64_t v) noexcept {
+    return static_cast<std::uint64_t>(v);
+}
 
-void appendMode(std::vector<std::uint8_t>& out, ColumnMode mode) { out.push_back(static_cast<std::uint8_t>(mode)); }
-void appendSigned(std::vector<std::uint8_t>& out, std::uint64_t v) { appendVarint(out, zigZag(v)); }
+void appendMode(std::vector<std::uint8_t>& out, ColumnMode mode) {
+    out.push_back(static_cast<std::uint8_t>(mode));
+}
+void appendSigned(std::vector<std::uint8_t>& out, std::uint64_t v) {
+    appendVarint(out, zigZag(v));
+}
 
-bool isConstant(std::span<const std::int64_t> values) noexcept {
+CHIRON_AVX2_TOO bool isConstant(std::span<const std::int64_t> values) noexcept {
     std::int64_t differs = 0;
     for (const std::int64_t v : values)
         differs |= v ^ values[0];
     return differs == 0;
+}
+
+/// The three candidates, zig-zagged: value − base, differences, second differences. n >= 2 values; the spans
+/// have n, n − 1 and n − 2. Returns the OR of the second differences: 0 for a straight line.
+CHIRON_AVX2_TOO std::uint64_t derive(const std::int64_t* values, std::size_t n, std::uint64_t base,
+                                     std::uint64_t* offsets, std::uint64_t* first,
+                                     std::uint64_t* second) noexcept {
+    std::uint64_t bend = 0;
+    for (std::size_t i = 0; i < n; ++i)
+        offsets[i] = zigZag(bits(values[i]) - base);
+    for (std::size_t i = 1; i < n; ++i)
+        first[i - 1] = zigZag(bits(values[i]) - bits(values[i - 1]));
+    for (std::size_t i = 2; i < n; ++i) {
+        second[i - 2] = zigZag(bits(values[i]) - 2 * bits(values[i - 1]) + bits(values[i - 2]));
+        bend |= second[i - 2];
+    }
+    return bend;
 }
 } // namespace
 
@@ -49,16 +73,9 @@ void ColumnEncoder::encodePlain(std::span<const std::int64_t> values, std::vecto
     m_offsets.resize(n);
     m_first.resize(n - 1);
     m_second.resize(n - 2);
-    std::uint64_t bend = 0;
     const std::uint64_t step = bits(values[1]) - bits(values[0]);
-    for (std::size_t i = 0; i < n; ++i)
-        m_offsets[i] = zigZag(bits(values[i]) - base);
-    for (std::size_t i = 1; i < n; ++i)
-        m_first[i - 1] = zigZag(bits(values[i]) - bits(values[i - 1]));
-    for (std::size_t i = 2; i < n; ++i) {
-        m_second[i - 2] = zigZag(bits(values[i]) - 2 * bits(values[i - 1]) + bits(values[i - 2]));
-        bend |= m_second[i - 2];
-    }
+    const std::uint64_t bend =
+        derive(values.data(), n, base, m_offsets.data(), m_first.data(), m_second.data());
     if (bend == 0) {
         appendMode(out, ColumnMode::line);
         appendSigned(out, bits(values[0]));
@@ -84,16 +101,18 @@ void ColumnEncoder::encodePlain(std::span<const std::int64_t> values, std::vecto
     }
 }
 
-bool ColumnEncoder::encode(std::span<const std::int64_t> values, bool tryZstd, std::vector<std::uint8_t>& out) {
+bool ColumnEncoder::encode(std::span<const std::int64_t> values, bool tryZstd,
+                           std::vector<std::uint8_t>& out) {
     const std::size_t start = out.size();
     encodePlain(values, out);
     const std::size_t plain = out.size() - start;
     if (!tryZstd || plain < kWorthCompressing || !m_context->zstd)
         return false;
     m_compressed.resize(ZSTD_compressBound(plain));
-    const std::size_t size = ZSTD_compressCCtx(m_context->zstd.get(), m_compressed.data(), m_compressed.size(),
-                                               out.data() + start, plain, kZstdLevel);
-    if (ZSTD_isError(size) || size + plain / 8 >= plain) // an eighth at least, or it is not worth the time of reading
+    const std::size_t size = ZSTD_compressCCtx(m_context->zstd.get(), m_compressed.data(),
+                                               m_compressed.size(), out.data() + start, plain, kZstdLevel);
+    if (ZSTD_isError(size) ||
+        size + plain / 8 >= plain) // an eighth at least, or it is not worth the time of reading
         return false;
     out.resize(start);
     appendMode(out, ColumnMode::zstd);

@@ -10,7 +10,8 @@
 
 namespace chiron::recording {
 
-/// Numbers -> bytes of one column. Owns a compression context and scratch space: not copied, one thread at a time.
+/// Numbers -> bytes of one column. Owns a compression context and scratch space: not copied, one thread at a
+/// time.
 class ColumnEncoder {
 public:
     ColumnEncoder();
@@ -20,7 +21,8 @@ public:
 
     /// Appends the values in the smallest of the plain modes.
     void encodePlain(std::span<const std::int64_t> values, std::vector<std::uint8_t>& out);
-    /// As encodePlain, then zstd in its place if that saves an eighth (tried only if `tryZstd`). True if it did.
+    /// As encodePlain, then zstd in its place if that saves an eighth (tried only if `tryZstd`). True if it
+    /// did.
     bool encode(std::span<const std::int64_t> values, bool tryZstd, std::vector<std::uint8_t>& out);
 
 private:

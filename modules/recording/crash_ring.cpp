@@ -12,7 +12,8 @@ static_assert(std::atomic_ref<std::uint64_t>::is_always_lock_free);
 std::filesystem::path defaultRingFolder() {
     const char* runtime = std::getenv("XDG_RUNTIME_DIR");
     std::error_code error;
-    if (runtime && *runtime && std::filesystem::is_directory(runtime, error) && access(runtime, W_OK | X_OK) == 0)
+    if (runtime && *runtime && std::filesystem::is_directory(runtime, error) &&
+        access(runtime, W_OK | X_OK) == 0)
         return runtime;
     return "/dev/shm";
 }
@@ -53,6 +54,8 @@ std::uint64_t CrashRing::dropped() const noexcept {
     return std::atomic_ref(m_file.header().dropped).load(std::memory_order_relaxed);
 }
 
-core::Result<void> CrashRing::remove() { return m_file.remove(); }
+core::Result<void> CrashRing::remove() {
+    return m_file.remove();
+}
 
 } // namespace chiron::recording

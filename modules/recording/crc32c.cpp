@@ -23,7 +23,9 @@ constexpr std::array<std::uint32_t, 256> makeTable() {
 }
 constexpr auto kTable = makeTable();
 
-std::uint32_t stepByte(std::uint32_t crc, std::uint8_t byte) noexcept { return (crc >> 8) ^ kTable[(crc ^ byte) & 0xff]; }
+std::uint32_t stepByte(std::uint32_t crc, std::uint8_t byte) noexcept {
+    return (crc >> 8) ^ kTable[(crc ^ byte) & 0xff];
+}
 
 struct Portable {
     static std::uint32_t step(std::uint32_t crc, std::uint64_t word) noexcept {
@@ -40,8 +42,8 @@ std::uint64_t moveWord(std::uint8_t* to, const std::uint8_t* from) noexcept {
     return word;
 }
 
-__attribute__((target("sse4.2"))) std::uint32_t copyWithChecksumSse42(std::uint64_t number, void* to, const void* from,
-                                                                      std::size_t words) noexcept {
+__attribute__((target("sse4.2"))) std::uint32_t
+copyWithChecksumSse42(std::uint64_t number, void* to, const void* from, std::size_t words) noexcept {
     const auto* in = static_cast<const std::uint8_t*>(from);
     auto* out = static_cast<std::uint8_t*>(to);
     std::uint64_t lane0 = _mm_crc32_u64(0, number);
@@ -60,7 +62,8 @@ __attribute__((target("sse4.2"))) std::uint32_t copyWithChecksumSse42(std::uint6
         lane1 = _mm_crc32_u64(lane1, moveWord(out + 8, in + 8));
     if (words > 2)
         lane2 = _mm_crc32_u64(lane2, moveWord(out + 16, in + 16));
-    return static_cast<std::uint32_t>(_mm_crc32_u64(_mm_crc32_u64(_mm_crc32_u64(lane0, lane1), lane2), lane3));
+    return static_cast<std::uint32_t>(
+        _mm_crc32_u64(_mm_crc32_u64(_mm_crc32_u64(lane0, lane1), lane2), lane3));
 }
 } // namespace
 
@@ -71,7 +74,8 @@ std::uint32_t crc32c(std::span<const std::uint8_t> bytes) noexcept {
     return ~crc;
 }
 
-std::uint32_t copyWithChecksumPortable(std::uint64_t number, void* to, const void* from, std::size_t words) noexcept {
+std::uint32_t copyWithChecksumPortable(std::uint64_t number, void* to, const void* from,
+                                       std::size_t words) noexcept {
     const auto* in = static_cast<const std::uint8_t*>(from);
     auto* out = static_cast<std::uint8_t*>(to);
     std::array<std::uint32_t, kLanes> lanes = {Portable::step(0, number), 1, 2, 3};

@@ -54,7 +54,8 @@ constexpr std::size_t kMostBytes = sizeof(std::uint16_t) + 2 * kWrenchParts * si
 std::size_t writeWrenches(const core::ToolFrame& tool, std::uint8_t* out) noexcept {
     std::uint16_t mask = 0;
     std::size_t at = sizeof(mask);
-    const auto put = [&](std::uint64_t value, bool listed, std::size_t bit) { // no branch: contact comes and goes
+    const auto put = [&](std::uint64_t value, bool listed,
+                         std::size_t bit) { // no branch: contact comes and goes
         std::memcpy(out + at, &value, sizeof(value));
         at += listed ? sizeof(value) : 0;
         mask = static_cast<std::uint16_t>(mask | (listed ? 1u << bit : 0u));

@@ -9,14 +9,15 @@
 
 namespace chiron::recording {
 
-/// BLAKE2b-256 over the little-endian sequence, firstTick, frames, then forceHash and payload of a chunk: guards
-/// against accidents (data.md, Proof). `payloadDigest` itself is not read.
+/// BLAKE2b-256 over the little-endian sequence, firstTick, frames, then forceHash and payload of a chunk:
+/// guards against accidents (data.md, Proof). `payloadDigest` itself is not read.
 Digest payloadDigestOf(const Chunk& chunk);
 
-/// BLAKE2b-256 over the unrounded doubles of tissue and commanded of every used tool, frame after frame: what a replay of
-/// the same ticks must reproduce. Equal hashes <=> equal bits. Hashed form of a tool: u16 mask, bit i (0..5) set where
-/// tissue[i] is not +0.0, bit 6 + i where commanded[i] has other bits than tissue[i]; then those doubles (bits,
-/// little-endian) in that order. One to one, and a quarter of the bytes where force is passed on unchanged.
+/// BLAKE2b-256 over the unrounded doubles of tissue and commanded of every used tool, frame after frame: what
+/// a replay of the same ticks must reproduce. Equal hashes <=> equal bits. Hashed form of a tool: u16 mask,
+/// bit i (0..5) set where tissue[i] is not +0.0, bit 6 + i where commanded[i] has other bits than tissue[i];
+/// then those doubles (bits, little-endian) in that order. One to one, and a quarter of the bytes where force
+/// is passed on unchanged.
 Digest forceHashOf(std::span<const core::HapticFrame> frames);
 
 /// Lower-case hexadecimal, for messages.

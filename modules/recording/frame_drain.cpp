@@ -7,7 +7,8 @@ namespace {
 constexpr std::size_t kFramesAtOnce = 64; // a drain every 20 ms finds 20
 }
 
-FrameDrain::FrameDrain(CrashRing& ring, Recorder& recorder) : m_ring(ring), m_recorder(recorder), m_frames(kFramesAtOnce) {}
+FrameDrain::FrameDrain(CrashRing& ring, Recorder& recorder)
+    : m_ring(ring), m_recorder(recorder), m_frames(kFramesAtOnce) {}
 
 core::Result<void> FrameDrain::take() {
     while (const std::size_t count = m_ring.read(m_frames)) {
@@ -17,8 +18,11 @@ core::Result<void> FrameDrain::take() {
     return {};
 }
 
-// Damaged slots are not among the recorder's frames, so with any the mark lags by as many: it never runs ahead.
-void FrameDrain::commit() noexcept { m_ring.commit(m_recorder.framesCommitted()); }
+// Damaged slots are not among the recorder's frames, so with any the mark lags by as many: it never runs
+// ahead.
+void FrameDrain::commit() noexcept {
+    m_ring.commit(m_recorder.framesCommitted());
+}
 
 core::Result<void> FrameDrain::drain(std::int64_t now_ns) {
     if (auto taken = take(); !taken)

@@ -11,18 +11,21 @@
 
 namespace chiron::recording {
 
-/// Ring -> Recorder: what the writer thread calls every 20 ms for each live session. Ring and recorder must outlive it.
+/// Ring -> Recorder: what the writer thread calls every 20 ms for each live session. Ring and recorder must
+/// outlive it.
 class FrameDrain {
 public:
     FrameDrain(CrashRing& ring, Recorder& recorder);
 
     /// Takes what is new, writes closed chunks, and frees the slots that are stored. now_ns in the clock of
-    /// TickHeader::now_ns. Error: the sink's; nothing is lost until the ring overflows, the next call tries again.
+    /// TickHeader::now_ns. Error: the sink's; nothing is lost until the ring overflows, the next call tries
+    /// again.
     core::Result<void> drain(std::int64_t now_ns);
     /// After the last push: takes everything, closes and writes it. May be repeated after an Error.
     core::Result<void> finish();
 
-    /// Frames that never came into the recording: dropped at a full ring, or damaged in it. Not 0: incomplete.
+    /// Frames that never came into the recording: dropped at a full ring, or damaged in it. Not 0:
+    /// incomplete.
     std::uint64_t lost() const noexcept { return m_ring.dropped() + m_ring.damaged(); }
 
 private:

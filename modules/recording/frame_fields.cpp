@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/frame_fields.h"
 
+#include "recording/vector_variants.h"
 #include "recording/wrench_rounding.h"
 
 #include <algorithm>
@@ -43,7 +44,9 @@ constexpr std::array<Known, 13> kHeaderFields = {{
     {"command_1_argument", Type::u16, kCommands + sizeof(Command) + offsetof(Command, argument)},
 }};
 
-constexpr std::size_t real(std::size_t array, std::size_t i) { return array + i * sizeof(double); }
+constexpr std::size_t real(std::size_t array, std::size_t i) {
+    return array + i * sizeof(double);
+}
 constexpr std::size_t kTissue = offsetof(ToolFrame, tissue);
 constexpr std::size_t kCommanded = offsetof(ToolFrame, commanded);
 constexpr std::size_t kMeasured = offsetof(ToolFrame, measured);
@@ -80,7 +83,8 @@ constexpr std::array<Known, 27> kToolFields = {{
 }};
 
 template <class T>
-void gatherAs(std::size_t offset, std::span<const HapticFrame> frames, std::span<std::int64_t> values) noexcept {
+void gatherAs(std::size_t offset, std::span<const HapticFrame> frames,
+              std::span<std::int64_t> values) noexcept {
     for (std::size_t i = 0; i < frames.size(); ++i) {
         T value;
         std::memcpy(&value, reinterpret_cast<const std::uint8_t*>(&frames[i]) + offset, sizeof(T));
@@ -88,7 +92,8 @@ void gatherAs(std::size_t offset, std::span<const HapticFrame> frames, std::span
     }
 }
 
-void gatherReal(const FrameField& field, std::span<const HapticFrame> frames, std::span<std::int64_t> values) noexcept {
+void gatherReal(const FrameField& field, std::span<const HapticFrame> frames,
+                std::span<std::int64_t> values) noexcept {
     for (std::size_t i = 0; i < frames.size(); ++i) {
         double value;
         std::memcpy(&value, reinterpret_cast<const std::uint8_t*>(&frames[i]) + field.offset, sizeof(value));
@@ -97,7 +102,8 @@ void gatherReal(const FrameField& field, std::span<const HapticFrame> frames, st
 }
 
 template <class T>
-std::size_t scatterAs(std::size_t offset, std::span<const std::int64_t> values, std::span<HapticFrame> frames) noexcept {
+std::size_t scatterAs(std::size_t offset, std::span<const std::int64_t> values,
+                      std::span<HapticFrame> frames) noexcept {
     std::size_t row = 0;
     for (; row < values.size(); ++row) {
         const T value = static_cast<T>(values[row]);
@@ -108,8 +114,7 @@ std::size_t scatterAs(std::size_t offset, std::span<const std::int64_t> values, 
     return row;
 }
 
-template <class T>
-bool putAs(std::size_t offset, std::int64_t count, HapticFrame& frame) noexcept {
+template <class T> bool putAs(std::size_t offset, std::int64_t count, HapticFrame& frame) noexcept {
     const T value = static_cast<T>(count);
     std::memcpy(reinterpret_cast<std::uint8_t*>(&frame) + offset, &value, sizeof(T));
     return static_cast<std::int64_t>(value) == count;
@@ -118,7 +123,8 @@ bool putAs(std::size_t offset, std::int64_t count, HapticFrame& frame) noexcept 
 
 FrameField fieldOf(const Channel& channel) noexcept {
     FrameField field;
-    const std::size_t base = channel.tool == kNoTool ? 0 : offsetof(HapticFrame, tool) + channel.tool * sizeof(ToolFrame);
+    const std::size_t base =
+        channel.tool == kNoTool ? 0 : offsetof(HapticFrame, tool) + channel.tool * sizeof(ToolFrame);
     if (channel.tool != kNoTool && channel.id.starts_with("axis.")) {
         if (channel.slot >= core::kMaxCoordinates)
             return field;
@@ -126,34 +132,46 @@ FrameField fieldOf(const Channel& channel) noexcept {
         field.offset = base + offsetof(ToolFrame, counts) + channel.slot * sizeof(std::int32_t);
         return field;
     }
-    const auto known = channel.tool == kNoTool ? std::span<const Known>(kHeaderFields) : std::span<const Known>(kToolFields);
+    const auto known =
+        channel.tool == kNoTool ? std::span<const Known>(kHeaderFields) : std::span<const Known>(kToolFields);
     for (const Known& k : known)
         if (k.id == channel.id && (k.type == Type::real) == (channel.kind == ChannelKind::quantised))
             field = {k.type, base + k.offset, stepsPerUnit(channel.resolution)};
     return field;
 }
 
-void gather(const FrameField& field, std::span<const HapticFrame> frames, std::span<std::int64_t> values) noexcept {
+void gather(const FrameField& field, std::span<const HapticFrame> frames,
+            std::span<std::int64_t> values) noexcept {
     switch (field.type) {
-    case Type::u8: return gatherAs<std::uint8_t>(field.offset, frames, values);
-    case Type::u16: return gatherAs<std::uint16_t>(field.offset, frames, values);
-    case Type::u32: return gatherAs<std::uint32_t>(field.offset, frames, values);
-    case Type::i32: return gatherAs<std::int32_t>(field.offset, frames, values);
-    case Type::u64: return gatherAs<std::uint64_t>(field.offset, frames, values);
-    case Type::i64: return gatherAs<std::int64_t>(field.offset, frames, values);
-    case Type::real: return gatherReal(field, frames, values);
-    case Type::unknown: break;
+    case Type::u8:
+        return gatherAs<std::uint8_t>(field.offset, frames, values);
+    case Type::u16:
+        return gatherAs<std::uint16_t>(field.offset, frames, values);
+    case Type::u32:
+        return gatherAs<std::uint32_t>(field.offset, frames, values);
+    case Type::i32:
+        return gatherAs<std::int32_t>(field.offset, frames, values);
+    case Type::u64:
+        return gatherAs<std::uint64_t>(field.offset, frames, values);
+    case Type::i64:
+        return gatherAs<std::int64_t>(field.offset, frames, values);
+    case Type::real:
+        return gatherReal(field, frames, values);
+    case Type::unknown:
+        break;
     }
     std::memset(values.data(), 0, values.size_bytes());
 }
 
-void gatherConstant(const FrameField& field, const HapticFrame& frame, std::span<std::int64_t> values) noexcept {
+void gatherConstant(const FrameField& field, const HapticFrame& frame,
+                    std::span<std::int64_t> values) noexcept {
     std::int64_t value = 0;
     gather(field, {&frame, 1}, {&value, 1});
     std::fill(values.begin(), values.end(), value);
 }
 
-void findChanges(std::span<const HapticFrame> frames, std::span<std::uint64_t> changes) noexcept {
+CHIRON_AVX2_TOO void findChanges(std::span<const HapticFrame> frames,
+                                 std::span<std::uint64_t> changes) noexcept {
     std::array<std::uint64_t, sizeof(HapticFrame) / sizeof(std::uint64_t)> first;
     std::memcpy(first.data(), &frames.front(), sizeof(first));
     const std::size_t words = std::min(changes.size(), first.size());
@@ -175,14 +193,21 @@ std::size_t scatter(const FrameField& field, std::span<const std::int64_t> value
     if (any == 0)
         return values.size(); // zero already
     switch (field.type) {
-    case Type::u8: return scatterAs<std::uint8_t>(field.offset, values, frames);
-    case Type::u16: return scatterAs<std::uint16_t>(field.offset, values, frames);
-    case Type::u32: return scatterAs<std::uint32_t>(field.offset, values, frames);
-    case Type::i32: return scatterAs<std::int32_t>(field.offset, values, frames);
-    case Type::u64: return scatterAs<std::uint64_t>(field.offset, values, frames);
-    case Type::i64: return scatterAs<std::int64_t>(field.offset, values, frames);
+    case Type::u8:
+        return scatterAs<std::uint8_t>(field.offset, values, frames);
+    case Type::u16:
+        return scatterAs<std::uint16_t>(field.offset, values, frames);
+    case Type::u32:
+        return scatterAs<std::uint32_t>(field.offset, values, frames);
+    case Type::i32:
+        return scatterAs<std::int32_t>(field.offset, values, frames);
+    case Type::u64:
+        return scatterAs<std::uint64_t>(field.offset, values, frames);
+    case Type::i64:
+        return scatterAs<std::int64_t>(field.offset, values, frames);
     case Type::real:
-    case Type::unknown: break;
+    case Type::unknown:
+        break;
     }
     std::size_t row = 0;
     while (row < values.size() && put(field, values[row], frames[row]))
@@ -192,18 +217,25 @@ std::size_t scatter(const FrameField& field, std::span<const std::int64_t> value
 
 bool put(const FrameField& field, std::int64_t count, HapticFrame& frame) noexcept {
     switch (field.type) {
-    case Type::u8: return putAs<std::uint8_t>(field.offset, count, frame);
-    case Type::u16: return putAs<std::uint16_t>(field.offset, count, frame);
-    case Type::u32: return putAs<std::uint32_t>(field.offset, count, frame);
-    case Type::i32: return putAs<std::int32_t>(field.offset, count, frame);
-    case Type::u64: return putAs<std::uint64_t>(field.offset, count, frame);
-    case Type::i64: return putAs<std::int64_t>(field.offset, count, frame);
+    case Type::u8:
+        return putAs<std::uint8_t>(field.offset, count, frame);
+    case Type::u16:
+        return putAs<std::uint16_t>(field.offset, count, frame);
+    case Type::u32:
+        return putAs<std::uint32_t>(field.offset, count, frame);
+    case Type::i32:
+        return putAs<std::int32_t>(field.offset, count, frame);
+    case Type::u64:
+        return putAs<std::uint64_t>(field.offset, count, frame);
+    case Type::i64:
+        return putAs<std::int64_t>(field.offset, count, frame);
     case Type::real: {
         const double value = dequantise(count, field.stepsPerUnit);
         std::memcpy(reinterpret_cast<std::uint8_t*>(&frame) + field.offset, &value, sizeof(value));
         return count >= -kInfinityQuantum && count <= kNaNQuantum;
     }
-    case Type::unknown: break;
+    case Type::unknown:
+        break;
     }
     return true;
 }

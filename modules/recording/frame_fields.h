@@ -14,22 +14,24 @@ namespace chiron::recording {
 struct FrameField {
     enum class Type : std::uint8_t { unknown, u8, u16, u32, i32, u64, i64, real };
     Type type = Type::unknown;
-    std::size_t offset = 0;     ///< bytes from the start of the frame
-    double stepsPerUnit = 1.0;  ///< for real
+    std::size_t offset = 0;    ///< bytes from the start of the frame
+    double stepsPerUnit = 1.0; ///< for real
 };
 
 /// The field of a channel, by its tool and id (and slot, for an axis).
 FrameField fieldOf(const Channel& channel) noexcept;
 
 /// Column of counts of one field over frames. values.size() == frames.size().
-void gather(const FrameField& field, std::span<const core::HapticFrame> frames, std::span<std::int64_t> values) noexcept;
+void gather(const FrameField& field, std::span<const core::HapticFrame> frames,
+            std::span<std::int64_t> values) noexcept;
 /// The same where the field has the value of `frame` in all of them.
-void gatherConstant(const FrameField& field, const core::HapticFrame& frame, std::span<std::int64_t> values) noexcept;
+void gatherConstant(const FrameField& field, const core::HapticFrame& frame,
+                    std::span<std::int64_t> values) noexcept;
 /// ORs into changes[w] the bits in which the w-th 8-byte word of any frame differs from that of the first.
 void findChanges(std::span<const core::HapticFrame> frames, std::span<std::uint64_t> changes) noexcept;
 
-/// Puts a column into frames that are zero there. Returns the first row whose count does not fit the field (the
-/// recording is damaged), or values.size().
+/// Puts a column into frames that are zero there. Returns the first row whose count does not fit the field
+/// (the recording is damaged), or values.size().
 std::size_t scatter(const FrameField& field, std::span<const std::int64_t> values,
                     std::span<core::HapticFrame> frames) noexcept;
 /// Puts one count into a frame. False if it does not fit the field (the recording is damaged).

@@ -3,7 +3,8 @@
 
 namespace chiron::recording {
 
-core::Result<void> MemoryChunkStore::write(std::span<const Chunk> chunks, std::span<const SecondSummary> summaries) {
+core::Result<void> MemoryChunkStore::write(std::span<const Chunk> chunks,
+                                           std::span<const SecondSummary> summaries) {
     m_chunks.insert(m_chunks.end(), chunks.begin(), chunks.end());
     m_summaries.insert(m_summaries.end(), summaries.begin(), summaries.end());
     return {};
@@ -11,8 +12,8 @@ core::Result<void> MemoryChunkStore::write(std::span<const Chunk> chunks, std::s
 
 core::Result<Chunk> MemoryChunkStore::chunk(std::size_t sequence) {
     if (sequence >= m_chunks.size())
-        return core::fail(core::ErrorCode::notFound, "chunk " + std::to_string(sequence) + " of " +
-                                                         std::to_string(m_chunks.size()));
+        return core::fail(core::ErrorCode::notFound,
+                          "chunk " + std::to_string(sequence) + " of " + std::to_string(m_chunks.size()));
     return m_chunks[sequence];
 }
 

@@ -13,7 +13,8 @@ class MemoryChunkStore final : public TrialSink, public ChunkSource {
 public:
     explicit MemoryChunkStore(std::vector<std::uint8_t> encodedTable) : m_table(std::move(encodedTable)) {}
 
-    core::Result<void> write(std::span<const Chunk> chunks, std::span<const SecondSummary> summaries) override;
+    core::Result<void> write(std::span<const Chunk> chunks,
+                             std::span<const SecondSummary> summaries) override;
     core::Result<std::vector<std::uint8_t>> channelTable() override { return m_table; }
     std::size_t chunkCount() const override { return m_chunks.size(); }
     core::Result<Chunk> chunk(std::size_t sequence) override;

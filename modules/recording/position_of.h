@@ -6,8 +6,8 @@
 
 namespace chiron::recording {
 
-/// From recorded counts to the tip, for path lengths: implemented above by the device's kinematics and the workspace
-/// mapping. Pure: the same counts always give the same doubles. Writer thread.
+/// From recorded counts to the tip, for path lengths: implemented above by the device's kinematics and the
+/// workspace mapping. Pure: the same counts always give the same doubles. Writer thread.
 class IPositionOf {
 public:
     virtual ~IPositionOf() = default;

@@ -9,8 +9,10 @@
 
 namespace chiron::recording {
 
-Recorder::Recorder(ChannelTable table, const IPositionOf& positionOf, TrialSink& sink, const RecorderSettings& settings)
-    : m_encoder(std::move(table)), m_summaries(positionOf, settings.forceLimit_N), m_sink(sink), m_settings(settings) {
+Recorder::Recorder(ChannelTable table, const IPositionOf& positionOf, TrialSink& sink,
+                   const RecorderSettings& settings)
+    : m_encoder(std::move(table)), m_summaries(positionOf, settings.forceLimit_N), m_sink(sink),
+      m_settings(settings) {
     m_settings.framesPerChunk = std::clamp<std::uint32_t>(settings.framesPerChunk, 1, kMaximumFramesPerChunk);
     m_open.resize(m_settings.framesPerChunk);
 }
@@ -19,8 +21,8 @@ core::Result<void> Recorder::resume(ChunkSource& stored) {
     auto reader = RecordingReader::open(stored);
     if (!reader)
         return tl::make_unexpected(reader.error());
-    // All of it, though only the last second is missing: a second may depend on any earlier one when a device's clock
-    // was set back, and a whole session takes a fraction of a second.
+    // All of it, though only the last second is missing: a second may depend on any earlier one when a
+    // device's clock was set back, and a whole session takes a fraction of a second.
     std::vector<SecondSummary> storedAlready;
     for (std::size_t i = 0; i < reader->chunkCount(); ++i) {
         const auto frames = reader->framesOf(i);
@@ -40,9 +42,9 @@ core::Result<void> Recorder::add(std::span<const core::HapticFrame> frames) {
     const auto tools = static_cast<std::uint32_t>(m_encoder.table().tools());
     for (const core::HapticFrame& frame : frames) {
         if (frame.tools != tools)
-            return core::fail(core::ErrorCode::wrongUse, "recording: tick " + std::to_string(frame.header.index) + " has " +
-                                                             std::to_string(frame.tools) + " tools, expected " +
-                                                             std::to_string(tools));
+            return core::fail(core::ErrorCode::wrongUse,
+                              "recording: tick " + std::to_string(frame.header.index) + " has " +
+                                  std::to_string(frame.tools) + " tools, expected " + std::to_string(tools));
         ++m_taken;
         if (frame.header.index < m_nextTick)
             continue; // stored before a crash

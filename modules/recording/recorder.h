@@ -15,38 +15,41 @@
 namespace chiron::recording {
 
 struct RecorderSettings {
-    std::uint32_t framesPerChunk = 200;       ///< 1..kMaximumFramesPerChunk
-    std::int64_t chunkSpan_ns = 200'000'000;  ///< a chunk is closed when its first frame is this old
-    double forceLimit_N = 4.0;                ///< for timeOverLimit_s
+    std::uint32_t framesPerChunk = 200;      ///< 1..kMaximumFramesPerChunk
+    std::int64_t chunkSpan_ns = 200'000'000; ///< a chunk is closed when its first frame is this old
+    double forceLimit_N = 4.0;               ///< for timeOverLimit_s
 };
 
-/// Frames -> chunks and per-second summaries -> TrialSink, in batches of one call. Chunks and the summaries of the seconds
-/// that end in them go together; the sink stores all or nothing; what it refuses is kept and offered again. A second is
-/// handed over once, when a later one begins or at finish(). Writer thread; may allocate. Not copied.
+/// Frames -> chunks and per-second summaries -> TrialSink, in batches of one call. Chunks and the summaries
+/// of the seconds that end in them go together; the sink stores all or nothing; what it refuses is kept and
+/// offered again. A second is handed over once, when a later one begins or at finish(). Writer thread; may
+/// allocate. Not copied.
 class Recorder {
 public:
-    Recorder(ChannelTable table, const IPositionOf& positionOf, TrialSink& sink, const RecorderSettings& settings);
+    Recorder(ChannelTable table, const IPositionOf& positionOf, TrialSink& sink,
+             const RecorderSettings& settings);
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// After a crash: goes on behind what `stored` holds (same table). The second that was unfinished is added up again
-    /// from the stored frames, so that the totals are those of an undisturbed session. Frames whose tick is stored
-    /// already are left out by add(). Error: as RecordingReader.
+    /// After a crash: goes on behind what `stored` holds (same table). The second that was unfinished is
+    /// added up again from the stored frames, so that the totals are those of an undisturbed session. Frames
+    /// whose tick is stored already are left out by add(). Error: as RecordingReader.
     core::Result<void> resume(ChunkSource& stored);
 
-    /// Takes frames in order of their ticks; closes chunks as they fill. Error: wrongUse for a frame with another number
-    /// of tools than the table, or after finish().
+    /// Takes frames in order of their ticks; closes chunks as they fill. Error: wrongUse for a frame with
+    /// another number of tools than the table, or after finish().
     core::Result<void> add(std::span<const core::HapticFrame> frames);
-    /// Closes the open chunk if its first frame is chunkSpan_ns or more before now_ns (clock of TickHeader::now_ns).
+    /// Closes the open chunk if its first frame is chunkSpan_ns or more before now_ns (clock of
+    /// TickHeader::now_ns).
     core::Result<void> closeOld(std::int64_t now_ns);
     /// Hands closed chunks over. Error: the sink's; everything is kept for the next call.
     core::Result<void> write();
     /// Closes the open chunk and second and writes. May be called again after an Error.
     core::Result<void> finish();
 
-    std::uint64_t framesTaken() const noexcept { return m_taken; }       ///< by add(), left-out ones included
+    std::uint64_t framesTaken() const noexcept { return m_taken; } ///< by add(), left-out ones included
     std::uint64_t framesCommitted() const noexcept { return m_committed; } ///< of those, stored for good
-    std::uint64_t bytesWritten() const noexcept { return m_bytes; }      ///< payload bytes stored
+    std::uint64_t bytesWritten() const noexcept { return m_bytes; }        ///< payload bytes stored
     std::uint32_t chunksWritten() const noexcept { return m_chunksWritten; }
 
 private:

@@ -39,8 +39,9 @@ core::Result<Chunk> RecordingReader::checkedChunk(std::size_t sequence) {
         return chunk;
     const Digest found = payloadDigestOf(*chunk);
     if (found != chunk->payloadDigest)
-        return core::fail(ErrorCode::doesNotHold, "chunk " + std::to_string(sequence) + ": its digest is " + toHex(found) +
-                                                      ", expected " + toHex(chunk->payloadDigest));
+        return core::fail(ErrorCode::doesNotHold, "chunk " + std::to_string(sequence) + ": its digest is " +
+                                                      toHex(found) + ", expected " +
+                                                      toHex(chunk->payloadDigest));
     m_checked[sequence] = true;
     return chunk;
 }
@@ -110,17 +111,19 @@ core::Result<core::HapticFrame> RecordingReader::frameAtTick(std::uint64_t tick)
             break;
         const auto away = (static_cast<double>(tick) - static_cast<double>(chunk->firstTick)) / chunk->frames;
         const double aim = std::floor(static_cast<double>(guess) + away);
-        guess = tries < kGuesses ? static_cast<std::size_t>(std::clamp(aim, static_cast<double>(low), static_cast<double>(high - 1)))
+        guess = tries < kGuesses ? static_cast<std::size_t>(std::clamp(aim, static_cast<double>(low),
+                                                                       static_cast<double>(high - 1)))
                                  : low + (high - low) / 2;
     }
     return core::fail(ErrorCode::notFound, "tick " + std::to_string(tick) + " is not in the recording");
 }
 
-core::Result<std::vector<std::int64_t>> RecordingReader::channelCounts(std::uint8_t tool, std::string_view id) {
+core::Result<std::vector<std::int64_t>> RecordingReader::channelCounts(std::uint8_t tool,
+                                                                       std::string_view id) {
     const auto channel = table().find(tool, id);
     if (!channel)
-        return core::fail(ErrorCode::notFound, "recording: tool " + std::to_string(tool) + " has no channel \"" +
-                                                   std::string(id) + "\"");
+        return core::fail(ErrorCode::notFound, "recording: tool " + std::to_string(tool) +
+                                                   " has no channel \"" + std::string(id) + "\"");
     std::vector<std::int64_t> counts;
     for (std::size_t i = 0; i < m_checked.size(); ++i) {
         const auto chunk = checkedChunk(i);
@@ -140,8 +143,9 @@ core::Result<std::vector<double>> RecordingReader::channelValues(std::uint8_t to
     const double steps = stepsPerUnit(channel.resolution);
     std::vector<double> values(counts->size());
     for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = channel.kind == ChannelKind::quantised ? dequantise((*counts)[i], steps)
-                                                           : static_cast<double>((*counts)[i]) * channel.resolution;
+        values[i] = channel.kind == ChannelKind::quantised
+                        ? dequantise((*counts)[i], steps)
+                        : static_cast<double>((*counts)[i]) * channel.resolution;
     return values;
 }
 
@@ -162,8 +166,8 @@ core::Result<void> RecordingReader::verify() {
         for (const core::HapticFrame& frame : *frames) {
             if (frame.header.index < next)
                 return core::fail(ErrorCode::doesNotHold, "chunk " + std::to_string(i) + ": tick " +
-                                                              std::to_string(frame.header.index) + ", expected at least " +
-                                                              std::to_string(next));
+                                                              std::to_string(frame.header.index) +
+                                                              ", expected at least " + std::to_string(next));
             next = frame.header.index + 1;
         }
     }

@@ -13,12 +13,13 @@
 
 namespace chiron::recording {
 
-/// Reads a stored recording. Inputs come back as they were, wrenches at the stored resolution. A chunk's digest is checked
-/// when it is first touched: a damaged chunk is an Error (doesNotHold) that names it. The source must outlive the reader.
-/// Move-only, one thread at a time, blocks on the source.
+/// Reads a stored recording. Inputs come back as they were, wrenches at the stored resolution. A chunk's
+/// digest is checked when it is first touched: a damaged chunk is an Error (doesNotHold) that names it. The
+/// source must outlive the reader. Move-only, one thread at a time, blocks on the source.
 class RecordingReader {
 public:
-    /// Reads the table only, so that opening costs the same for any length. Errors: badInput (table), the source's own.
+    /// Reads the table only, so that opening costs the same for any length. Errors: badInput (table), the
+    /// source's own.
     static core::Result<RecordingReader> open(ChunkSource& source);
 
     const ChannelTable& table() const noexcept { return m_decoder.table(); }
@@ -30,18 +31,20 @@ public:
     /// Frames of one chunk, in order: the way to iterate without holding a whole session.
     core::Result<std::vector<core::HapticFrame>> framesOf(std::size_t sequence);
     core::Result<std::vector<core::HapticFrame>> allFrames();
-    /// Random access by executed tick: the chunk is guessed from the length of its neighbours, then searched; only the
-    /// one that holds the tick is decoded. Error: notFound.
+    /// Random access by executed tick: the chunk is guessed from the length of its neighbours, then searched;
+    /// only the one that holds the tick is decoded. Error: notFound.
     core::Result<core::HapticFrame> frameAtTick(std::uint64_t tick);
 
-    /// One channel over the whole recording without the rest, as counts. Error: notFound if the table has none such.
+    /// One channel over the whole recording without the rest, as counts. Error: notFound if the table has
+    /// none such.
     core::Result<std::vector<std::int64_t>> channelCounts(std::uint8_t tool, std::string_view id);
     /// The same in the channel's unit: counts × resolution, quantised channels as dequantise().
     core::Result<std::vector<double>> channelValues(std::uint8_t tool, std::string_view id);
 
     /// Hash of the unrounded forces of a chunk as recorded: what a replay compares (forceHashOf).
     core::Result<Digest> forceHash(std::size_t sequence);
-    /// Checks the digest and the decoding of every chunk, and that ticks rise. Error: the first that does not hold.
+    /// Checks the digest and the decoding of every chunk, and that ticks rise. Error: the first that does not
+    /// hold.
     core::Result<void> verify();
 
 private:

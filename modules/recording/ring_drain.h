@@ -9,14 +9,14 @@
 
 namespace chiron::recording {
 
-/// Reader's side of a live ring, in the same process: writer thread. Reading does not free slots; commit() does, so that
-/// what was read but not yet stored survives a crash. The ring must outlive it.
+/// Reader's side of a live ring, in the same process: writer thread. Reading does not free slots; commit()
+/// does, so that what was read but not yet stored survives a crash. The ring must outlive it.
 class RingDrain {
 public:
     explicit RingDrain(CrashRing& ring) noexcept;
 
-    /// Copies frames that were not read yet into `frames`, in order; returns how many. A slot whose checksum disagrees
-    /// (memory damage) is left out and counted in damaged().
+    /// Copies frames that were not read yet into `frames`, in order; returns how many. A slot whose checksum
+    /// disagrees (memory damage) is left out and counted in damaged().
     std::size_t read(std::span<core::HapticFrame> frames) noexcept;
     /// The first `frames` frames of the ring's life are stored for good: their slots may be used again.
     void commit(std::uint64_t frames) noexcept;

@@ -16,21 +16,26 @@ namespace chiron::recording {
 
 namespace {
 tl::unexpected<core::Error> refused(const std::filesystem::path& path, const std::string& what, int error) {
-    return core::fail(core::ErrorCode::storage, "crash ring " + path.string() + ": " + what + ": " + std::strerror(error));
+    return core::fail(core::ErrorCode::storage,
+                      "crash ring " + path.string() + ": " + what + ": " + std::strerror(error));
 }
 
 core::Result<void> checkSettings(const RingSettings& s) {
-    const bool slotsFit = std::has_single_bit(s.capacity) && s.capacity >= kMinimumSlots && s.capacity <= kMaximumSlots;
+    const bool slotsFit =
+        std::has_single_bit(s.capacity) && s.capacity >= kMinimumSlots && s.capacity <= kMaximumSlots;
     if (s.tools < 1 || s.tools > core::kMaxTools || !slotsFit)
         return core::fail(core::ErrorCode::wrongUse,
-                          "crash ring of " + std::to_string(s.tools) + " tools and " + std::to_string(s.capacity) +
-                              " slots, expected 1.." + std::to_string(core::kMaxTools) + " and a power of two in " +
+                          "crash ring of " + std::to_string(s.tools) + " tools and " +
+                              std::to_string(s.capacity) + " slots, expected 1.." +
+                              std::to_string(core::kMaxTools) + " and a power of two in " +
                               std::to_string(kMinimumSlots) + ".." + std::to_string(kMaximumSlots));
     return {};
 }
 } // namespace
 
-RingFile::RingFile(RingFile&& other) noexcept { *this = std::move(other); }
+RingFile::RingFile(RingFile&& other) noexcept {
+    *this = std::move(other);
+}
 
 RingFile& RingFile::operator=(RingFile&& other) noexcept {
     if (this == &other)
@@ -46,7 +51,9 @@ RingFile& RingFile::operator=(RingFile&& other) noexcept {
     return *this;
 }
 
-RingFile::~RingFile() { close(); }
+RingFile::~RingFile() {
+    close();
+}
 
 void RingFile::close() noexcept {
     if (m_base)
@@ -74,11 +81,13 @@ core::Result<RingFile> RingFile::create(const RingSettings& settings) {
     return file;
 }
 
-// Locked from its first moment and complete before it gets its name: nobody takes it for the ring of a dead program.
+// Locked from its first moment and complete before it gets its name: nobody takes it for the ring of a dead
+// program.
 core::Result<void> RingFile::make(const std::filesystem::path& part, std::size_t bytes) {
     rlimit limit{};
     if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur < bytes) // else the kernel sends SIGXFSZ
-        return refused(part, "needs " + std::to_string(bytes) + " bytes, the limit on file size forbids it", EFBIG);
+        return refused(part, "needs " + std::to_string(bytes) + " bytes, the limit on file size forbids it",
+                       EFBIG);
     m_descriptor = open(part.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600);
     if (m_descriptor < 0)
         return refused(part, "cannot be created", errno);

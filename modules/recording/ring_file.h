@@ -14,16 +14,16 @@ struct RingSettings {
     std::filesystem::path folder; ///< memory-backed, for the haptic thread's sake: defaultRingFolder()
     DatabaseId database{};
     std::int64_t session = 0;
-    int tools = 1;              ///< 1..kMaxTools; decides the slot size
+    int tools = 1;                 ///< 1..kMaxTools; decides the slot size
     std::uint32_t capacity = 4096; ///< a power of two, kMinimumSlots..kMaximumSlots: at least 4 s at 1 kHz
 };
 
-/// A created, fully allocated, faulted-in, mapped and locked ring file: touching it makes no page fault and raises no
-/// SIGBUS, since every page was there before. Move-only. Everything that blocks is in create().
+/// A created, fully allocated, faulted-in, mapped and locked ring file: touching it makes no page fault and
+/// raises no SIGBUS, since every page was there before. Move-only. Everything that blocks is in create().
 class RingFile {
 public:
-    /// Errors: wrongUse for settings out of range, storage if the file cannot be made or there is too little room for
-    /// all of it (nothing is left behind then).
+    /// Errors: wrongUse for settings out of range, storage if the file cannot be made or there is too little
+    /// room for all of it (nothing is left behind then).
     static core::Result<RingFile> create(const RingSettings& settings);
     RingFile(const RingFile&) = delete;
     RingFile& operator=(const RingFile&) = delete;
@@ -33,7 +33,9 @@ public:
 
     RingHeader& header() const noexcept { return *reinterpret_cast<RingHeader*>(m_base); }
     /// Slot of the ring's n-th frame (n counts from 0 and never wraps).
-    std::uint8_t* slot(std::uint64_t n) const noexcept { return m_base + kRingHeaderBytes + (n & m_mask) * m_slotBytes; }
+    std::uint8_t* slot(std::uint64_t n) const noexcept {
+        return m_base + kRingHeaderBytes + (n & m_mask) * m_slotBytes;
+    }
     std::uint64_t capacity() const noexcept { return m_mask + 1; }
     std::uint32_t tools() const noexcept { return m_tools; }
     const std::filesystem::path& path() const noexcept { return m_path; }

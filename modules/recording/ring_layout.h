@@ -37,7 +37,8 @@ struct RingHeader {
     alignas(kCacheLine) std::uint64_t dropped = 0;   ///< written by the haptic thread (atomic)
 };
 
-/// Start of each slot; the frame's used bytes follow. `number` is written last: n + 1 for the ring's n-th frame.
+/// Start of each slot; the frame's used bytes follow. `number` is written last: n + 1 for the ring's n-th
+/// frame.
 struct SlotHeader {
     std::uint64_t number = 0;
     std::uint32_t checksum = 0; ///< copyWithChecksum() over number and used bytes

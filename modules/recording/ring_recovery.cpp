@@ -19,7 +19,9 @@ namespace chiron::recording {
 namespace {
 using core::ErrorCode;
 
-std::string named(const std::filesystem::path& path) { return "crash ring " + path.string() + ": "; }
+std::string named(const std::filesystem::path& path) {
+    return "crash ring " + path.string() + ": ";
+}
 
 /// Plain reads, not a mapping: a file that shrinks meanwhile gives an Error, not a SIGBUS.
 bool readAt(int descriptor, std::size_t offset, void* to, std::size_t bytes) noexcept {
@@ -45,9 +47,11 @@ std::string headerFlaw(const RingHeader& h, std::size_t fileBytes) {
     if (h.magic != kRingMagic)
         return expected(offsetof(RingHeader, magic), "the mark of a crash ring");
     if (h.version != kRingVersion)
-        return expected(offsetof(RingHeader, version), "version " + std::to_string(kRingVersion) + ", found " + std::to_string(h.version));
+        return expected(offsetof(RingHeader, version),
+                        "version " + std::to_string(kRingVersion) + ", found " + std::to_string(h.version));
     if (h.frameLayout != core::kFrameLayoutVersion)
-        return expected(offsetof(RingHeader, frameLayout), "frame layout " + std::to_string(core::kFrameLayoutVersion) +
+        return expected(offsetof(RingHeader, frameLayout), "frame layout " +
+                                                               std::to_string(core::kFrameLayoutVersion) +
                                                                ", found " + std::to_string(h.frameLayout));
     if (h.checksum != identityChecksum(h))
         return expected(offsetof(RingHeader, checksum), "the checksum of the header");
@@ -56,11 +60,12 @@ std::string headerFlaw(const RingHeader& h, std::size_t fileBytes) {
     if (!std::has_single_bit(h.capacity) || h.capacity < kMinimumSlots || h.capacity > kMaximumSlots)
         return expected(offsetof(RingHeader, capacity), "a power of two slots");
     if (h.slotBytes != slotBytesFor(h.tools))
-        return expected(offsetof(RingHeader, slotBytes), std::to_string(slotBytesFor(h.tools)) + " bytes a slot");
+        return expected(offsetof(RingHeader, slotBytes),
+                        std::to_string(slotBytesFor(h.tools)) + " bytes a slot");
     const std::size_t whole = kRingHeaderBytes + std::size_t{h.capacity} * h.slotBytes;
     if (fileBytes != whole)
-        return expected(std::min(fileBytes, whole), "a file of " + std::to_string(whole) + " bytes, found " +
-                                                        std::to_string(fileBytes));
+        return expected(std::min(fileBytes, whole),
+                        "a file of " + std::to_string(whole) + " bytes, found " + std::to_string(fileBytes));
     return {};
 }
 
@@ -71,11 +76,13 @@ core::Result<std::vector<core::HapticFrame>> uncommitted(int descriptor, const R
     std::array<std::uint8_t, slotBytesFor(core::kMaxTools)> bytes{};
     for (std::uint64_t n = h.committed; n - h.committed < h.capacity; ++n) {
         if (!readAt(descriptor, kRingHeaderBytes + (n % h.capacity) * h.slotBytes, bytes.data(), h.slotBytes))
-            return core::fail(ErrorCode::storage, "slot " + std::to_string(n % h.capacity) + " cannot be read");
+            return core::fail(ErrorCode::storage,
+                              "slot " + std::to_string(n % h.capacity) + " cannot be read");
         SlotHeader slot;
         std::memcpy(&slot, bytes.data(), sizeof(slot));
         core::HapticFrame frame;
-        const std::uint32_t found = copy(n + 1, &frame, bytes.data() + sizeof(slot), usedFrameBytes(h.tools) / 8);
+        const std::uint32_t found =
+            copy(n + 1, &frame, bytes.data() + sizeof(slot), usedFrameBytes(h.tools) / 8);
         if (slot.number != n + 1 || slot.checksum != found || frame.tools != h.tools)
             break;
         frames.push_back(frame);
@@ -88,7 +95,8 @@ std::vector<std::filesystem::path> listFiles(const std::filesystem::path& folder
     std::vector<std::filesystem::path> found;
     const std::string prefix = ringFilePrefix(database);
     std::error_code error;
-    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
+         it.increment(error)) {
         const std::string name = it->path().filename().string();
         if (name.starts_with(prefix) && name.ends_with(suffix))
             found.push_back(it->path());
@@ -98,7 +106,9 @@ std::vector<std::filesystem::path> listFiles(const std::filesystem::path& folder
 }
 } // namespace
 
-RecoveredRing::RecoveredRing(RecoveredRing&& other) noexcept { *this = std::move(other); }
+RecoveredRing::RecoveredRing(RecoveredRing&& other) noexcept {
+    *this = std::move(other);
+}
 
 RecoveredRing& RecoveredRing::operator=(RecoveredRing&& other) noexcept {
     if (this == &other)
@@ -145,7 +155,8 @@ core::Result<RecoveredRing> recoverRing(const std::filesystem::path& path) {
         return core::fail(ErrorCode::notFound, named(path) + "was recovered by another program");
     const auto bytes = static_cast<std::size_t>(about.st_size);
     if (bytes < kRingHeaderBytes || !readAt(ring.m_descriptor, 0, &ring.m_header, sizeof(RingHeader)))
-        return core::fail(ErrorCode::badInput, named(path) + "byte " + std::to_string(bytes) + ": expected a header of " +
+        return core::fail(ErrorCode::badInput, named(path) + "byte " + std::to_string(bytes) +
+                                                   ": expected a header of " +
                                                    std::to_string(kRingHeaderBytes) + " bytes");
     if (const std::string flaw = headerFlaw(ring.m_header, bytes); !flaw.empty())
         return core::fail(ErrorCode::badInput, named(path) + flaw);
@@ -156,7 +167,8 @@ core::Result<RecoveredRing> recoverRing(const std::filesystem::path& path) {
     return ring;
 }
 
-std::vector<std::filesystem::path> listRings(const std::filesystem::path& folder, const DatabaseId& database) {
+std::vector<std::filesystem::path> listRings(const std::filesystem::path& folder,
+                                             const DatabaseId& database) {
     return listFiles(folder, database, kRingSuffix);
 }
 

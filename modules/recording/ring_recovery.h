@@ -11,7 +11,8 @@
 
 namespace chiron::recording {
 
-/// What a dead ring still held. Keeps the file's lock, so that two programs never recover one ring; move-only.
+/// What a dead ring still held. Keeps the file's lock, so that two programs never recover one ring;
+/// move-only.
 class RecoveredRing {
 public:
     RecoveredRing(const RecoveredRing&) = delete;
@@ -24,11 +25,16 @@ public:
     std::int64_t session() const noexcept { return m_header.session; }
     std::int64_t pid() const noexcept { return m_header.pid; } ///< of the program that died
     int tools() const noexcept { return static_cast<int>(m_header.tools); }
-    std::uint64_t committed() const noexcept { return m_header.committed; } ///< frames that the drain had marked as stored
-    std::uint64_t dropped() const noexcept { return m_header.dropped; }     ///< at a full ring: not 0 is incomplete
+    std::uint64_t committed() const noexcept {
+        return m_header.committed;
+    } ///< frames that the drain had marked as stored
+    std::uint64_t dropped() const noexcept {
+        return m_header.dropped;
+    }                      ///< at a full ring: not 0 is incomplete
     bool sameBoot() const; ///< false: the machine was restarted since, the newest samples may be missing
-    /// Frames after the committed ones, in order, up to the first slot that is missing or damaged. The mark may lag
-    /// behind the database by one batch: leave out ticks that are stored already (Recorder::resume sees to it).
+    /// Frames after the committed ones, in order, up to the first slot that is missing or damaged. The mark
+    /// may lag behind the database by one batch: leave out ticks that are stored already (Recorder::resume
+    /// sees to it).
     const std::vector<core::HapticFrame>& frames() const noexcept { return m_frames; }
     /// Deletes the file, once the frames are stored.
     core::Result<void> remove();
@@ -42,8 +48,9 @@ private:
     std::vector<core::HapticFrame> m_frames;
 };
 
-/// Reads a ring whose program has died. The caller holds the database lock. Errors: locked if its program still
-/// lives, badInput if it is no ring of this layout (naming offset and expectation), storage if it cannot be read.
+/// Reads a ring whose program has died. The caller holds the database lock. Errors: locked if its program
+/// still lives, badInput if it is no ring of this layout (naming offset and expectation), storage if it
+/// cannot be read.
 core::Result<RecoveredRing> recoverRing(const std::filesystem::path& path);
 
 /// Rings of one database in a folder, dead or alive, by file name; a missing folder has none.

@@ -49,7 +49,8 @@ void SecondSummaries::addTool(int tool, const core::HapticFrame& frame, std::vec
     state.hasLast = frame.header.paused == 0;
 }
 
-void SecondSummaries::addMoving(Tool& state, const core::ToolFrame& frame, const core::Vec3& p_WT) const noexcept {
+void SecondSummaries::addMoving(Tool& state, const core::ToolFrame& frame,
+                                const core::Vec3& p_WT) const noexcept {
     SecondSummary& sum = state.sum;
     const core::Array6 f = roundedWrench(frame.tissue);
     const double force_N = std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);

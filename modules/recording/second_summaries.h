@@ -11,12 +11,12 @@
 
 namespace chiron::recording {
 
-/// Adds frames up to one SecondSummary a second and tool. t is device time since the tool's first frame; a frame belongs
-/// to second floor(t), never to an earlier one than the frame before (a device clock set back reorders nothing). Force is
-/// the rounded tissue force (roundedWrench), so that live and later sums are the same doubles. Between consecutive
-/// unpaused frames k−1, k: path += ‖p_k − p_{k−1}‖, impulse += ½(F_{k−1} + F_k) Δt, time over limit += Δt if F_k > limit;
-/// all credited to the second of k. Paused frames count in no number but `events`; non-finite forces are left out of
-/// maximum, mean and impulse. Copyable.
+/// Adds frames up to one SecondSummary a second and tool. t is device time since the tool's first frame; a
+/// frame belongs to second floor(t), never to an earlier one than the frame before (a device clock set back
+/// reorders nothing). Force is the rounded tissue force (roundedWrench), so that live and later sums are the
+/// same doubles. Between consecutive unpaused frames k−1, k: path += ‖p_k − p_{k−1}‖, impulse += ½(F_{k−1} +
+/// F_k) Δt, time over limit += Δt if F_k > limit; all credited to the second of k. Paused frames count in no
+/// number but `events`; non-finite forces are left out of maximum, mean and impulse. Copyable.
 class SecondSummaries {
 public:
     SecondSummaries(const IPositionOf& positionOf, double forceLimit_N) noexcept;
@@ -28,9 +28,9 @@ public:
 
 private:
     struct Tool {
-        bool started = false;  ///< device time zero is known
-        bool open = false;     ///< `sum` holds frames
-        bool hasLast = false;  ///< the last frame was not paused
+        bool started = false; ///< device time zero is known
+        bool open = false;    ///< `sum` holds frames
+        bool hasLast = false; ///< the last frame was not paused
         std::uint64_t zero_us = 0;
         std::uint64_t last_us = 0;
         double lastForce_N = 0.0;

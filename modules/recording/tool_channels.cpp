@@ -39,12 +39,13 @@ void addHeader(std::vector<Channel>& out) {
     for (const char* id : {"events", "guards", "trial"})
         out.push_back(lossless(kNoTool, id));
     out.push_back(lossless(kNoTool, "heartbeat_age", "ms"));
-    for (const char* id : {"phase", "force_state", "paused", "command_0_kind", "command_0_argument", "command_1_kind",
-                           "command_1_argument"})
+    for (const char* id : {"phase", "force_state", "paused", "command_0_kind", "command_0_argument",
+                           "command_1_kind", "command_1_argument"})
         out.push_back(lossless(kNoTool, id));
 }
 
-void addWrench(std::vector<Channel>& out, std::uint8_t tool, const std::string& name, std::optional<std::size_t> reference) {
+void addWrench(std::vector<Channel>& out, std::uint8_t tool, const std::string& name,
+               std::optional<std::size_t> reference) {
     static constexpr std::array<const char*, 6> kParts = {".fx", ".fy", ".fz", ".tx", ".ty", ".tz"};
     for (std::size_t i = 0; i < kParts.size(); ++i) {
         Channel c = i < 3 ? quantised(tool, name + kParts[i], "N", kForceResolution_N, "W")
@@ -79,14 +80,16 @@ void addTool(std::vector<Channel>& out, std::uint8_t tool, const ToolChannels& i
 
 core::Result<ChannelTable> ChannelTable::forTools(std::span<const ToolChannels> tools) {
     if (tools.empty() || tools.size() > core::kMaxTools)
-        return core::fail(core::ErrorCode::wrongUse, "recording: " + std::to_string(tools.size()) + " tools, expected 1.." +
+        return core::fail(core::ErrorCode::wrongUse, "recording: " + std::to_string(tools.size()) +
+                                                         " tools, expected 1.." +
                                                          std::to_string(core::kMaxTools));
     std::vector<Channel> channels;
     addHeader(channels);
     for (std::size_t t = 0; t < tools.size(); ++t) {
         if (tools[t].axes.empty() || tools[t].axes.size() > core::kMaxCoordinates)
             return core::fail(core::ErrorCode::wrongUse, "recording: tool " + std::to_string(t) + " has " +
-                                                             std::to_string(tools[t].axes.size()) + " axes, expected 1.." +
+                                                             std::to_string(tools[t].axes.size()) +
+                                                             " axes, expected 1.." +
                                                              std::to_string(core::kMaxCoordinates));
         addTool(channels, static_cast<std::uint8_t>(t), tools[t]);
     }

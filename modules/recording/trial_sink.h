@@ -12,7 +12,8 @@ namespace chiron::recording {
 
 using Digest = std::array<std::uint8_t, 32>; ///< BLAKE2b-256 (libsodium crypto_generichash)
 
-/// One second of one tool, kept beside the chunks so that questions over thousands of sessions need no samples.
+/// One second of one tool, kept beside the chunks so that questions over thousands of sessions need no
+/// samples.
 struct SecondSummary {
     std::uint32_t second = 0; ///< floor(device time since the first frame / 1 s)
     std::uint8_t tool = 0;
@@ -39,9 +40,10 @@ struct Chunk {
 class TrialSink {
 public:
     virtual ~TrialSink() = default;
-    /// Stores a batch in one transaction: all or nothing. A summary of a (tool, second) that is there already (only after
-    /// a crash between the last write and the end of the session) is replaced.
-    virtual core::Result<void> write(std::span<const Chunk> chunks, std::span<const SecondSummary> summaries) = 0;
+    /// Stores a batch in one transaction: all or nothing. A summary of a (tool, second) that is there already
+    /// (only after a crash between the last write and the end of the session) is replaced.
+    virtual core::Result<void> write(std::span<const Chunk> chunks,
+                                     std::span<const SecondSummary> summaries) = 0;
 };
 
 /// Where chunks come from: a stored session, a bundle, memory.
@@ -50,7 +52,8 @@ public:
     virtual ~ChunkSource() = default;
     virtual core::Result<std::vector<std::uint8_t>> channelTable() = 0; ///< encoded (channel_table.h)
     virtual std::size_t chunkCount() const = 0;
-    virtual core::Result<Chunk> chunk(std::size_t sequence) = 0; ///< digest is checked by the reader, not here
+    virtual core::Result<Chunk>
+    chunk(std::size_t sequence) = 0; ///< digest is checked by the reader, not here
 };
 
 } // namespace chiron::recording

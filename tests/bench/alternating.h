@@ -14,8 +14,7 @@ inline double seconds(clockid_t clock) {
     return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
 }
 
-template <class Work>
-double cpuSeconds(Work&& work) {
+template <class Work> double cpuSeconds(Work&& work) {
     const double start = seconds(CLOCK_THREAD_CPUTIME_ID);
     work();
     return seconds(CLOCK_THREAD_CPUTIME_ID) - start;

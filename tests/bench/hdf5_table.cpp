@@ -13,7 +13,8 @@ namespace chiron::bench {
 namespace {
 constexpr hsize_t kSecond = 1000;
 
-double readBlock(const std::filesystem::path& file, hsize_t row, hsize_t rows, hsize_t column, hsize_t columns) {
+double readBlock(const std::filesystem::path& file, hsize_t row, hsize_t rows, hsize_t column,
+                 hsize_t columns) {
     const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     const hid_t data = H5Dopen2(id, "samples", H5P_DEFAULT);
     const hid_t space = H5Dget_space(data);
@@ -39,7 +40,9 @@ double readBlock(const std::filesystem::path& file, hsize_t row, hsize_t rows, h
 }
 } // namespace
 
-bool Hdf5Table::available() { return true; }
+bool Hdf5Table::available() {
+    return true;
+}
 
 void Hdf5Table::write(const std::filesystem::path& file, std::span<const core::HapticFrame> frames) {
     const hid_t id = H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
@@ -80,12 +83,20 @@ double Hdf5Table::readSpan(const std::filesystem::path& file, std::uint64_t firs
     return readBlock(file, first, frames, 0, kRowChannels);
 }
 
-double Hdf5Table::scanOne(const std::filesystem::path& file) { return readBlock(file, 0, 0, 8, 1); }
+double Hdf5Table::scanOne(const std::filesystem::path& file) {
+    return readBlock(file, 0, 0, 8, 1);
+}
 #else
-bool Hdf5Table::available() { return false; }
+bool Hdf5Table::available() {
+    return false;
+}
 void Hdf5Table::write(const std::filesystem::path&, std::span<const core::HapticFrame>) {}
-double Hdf5Table::readSpan(const std::filesystem::path&, std::uint64_t, std::uint64_t) { return 0.0; }
-double Hdf5Table::scanOne(const std::filesystem::path&) { return 0.0; }
+double Hdf5Table::readSpan(const std::filesystem::path&, std::uint64_t, std::uint64_t) {
+    return 0.0;
+}
+double Hdf5Table::scanOne(const std::filesystem::path&) {
+    return 0.0;
+}
 #endif
 
 } // namespace chiron::bench

@@ -8,8 +8,8 @@
 
 namespace chiron::bench {
 
-/// The other peer: an HDF5 dataset of 24 doubles a sample, chunks of one second, shuffle and deflate 1, appended and
-/// flushed once a second. Not measured where the library is missing.
+/// The other peer: an HDF5 dataset of 24 doubles a sample, chunks of one second, shuffle and deflate 1,
+/// appended and flushed once a second. Not measured where the library is missing.
 class Hdf5Table {
 public:
     static bool available();

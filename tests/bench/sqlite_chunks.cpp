@@ -7,18 +7,24 @@
 
 namespace chiron::bench {
 
-SqliteChunks::SqliteChunks(const std::filesystem::path& file, std::vector<std::uint8_t> table) : m_table(std::move(table)) {
+SqliteChunks::SqliteChunks(const std::filesystem::path& file, std::vector<std::uint8_t> table)
+    : m_table(std::move(table)) {
     sqlite3_open(file.c_str(), &m_database);
-    sqliteExec(m_database,
-               "PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA mmap_size=268435456;"
-               "CREATE TABLE IF NOT EXISTS chunk(sequence INTEGER PRIMARY KEY, first_tick INTEGER, frames INTEGER,"
-               " digest BLOB, force_hash BLOB, payload BLOB);"
-               "CREATE TABLE IF NOT EXISTS second(tool INTEGER, second INTEGER, frames INTEGER, path REAL, maximum REAL,"
-               " mean REAL, impulse REAL, over REAL, events INTEGER, PRIMARY KEY(tool, second)) WITHOUT ROWID");
+    sqliteExec(
+        m_database,
+        "PRAGMA journal_mode=WAL; PRAGMA synchronous=FULL; PRAGMA mmap_size=268435456;"
+        "CREATE TABLE IF NOT EXISTS chunk(sequence INTEGER PRIMARY KEY, first_tick INTEGER, frames INTEGER,"
+        " digest BLOB, force_hash BLOB, payload BLOB);"
+        "CREATE TABLE IF NOT EXISTS second(tool INTEGER, second INTEGER, frames INTEGER, path REAL, maximum "
+        "REAL,"
+        " mean REAL, impulse REAL, over REAL, events INTEGER, PRIMARY KEY(tool, second)) WITHOUT ROWID");
     sqlite3_prepare_v2(m_database, "INSERT INTO chunk VALUES(?,?,?,?,?,?)", -1, &m_insert, nullptr);
-    sqlite3_prepare_v2(m_database, "INSERT OR REPLACE INTO second VALUES(?,?,?,?,?,?,?,?,?)", -1, &m_summary, nullptr);
-    sqlite3_prepare_v2(m_database, "SELECT first_tick, frames, digest, force_hash, payload FROM chunk WHERE sequence >= ? ORDER BY sequence", -1,
-                       &m_select, nullptr);
+    sqlite3_prepare_v2(m_database, "INSERT OR REPLACE INTO second VALUES(?,?,?,?,?,?,?,?,?)", -1, &m_summary,
+                       nullptr);
+    sqlite3_prepare_v2(m_database,
+                       "SELECT first_tick, frames, digest, force_hash, payload FROM chunk WHERE sequence >= "
+                       "? ORDER BY sequence",
+                       -1, &m_select, nullptr);
 }
 
 SqliteChunks::~SqliteChunks() {
@@ -34,8 +40,10 @@ core::Result<void> SqliteChunks::write(std::span<const recording::Chunk> chunks,
         sqlite3_bind_int64(m_insert, 1, c.sequence);
         sqlite3_bind_int64(m_insert, 2, static_cast<sqlite3_int64>(c.firstTick));
         sqlite3_bind_int64(m_insert, 3, c.frames);
-        sqlite3_bind_blob(m_insert, 4, c.payloadDigest.data(), static_cast<int>(c.payloadDigest.size()), SQLITE_STATIC);
-        sqlite3_bind_blob(m_insert, 5, c.forceHash.data(), static_cast<int>(c.forceHash.size()), SQLITE_STATIC);
+        sqlite3_bind_blob(m_insert, 4, c.payloadDigest.data(), static_cast<int>(c.payloadDigest.size()),
+                          SQLITE_STATIC);
+        sqlite3_bind_blob(m_insert, 5, c.forceHash.data(), static_cast<int>(c.forceHash.size()),
+                          SQLITE_STATIC);
         sqlite3_bind_blob(m_insert, 6, c.payload.data(), static_cast<int>(c.payload.size()), SQLITE_STATIC);
         sqlite3_step(m_insert);
         sqlite3_reset(m_insert);
@@ -85,6 +93,8 @@ core::Result<recording::Chunk> SqliteChunks::chunk(std::size_t sequence) {
     return c;
 }
 
-void SqliteChunks::finish() { sqliteExec(m_database, "PRAGMA wal_checkpoint(TRUNCATE)"); }
+void SqliteChunks::finish() {
+    sqliteExec(m_database, "PRAGMA wal_checkpoint(TRUNCATE)");
+}
 
 } // namespace chiron::bench

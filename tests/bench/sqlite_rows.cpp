@@ -69,7 +69,8 @@ void SqliteRows::finish() {
 
 double SqliteRows::readSpan(std::uint64_t firstTick, std::uint64_t frames) {
     sqlite3_stmt* select = nullptr;
-    sqlite3_prepare_v2(m_database, "SELECT * FROM sample WHERE tick >= ? ORDER BY tick LIMIT ?", -1, &select, nullptr);
+    sqlite3_prepare_v2(m_database, "SELECT * FROM sample WHERE tick >= ? ORDER BY tick LIMIT ?", -1, &select,
+                       nullptr);
     sqlite3_bind_int64(select, 1, static_cast<sqlite3_int64>(firstTick));
     sqlite3_bind_int64(select, 2, static_cast<sqlite3_int64>(frames));
     double sum = 0.0;

@@ -26,8 +26,9 @@ public:
 
     void append(const core::HapticFrame& frame); ///< begins and commits by itself
     void finish();
-    double readSpan(std::uint64_t firstTick, std::uint64_t frames); ///< all columns; returns a sum, so that it is done
-    double scanOne();                                               ///< tissue fz over the whole table; sum
+    double readSpan(std::uint64_t firstTick,
+                    std::uint64_t frames); ///< all columns; returns a sum, so that it is done
+    double scanOne();                      ///< tissue fz over the whole table; sum
 
 private:
     sqlite3* m_database = nullptr;

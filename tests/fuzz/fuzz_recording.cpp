@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 100,000 seeded mutations of real chunks: every one gives frames or an Error, and never more than the caps allow.
+// 100,000 seeded mutations of real chunks: every one gives frames or an Error, and never more than the caps
+// allow.
 #include "core/random.h"
 #include "recording/chunk_decoder.h"
 #include "recording/chunk_encoder.h"
@@ -21,12 +22,24 @@ void mutate(std::vector<std::uint8_t>& bytes, core::Random& random) {
     for (std::uint64_t edits = 1 + random.below(6); edits > 0 && !bytes.empty(); --edits) {
         const auto at = static_cast<std::ptrdiff_t>(random.below(bytes.size()));
         switch (random.below(6)) {
-        case 0: bytes[static_cast<std::size_t>(at)] ^= static_cast<std::uint8_t>(1u << random.below(8)); break;
-        case 1: bytes[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(random.next()); break;
-        case 2: bytes[static_cast<std::size_t>(at)] = random.below(2) ? 0xff : 0x40; break;
-        case 3: bytes.erase(bytes.begin() + at); break;
-        case 4: bytes.insert(bytes.begin() + at, static_cast<std::uint8_t>(random.next())); break;
-        default: bytes.resize(static_cast<std::size_t>(at)); break;
+        case 0:
+            bytes[static_cast<std::size_t>(at)] ^= static_cast<std::uint8_t>(1u << random.below(8));
+            break;
+        case 1:
+            bytes[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(random.next());
+            break;
+        case 2:
+            bytes[static_cast<std::size_t>(at)] = random.below(2) ? 0xff : 0x40;
+            break;
+        case 3:
+            bytes.erase(bytes.begin() + at);
+            break;
+        case 4:
+            bytes.insert(bytes.begin() + at, static_cast<std::uint8_t>(random.next()));
+            break;
+        default:
+            bytes.resize(static_cast<std::size_t>(at));
+            break;
         }
     }
 }
@@ -65,8 +78,9 @@ void FuzzRecording::mutatedPayloadsGiveAValueOrAnError() {
             chunk.frames = static_cast<std::uint32_t>(random.next());
         frames.clear();
         counts.clear();
-        const auto decoded = i % 4 == 0 ? decoder.decode(chunk, frames)
-                                        : decoder.decodeChannel(chunk, random.below(table.channels().size()), counts);
+        const auto decoded =
+            i % 4 == 0 ? decoder.decode(chunk, frames)
+                       : decoder.decodeChannel(chunk, random.below(table.channels().size()), counts);
         QVERIFY(frames.size() <= kMaximumFramesPerChunk && counts.size() <= kMaximumFramesPerChunk);
         if (decoded)
             continue;

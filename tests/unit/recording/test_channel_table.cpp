@@ -23,8 +23,9 @@ private slots:
 
 namespace {
 bool sameChannel(const Channel& a, const Channel& b) {
-    return a.tool == b.tool && a.id == b.id && a.unit == b.unit && a.resolution == b.resolution && a.frame == b.frame &&
-           a.kind == b.kind && a.slot == b.slot && a.reference == b.reference && a.factor == b.factor;
+    return a.tool == b.tool && a.id == b.id && a.unit == b.unit && a.resolution == b.resolution &&
+           a.frame == b.frame && a.kind == b.kind && a.slot == b.slot && a.reference == b.reference &&
+           a.factor == b.factor;
 }
 } // namespace
 
@@ -44,11 +45,13 @@ void TestChannelTable::encodedTableReadsBackTheSame() {
 void TestChannelTable::listsEverythingThatAFrameHolds() {
     const auto table = ChannelTable::forTools(tests::HapticTrace::channels(2));
     QVERIFY(table);
-    for (const char* id : {"tick", "now", "events", "guards", "trial", "heartbeat_age", "phase", "force_state", "paused",
-                           "command_0_kind", "command_0_argument", "command_1_kind", "command_1_argument"})
+    for (const char* id :
+         {"tick", "now", "events", "guards", "trial", "heartbeat_age", "phase", "force_state", "paused",
+          "command_0_kind", "command_0_argument", "command_1_kind", "command_1_argument"})
         QVERIFY2(table->find(kNoTool, id), id);
     for (std::uint8_t tool = 0; tool < 2; ++tool) {
-        for (const char* id : {"axis.x", "axis.roll", "jaw", "buttons", "packet", "status", "device_time", "age"})
+        for (const char* id :
+             {"axis.x", "axis.roll", "jaw", "buttons", "packet", "status", "device_time", "age"})
             QVERIFY2(table->find(tool, id), id);
         for (const std::string wrench : {"tissue", "commanded", "measured"})
             for (const std::string part : {".fx", ".fy", ".fz", ".tx", ".ty", ".tz"}) {

@@ -57,7 +57,8 @@ void TestRecordingReader::seekFindsEveryTick() {
         QVERIFY2(frame, frame ? "" : frame.error().message.c_str());
         QVERIFY(tests::sameFrame(*frame, roundedFrame(r.frames[i])));
     }
-    for (const std::uint64_t missing : {std::uint64_t{500}, std::uint64_t{549}, std::uint64_t{1700}, ~std::uint64_t{0}})
+    for (const std::uint64_t missing :
+         {std::uint64_t{500}, std::uint64_t{549}, std::uint64_t{1700}, ~std::uint64_t{0}})
         QCOMPARE(reader->frameAtTick(missing).error().code, core::ErrorCode::notFound);
 }
 
