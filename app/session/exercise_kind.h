@@ -3,6 +3,7 @@
 
 #include "catalogue/exercise.h"
 #include "core/result.h"
+#include "mechanisms/hand_parameters.h"
 #include "mechanisms/hand_strategy.h"
 #include "scoring/trace.h"
 #include "simulation/scene.h"
@@ -14,6 +15,12 @@
 #include <vector>
 
 namespace chiron::session {
+
+/// A scripted trainee: the mind, and the hand it moves.
+struct ScriptedTrainee {
+    std::unique_ptr<mechanisms::HandStrategy> strategy;
+    mechanisms::HandParameters hand;
+};
 
 /// How one kind of exercise is run: the only place that knows its scene, its operators and its truth by type. A new
 /// kind adds a class and one line in exercise_kind.cpp. Stateless.
@@ -28,8 +35,7 @@ public:
     virtual std::unique_ptr<simulation::IScene> makeScene(const catalogue::ExerciseLevel& level,
                                                           std::uint64_t seed) const = 0;
     /// Failure: notFound naming the operators that exist.
-    virtual core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeOperator(const std::string& name,
-                                                                                 std::uint64_t seed) const = 0;
+    virtual core::Result<ScriptedTrainee> makeOperator(const std::string& name, std::uint64_t seed) const = 0;
     virtual std::vector<std::string> operatorNames() const = 0;
     virtual int trialCount(const catalogue::ExerciseLevel& level) const = 0;
     virtual double forceLimit_N(const catalogue::ExerciseLevel& level) const = 0;

@@ -3,11 +3,12 @@
 
 #include "scoring/trace_csv.h"
 #include "scoring/trace_grid.h"
-#include "session/exercise_kind.h"
+#include "session/trace_assembler.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QSaveFile>
+#include <array>
 #include <map>
 
 namespace chiron::session {
@@ -22,10 +23,18 @@ core::Vec3 forceOf(const core::Array6& wrench) {
     return {scoring::onMillinewtons(wrench[0]), scoring::onMillinewtons(wrench[1]), scoring::onMillinewtons(wrench[2])};
 }
 
-/// Frames -> rows. Keeps the session's time origin and each trial's truth.
+/// Frames -> rows: the session's own trials (trace()) say what became of each, the frames give the samples.
 class RowMaker {
 public:
-    RowMaker(StoredSession& session, const ExerciseKind& kind) : m_session(session), m_kind(kind) {}
+    RowMaker(StoredSession& session, const std::vector<scoring::TrialTrace>& trials) : m_session(session) {
+        for (const scoring::TrialTrace& trial : trials)
+            m_trials[trial.trial] = &trial;
+    }
+
+    /// False where the packet was read before: a sample is written once, as it is scored once.
+    bool isNew(const core::HapticFrame& frame, int tool) {
+        return m_clocks[static_cast<std::size_t>(tool)].advances(frame.tool[static_cast<std::size_t>(tool)].deviceTime_us);
+    }
 
     scoring::TraceRow row(const core::HapticFrame& frame, int tool) {
         const core::ToolFrame& t = frame.tool[static_cast<std::size_t>(tool)];
@@ -49,43 +58,35 @@ public:
         row.trial = frame.header.trial;
         row.phase = frame.header.phase;
         row.paused = frame.header.paused != 0;
-        addOutcome(frame, tool, row);
+        row.forceLimit_N = m_session.record().setup.forceLimit_N;
+        addOutcome(row);
         return row;
     }
 
 private:
-    void addOutcome(const core::HapticFrame& frame, int tool, scoring::TraceRow& row) {
-        const scoring::TrialTrace& truth = truthOf(frame.header.trial);
-        if (truth.apex) {
-            row.target_m = {truth.apex->x_m, truth.apex->y_m, 0.0};
-            row.targetRadius_m = truth.apex->radius_m;
+    void addOutcome(scoring::TraceRow& row) const {
+        const auto found = m_trials.find(row.trial);
+        if (found == m_trials.end())
+            return;
+        const scoring::TrialTrace& trial = *found->second;
+        if (trial.apex) {
+            row.target_m = {trial.apex->x_m, trial.apex->y_m, 0.0};
+            row.targetRadius_m = trial.apex->radius_m;
         }
-        row.forceLimit_N = m_session.record().setup.forceLimit_N;
-        row.marked = (frame.header.events & core::event_bits::kMarked) != 0;
-        row.timedOut = (frame.header.events & core::event_bits::kTimedOut) != 0;
-        if (tool == 0 && (row.marked || row.timedOut)) {
-            row.p_WMark_m = row.p_WT_m;
-            row.markInContact = row.tissue_N.norm() > 0.02;
-        }
-    }
-
-    const scoring::TrialTrace& truthOf(int trial) {
-        auto [entry, isNew] = m_truths.try_emplace(trial);
-        if (isNew) {
-            entry->second.trial = trial;
-            m_kind.addTruth(m_session.setup().level, m_session.setup().seed, entry->second);
-        }
-        return entry->second;
+        row.marked = trial.marked;
+        row.timedOut = trial.timedOut;
+        row.markInContact = trial.markInContact;
+        row.p_WMark_m = trial.p_WMark_m;
     }
 
     StoredSession& m_session;
-    const ExerciseKind& m_kind;
+    std::map<int, const scoring::TrialTrace*> m_trials;
+    std::array<SampleClock, core::kMaxTools> m_clocks{};
     bool m_haveOrigin = false;
     std::uint64_t m_origin_us = 0;
-    std::map<int, scoring::TrialTrace> m_truths;
 };
 
-scoring::TraceColumns columnsOf(const StoredSession& session) {
+scoring::TraceColumns columnsOf(const StoredSession& session, const std::vector<scoring::TrialTrace>& trials) {
     scoring::TraceColumns columns;
     columns.orientation = columns.buttons = columns.tool = columns.tissue = columns.commanded = true;
     columns.trial = columns.phase = columns.paused = columns.mark = columns.forceLimit = true;
@@ -93,25 +94,22 @@ scoring::TraceColumns columnsOf(const StoredSession& session) {
         columns.jaw = columns.jaw || device.jawResolution_rad > 0.0;
         columns.measured = columns.measured || device.measuresForce;
     }
-    scoring::TrialTrace first;
-    if (const auto kind = exerciseKind(session.setup().level.exercise))
-        (*kind)->addTruth(session.setup().level, session.setup().seed, first);
-    columns.target = first.apex.has_value();
+    columns.target = !trials.empty() && trials.front().apex.has_value();
     return columns;
 }
 
 } // namespace
 
 core::Result<void> exportCsv(StoredSession& session, const QString& path) {
-    auto kind = exerciseKind(session.setup().level.exercise);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    auto trace = session.trace();
+    if (!trace)
+        return tl::unexpected(trace.error());
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return tl::unexpected(cannotWrite(path, file.errorString()));
-    const scoring::TraceColumns columns = columnsOf(session);
+    const scoring::TraceColumns columns = columnsOf(session, trace->trials);
     std::string text = scoring::traceCsvHeader(columns);
-    RowMaker rows(session, **kind);
+    RowMaker rows(session, trace->trials);
     const int tools = session.positions().tools();
     const auto flush = [&]() -> core::Result<void> {
         if (file.write(text.data(), qint64(text.size())) != qint64(text.size()))
@@ -122,7 +120,8 @@ core::Result<void> exportCsv(StoredSession& session, const QString& path) {
     auto written = session.eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
         for (const core::HapticFrame& frame : frames)
             for (int tool = 0; tool < tools; ++tool)
-                scoring::appendTraceCsvRow(text, columns, rows.row(frame, tool));
+                if (rows.isNew(frame, tool))
+                    scoring::appendTraceCsvRow(text, columns, rows.row(frame, tool));
         return flush();
     });
     if (written)

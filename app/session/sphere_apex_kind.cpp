@@ -25,9 +25,14 @@ std::unique_ptr<simulation::IScene> SphereApexKind::makeScene(const catalogue::E
     return std::make_unique<simulation::SphereApexScene>(parametersOf(level), seed);
 }
 
-core::Result<std::unique_ptr<mechanisms::HandStrategy>> SphereApexKind::makeOperator(const std::string& name,
-                                                                                     std::uint64_t seed) const {
-    return operators::makeSphereApexOperator(name, seed);
+core::Result<ScriptedTrainee> SphereApexKind::makeOperator(const std::string& name, std::uint64_t seed) const {
+    auto settings = operators::sphereApexOperatorSettings(name);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    auto strategy = operators::makeSphereApexOperator(*settings, seed);
+    if (!strategy)
+        return tl::unexpected(strategy.error());
+    return ScriptedTrainee{std::move(*strategy), settings->hand};
 }
 
 std::vector<std::string> SphereApexKind::operatorNames() const {

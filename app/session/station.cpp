@@ -10,12 +10,13 @@ namespace chiron::session {
 
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const std::string& operatorName, std::uint64_t seed) {
     // Hand and mind have streams of their own: the same person in another field trembles alike.
-    auto strategy = kind.makeOperator(operatorName, core::Random::mix(seed, "operator"));
-    if (!strategy)
-        return tl::unexpected(strategy.error());
+    auto trainee = kind.makeOperator(operatorName, core::Random::mix(seed, "operator"));
+    if (!trainee)
+        return tl::unexpected(trainee.error());
     devices::SimulatedDevice::Configuration configuration;
     configuration.seed = core::Random::mix(seed, "hand");
-    auto device = devices::SimulatedDevice::create(configuration, std::move(*strategy));
+    configuration.hand = trainee->hand;
+    auto device = devices::SimulatedDevice::create(configuration, std::move(trainee->strategy));
     if (!device)
         return tl::unexpected(device.error());
     Station station;

@@ -26,8 +26,6 @@ void TraceAssembler::add(std::span<const core::HapticFrame> frames) {
         }
         if (frame.header.events & kTrialStarted)
             begin(frame);
-        if (!m_inTrial)
-            continue;
         append(frame);
         if (frame.header.events & (kMarked | kTimedOut))
             end(frame);
@@ -44,29 +42,39 @@ void TraceAssembler::begin(const core::HapticFrame& frame) {
 
 void TraceAssembler::append(const core::HapticFrame& frame) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_tools); ++i) {
-        const core::ToolFrame& tool = frame.tool[i];
-        scoring::ToolTrace& trace = m_trials.back().tools[i];
-        const auto sinceStart_us = static_cast<std::int64_t>(tool.deviceTime_us - m_origin_us);
-        trace.t_s.push_back(scoring::onMicroseconds(static_cast<double>(sinceStart_us) * 1e-6));
-        trace.p_WT_m.push_back(onNanometres(m_positions.p_WT_m(static_cast<int>(i), tool)));
-        trace.tissue_N.push_back(forceOf(tool.tissue));
-        trace.commanded_N.push_back(forceOf(tool.commanded));
-        if (tool.status & core::sample_status::kMeasuredForce)
-            trace.measured_N.resize(trace.t_s.size() - 1, core::Vec3::Zero()), trace.measured_N.push_back(forceOf(tool.measured));
-        else if (!trace.measured_N.empty())
-            trace.measured_N.push_back(core::Vec3::Zero());
-        trace.paused.push_back(frame.header.paused);
+        const bool isNew = m_clocks[i].advances(frame.tool[i].deviceTime_us); // also between trials
+        if (isNew && m_inTrial)
+            appendTool(frame, i);
+    }
+}
+
+void TraceAssembler::appendTool(const core::HapticFrame& frame, std::size_t index) {
+    const core::ToolFrame& tool = frame.tool[index];
+    scoring::ToolTrace& trace = m_trials.back().tools[index];
+    const auto sinceStart_us = static_cast<std::int64_t>(tool.deviceTime_us - m_origin_us);
+    trace.t_s.push_back(scoring::onMicroseconds(static_cast<double>(sinceStart_us) * 1e-6));
+    trace.p_WT_m.push_back(onNanometres(m_positions.p_WT_m(static_cast<int>(index), tool)));
+    trace.tissue_N.push_back(forceOf(tool.tissue));
+    trace.commanded_N.push_back(forceOf(tool.commanded));
+    trace.paused.push_back(frame.header.paused);
+    if (tool.status & core::sample_status::kMeasuredForce) {
+        trace.measured_N.resize(trace.t_s.size(), core::Vec3::Zero()); // packets before the first measured one
+        trace.measured_N.back() = forceOf(tool.measured);
+    } else if (!trace.measured_N.empty()) {
+        trace.measured_N.push_back(core::Vec3::Zero());
     }
 }
 
 void TraceAssembler::end(const core::HapticFrame& frame) {
+    if (!m_inTrial)
+        return;
     m_inTrial = false;
     scoring::TrialTrace& trial = m_trials.back();
     trial.marked = (frame.header.events & core::event_bits::kMarked) != 0;
     trial.timedOut = !trial.marked;
-    trial.p_WMark_m = trial.tools[0].p_WT_m.back();
+    trial.p_WMark_m = onNanometres(m_positions.p_WT_m(0, frame.tool[0]));
     // Contact as models.md §6 has it for every metric: more than 0.02 N of tissue force.
-    trial.markInContact = trial.tools[0].tissue_N.back().norm() > 0.02;
+    trial.markInContact = forceOf(frame.tool[0].tissue).norm() > 0.02;
 }
 
 } // namespace chiron::session

@@ -5,13 +5,33 @@
 #include "recording/position_of.h"
 #include "scoring/trace.h"
 
+#include <array>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace chiron::session {
 
+/// Tells the packets of one tool that bring new time from those that were read before.
+class SampleClock {
+public:
+    bool advances(std::uint64_t deviceTime_us) noexcept {
+        if (m_started && deviceTime_us <= m_last_us)
+            return false;
+        m_started = true;
+        m_last_us = deviceTime_us;
+        return true;
+    }
+
+private:
+    bool m_started = false;
+    std::uint64_t m_last_us = 0;
+};
+
 /// Stored frames -> what metrics see. Frames are given in order, chunk by chunk, so a long session is never held as
 /// frames; a trial runs from its kTrialStarted frame to its kMarked or kTimedOut frame, both included. A trial that has
-/// neither end (stopped, interrupted) stays, unmarked. Live scoring, review, verify and export all come through here.
+/// neither end (stopped, interrupted) stays, unmarked. A packet read twice (device time not later than the last kept one
+/// of that tool, over the whole recording) gives one sample. Live scoring, review and verify all come through here.
 class TraceAssembler {
 public:
     TraceAssembler(const recording::IPositionOf& positions, int tools) : m_positions(positions), m_tools(tools) {}
@@ -22,6 +42,7 @@ public:
 private:
     void begin(const core::HapticFrame& frame);
     void append(const core::HapticFrame& frame);
+    void appendTool(const core::HapticFrame& frame, std::size_t tool);
     void end(const core::HapticFrame& frame);
 
     const recording::IPositionOf& m_positions;
@@ -29,6 +50,7 @@ private:
     bool m_inTrial = false;
     bool m_haveOrigin = false;
     std::uint64_t m_origin_us = 0; ///< device time of tool 0's first frame
+    std::array<SampleClock, core::kMaxTools> m_clocks{};
     std::vector<scoring::TrialTrace> m_trials;
 };
 

@@ -64,10 +64,11 @@ public:
         return session::runTraining(*database, database::Actor::simulated(), std::move(request));
     }
 
-    std::unique_ptr<database::Database> database;
-
 private:
     QTemporaryDir m_folder;
+
+public:
+    std::unique_ptr<database::Database> database; ///< after the folder: it must still be there when this closes
 };
 
 /// A stored session with the connection it lives on.
