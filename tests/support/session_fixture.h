@@ -31,7 +31,7 @@ inline catalogue::ExerciseLevel shortLevel(int number, int trials, double limit_
     return *changed;
 }
 
-/// A fresh database in a folder of its own, with rings in the same folder.
+/// A fresh database in a folder of its own.
 class SessionFixture {
 public:
     SessionFixture() {
@@ -51,7 +51,7 @@ public:
         session::TrainingRequest request;
         request.level = level;
         request.seed = seed;
-        request.ringFolder = folder();
+        request.ringFolder = recording::defaultRingFolder(); // memory: a ring on a disk makes ticks wait for write-back
         const auto kind = session::exerciseKind(level.exercise);
         auto station = session::scriptedStation(**kind, operatorName, seed);
         if (!station)
