@@ -33,9 +33,10 @@ std::vector<double> trialErrors(const scoring::ScoreCard& card) {
 
 report::ComparisonData comparisonOf(const std::vector<session::DemoResult>& results) {
     report::ComparisonData data;
-    data.title = QStringLiteral("Apex error by operator, haptics alone (a point a trial)");
+    data.title = QStringLiteral("Apex error by operator, by touch alone");
     data.metricName = QStringLiteral("Apex error");
     data.unit = QStringLiteral("% of R");
+    data.pointLabel = QStringLiteral("trial");
     data.reference = 14.2;
     data.referenceLabel = QStringLiteral("published mean of five people, 14.2 %");
     for (const session::DemoResult& result : results) {

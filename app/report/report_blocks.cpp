@@ -234,9 +234,10 @@ void ReportBlocks::addIntegrity() {
               {Words::tr("Ticks, of them late"),
                QStringLiteral("%1, %2").arg(locale.toString(static_cast<qulonglong>(loop.ticks)),
                                             locale.toString(static_cast<qulonglong>(loop.late)))},
-              {Words::tr("Tick time: median, 99 %"),
-               QStringLiteral("%1, %2").arg(micro(loop.p50_us), micro(loop.p99_us))},
-              {Words::tr("Longest tick"), micro(loop.max_us)}},
+              {Words::tr("Lateness: median, 99 %"),
+               loop.realtime ? QStringLiteral("%1, %2").arg(micro(loop.p50_us), micro(loop.p99_us))
+                             : Words::tr("ran as fast as the machine can")},
+              {Words::tr("Latest tick"), loop.realtime ? micro(loop.max_us) : QStringLiteral("–")}},
              3);
     std::vector<std::pair<QString, QString>> digests{
         {Words::tr("Build"), facts.buildId},

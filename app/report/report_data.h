@@ -62,7 +62,8 @@ struct SampleSeries {
 struct LoopFacts {
     std::uint64_t ticks = 0;
     std::uint64_t late = 0;
-    double p50_us = 0.0;
+    bool realtime = true; ///< false: ticks ran back to back, lateness has no meaning
+    double p50_us = 0.0; ///< of the lateness
     double p99_us = 0.0;
     double max_us = 0.0;
 };
@@ -114,6 +115,7 @@ struct ComparisonData {
     QString metricName;
     QString unit;
     std::vector<ComparisonGroup> groups;
+    QString pointLabel;              ///< what a point is: "session", "trial"
     std::optional<double> reference; ///< e.g. 14.2 (P2's mean), drawn as a line
     QString referenceLabel;
 };

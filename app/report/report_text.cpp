@@ -10,8 +10,11 @@ namespace {
 const QString kDash = QStringLiteral("–");
 const QString kNoBreak = QStringLiteral("\u00a0");
 
+/// Counts are whole and need no word behind them: the row's name says of what.
+bool isCount(const QString& unit) { return unit == QLatin1String("count"); }
+
 QString withUnit(const QString& number, const QString& unit) {
-    return unit.isEmpty() ? number : number + kNoBreak + unit;
+    return unit.isEmpty() || isCount(unit) ? number : number + kNoBreak + unit;
 }
 } // namespace
 
@@ -25,19 +28,24 @@ QString formatNumber(double value, const QLocale& locale) {
     return locale.toString(value, 'f', decimals);
 }
 
+QString formatNumber(double value, const QString& unit, const QLocale& locale) {
+    const bool whole = isCount(unit) && std::isfinite(value) && value == std::round(value);
+    return whole ? locale.toString(value, 'f', 0) : formatNumber(value, locale);
+}
+
 QString formatValue(const std::optional<double>& value, const QString& unit, const QLocale& locale) {
-    return value && std::isfinite(*value) ? withUnit(formatNumber(*value, locale), unit) : kDash;
+    return value && std::isfinite(*value) ? withUnit(formatNumber(*value, unit, locale), unit) : kDash;
 }
 
 QString formatGate(const MetricRow& row, const QLocale& locale) {
     if (row.gateMinimum && row.gateMaximum)
-        return withUnit(formatNumber(*row.gateMinimum, locale) + QStringLiteral(" – ") +
-                            formatNumber(*row.gateMaximum, locale),
+        return withUnit(formatNumber(*row.gateMinimum, row.unit, locale) + QStringLiteral(" – ") +
+                            formatNumber(*row.gateMaximum, row.unit, locale),
                         row.unit);
     if (row.gateMaximum)
-        return withUnit(QStringLiteral("≤ ") + formatNumber(*row.gateMaximum, locale), row.unit);
+        return withUnit(QStringLiteral("≤ ") + formatNumber(*row.gateMaximum, row.unit, locale), row.unit);
     if (row.gateMinimum)
-        return withUnit(QStringLiteral("≥ ") + formatNumber(*row.gateMinimum, locale), row.unit);
+        return withUnit(QStringLiteral("≥ ") + formatNumber(*row.gateMinimum, row.unit, locale), row.unit);
     return {};
 }
 

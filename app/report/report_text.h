@@ -16,6 +16,8 @@ struct Words {
 
 /// A number as people read it: 2 decimals below 100, 1 above, 3 below 1. A dash for what is not finite.
 QString formatNumber(double value, const QLocale& locale);
+/// The same for a value of this unit: counts are written whole.
+QString formatNumber(double value, const QString& unit, const QLocale& locale);
 /// Number and unit with a no-break space: "14.20 %"; a dash where there is no value.
 QString formatValue(const std::optional<double>& value, const QString& unit, const QLocale& locale);
 /// "≤ 25.00 %", "≥ 1.00", "1.00 – 4.00 N"; empty without a gate.

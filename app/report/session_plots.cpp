@@ -154,7 +154,7 @@ std::unique_ptr<PlotView> comparisonPlot(const ComparisonData& data, const PlotT
     }
     if (negative)
         view->setYAxis({data.metricName + unit, {}, {}});
-    view->addMarkers(Words::tr("session"), points, PlotStyle::solidA);
+    view->addMarkers(data.pointLabel.isEmpty() ? Words::tr("session") : data.pointLabel, points, PlotStyle::solidA);
     view->addMeans(Words::tr("mean ± SD"), means, spreads);
     if (data.reference)
         view->addReference(data.referenceLabel, *data.reference);

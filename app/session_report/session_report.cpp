@@ -74,6 +74,7 @@ LoopFacts loopFactsOf(const std::string& text) {
     LoopFacts facts;
     facts.ticks = static_cast<std::uint64_t>(json.value("ticks").toDouble());
     facts.late = static_cast<std::uint64_t>(json.value("late").toDouble());
+    facts.realtime = json.value("realtime").toBool();
     facts.p50_us = json.value("p50_us").toDouble();
     facts.p99_us = json.value("p99_us").toDouble();
     facts.max_us = json.value("max_us").toDouble();
