@@ -69,12 +69,17 @@ void LiveRecording::stopDraining() {
     m_drainOutcome = m_database.writer().removeSource(*this);
 }
 
-core::Result<void> LiveRecording::drain() { return m_drain->drain(core::monotonicNow_ns()); }
+core::Result<void> LiveRecording::drain() {
+    return m_finishing ? m_drain->finish() : m_drain->drain(core::monotonicNow_ns());
+}
 
 core::Result<RecordingReport> LiveRecording::finish() {
     stopDraining();
-    // A drain that failed once (disk full, say) kept its frames: this is the second and last try.
-    auto stored = m_database.write([this](database::WriteContext&) { return m_drain->finish(); });
+    // A drain that failed once (disk full, say) kept its frames: this is the second and last try. As a source, not as a
+    // job: a job's transaction commits after the job, and the ring must not be told before that frames are stored.
+    m_finishing = true;
+    m_database.writer().addSource(*this);
+    auto stored = m_database.writer().removeSource(*this);
     if (!stored)
         return tl::unexpected(stored.error());
     const RecordingReport report{m_recorder->framesCommitted(), m_drain->lost(), m_recorder->bytesWritten()};

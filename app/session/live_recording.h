@@ -53,6 +53,7 @@ private:
     std::unique_ptr<recording::FrameDrain> m_drain;
     core::Result<void> m_drainOutcome;
     bool m_draining = false;
+    bool m_finishing = false; ///< the next drain stores everything; set while the writer does not drain
 };
 
 /// The database's UUID as a ring's header carries it. Failure: badInput.
