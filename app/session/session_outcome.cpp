@@ -53,32 +53,41 @@ core::Result<EventExtractor> extract(StoredSession& stored) {
     return seen;
 }
 
-core::Result<void> storeEnd(database::Database& database, const database::Actor& actor, StoredSession& stored,
-                            const EventExtractor& seen, const RunEnding& ending) {
-    auto trace = stored.trace(); // the truth of each trial goes with its row
+/// What a session's last transaction stores.
+struct Conclusion {
+    SessionState state = SessionState::completed;
+    scoring::SessionTrace trace; ///< the truth of each trial goes with its row
+    core::Result<scoring::ScoreCard> card;
+};
+
+core::Result<Conclusion> conclude(StoredSession& stored, const EventExtractor& seen, const RunEnding& ending) {
+    auto trace = stored.trace();
     if (!trace)
         return tl::unexpected(trace.error());
     const SessionState state = stateOf(seen, ending);
-    const database::SessionId id = stored.record().summary.id;
-    return database.write([&](database::WriteContext& context) -> core::Result<void> {
-        database::SessionRepository sessions(context.connection(), actor);
-        for (std::size_t i = 0; i < seen.trials().size(); ++i) {
-            database::TrialRecord trial = withFate(seen.trials()[i], state);
-            if (i < trace->trials.size())
-                trial.sceneJson = truthJson(trace->trials[i]);
-            if (auto done = sessions.storeTrial(id, trial); !done)
-                return done;
-        }
-        if (auto done = sessions.storeEvents(id, seen.events()); !done)
+    auto card = stored.scoresOf(*trace, state == SessionState::completed);
+    return Conclusion{state, std::move(*trace), std::move(card)};
+}
+
+core::Result<void> storeEnd(database::WriteContext& context, const database::Actor& actor, database::SessionId id,
+                            const Conclusion& conclusion, const EventExtractor& seen, const RunEnding& ending) {
+    database::SessionRepository sessions(context.connection(), actor);
+    for (std::size_t i = 0; i < seen.trials().size(); ++i) {
+        database::TrialRecord trial = withFate(seen.trials()[i], conclusion.state);
+        if (i < conclusion.trace.trials.size())
+            trial.sceneJson = truthJson(conclusion.trace.trials[i]);
+        if (auto done = sessions.storeTrial(id, trial); !done)
             return done;
-        database::SessionEnd end;
-        end.state = state;
-        end.frames = seen.frames();
-        end.ticks = seen.frames() > 0 ? seen.lastTick() + 1 : 0;
-        end.dropped = ending.dropped;
-        end.loopJson = ending.loopJson;
-        return sessions.finishSession(id, end);
-    });
+    }
+    if (auto done = sessions.storeEvents(id, seen.events()); !done)
+        return done;
+    database::SessionEnd end;
+    end.state = conclusion.state;
+    end.frames = seen.frames();
+    end.ticks = seen.frames() > 0 ? seen.lastTick() + 1 : 0;
+    end.dropped = ending.dropped;
+    end.loopJson = ending.loopJson;
+    return sessions.finishSession(id, end);
 }
 
 } // namespace
@@ -88,26 +97,25 @@ core::Result<scoring::ScoreCard> concludeSession(database::Database& database, c
     auto connection = database.openReader();
     if (!connection)
         return tl::unexpected(connection.error());
-    auto running = StoredSession::open(**connection, actor, session);
-    if (!running)
-        return tl::unexpected(running.error());
-    auto seen = extract(**running);
-    if (!seen)
-        return tl::unexpected(seen.error());
-    if (auto ended = storeEnd(database, actor, **running, *seen, ending); !ended)
-        return tl::unexpected(ended.error());
-    auto finished = StoredSession::open(**connection, actor, session); // as review will see it
-    if (!finished)
-        return tl::unexpected(finished.error());
-    auto card = (*finished)->computeScores();
-    if (!card)
-        return card;
-    auto stored = database.write([&](database::WriteContext& context) {
-        return database::ScoreRepository(context.connection(), actor).storeScores(session, *card);
-    });
+    auto stored = StoredSession::open(**connection, actor, session);
     if (!stored)
         return tl::unexpected(stored.error());
-    return card;
+    auto seen = extract(**stored);
+    if (!seen)
+        return tl::unexpected(seen.error());
+    auto conclusion = conclude(**stored, *seen, ending);
+    if (!conclusion)
+        return tl::unexpected(conclusion.error());
+    // One transaction: a program killed here leaves a session that is either to be recovered or has its scores.
+    auto done = database.write([&](database::WriteContext& context) -> core::Result<void> {
+        if (auto ended = storeEnd(context, actor, session, *conclusion, *seen, ending); !ended || !conclusion->card)
+            return ended;
+        auto kept = database::ScoreRepository(context.connection(), actor).storeScores(session, *conclusion->card);
+        return kept ? core::Result<void>() : tl::unexpected(kept.error());
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return std::move(conclusion->card);
 }
 
 } // namespace chiron::session

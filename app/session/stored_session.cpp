@@ -75,12 +75,17 @@ core::Result<scoring::ScoreCard> StoredSession::computeScores(int metricVersion)
     auto session = trace();
     if (!session)
         return tl::unexpected(session.error());
+    const bool completed = m_record.summary.state == database::SessionState::completed ||
+                           m_record.stateBeforeVoid == database::SessionState::completed;
+    return scoresOf(*session, completed, metricVersion);
+}
+
+core::Result<scoring::ScoreCard> StoredSession::scoresOf(const scoring::SessionTrace& trace, bool completed,
+                                                         int metricVersion) const {
     std::vector<scoring::MetricRequest> requests;
     for (const catalogue::MetricChoice& metric : m_setup.level.metrics)
         requests.push_back({metric.id, metricVersion > 0 ? metricVersion : metric.version});
-    const bool completed = m_record.summary.state == database::SessionState::completed ||
-                           m_record.stateBeforeVoid == database::SessionState::completed;
-    return scoring::calculateScore(*session, requests, m_setup.level.gates, completed);
+    return scoring::calculateScore(trace, requests, m_setup.level.gates, completed);
 }
 
 namespace {

@@ -40,6 +40,9 @@ public:
     core::Result<scoring::ScoreCard> computeScores();
     /// The same under a chosen version of every metric that has it (0: the session's own).
     core::Result<scoring::ScoreCard> computeScores(int metricVersion);
+    /// The scores of this session's trace once it is known whether it was completed.
+    core::Result<scoring::ScoreCard> scoresOf(const scoring::SessionTrace& trace, bool completed,
+                                              int metricVersion = 0) const;
 
 private:
     StoredSession() = default;
