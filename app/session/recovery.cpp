@@ -86,6 +86,33 @@ core::Result<RecoveredSession> recoverOne(database::Database& database, const da
     return recovered;
 }
 
+/// Where a session's ring may lie: the folder of today's programs, and the one that its own program used.
+std::vector<std::filesystem::path> ringsFor(const database::SessionRecord& record,
+                                            const std::filesystem::path& ringFolder, const recording::DatabaseId& id) {
+    auto rings = recording::listRings(ringFolder, id);
+    const std::filesystem::path own = record.setup.ringFile;
+    if (!own.empty() && own != ringFolder) {
+        recording::removeUnfinishedRings(own, id);
+        const auto more = recording::listRings(own, id);
+        rings.insert(rings.end(), more.begin(), more.end());
+    }
+    return rings;
+}
+
+/// A program killed between the end of its session and the removal of its ring leaves a ring whose frames are all
+/// stored. Rings of sessions that this database does not know (a backup was restored) are left alone.
+void removeRingsOfEndedSessions(database::SessionReader reader, const std::filesystem::path& ringFolder,
+                                const recording::DatabaseId& id) {
+    for (const auto& path : recording::listRings(ringFolder, id)) {
+        auto ring = recording::recoverRing(path);
+        if (!ring)
+            continue;
+        const auto record = reader.session(ring->session());
+        if (record && record->summary.state != database::SessionState::running)
+            (void)ring->remove(); // the next start tries again
+    }
+}
+
 } // namespace
 
 core::Result<std::vector<RecoveredSession>> recoverSessions(database::Database& database,
@@ -102,7 +129,7 @@ core::Result<std::vector<RecoveredSession>> recoverSessions(database::Database& 
     std::vector<RecoveredSession> all;
     recording::removeUnfinishedRings(ringFolder, *id);
     for (const database::SessionRecord& record : *unfinished) {
-        auto recovered = recoverOne(database, record, recording::listRings(ringFolder, *id));
+        auto recovered = recoverOne(database, record, ringsFor(record, ringFolder, *id));
         if (!recovered)
             return tl::unexpected(recovered.error());
         auto summary = database::SessionReader(**connection, database::Actor::maintenance()).session(record.summary.id);
@@ -110,6 +137,7 @@ core::Result<std::vector<RecoveredSession>> recoverSessions(database::Database& 
             recovered->frames = summary->summary.frames;
         all.push_back(*recovered);
     }
+    removeRingsOfEndedSessions(database::SessionReader(**connection, database::Actor::maintenance()), ringFolder, *id);
     return all;
 }
 
