@@ -48,7 +48,7 @@ public:
         const bool goOn = m_loop.tick(now);
         if (!m_ending && wantsEnd(now)) {
             m_ending = true;
-            if (m_limits.trace && m_sink.phase() == core::TrialPhase::running)
+            if (m_limits.trace && m_limits.trace->finished() && m_sink.phase() == core::TrialPhase::running)
                 m_inputs.post({core::CommandKind::mark}); // a trace without a mark: its last position is the answer
             else
                 m_inputs.post({core::CommandKind::end});
