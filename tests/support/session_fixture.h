@@ -21,10 +21,14 @@ inline catalogue::ExerciseLevel shortLevel(int number, int trials, double limit_
         qFatal("%s", catalogue.error().message.c_str());
     const catalogue::ExerciseLevel* level = catalogue->find("sphere_apex", number);
     QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(level->resolvedJson)).object();
-    QJsonObject parameters = json["parameters"].toObject();
+    QJsonObject inner = json["level"].toObject();
+    QJsonObject parameters = inner["parameters"].toObject();
+    if (!parameters.contains("trials") || !parameters.contains("trial_limit_s"))
+        qFatal("the resolved level does not say how many trials it has, or how long they may take");
     parameters["trials"] = trials;
     parameters["trial_limit_s"] = limit_s;
-    json["parameters"] = parameters;
+    inner["parameters"] = parameters;
+    json["level"] = inner;
     auto changed = catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
     if (!changed)
         qFatal("%s", changed.error().message.c_str());
