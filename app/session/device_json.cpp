@@ -3,6 +3,8 @@
 
 #include "session/json_reader.h"
 
+#include <algorithm>
+
 namespace chiron::session {
 
 namespace {
@@ -20,7 +22,7 @@ core::Result<devices::AxisDescriptor> axisFromJson(const QJsonObject& json) {
     JsonReader in(json, QStringLiteral("device.axes[]"));
     devices::AxisDescriptor axis;
     axis.id = in.text("id");
-    axis.unit = in.string("unit") == QLatin1String("rad") ? devices::AxisUnit::radian : devices::AxisUnit::metre;
+    axis.unit = in.oneOf("unit", "rad", "m") ? devices::AxisUnit::radian : devices::AxisUnit::metre;
     axis.resolution = in.number("resolution");
     axis.minimum = in.number("minimum");
     axis.maximum = in.number("maximum");
@@ -60,8 +62,7 @@ core::Result<devices::DeviceDescriptor> descriptorFromJson(const QJsonObject& js
     d.driver = in.text("driver");
     d.model = in.text("model");
     d.kinematics = in.text("kinematics");
-    for (const QJsonValue& p : in.array("kinematics_parameters"))
-        d.kinematicsParameters.push_back(p.toDouble());
+    d.kinematicsParameters = in.numbers("kinematics_parameters");
     for (const QJsonValue& value : in.array("axes")) {
         auto axis = axisFromJson(value.toObject());
         if (!axis)
@@ -92,15 +93,14 @@ QJsonObject toJson(const devices::WorkspaceMapping& m) {
 core::Result<devices::WorkspaceMapping> mappingFromJson(const QJsonObject& json) {
     JsonReader in(json, QStringLiteral("mapping"));
     devices::WorkspaceMapping m;
-    const QJsonArray origin = in.array("origin_m");
+    const std::vector<double> origin = in.numbers("origin_m");
     m.scale = in.number("scale");
     m.leftHanded = in.boolean("left_handed");
     if (!in.ok())
         return tl::unexpected(in.error());
     if (origin.size() != 3 || !(m.scale > 0.0))
         return core::fail(core::ErrorCode::badInput, "mapping: expected three origin coordinates and a positive scale");
-    for (int i = 0; i < 3; ++i)
-        m.origin_m[static_cast<std::size_t>(i)] = origin[i].toDouble();
+    std::copy(origin.begin(), origin.end(), m.origin_m.begin());
     return m;
 }
 

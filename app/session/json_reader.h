@@ -8,6 +8,7 @@
 #include <QString>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace chiron::session {
 
@@ -23,6 +24,22 @@ public:
     std::string text(const char* key) { return string(key).toStdString(); }
     QJsonObject object(const char* key) { return value(key, QJsonValue::Object, "an object").toObject(); }
     QJsonArray array(const char* key) { return value(key, QJsonValue::Array, "a list").toArray(); }
+    std::vector<double> numbers(const char* key) {
+        std::vector<double> all;
+        for (const QJsonValue& item : array(key)) {
+            if (!item.isDouble())
+                note(key, QStringLiteral("expected a list of numbers"));
+            all.push_back(item.toDouble());
+        }
+        return all;
+    }
+    /// One of two words: true for `yes`, false for `no`.
+    bool oneOf(const char* key, const char* yes, const char* no) {
+        const QString word = string(key);
+        if (word != QLatin1String(yes) && word != QLatin1String(no))
+            note(key, QStringLiteral("expected \"%1\" or \"%2\"").arg(QLatin1String(yes), QLatin1String(no)));
+        return word == QLatin1String(yes);
+    }
 
     /// A whole number within [low, high]; outside it is an error, never a wrap-around.
     std::int64_t integer(const char* key, std::int64_t low, std::int64_t high) {
