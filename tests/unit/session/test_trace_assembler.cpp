@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frames.h"
+#include "session/trace_assembler.h"
+
+#include <QtTest>
+
+using namespace chiron;
+using tests::MillimetreCounts;
+using tests::someFrames;
+namespace bits = core::event_bits;
+
+class TestTraceAssembler : public QObject {
+    Q_OBJECT
+private slots:
+    void trialIsCutAtItsEvents();
+    void timedOutTrial();
+    void unmarkedTrialStays();
+    void chunksMakeNoDifference();
+    void pausedSamplesAreFlagged();
+    void packetReadTwiceIsOneSample();
+    void markOnARepeatedPacketCounts();
+    void storedGrids();
+    void contactAtTheMark();
+    void measuredForceOnlyWhereMeasured();
+    void everyToolHasItsTrace();
+
+private:
+    static std::vector<scoring::TrialTrace> assemble(const std::vector<core::HapticFrame>& frames,
+                                                     int tools = 1) {
+        const MillimetreCounts positions;
+        session::TraceAssembler assembler(positions, tools);
+        assembler.add(frames);
+        return assembler.takeTrials();
+    }
+};
+
+void TestTraceAssembler::trialIsCutAtItsEvents() {
+    auto frames = someFrames(20);
+    frames[3].header.events = bits::kTrialStarted;
+    frames[7].header.events = bits::kMarked;
+    frames[12].header.events = bits::kTrialStarted;
+    frames[12].header.trial = 1;
+    frames[15].header.events = bits::kMarked;
+    const auto trials = assemble(frames);
+    QCOMPARE(trials.size(), std::size_t{2});
+    QCOMPARE(trials[0].tools[0].t_s,
+             (std::vector<double>{0.003, 0.004, 0.005, 0.006, 0.007})); // both ends included
+    QCOMPARE(trials[0].tools[0].p_WT_m.front().x(), 0.003);
+    QCOMPARE(trials[0].p_WMark_m.x(), 0.007);
+    QVERIFY(trials[0].marked && !trials[0].timedOut);
+    QCOMPARE(trials[0].trial, 0);
+    QCOMPARE(trials[1].trial, 1);
+    QCOMPARE(trials[1].tools[0].t_s.size(), std::size_t{4});
+    QCOMPARE(trials[1].tools[0].t_s.front(), 0.012); // since the session's first frame, not the trial's
+}
+
+void TestTraceAssembler::timedOutTrial() {
+    auto frames = someFrames(10);
+    frames[1].header.events = bits::kTrialStarted;
+    frames[8].header.events = bits::kTimedOut;
+    const auto trials = assemble(frames);
+    QCOMPARE(trials.size(), std::size_t{1});
+    QVERIFY(!trials[0].marked && trials[0].timedOut);
+    QCOMPARE(trials[0].p_WMark_m.x(), 0.008);
+}
+
+void TestTraceAssembler::unmarkedTrialStays() {
+    auto frames = someFrames(10);
+    frames[4].header.events = bits::kTrialStarted;
+    const auto trials = assemble(frames);
+    QCOMPARE(trials.size(), std::size_t{1});
+    QVERIFY(!trials[0].marked && !trials[0].timedOut && !trials[0].markInContact);
+    QCOMPARE(trials[0].tools[0].t_s.size(), std::size_t{6}); // up to the last frame
+    QVERIFY(assemble(someFrames(10)).empty());               // never started: no trial
+    auto onlyMark = someFrames(10);
+    onlyMark[5].header.events = bits::kMarked; // of a trial that is not there
+    QVERIFY(assemble(onlyMark).empty());
+}
+
+void TestTraceAssembler::chunksMakeNoDifference() {
+    auto frames = someFrames(50);
+    frames[5].header.events = bits::kTrialStarted;
+    frames[33].header.events = bits::kMarked;
+    const auto whole = assemble(frames);
+    const MillimetreCounts positions;
+    for (const std::size_t chunk : {std::size_t{1}, std::size_t{7}, std::size_t{34}}) {
+        session::TraceAssembler assembler(positions, 1);
+        for (std::size_t at = 0; at < frames.size(); at += chunk)
+            assembler.add(std::span(frames).subspan(at, std::min(chunk, frames.size() - at)));
+        const auto pieces = assembler.takeTrials();
+        QCOMPARE(pieces.size(), whole.size());
+        QCOMPARE(pieces[0].tools[0].t_s, whole[0].tools[0].t_s);
+        QVERIFY(pieces[0].tools[0].p_WT_m == whole[0].tools[0].p_WT_m);
+        QCOMPARE(pieces[0].marked, whole[0].marked);
+    }
+}
+
+void TestTraceAssembler::pausedSamplesAreFlagged() {
+    auto frames = someFrames(6);
+    frames[0].header.events = bits::kTrialStarted;
+    frames[2].header.paused = frames[3].header.paused = 1;
+    const auto trials = assemble(frames);
+    QCOMPARE(trials[0].tools[0].paused, (std::vector<std::uint8_t>{0, 0, 1, 1, 0, 0}));
+}
+
+void TestTraceAssembler::packetReadTwiceIsOneSample() {
+    auto frames = someFrames(8);
+    frames[0].header.events = bits::kTrialStarted;
+    frames[3].tool[0] = frames[2].tool[0];                                   // nothing new came
+    frames[5].tool[0].deviceTime_us = frames[4].tool[0].deviceTime_us - 500; // an older packet, late
+    const auto trials = assemble(frames);
+    QCOMPARE(trials[0].tools[0].t_s, (std::vector<double>{0.0, 0.001, 0.002, 0.004, 0.006, 0.007}));
+    QCOMPARE(trials[0].tools[0].paused.size(), std::size_t{6});
+    QCOMPARE(trials[0].tools[0].tissue_N.size(), std::size_t{6});
+    auto start = someFrames(4);
+    start[1].tool[0] = start[0].tool[0];
+    start[1].header.events = bits::kTrialStarted; // its packet was read before the trial began
+    QCOMPARE(assemble(start)[0].tools[0].t_s, (std::vector<double>{0.002, 0.003}));
+}
+
+void TestTraceAssembler::markOnARepeatedPacketCounts() {
+    auto frames = someFrames(5);
+    frames[0].header.events = bits::kTrialStarted;
+    frames[4].tool[0] = frames[3].tool[0];
+    frames[4].tool[0].tissue[2] = 0.5; // the scene answers every tick
+    frames[4].header.events = bits::kMarked;
+    const auto trials = assemble(frames);
+    QVERIFY(trials[0].marked && trials[0].markInContact);
+    QCOMPARE(trials[0].p_WMark_m.x(), 0.003);
+    QCOMPARE(trials[0].tools[0].t_s.size(), std::size_t{4});
+}
+
+void TestTraceAssembler::storedGrids() {
+    class Fine final : public recording::IPositionOf {
+    public:
+        core::Vec3 p_WT_m(int, const core::ToolFrame&) const noexcept override {
+            return {1.23456789049e-3, 0.0, 0.0};
+        }
+    };
+    auto frames = someFrames(1);
+    frames[0].header.events = bits::kTrialStarted;
+    frames[0].tool[0].tissue[0] = 0.12349;
+    frames[0].tool[0].commanded[1] = -0.0006;
+    const Fine positions;
+    session::TraceAssembler assembler(positions, 1);
+    assembler.add(frames);
+    const auto trials = assembler.takeTrials();
+    QCOMPARE(trials[0].tools[0].p_WT_m[0].x(), 0.001234568); // 1 nm
+    QCOMPARE(trials[0].tools[0].tissue_N[0].x(), 0.123);     // 1 mN
+    QCOMPARE(trials[0].tools[0].commanded_N[0].y(), -0.001);
+}
+
+void TestTraceAssembler::contactAtTheMark() {
+    for (const auto& [force_N, touching] : {std::pair{0.0, false}, {0.02, false}, {0.021, true}}) {
+        auto frames = someFrames(3);
+        frames[0].header.events = bits::kTrialStarted;
+        frames[2].header.events = bits::kMarked;
+        frames[2].tool[0].tissue[2] = force_N;
+        QCOMPARE(assemble(frames)[0].markInContact, touching);
+    }
+}
+
+void TestTraceAssembler::measuredForceOnlyWhereMeasured() {
+    auto frames = someFrames(4);
+    frames[0].header.events = bits::kTrialStarted;
+    for (auto& frame : frames)
+        frame.tool[0].measured[0] = 0.7; // of no meaning without the status bit
+    QVERIFY(assemble(frames)[0].tools[0].measured_N.empty());
+    frames[2].tool[0].status = core::sample_status::kMeasuredForce;
+    const auto measured = assemble(frames)[0].tools[0].measured_N;
+    QCOMPARE(measured.size(), std::size_t{4});
+    QCOMPARE(measured[1].x(), 0.0);
+    QCOMPARE(measured[2].x(), 0.7);
+    QCOMPARE(measured[3].x(), 0.0);
+}
+
+void TestTraceAssembler::everyToolHasItsTrace() {
+    auto frames = someFrames(5, 0, 2);
+    frames[0].header.events = bits::kTrialStarted;
+    frames[2].tool[1] = frames[1].tool[1]; // the second tool alone repeats
+    const auto trials = assemble(frames, 2);
+    QCOMPARE(trials[0].tools.size(), std::size_t{2});
+    QCOMPARE(trials[0].tools[0].t_s.size(), std::size_t{5});
+    QCOMPARE(trials[0].tools[1].t_s.size(), std::size_t{4});
+    QCOMPARE(trials[0].tools[1].p_WT_m[0].x(), 0.1);
+}
+
+QTEST_APPLESS_MAIN(TestTraceAssembler)
+#include "test_trace_assembler.moc"
