@@ -3,9 +3,9 @@
 
 #include "database/database.h"
 #include "database/repositories/session_reader.h"
+#include "recording/crash_ring.h"
 #include "witness_file.h"
 
-#include <QDir>
 #include <chrono>
 #include <csignal>
 #include <spawn.h>
@@ -36,13 +36,14 @@ bool ended(pid_t pid) {
 
 } // namespace
 
-KillCampaign::KillCampaign(std::uint64_t seed) : m_random(core::Random::stream(seed, "kills")) {
+KillCampaign::KillCampaign(std::uint64_t seed)
+    : m_rings(QString::fromStdString(recording::defaultRingFolder().string()) + "/chiron_kills_XXXXXX"),
+      m_random(core::Random::stream(seed, "kills")) {
     database::DatabaseOptions options;
     options.passwordCost = database::PasswordCost::minimalForTests();
     if (auto created = database::Database::create(m_folder.filePath("site.db").toStdString(), options);
         !created)
         qFatal("%s", created.error().message.c_str());
-    QDir(m_folder.path()).mkdir("rings");
 }
 
 KillCampaign::~KillCampaign() = default;
@@ -64,7 +65,7 @@ KillCampaign::Child KillCampaign::launch(const char* role, double limit_s) {
                                    "--child",
                                    role,
                                    m_folder.filePath("site.db").toStdString(),
-                                   m_folder.filePath("rings").toStdString(),
+                                   m_rings.path().toStdString(),
                                    witness,
                                    std::to_string(m_random.below(1'000'000)),
                                    std::to_string(limit_s)};

@@ -54,6 +54,7 @@ private:
     void sleep(double least_s, double most_s);
 
     QTemporaryDir m_folder;
+    QTemporaryDir m_rings; ///< in memory: a ring on a disk makes ticks wait for write-back
     chiron::core::Random m_random;
     int m_children = 0;
     int m_kills = 0;

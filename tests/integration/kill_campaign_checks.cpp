@@ -76,7 +76,7 @@ QString KillCampaign::checkSession(const Killed& killed) {
 
 QString KillCampaign::checkAfterRecovery() {
     const std::string file = m_folder.filePath("site.db").toStdString();
-    const std::string rings = m_folder.filePath("rings").toStdString();
+    const std::string rings = m_rings.path().toStdString();
     {
         auto database = database::Database::openForWriting(file);
         auto recovered =
@@ -87,7 +87,7 @@ QString KillCampaign::checkAfterRecovery() {
         if (!again || !again->empty())
             return "a second recovery finds something to do";
     }
-    const QStringList left = QDir(m_folder.filePath("rings")).entryList(QDir::Files);
+    const QStringList left = QDir(m_rings.path()).entryList(QDir::Files);
     if (!left.isEmpty())
         return "left behind: " + left.join(' ');
     for (const Killed& killed : m_unchecked) {
