@@ -95,7 +95,7 @@ ReportData sample(std::size_t samples) {
     for (int i = 0; i < 10; ++i)
         s.events.push_back({18.0 * i, QStringLiteral("trial %1").arg(i + 1)});
     s.paused = {{62.0, 71.5}};
-    data.loop = {180000, 12, 0.61, 1.9, 38.4};
+    data.loop = {180000, 12, true, 0.61, 1.9, 38.4};
     data.integrity = {"S-000042",
                       180000,
                       0,
@@ -236,6 +236,7 @@ void TestReportOutput::comparison() {
                          {QStringLiteral("expert"), {9.8, 11.7, 8.9, 13.2, 10.4, 9.1}},
                          {QStringLiteral("unsafe"), {16.2}},
                          {QStringLiteral("nobody"), {}}},
+                        QStringLiteral("session"),
                         14.2,
                         QStringLiteral("published mean, 14.2 %")};
     const PlotTheme theme = lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom));
