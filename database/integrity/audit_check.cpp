@@ -5,7 +5,10 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
+#include <array>
 #include <map>
+#include <string_view>
 
 namespace chiron::database {
 namespace {
@@ -77,12 +80,14 @@ AuditLink linkOf(const Query& row) {
     return link;
 }
 
+constexpr std::array<std::string_view, 4> kVouchedTables{"person", "session", "score_set", "session_comment"};
+
 // A row that was changed together with its digest by somebody without the key shows here.
 void checkVouchedRows(Connection& connection, const std::map<Target, std::string>& rows,
                       VerifyReport& report) {
     for (const auto& [target, expected] : rows) {
         const auto& [table, id] = target;
-        if (table != "person" && table != "session" && table != "score_set" && table != "session_comment") {
+        if (std::find(kVouchedTables.begin(), kVouchedTables.end(), table) == kVouchedTables.end()) {
             continue;
         }
         const auto digest =
@@ -96,6 +101,29 @@ void checkVouchedRows(Connection& connection, const std::map<Target, std::string
         } else if (**digest != expected) {
             report.findings.push_back(
                 {"audit", table, row, "was changed without an entry in the audit chain"});
+        }
+    }
+}
+
+// A row that somebody without the key put there, digest and all: each of these tables notes its rows when
+// they are made. Only the built-in account is older than the chain.
+void checkUnknownRows(Connection& connection, const std::map<Target, std::string>& rows,
+                      VerifyReport& report) {
+    for (const std::string_view name : kVouchedTables) {
+        const std::string table(name);
+        auto query =
+            Query::run(connection, "SELECT id FROM " + table +
+                                       (table == "person" ? " WHERE kind <> 'simulated' OR id <> 1" : "") +
+                                       " ORDER BY id");
+        auto row = query ? query->next() : tl::unexpected(query.error());
+        for (; row && *row; row = query->next()) {
+            if (!rows.contains({table, query->integer(0)})) {
+                report.findings.push_back({"audit", table, "id=" + std::to_string(query->integer(0)),
+                                           "was added without an entry in the audit chain"});
+            }
+        }
+        if (!row) {
+            report.findings.push_back({"unreadable", table, "", row.error().message});
         }
     }
 }
@@ -118,11 +146,13 @@ void checkAudit(Connection& connection, const SiteKey& key, const std::optional<
     for (; row && *row; row = query->next()) {
         chain.link(linkOf(*query));
     }
-    if (!row) {
-        report.findings.push_back({"unreadable", "audit", "", row.error().message});
-    }
     chain.finish();
     checkVouchedRows(connection, chain.rows(), report);
+    if (row) {
+        checkUnknownRows(connection, chain.rows(), report);
+    } else {
+        report.findings.push_back({"unreadable", "audit", "", row.error().message});
+    }
 }
 
 } // namespace chiron::database

@@ -24,6 +24,7 @@ private slots:
     void payloadAndTextsAreGuarded();
     void rowRemovedWithItsIndexIsFound();
     void rowChangedWithItsDigestIsFound();
+    void rowAddedWithItsDigestIsFound();
     void auditEditGapReorderSpliceTruncation_data();
     void auditEditGapReorderSpliceTruncation();
     void forgedHeadIsFound();
@@ -185,6 +186,42 @@ void TestVerify::rowChangedWithItsDigestIsFound() {
     QVERIFY(has(report, "seal", "score_set", "id=1"));
     QVERIFY(has(report, "audit", "audit", "sequence=1")); // the chain grew out of another identity
     QVERIFY(!has(report, "digest", "person"));
+}
+
+void TestVerify::rowAddedWithItsDigestIsFound() {
+    // The same somebody adds an administrator of his own, and better scores to a session.
+    const std::string copy = damagedCopy("");
+    QVERIFY(!copy.empty());
+    {
+        auto connection = Connection::create(copy);
+        REQUIRE(connection);
+        REQUIRE(insertRow(**connection, "person",
+                          {{"id", std::int64_t{77}},
+                           {"kind", std::string("person")},
+                           {"name", std::string("mallory")},
+                           {"name_key", std::string("mallory")},
+                           {"display_name", std::string()},
+                           {"roles", std::string("admin")},
+                           {"enabled", std::int64_t{1}},
+                           {"created_utc", std::string("2026-01-01T00:00:00.000Z")}}));
+        const std::vector<std::uint8_t> empty(8, 0); // a seal over no scores: their number
+        REQUIRE(insertRow(**connection, "score_set",
+                          {{"id", std::int64_t{78}},
+                           {"session_id", std::int64_t{1}},
+                           {"ordinal", std::int64_t{9}},
+                           {"utc", std::string("2026-01-01T00:00:00.000Z")},
+                           {"passed", std::int64_t{1}},
+                           {"trials", std::int64_t{0}},
+                           {"scores", std::int64_t{0}},
+                           {"seal", toBlob(bytesDigest(empty))}}));
+    }
+    DatabaseOptions options = m.options;
+    options.siteFolder = m.path() + ".site";
+    const VerifyReport report = verifyDatabase(copy, options);
+    QVERIFY(has(report, "audit", "person", "id=77"));
+    QVERIFY(has(report, "audit", "score_set", "id=78"));
+    QVERIFY(!has(report, "audit", "person", "id=1"));
+    QCOMPARE(report.findings.size(), std::size_t{2}); // nothing else tells
 }
 
 void TestVerify::auditEditGapReorderSpliceTruncation_data() {
