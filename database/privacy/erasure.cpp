@@ -29,8 +29,9 @@ core::Result<void> overwriteIdentity(Connection& connection, const Actor& byWhom
     const std::string name = "erased-" + std::to_string(id);
     const auto before = selectText(
         connection, "SELECT lower(hex(digest)) FROM person WHERE id = ? AND kind <> 'simulated'", {id});
-    if (!before) {
-        return tl::unexpected(before.error());
+    const auto created = selectText(connection, "SELECT created_utc FROM person WHERE id = ?", {id});
+    if (!before || !created) {
+        return tl::unexpected(!before ? before.error() : created.error());
     }
     if (!*before) {
         return core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
@@ -49,6 +50,7 @@ core::Result<void> overwriteIdentity(Connection& connection, const Actor& byWhom
     if (!person || !code || !credential) {
         return tl::unexpected(!person ? person.error() : !code ? code.error() : credential.error());
     }
+    erasure.personCreated_utc = created->value_or("");
     erasure.digestsJson = "{\"person\":\"" + **before + "\"";
     return appendAudit(connection, byWhom, {"erase", "person", id, *person, "{}"});
 }
@@ -152,17 +154,18 @@ core::Result<Erasure> overwritePerson(Connection& connection, const Actor& byWho
 }
 
 core::Result<std::vector<Erasure>> storedErasures(Connection& connection) {
-    auto query = Query::run(
-        connection, "SELECT person_id, utc, reason, administrator_id, recordings_withdrawn, digests_json "
-                    "FROM erasure ORDER BY person_id");
+    auto query = Query::run(connection,
+                            "SELECT e.person_id, p.created_utc, e.utc, e.reason, e.administrator_id, "
+                            "e.recordings_withdrawn, e.digests_json "
+                            "FROM erasure e LEFT JOIN person p ON p.id = e.person_id ORDER BY e.person_id");
     if (!query) {
         return tl::unexpected(query.error());
     }
     std::vector<Erasure> erasures;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
-        erasures.push_back({query->integer(0), query->text(1), query->text(2), query->integer(3),
-                            query->integer(4) != 0, query->text(5)});
+        erasures.push_back({query->integer(0), query->text(1), query->text(2), query->text(3),
+                            query->integer(4), query->integer(5) != 0, query->text(6)});
     }
     return row ? core::Result<std::vector<Erasure>>(std::move(erasures)) : tl::unexpected(row.error());
 }

@@ -13,12 +13,24 @@ namespace chiron::database {
 /// What is left of an erased person.
 struct Erasure {
     PersonId person = 0;
+    /// created_utc of the person's row. A restore gives a number out again that the backup does not know yet,
+    /// so the number alone does not tell who was meant. Empty in lists written before it was kept.
+    std::string personCreated_utc;
     std::string utc;
     std::string reason;
     PersonId administrator = 0;
     bool recordingsWithdrawn = false;
     std::string digestsJson; ///< digests of what was overwritten
 };
+
+/// Whether it is about the person with this number who was created then ("" on either side: not known).
+inline bool isAbout(const Erasure& erasure, PersonId person, const std::string& created_utc) {
+    const bool unknown = erasure.personCreated_utc.empty() || created_utc.empty();
+    return erasure.person == person && (unknown || erasure.personCreated_utc == created_utc);
+}
+
+/// Puts an erasure into a list, in the place of an older one of the same person.
+void putErasure(std::vector<Erasure>& list, const Erasure& erasure);
 
 /// Overwrites a person's name, code, credentials and free texts (and recordings, if withdrawn), stores the
 /// tombstone and audits it on behalf of byWhom. In the running transaction. Row digests of trials, chunks and

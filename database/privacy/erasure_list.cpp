@@ -13,6 +13,7 @@ namespace {
 
 QJsonObject jsonOf(const Erasure& erasure) {
     return {{"person", static_cast<qint64>(erasure.person)},
+            {"person_created_utc", QString::fromStdString(erasure.personCreated_utc)},
             {"utc", QString::fromStdString(erasure.utc)},
             {"reason", QString::fromStdString(erasure.reason)},
             {"administrator", static_cast<qint64>(erasure.administrator)},
@@ -38,6 +39,7 @@ core::Result<std::vector<Erasure>> readErasureList(const std::string& name) {
     for (const QJsonValue& value : document.array()) {
         const QJsonObject json = value.toObject();
         const Erasure erasure{json["person"].toInteger(),
+                              json["person_created_utc"].toString().toStdString(),
                               json["utc"].toString().toStdString(),
                               json["reason"].toString().toStdString(),
                               json["administrator"].toInteger(),
@@ -49,6 +51,12 @@ core::Result<std::vector<Erasure>> readErasureList(const std::string& name) {
         erasures.push_back(erasure);
     }
     return erasures;
+}
+
+void putErasure(std::vector<Erasure>& list, const Erasure& erasure) {
+    std::erase_if(list,
+                  [&](const Erasure& e) { return isAbout(e, erasure.person, erasure.personCreated_utc); });
+    list.push_back(erasure);
 }
 
 core::Result<void> saveErasureList(const std::string& name, const std::vector<Erasure>& erasures) {
@@ -69,8 +77,7 @@ core::Result<void> writeErasureList(const std::string& siteFolder, const Erasure
     if (!erasures) {
         return tl::unexpected(erasures.error());
     }
-    std::erase_if(*erasures, [&](const Erasure& e) { return e.person == erasure.person; });
-    erasures->push_back(erasure);
+    putErasure(*erasures, erasure);
     return saveErasureList(erasureListFile(siteFolder), *erasures);
 }
 

@@ -139,7 +139,7 @@ core::Result<Erasure> PrivacyRepository::erasePerson(PersonId person, const std:
         return core::fail(core::ErrorCode::wrongUse, "a session of this person has not ended yet");
     }
     return overwritePerson(m_connection, m_actor,
-                           {person, "", reason, m_actor.personId(), withdrawRecordings, ""});
+                           {person, "", "", reason, m_actor.personId(), withdrawRecordings, ""});
 }
 
 core::Result<std::vector<Erasure>> PrivacyRepository::listErasures() {

@@ -24,8 +24,7 @@ core::Result<void> writeErasures(Connection& reader, const std::string& siteFold
         return tl::unexpected(!erasures ? erasures.error() : stored.error());
     }
     for (const Erasure& erasure : *stored) {
-        std::erase_if(*erasures, [&](const Erasure& e) { return e.person == erasure.person; });
-        erasures->push_back(erasure);
+        putErasure(*erasures, erasure);
     }
     return saveErasureList(file, *erasures);
 }

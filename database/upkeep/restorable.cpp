@@ -9,44 +9,44 @@
 #include "database/schema/migration_runner.h"
 #include "database/upkeep/manifest.h"
 
-#include <map>
+#include <vector>
 
 namespace chiron::database {
 namespace {
 
 // Everything that must stay erased: what the backup knew, what the site knows, what the file to be replaced
 // knows.
-core::Result<std::map<PersonId, Erasure>>
-erasuresToApply(const std::string& backupFolder, const std::string& siteFolder, const std::string& target) {
-    std::map<PersonId, Erasure> all;
+core::Result<std::vector<Erasure>> erasuresToApply(const std::string& backupFolder,
+                                                   const std::string& siteFolder, const std::string& target) {
+    std::vector<Erasure> all;
     for (const std::string& file : {backupFolder + "/" + kErasuresFile, erasureListFile(siteFolder)}) {
         const auto listed = readErasureList(file);
         if (!listed) {
             return tl::unexpected(listed.error());
         }
         for (const Erasure& erasure : *listed) {
-            all[erasure.person] = erasure;
+            putErasure(all, erasure);
         }
     }
     if (auto old = Connection::open(target, Connection::Mode::readOnly)) {
         // The file to be replaced may well be damaged; then the two lists have to do.
         for (const Erasure& erasure : storedErasures(**old).value_or(std::vector<Erasure>())) {
-            all[erasure.person] = erasure;
+            putErasure(all, erasure);
         }
     }
     return all;
 }
 
 core::Result<int> applyErasures(Connection& connection, const Actor& actor,
-                                const std::map<PersonId, Erasure>& erasures) {
+                                const std::vector<Erasure>& erasures) {
     int applied = 0;
-    for (const auto& [person, erasure] : erasures) {
-        const auto there =
-            selectInteger(connection, "SELECT 1 FROM person WHERE id = ? AND kind = 'person'", {person});
-        if (!there) {
-            return tl::unexpected(there.error());
+    for (const Erasure& erasure : erasures) {
+        const auto created = selectText(
+            connection, "SELECT created_utc FROM person WHERE id = ? AND kind = 'person'", {erasure.person});
+        if (!created) {
+            return tl::unexpected(created.error());
         }
-        if (!*there) {
+        if (!*created || !isAbout(erasure, erasure.person, **created)) {
             continue;
         }
         Erasure again = erasure;
@@ -64,7 +64,7 @@ core::Result<int> applyErasures(Connection& connection, const Actor& actor,
 // Brings the copy up to date inside one transaction: erasures, and an entry that says where the chain was
 // cut.
 core::Result<int> prepare(const std::string& copy, const Actor& actor, const SiteKey& key,
-                          const IBootClock* clock, const std::map<PersonId, Erasure>& erasures) {
+                          const IBootClock* clock, const std::vector<Erasure>& erasures) {
     auto connection = Connection::create(copy);
     if (!connection) {
         return tl::unexpected(connection.error());

@@ -26,6 +26,7 @@ class TestRestore : public QObject {
 private slots:
     void restoreBringsBackAndKeepsTheOld();
     void restoreAppliesLaterErasures();
+    void restoreErasesNobodyElseWithTheNumber();
     void restoreElsewhereNeedsTheKey();
     void restoreRefusesChangedBackups_data();
     void restoreRefusesChangedBackups();
@@ -96,6 +97,38 @@ void TestRestore::restoreAppliesLaterErasures() {
     // A later backup carries the list itself.
     REQUIRE(Upkeep::backup(*f.database, *ada, f.path("later")));
     QVERIFY(contentOf(f.path("later") + "/erasures.json").contains("wish"));
+}
+
+void TestRestore::restoreErasesNobodyElseWithTheNumber() {
+    // After a restore to before somebody came, the next newcomer gets that person's number.
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    auto ada = f.administrator();
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("before")));
+    const auto tim = f.person(*ada, "timotheus-unverwechselbar", {Role::trainee});
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("with tim")));
+    REQUIRE(AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", true));
+    f.database.reset();
+    REQUIRE(Upkeep::restore(requestFor(f, f.path("before")), f.options));
+    REQUIRE(f.reopen());
+    ada = AccountService(*f.database).login("ada", kPassword);
+    const auto nora = f.person(*ada, "nora-unverwechselbar", {Role::trainee});
+    QCOMPARE(nora->personId(), tim->personId());
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("with nora")));
+    f.database.reset();
+    const auto kept = Upkeep::restore(requestFor(f, f.path("with nora")), f.options);
+    REQUIRE(kept);
+    QCOMPARE(kept->erasuresApplied, 0);
+    QVERIFY(contentOf(f.path()).contains("nora-unverwechselbar"));
+    // Erasing the second one does not make the first one's erasure forgotten.
+    REQUIRE(f.reopen());
+    REQUIRE(AccountService(*f.database).erasePerson(*ada, kPassword, nora->personId(), "wish", true));
+    f.database.reset();
+    for (const char* backup : {"with tim", "with nora"}) {
+        const auto again = Upkeep::restore(requestFor(f, f.path(backup)), f.options);
+        REQUIRE(again);
+        QCOMPARE(again->erasuresApplied, 1);
+    }
 }
 
 void TestRestore::restoreElsewhereNeedsTheKey() {
