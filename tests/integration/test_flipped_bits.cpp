@@ -97,7 +97,7 @@ void TestFlippedBits::initTestCase() {
     m_site = std::make_unique<tests::SessionFixture>();
     for (int level = 1; level <= 3; ++level) {
         auto result =
-            m_site->run(m_site->request(tests::shortLevel(level, 2, 3.0), "intermediate", 30 + level));
+            m_site->run(m_site->request(tests::shortLevel(level, 3, 15.0), "intermediate", 30 + level));
         QVERIFY2(result, result ? "" : result.error().message.c_str());
     }
     m_siteFolder = QString::fromStdString(m_site->database->siteFolder());
