@@ -15,10 +15,15 @@ namespace chiron::session {
 
 namespace {
 
-/// The dead ring of a session, if there is one. An unreadable ring is an error: it may hold what nothing else does.
+/// The dead ring of a session, if there is one. An unreadable ring is an error: it may hold what nothing else does. Only
+/// the session's own is looked at: another's damage is not this one's.
 core::Result<std::optional<recording::RecoveredRing>> ringOf(const std::vector<std::filesystem::path>& rings,
+                                                             const recording::DatabaseId& id,
                                                              database::SessionId session) {
+    const std::string name = recording::ringFilePrefix(id) + std::to_string(session) + recording::kRingSuffix;
     for (const auto& path : rings) {
+        if (path.filename() != name)
+            continue;
         auto ring = recording::recoverRing(path);
         if (!ring) {
             if (ring.error().code == core::ErrorCode::locked)
@@ -61,10 +66,16 @@ core::Result<std::uint64_t> storeRingFrames(database::Database& database, const 
 }
 
 core::Result<RecoveredSession> recoverOne(database::Database& database, const database::SessionRecord& record,
-                                          const std::vector<std::filesystem::path>& rings) {
+                                          const std::vector<std::filesystem::path>& rings,
+                                          const recording::DatabaseId& id) {
     RecoveredSession recovered;
     recovered.session = record.summary.id;
-    auto ring = ringOf(rings, record.summary.id);
+    auto ring = ringOf(rings, id, record.summary.id);
+    if (!ring && ring.error().code == core::ErrorCode::badInput) {
+        // It will be no better next time: the session ends with what was committed, the file stays for an expert.
+        recovered.problem = ring.error().message;
+        ring = std::optional<recording::RecoveredRing>();
+    }
     if (!ring)
         return tl::unexpected(ring.error());
     RunEnding ending;
@@ -129,9 +140,11 @@ core::Result<std::vector<RecoveredSession>> recoverSessions(database::Database& 
     std::vector<RecoveredSession> all;
     recording::removeUnfinishedRings(ringFolder, *id);
     for (const database::SessionRecord& record : *unfinished) {
-        auto recovered = recoverOne(database, record, ringsFor(record, ringFolder, *id));
-        if (!recovered)
-            return tl::unexpected(recovered.error());
+        auto recovered = recoverOne(database, record, ringsFor(record, ringFolder, *id), *id);
+        if (!recovered) {
+            all.push_back({record.summary.id, 0, 0, recovered.error().message});
+            continue;
+        }
         auto summary = database::SessionReader(**connection, database::Actor::maintenance()).session(record.summary.id);
         if (summary)
             recovered->frames = summary->summary.frames;

@@ -95,8 +95,13 @@ core::Result<CommandOutput> train(const Arguments& arguments) {
     auto site = session::openSite(databasePath(arguments).toStdString(), databaseOptions());
     if (!site)
         return tl::unexpected(site.error());
-    for (const session::RecoveredSession& recovered : site->recovered)
+    for (const session::RecoveredSession& recovered : site->recovered) {
         tell(QStringLiteral("session %1 was interrupted; %2 frames are kept").arg(recovered.session).arg(recovered.frames));
+        if (!recovered.problem.empty())
+            tell(QStringLiteral("session %1 could not be recovered wholly: %2")
+                     .arg(recovered.session)
+                     .arg(QString::fromStdString(recovered.problem)));
+    }
     auto actor = actorFor(arguments, *site->database, secrets);
     if (!actor)
         return tl::unexpected(actor.error());
