@@ -120,12 +120,10 @@ void WriterThread::runJob(Connection& connection, IWriterJob& job) {
 
 void WriterThread::drainAll() {
     for (Source& source : m_sources) {
-        if (source.error) {
-            continue;
-        }
-        if (auto drained = source.drainable->drain(); !drained) {
-            source.error = drained.error();
-        }
+        // A source that failed keeps its samples (crash ring) and is asked again: a disk that was full for a
+        // moment costs nothing, and only what stays wrong is told at the end.
+        auto drained = source.drainable->drain();
+        source.error = drained ? std::nullopt : std::optional<core::Error>(drained.error());
     }
 }
 

@@ -54,7 +54,7 @@ public:
     }
 
     void addSource(IDrainable& source);
-    /// Drains once more, forgets the source, returns the first error it ever had. After this it may be
+    /// Drains once more, forgets the source, returns the error of that last drain. After this it may be
     /// destroyed.
     core::Result<void> removeSource(IDrainable& source);
     /// Drains every source now and waits: as-fast-as-possible sessions call it before their ring is full.

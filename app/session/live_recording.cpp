@@ -7,8 +7,13 @@
 
 #include <QUuid>
 #include <algorithm>
+#include <limits>
 
 namespace chiron::session {
+
+namespace {
+constexpr std::int64_t kNeverOld = std::numeric_limits<std::int64_t>::min() / 2; // of an as-fast run's clock
+} // namespace
 
 core::Result<recording::DatabaseId> ringIdOf(const database::Database& database) {
     const QUuid uuid = QUuid::fromString(QString::fromStdString(database.uuid()));
@@ -25,7 +30,7 @@ core::Result<std::unique_ptr<LiveRecording>> LiveRecording::start(database::Data
                                                                   const database::Actor& actor,
                                                                   database::SessionId session,
                                                                   const SessionSetup& setup,
-                                                                  const std::filesystem::path& ringFolder) {
+                                                                  const std::filesystem::path& ringFolder, bool realtime) {
     auto positions = ToolPositions::create(setup);
     if (!positions)
         return tl::unexpected(positions.error());
@@ -42,6 +47,7 @@ core::Result<std::unique_ptr<LiveRecording>> LiveRecording::start(database::Data
                                               .tools = static_cast<int>(setup.devices.size())});
     if (!ring)
         return tl::unexpected(ring.error());
+    live->m_realtime = realtime;
     live->m_ring = std::move(*ring);
     auto sink = database.write([&](database::WriteContext& context) {
         return database::SessionRepository(context.connection(), actor).openSink(session);
@@ -70,7 +76,7 @@ void LiveRecording::stopDraining() {
 }
 
 core::Result<void> LiveRecording::drain() {
-    return m_finishing ? m_drain->finish() : m_drain->drain(core::monotonicNow_ns());
+    return m_finishing ? m_drain->finish() : m_drain->drain(m_realtime ? core::monotonicNow_ns() : kNeverOld);
 }
 
 core::Result<RecordingReport> LiveRecording::finish() {

@@ -30,7 +30,8 @@ public:
     static core::Result<std::unique_ptr<LiveRecording>> start(database::Database& database,
                                                               const database::Actor& actor,
                                                               database::SessionId session, const SessionSetup& setup,
-                                                              const std::filesystem::path& ringFolder);
+                                                              const std::filesystem::path& ringFolder,
+                                                              bool realtime);
     LiveRecording(const LiveRecording&) = delete;
     LiveRecording& operator=(const LiveRecording&) = delete;
     ~LiveRecording() override; ///< stops draining; the ring file stays for recovery unless finish() succeeded
@@ -53,6 +54,7 @@ private:
     std::unique_ptr<recording::FrameDrain> m_drain;
     core::Result<void> m_drainOutcome;
     bool m_draining = false;
+    bool m_realtime = true; ///< chunks close by the clock too; as-fast ones when they are full: the same every time
     bool m_finishing = false; ///< the next drain stores everything; set while the writer does not drain
 };
 

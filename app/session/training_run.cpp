@@ -181,14 +181,16 @@ core::Result<TrainingResult> runTraining(database::Database& database, const dat
     if (!session)
         return tl::unexpected(session.error());
     result.session = *session;
-    auto recording = LiveRecording::start(database, actor, *session, setup, request.ringFolder);
+    auto recording = LiveRecording::start(database, actor, *session, setup, request.ringFolder, request.realtime);
     if (!recording)
         return abandon(database, actor, *session, recording.error());
     auto loop = runLoop(database, request, setup, **kind, **recording);
     for (auto& device : request.station.devices)
         device->close();
-    if (!loop)
-        return tl::unexpected(loop.error());
+    if (!loop) { // no tick was made: nothing is in the ring
+        (void)(*recording)->finish();
+        return abandon(database, actor, *session, loop.error());
+    }
     result.loop = *loop;
     auto stored = (*recording)->finish();
     if (!stored)
