@@ -16,8 +16,11 @@
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QTimer>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <thread>
+#include <unistd.h>
 
 using namespace chiron;
 using namespace chiron::bench;
@@ -31,12 +34,19 @@ constexpr double kLate_us = 100.0;
 struct Punctuality {
     std::vector<double> late_us;
     std::vector<double> duration_us;
+    std::vector<double> interval_us; ///< |time since the last tick's start − 1 ms|: knows no phase
+    std::int64_t lastStart_ns = 0;
     std::vector<double> p99_us; ///< a repeat
     double cpu_s = 0.0;
     double wall_s = 0.0;
     std::uint64_t skipped = 0;
     realtime::RealtimeStatus status;
 
+    void started(std::int64_t start_ns, bool first) noexcept {
+        if (!first)
+            interval_us.push_back(std::abs(1e-3 * static_cast<double>(start_ns - lastStart_ns) - 1e3));
+        lastStart_ns = start_ns;
+    }
     double lateShare() const {
         const auto late = std::count_if(late_us.begin(), late_us.end(), [](double us) { return us > kLate_us; });
         return late_us.empty() ? 0.0 : static_cast<double>(late) / static_cast<double>(late_us.size());
@@ -55,7 +65,7 @@ struct Loop {
     std::unique_ptr<tests::LoopBench> bench;
 
     Loop() {
-        auto made = recording::CrashRing::create({.folder = recording::defaultRingFolder()});
+        auto made = recording::CrashRing::create({.folder = recording::defaultRingFolder(), .session = getpid()});
         if (!made) {
             std::fprintf(stderr, "%s\n", made.error().message.c_str());
             std::exit(1);
@@ -74,7 +84,10 @@ struct CountedTask {
     haptics::HapticLoop& loop;
     Punctuality& result;
     std::size_t left = kTicks;
-    bool tick(const realtime::HapticTick& now) noexcept { return loop.tick(now) && --left > 0; }
+    bool tick(const realtime::HapticTick& now) noexcept {
+        result.started(now.now_ns(), now.index() == 0);
+        return loop.tick(now) && --left > 0;
+    }
     void timing(const realtime::TickTiming& t) noexcept {
         result.late_us.push_back(1e-3 * static_cast<double>(t.lateness_ns)); // room was made before
         result.duration_us.push_back(1e-3 * static_cast<double>(t.duration_ns));
@@ -85,6 +98,7 @@ struct CountedTask {
 void reserveRoom(Punctuality& result) {
     result.late_us.reserve(kRepeats * kTicks);
     result.duration_us.reserve(kRepeats * kTicks);
+    result.interval_us.reserve(kRepeats * kTicks);
 }
 
 void runPeriodic(Punctuality& result) {
@@ -113,6 +127,7 @@ public:
         : m_loop(loop), m_result(result), m_events(events), m_deadline_ns(core::monotonicNow_ns() + 1'000'000) {}
     void timeout() {
         const std::int64_t start_ns = core::monotonicNow_ns();
+        m_result.started(start_ns, m_ticks.executed() == 0);
         m_loop.tick(m_ticks.next(start_ns));
         m_result.late_us.push_back(1e-3 * static_cast<double>(std::max<std::int64_t>(0, start_ns - m_deadline_ns)));
         m_result.duration_us.push_back(1e-3 * static_cast<double>(core::monotonicNow_ns() - start_ns));
@@ -197,6 +212,9 @@ std::vector<BenchRow> rowsOf(const Punctuality& ours, const Punctuality& peer) {
     BenchRow p50{.work = "lateness, median", .peer = timer, .unit = "us"};
     p50.peerMedian = median(peer.late_us);
     p50.oursMedian = median(ours.late_us);
+    BenchRow interval{.work = "interval off 1 ms by, p99 of all", .peer = timer, .unit = "us"};
+    interval.peerMedian = percentile(peer.interval_us, 0.99);
+    interval.oursMedian = percentile(ours.interval_us, 0.99);
     BenchRow late{.work = "ticks more than 100 us late", .peer = timer, .unit = "%"};
     late.peerMedian = 100.0 * peer.lateShare();
     late.oursMedian = 100.0 * ours.lateShare();
@@ -212,7 +230,7 @@ std::vector<BenchRow> rowsOf(const Punctuality& ours, const Punctuality& peer) {
     tick.oursMedian = median(ours.duration_us);
     tick.p99 = percentile(ours.duration_us, 0.99);
     tick.p999 = percentile(ours.duration_us, 0.999);
-    return {p99, p50, late, cpu, tick};
+    return {p99, p50, interval, late, cpu, tick};
 }
 } // namespace
 

@@ -30,8 +30,8 @@ Value orExit(core::Result<Value> value) {
     return std::move(*value);
 }
 
-/// What rows and summaries answer for the recorded sessions differs by rounding alone: summaries round each wrench to its
-/// stored resolution before they take the norm, as the recording does.
+/// How far the two answers are apart, at most, over the recorded sessions: both come from the stored samples, added up in
+/// another order.
 struct Agreement {
     double force_N = 0.0;
     double path_relative = 0.0;

@@ -12,8 +12,10 @@
 #include "support/haptic_trace.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <mutex>
 #include <optional>
+#include <unistd.h>
 
 using namespace chiron;
 using namespace chiron::recording;
@@ -65,9 +67,12 @@ double recordThroughRing(std::span<const core::HapticFrame> frames, TrialSink& s
     Recorder recorder(table, position, sink, {});
     RingSettings settings;
     settings.folder = ringFolder;
+    settings.session = getpid(); // two runs at once do not meet
     auto ring = CrashRing::create(settings);
-    if (!ring)
-        return 0.0;
+    if (!ring) {
+        std::fprintf(stderr, "%s\n", ring.error().message.c_str());
+        std::exit(1);
+    }
     FrameDrain drain(**ring, recorder);
     double spent = onWarmFrames(frames, [&](std::span<const core::HapticFrame> some) {
         for (std::size_t i = 0; i < some.size(); ++i) {
@@ -192,6 +197,7 @@ void benchRing(std::span<const core::HapticFrame> frames) {
     for (int r = 0; r < kRepeats * 5; ++r) {
         RingSettings settings;
         settings.folder = kRingFolder;
+        settings.session = getpid();
         auto ring = CrashRing::create(settings);
         locked.push_back(1e9 / kPushes * cpuSeconds([&] {
                              for (std::size_t i = 0; i < kPushes; ++i) {

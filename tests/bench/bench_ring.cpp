@@ -14,10 +14,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <mutex>
 #include <thread>
+#include <unistd.h>
 
 using namespace chiron;
 using namespace chiron::bench;
@@ -131,9 +133,11 @@ void throughSpscRing(Pushes& result, double clock_ns, const std::vector<OneTool>
 }
 
 void throughCrashRing(Pushes& result, double clock_ns, const std::vector<core::HapticFrame>& frames) {
-    auto ring = recording::CrashRing::create({.folder = recording::defaultRingFolder()});
-    if (!ring)
-        return void(std::fprintf(stderr, "%s\n", ring.error().message.c_str()));
+    auto ring = recording::CrashRing::create({.folder = recording::defaultRingFolder(), .session = getpid()});
+    if (!ring) {
+        std::fprintf(stderr, "%s\n", ring.error().message.c_str());
+        std::exit(1);
+    }
     recording::RingDrain drain(**ring);
     std::vector<core::HapticFrame> taken(256);
     run(result, clock_ns, [&](std::size_t n) { return (*ring)->tryPush(frames[n % frames.size()]); },
@@ -160,7 +164,7 @@ BenchRow rowOf(const char* work, const Pushes& ours, const Pushes& peer) {
 }
 
 std::optional<bool> pushesWithoutSystemCall(const std::vector<core::HapticFrame>& frames) {
-    auto ring = recording::CrashRing::create({.folder = recording::defaultRingFolder()});
+    auto ring = recording::CrashRing::create({.folder = recording::defaultRingFolder(), .session = getpid()});
     if (!ring)
         return std::nullopt;
     const auto quiet = makesNoSystemCall([&] {

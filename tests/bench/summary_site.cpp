@@ -34,9 +34,13 @@ core::Result<catalogue::ExerciseLevel> longLevel() {
         return tl::unexpected(catalogue.error());
     const auto stored = QByteArray::fromStdString(catalogue->find("sphere_apex", 2)->resolvedJson);
     QJsonObject json = QJsonDocument::fromJson(stored).object();
-    QJsonObject parameters = json["parameters"].toObject();
+    QJsonObject inner = json["level"].toObject();
+    QJsonObject parameters = inner["parameters"].toObject();
+    if (!parameters.contains("trials"))
+        return core::fail(core::ErrorCode::badInput, "the resolved level does not say how many trials it has");
     parameters["trials"] = 400; // more than content may ask for: ten minutes of them, for the quickest operator too
-    json["parameters"] = parameters;
+    inner["parameters"] = parameters;
+    json["level"] = inner;
     return catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
 }
 
@@ -83,6 +87,8 @@ core::Result<bool> SummarySite::record(std::uint64_t seed) {
     auto result = session::runTraining(*m_database, database::Actor::simulated(), std::move(request));
     if (!result)
         return tl::unexpected(result.error());
+    if (result->loop.ticks < kTenMinutes_ticks)
+        return core::fail(core::ErrorCode::doesNotHold, "the session ended before its ten minutes were over");
     m_recorded.push_back(result->session);
     m_sampleBytes += result->recording.bytes;
     return true;

@@ -16,6 +16,7 @@
 #include "support/haptic_bench.h"
 
 #include <cstring>
+#include <unistd.h>
 
 namespace chiron::bench {
 
@@ -41,7 +42,7 @@ struct Recording {
     core::Result<void> start(const session::SessionSetup& setup) {
         auto tools = session::ToolPositions::create(setup);
         auto table = session::channelTableFor(setup);
-        auto made = recording::CrashRing::create({.folder = recording::defaultRingFolder()});
+        auto made = recording::CrashRing::create({.folder = recording::defaultRingFolder(), .session = getpid()});
         if (!tools || !table || !made)
             return tl::unexpected(!tools ? tools.error() : !table ? table.error() : made.error());
         positions = std::move(*tools);
