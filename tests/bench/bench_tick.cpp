@@ -67,7 +67,7 @@ Value orExit(core::Result<Value> value) {
     return std::move(*value);
 }
 
-/// Time of one call of the law, over the recorded places of the tool inside the object.
+/// CPU time of one call of the law, over the recorded places of the tool inside the object.
 void addLaw(std::vector<BenchRow>& rows, const RecordedSession& recorded, const char* name, bool judged) {
     const auto positions = orExit(session::ToolPositions::create(recorded.setup));
     const auto& parameters = std::get<simulation::SphereApexParameters>(recorded.setup.level.parameters);
@@ -86,12 +86,12 @@ void addLaw(std::vector<BenchRow>& rows, const RecordedSession& recorded, const 
     for (int r = 0; r < kRepeats; ++r) {
         simulation::BristleFriction bristle;
         double sum = 0.0;
-        const std::int64_t start_ns = core::monotonicNow_ns();
-        for (int round = 0; round < kRounds; ++round)
-            for (const core::Vec3& p : places)
-                sum += law.respond(p, velocity, bristle).force.z();
-        ours.push_back(static_cast<double>(core::monotonicNow_ns() - start_ns) /
-                       (kRounds * static_cast<double>(places.size())));
+        const double spent_s = cpuSeconds([&] {
+            for (int round = 0; round < kRounds; ++round)
+                for (const core::Vec3& p : places)
+                    sum += law.respond(p, velocity, bristle).force.z();
+        });
+        ours.push_back(1e9 * spent_s / (kRounds * static_cast<double>(places.size())));
         sink = sum;
     }
     (void)sink;
