@@ -26,6 +26,10 @@ class TestTwoPrograms : public QObject {
 private slots:
     void secondWriterIsRefusedAndReadersAreNot();
     void askedToStop();
+    void cleanup() { // of a test that failed half-way
+        m_training.kill();
+        m_training.waitForFinished(kPatience_ms);
+    }
 
 private:
     void startTraining();
