@@ -41,6 +41,7 @@ struct MetricDefinition {
     MetricWrench wrench = MetricWrench::none;
     Aggregate aggregate = Aggregate::mean;
     MetricTools tools = MetricTools::first;
+    bool needsForces = false;    ///< null, with its reason, for a trace without force columns
     std::string_view definition; ///< one sentence with the equation
     std::string_view source;     ///< paper and equation, or models.md §
     /// The value over these trials: called with one trial for `trials[]`, with all of them where aggregate is

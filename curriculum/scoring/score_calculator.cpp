@@ -45,6 +45,13 @@ MetricValue valueOf(const MetricDefinition& metric, const Measurement& measured)
             measured.value,         measured.reason, {}};
 }
 
+Measurement measured(const MetricDefinition& metric, std::span<const PreparedTrial> trials) {
+    const bool known = std::all_of(trials.begin(), trials.end(),
+                                   [](const PreparedTrial& t) { return t.trial->forcesKnown; });
+    return metric.needsForces && !known ? Measurement::undefined("the trace has no forces")
+                                        : metric.measure(trials);
+}
+
 /// Trials without a value are left out; without any, the first reason stands.
 Measurement aggregate(const MetricDefinition& metric, const std::vector<std::vector<MetricValue>>& trials,
                       std::size_t column) {
@@ -102,12 +109,12 @@ core::Result<ScoreCard> calculateScore(const SessionTrace& trace, std::span<cons
     for (const PreparedTrial& trial : prepared) {
         auto& row = card.trials.emplace_back();
         for (const MetricDefinition* metric : *chosen)
-            row.push_back(valueOf(*metric, metric->measure({&trial, 1})));
+            row.push_back(valueOf(*metric, measured(*metric, {&trial, 1})));
     }
     for (std::size_t i = 0; i < chosen->size(); ++i) {
         const MetricDefinition& metric = *(*chosen)[i];
         card.metrics.push_back(valueOf(metric, metric.aggregate == Aggregate::pooled
-                                                   ? metric.measure(prepared)
+                                                   ? measured(metric, prepared)
                                                    : aggregate(metric, card.trials, i)));
     }
     applyGates(card, gates, completed);

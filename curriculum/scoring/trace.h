@@ -39,6 +39,7 @@ struct TrialTrace {
     core::Vec3 p_WMark_m = core::Vec3::Zero(); ///< tool 0 at the mark (last position if the file had no mark)
     bool markInContact = false;
     std::optional<ApexTruth> apex;
+    bool forcesKnown = true; ///< false: a file without force columns; tissue_N is zero and means nothing
 };
 
 struct SessionTrace {

@@ -99,6 +99,7 @@ core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_
     for (const auto& [number, list] : byTrial) {
         TrialTrace trial;
         trial.trial = number;
+        trial.forcesKnown = rows.columns.tissue;
         for (const TraceRow* row : list) {
             if (trial.tools.size() <= row->tool)
                 trial.tools.resize(row->tool + std::size_t{1});

@@ -70,6 +70,7 @@ core::Result<SessionTrace> onStoredGrids(const SessionTrace& trace) {
         trial.trial = raw.trial;
         trial.marked = raw.marked;
         trial.timedOut = raw.timedOut;
+        trial.forcesKnown = raw.forcesKnown;
         trial.markInContact = raw.markInContact;
         trial.p_WMark_m = onGrid(raw.p_WMark_m, 1e9);
         if (raw.apex)

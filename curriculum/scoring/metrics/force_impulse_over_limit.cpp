@@ -26,6 +26,7 @@ MetricDefinition forceImpulseOverLimitMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::sum,
             .tools = MetricTools::first,
+            .needsForces = true,
             .definition =
                 "Integral of |f| dt while |f| is over the level's force limit, each sample held until the "
                 "next.",

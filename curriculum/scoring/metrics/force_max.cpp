@@ -23,6 +23,7 @@ MetricDefinition forceMaxMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::maximum,
             .tools = MetricTools::first,
+            .needsForces = true,
             .definition = "Largest |f|.",
             .source = "models.md §6",
             .measure = measure};

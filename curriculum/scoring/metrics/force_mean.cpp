@@ -28,6 +28,7 @@ MetricDefinition forceMeanMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
+            .needsForces = true,
             .definition = "Mean of |f| over the samples above 0.02 N.",
             .source = "models.md §6",
             .measure = measure};

@@ -31,6 +31,7 @@ MetricDefinition forceP95Metric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
+            .needsForces = true,
             .definition = "95th percentile of |f| over all samples, linear between order statistics.",
             .source = "models.md §6; Hyndman & Fan 1996, definition 7",
             .measure = measure};

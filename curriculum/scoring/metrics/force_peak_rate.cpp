@@ -32,6 +32,7 @@ MetricDefinition forcePeakRateMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::maximum,
             .tools = MetricTools::first,
+            .needsForces = true,
             .definition = "Largest |d|f|/dt| between neighbouring samples as recorded.",
             .source = "models.md §6",
             .measure = measure};

@@ -27,6 +27,7 @@ MetricDefinition forceRmsMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
+            .needsForces = true,
             .definition = "Square root of the mean of |f|^2 over all samples.",
             .source = "models.md §6",
             .measure = measure};

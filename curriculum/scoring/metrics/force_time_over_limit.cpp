@@ -26,6 +26,7 @@ MetricDefinition forceTimeOverLimitMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::sum,
             .tools = MetricTools::first,
+            .needsForces = true,
             .definition =
                 "Time for which |f| is over the level's force limit, each sample held until the next.",
             .source = "models.md §6",
