@@ -25,8 +25,9 @@ core::Result<std::unique_ptr<QLockFile>> takeWriterLock(const std::string& file)
             return lock;
         }
     }
-    return core::fail(core::ErrorCode::locked, file + ": " + program.toStdString() + " (process " +
-                                                   std::to_string(pid) + ") has it open for writing");
+    return core::fail(core::ErrorCode::locked,
+                      file + ": " + program.toStdString() + " (process " + std::to_string(pid) +
+                          ") has it open for writing; nothing was changed; end it there or try again later");
 }
 
 } // namespace chiron::database

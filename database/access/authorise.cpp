@@ -6,13 +6,28 @@
 namespace chiron::database {
 namespace {
 
+// "listPeople" -> "list people", "scores" -> "read scores": what was refused, for people.
+std::string wordsFor(Action action) {
+    std::string words;
+    for (const char c : token(action)) {
+        const bool capital = c >= 'A' && c <= 'Z';
+        words += capital ? std::string{' ', static_cast<char>(c - 'A' + 'a')} : std::string(1, c);
+    }
+    for (const char* thing : {"person", "session", "trials", "events", "second", "comments", "scores"}) {
+        if (words.starts_with(thing)) {
+            return "read " + words;
+        }
+    }
+    return words;
+}
+
 core::Error denied(const Actor& actor, Action action, const std::string& why) {
-    const std::string who = actor.kind() == ActorKind::person      ? actor.name()
-                            : actor.kind() == ActorKind::anonymous ? "nobody logged in"
-                            : actor.kind() == ActorKind::simulated ? "the simulated account"
-                                                                   : "maintenance";
+    const std::string who = actor.kind() == ActorKind::person      ? "for " + actor.name()
+                            : actor.kind() == ActorKind::anonymous ? "without a login"
+                            : actor.kind() == ActorKind::simulated ? "for the simulated account"
+                                                                   : "for maintenance";
     return core::Error{core::ErrorCode::notAllowed,
-                       "not allowed: " + std::string(token(action)) + " by " + who + " (" + why + ")"};
+                       "not allowed " + who + ": " + wordsFor(action) + " (" + why + ")"};
 }
 
 core::Result<Scope> scopeOfPerson(Connection& connection, const Actor& actor, Action action) {
@@ -29,7 +44,7 @@ core::Result<Scope> scopeOfPerson(Connection& connection, const Actor& actor, Ac
         return tl::unexpected(row.error());
     }
     if (!*row || query->integer(1) != 1) {
-        return tl::unexpected(denied(actor, action, "the account is disabled"));
+        return tl::unexpected(denied(actor, action, "the account is disabled; ask an administrator"));
     }
     if (query->integer(2) != 0 && action != Action::changePassword) {
         return tl::unexpected(denied(actor, action, "the password must be changed first"));
@@ -66,9 +81,10 @@ core::Result<Scope> authorise(Connection& connection, const Actor& actor, Action
         return scope;
     }
     if (*scope == Scope::none) {
-        return tl::unexpected(
-            denied(actor, action,
-                   actor.kind() == ActorKind::anonymous ? "log in first" : "the roles do not permit it"));
+        return tl::unexpected(denied(actor, action,
+                                     actor.kind() == ActorKind::anonymous
+                                         ? "log in first"
+                                         : "the roles do not permit it; an administrator can change them"));
     }
     return scope;
 }
@@ -98,7 +114,11 @@ core::Result<void> authoriseForSession(Connection& connection, const Actor& acto
         return core::fail(core::ErrorCode::notFound, "there is no session " + std::to_string(session));
     }
     if (!*owner || !reaches(*scope, actor, **owner)) {
-        return tl::unexpected(denied(actor, action, "session " + std::to_string(session) + " is not theirs"));
+        return tl::unexpected(
+            denied(actor, action,
+                   "session " + std::to_string(session) +
+                       (actor.kind() == ActorKind::anonymous ? " is not a simulated one; log in first"
+                                                             : " is somebody else's")));
     }
     return {};
 }

@@ -24,8 +24,12 @@ std::string newRecoveryCode() {
     return code;
 }
 
+core::Error wrongSecret(const char* what) {
+    return {core::ErrorCode::notAllowed, std::string("name or ") + what + " is wrong"};
+}
+
 core::Error wrongPassword() {
-    return {core::ErrorCode::notAllowed, "name or password is wrong"};
+    return wrongSecret("password");
 }
 
 core::Error mustWait(std::int64_t wait_ns) {
@@ -35,17 +39,17 @@ core::Error mustWait(std::int64_t wait_ns) {
 }
 
 // Verifies on this thread; an unknown account costs the same time as a known one.
-core::Result<void> check(const PasswordHasher& hasher, const LoginAttempt& attempt,
-                         const std::string& secret) {
+core::Result<void> check(const PasswordHasher& hasher, const LoginAttempt& attempt, const std::string& secret,
+                         const char* what = "password") {
     if (attempt.wait_ns > 0) {
         return tl::unexpected(mustWait(attempt.wait_ns));
     }
     if (attempt.passwordHash.empty()) {
         (void)hasher.hash(secret);
-        return tl::unexpected(wrongPassword());
+        return tl::unexpected(wrongSecret(what));
     }
     return hasher.verify(attempt.passwordHash, secret) ? core::Result<void>()
-                                                       : tl::unexpected(wrongPassword());
+                                                       : tl::unexpected(wrongSecret(what));
 }
 
 // Overwritten pages may still lie in the file's free space and in the log: the one is rebuilt, the other
@@ -139,7 +143,7 @@ core::Result<std::string> AccountService::recover(const std::string& name, const
         return tl::unexpected(attempt.error());
     }
     const PasswordHasher hasher(m_database.options().passwordCost);
-    if (auto right = check(hasher, *attempt, code); !right) {
+    if (auto right = check(hasher, *attempt, code, "recovery code"); !right) {
         return tl::unexpected(right.error());
     }
     const std::string newCode = newRecoveryCode();

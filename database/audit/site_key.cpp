@@ -67,8 +67,10 @@ core::Result<std::unique_ptr<SiteKey>> SiteKey::load(const std::string& siteFold
     const std::string name = keyFile(siteFolder);
     QFile file(QString::fromStdString(name));
     if (!file.exists()) {
-        return core::fail(core::ErrorCode::notFound,
-                          name + ": the site key is missing; put it back from where the site keeps its copy");
+        return core::fail(
+            core::ErrorCode::notFound,
+            name + ": the site key is missing; put it back from where the site keeps its copy (restore "
+                   "--site-key FILE does so)");
     }
     if (sodium_init() < 0 || !file.open(QIODevice::ReadOnly)) {
         return core::fail(core::ErrorCode::storage, name + ": the site key cannot be read");

@@ -78,7 +78,8 @@ core::Result<Person> AccountRepository::personByName(const std::string& name) {
     // Whoever may see only themselves learns nothing about who else exists.
     return *scope == Scope::all
                ? core::fail(core::ErrorCode::notFound, "there is no person named \"" + name + "\"")
-               : core::fail(core::ErrorCode::notAllowed, "not allowed: people other than oneself");
+               : core::fail(core::ErrorCode::notAllowed,
+                            "not allowed: people other than oneself; ask an administrator");
 }
 
 } // namespace chiron::database

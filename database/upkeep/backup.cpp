@@ -7,10 +7,14 @@
 #include "database/upkeep/snapshot_folder.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 namespace chiron::database {
 namespace {
+
+// People's names and results lie in it, whatever the umask says of the files.
+constexpr QFile::Permissions kOwnerAlone = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
 
 std::string firstOf(const VerifyReport& report) {
     const Finding& finding = report.findings.front();
@@ -90,7 +94,7 @@ core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& r
     }
     const QString partial = target + QStringLiteral(".partial");
     QDir(partial).removeRecursively(); // left by one that was killed
-    if (!QDir().mkpath(partial)) {
+    if (!QDir().mkpath(partial) || !QFile::setPermissions(partial, kOwnerAlone)) {
         return core::fail(core::ErrorCode::storage, folder + ": cannot be created");
     }
     auto info = fill(database, reader, partial.toStdString(), kind, **key, extra);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/privacy/erasure.h"
 #include "database/schema/migration_runner.h"
 #include "database/upkeep/manifest.h"
 #include "database/upkeep/restorable.h"
@@ -13,19 +14,59 @@
 namespace chiron::database {
 namespace {
 
-core::Result<std::unique_ptr<SiteKey>> keyFor(const std::string& siteFolder, const std::string& keyFile) {
-    const QString target = QString::fromStdString(siteFolder + "/site.key");
-    if (!QFileInfo::exists(target) && !keyFile.empty()) {
-        const bool copied = QDir().mkpath(QString::fromStdString(siteFolder)) &&
-                            QFile::copy(QString::fromStdString(keyFile), target) &&
-                            QFile::setPermissions(target, QFile::ReadOwner | QFile::WriteOwner);
-        if (!copied) {
-            return core::fail(core::ErrorCode::storage,
-                              keyFile + ": the site key cannot be copied to " + siteFolder);
+// A site folder that a restore makes on a machine that had none: the key, and beside it the erasures that
+// happened since the backup, where the key's folder lists them. A refused restore takes it away again.
+class NewSiteFolder {
+public:
+    NewSiteFolder() = default;
+    NewSiteFolder(const NewSiteFolder&) = delete;
+    NewSiteFolder& operator=(const NewSiteFolder&) = delete;
+    ~NewSiteFolder() {
+        for (const QString& file : m_files) {
+            QFile::remove(file);
+        }
+        if (m_madeFolder) {
+            QDir().rmdir(m_folder); // stays where something else is in it
         }
     }
-    return SiteKey::load(siteFolder);
-}
+
+    core::Result<void> fill(const std::string& siteFolder, const std::string& keyFile) {
+        m_folder = QString::fromStdString(siteFolder);
+        const QString target = m_folder + QStringLiteral("/site.key");
+        if (QFileInfo::exists(target) || keyFile.empty()) {
+            return {};
+        }
+        const std::string list = QFileInfo(QString::fromStdString(keyFile)).absolutePath().toStdString();
+        const QString erasures = QString::fromStdString(erasureListFile(list));
+        const QString ownErasures = QString::fromStdString(erasureListFile(siteFolder));
+        m_madeFolder = !QFileInfo::exists(m_folder);
+        const bool copied =
+            QDir().mkpath(m_folder) &&
+            QFile::setPermissions(m_folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner) &&
+            copy(QString::fromStdString(keyFile), target) &&
+            (!QFileInfo::exists(erasures) || QFileInfo::exists(ownErasures) || copy(erasures, ownErasures));
+        return copied ? core::Result<void>()
+                      : core::fail(core::ErrorCode::storage,
+                                   keyFile + ": the site key cannot be copied to " + siteFolder);
+    }
+    void keep() {
+        m_files.clear();
+        m_madeFolder = false;
+    }
+
+private:
+    bool copy(const QString& from, const QString& to) {
+        if (!QFile::copy(from, to)) {
+            return false;
+        }
+        m_files << to;
+        return QFile::setPermissions(to, QFile::ReadOwner | QFile::WriteOwner);
+    }
+
+    QString m_folder;
+    QStringList m_files;
+    bool m_madeFolder = false;
+};
 
 std::string freeName(const std::string& base) {
     std::string name = base;
@@ -73,12 +114,23 @@ core::Result<std::string> swapIn(const std::string& copy, const std::string& tar
     return flushed ? core::Result<std::string>(kept) : tl::unexpected(flushed.error());
 }
 
+// The site's head file follows the chain of the file that is now in place.
+core::Result<void> writeHeadOf(const std::string& target, const SiteKey& key) {
+    auto restored = Connection::open(target, Connection::Mode::readOnly);
+    const auto head = restored ? auditHead(**restored) : tl::unexpected(restored.error());
+    return head ? writeHeadFile(key, *head) : core::Result<void>(tl::unexpected(head.error()));
+}
+
 } // namespace
 
 core::Result<RestoreInfo> Upkeep::restore(const RestoreRequest& request, const DatabaseOptions& given) {
     DatabaseOptions options = given;
     options.siteFolder = siteFolderFor(request.targetFile, given);
-    const auto key = keyFor(options.siteFolder, request.siteKeyFile);
+    NewSiteFolder made;
+    if (auto filled = made.fill(options.siteFolder, request.siteKeyFile); !filled) {
+        return tl::unexpected(filled.error());
+    }
+    const auto key = SiteKey::load(options.siteFolder);
     if (!key) {
         return tl::unexpected(key.error());
     }
@@ -105,10 +157,8 @@ core::Result<RestoreInfo> Upkeep::restore(const RestoreRequest& request, const D
         QFile::remove(copyName);
         return tl::unexpected(kept.error());
     }
-    auto restored = Connection::open(request.targetFile, Connection::Mode::readOnly);
-    const auto head = restored ? auditHead(**restored) : tl::unexpected(restored.error());
-    const auto written =
-        head ? writeHeadFile(**key, *head) : core::Result<void>(tl::unexpected(head.error()));
+    made.keep();
+    const auto written = writeHeadOf(request.targetFile, **key);
     return written ? core::Result<RestoreInfo>({request.targetFile, *kept, *applied})
                    : tl::unexpected(written.error());
 }

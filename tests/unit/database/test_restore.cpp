@@ -94,6 +94,14 @@ void TestRestore::restoreAppliesLaterErasures() {
     REQUIRE(f.reopen());
     auto reader = f.database->openReader();
     QCOMPARE(PrivacyRepository(**reader, *ada).listErasures()->size(), std::size_t{1});
+    // And elsewhere, from the list that lies beside the key.
+    RestoreRequest elsewhere = requestFor(f, f.path("backup"));
+    elsewhere.targetFile = f.path("elsewhere.db");
+    elsewhere.siteKeyFile = f.path() + ".site/site.key";
+    const auto third = Upkeep::restore(elsewhere, f.options);
+    REQUIRE(third);
+    QCOMPARE(third->erasuresApplied, 1);
+    QVERIFY(!contentOf(elsewhere.targetFile).contains("timotheus-unverwechselbar"));
     // A later backup carries the list itself.
     REQUIRE(Upkeep::backup(*f.database, *ada, f.path("later")));
     QVERIFY(contentOf(f.path("later") + "/erasures.json").contains("wish"));
@@ -142,6 +150,11 @@ void TestRestore::restoreElsewhereNeedsTheKey() {
     QCOMPARE(Upkeep::restore(request, f.options).error().code, core::ErrorCode::notFound);
     QVERIFY(!QFile::exists(QString::fromStdString(request.targetFile)));
     request.siteKeyFile = f.path() + ".site/site.key";
+    request.password = "not the word";
+    QVERIFY(!Upkeep::restore(request, f.options));
+    QVERIFY(
+        !QFile::exists(QString::fromStdString(request.targetFile + ".site"))); // no key is left lying about
+    request.password = kPassword;
     const auto info = Upkeep::restore(request, f.options);
     REQUIRE(info);
     QVERIFY(info->keptOldFile.empty());

@@ -80,6 +80,8 @@ void TestUpkeep::exportSiteHoldsEverythingButSecrets() {
     REQUIRE(storeSession(*f.database, *ada));
     const std::string folder = f.path("export");
     REQUIRE(Upkeep::exportSite(*f.database, *ada, folder));
+    const auto others = QFile::ReadGroup | QFile::ExeGroup | QFile::ReadOther | QFile::ExeOther;
+    QVERIFY(!(QFile::permissions(QString::fromStdString(folder)) & others)); // people's names lie in it
     const QByteArray scores = contentOf(folder + "/tables/score.jsonl");
     const QList<QByteArray> lines = scores.trimmed().split('\n');
     QCOMPARE(lines.size(), 4);
