@@ -35,16 +35,42 @@ QJsonArray metricsJson(const std::vector<scoring::MetricValue>& metrics) {
     return array;
 }
 
-QJsonObject scoreJson(const ScoreView& view) {
+QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnding>& endings) {
     QJsonArray trials;
-    for (std::size_t i = 0; i < view.card.trials.size(); ++i)
-        trials.append(QJsonObject{{QStringLiteral("trial"), static_cast<int>(i) + 1},
-                                  {QStringLiteral("metrics"), metricsJson(view.card.trials[i])}});
+    for (std::size_t i = 0; i < card.trials.size(); ++i) {
+        QJsonObject trial{{QStringLiteral("trial"), static_cast<int>(i) + 1},
+                          {QStringLiteral("metrics"), metricsJson(card.trials[i])}};
+        if (i < endings.size()) {
+            const TrialEnding& ending = endings[i];
+            if (!ending.state.isEmpty())
+                trial[QStringLiteral("state")] = ending.state;
+            trial[QStringLiteral("marked")] = ending.marked;
+            trial[QStringLiteral("timed_out")] = ending.timedOut;
+            trial[QStringLiteral("flag")] =
+                ending.marked ? QJsonValue() : QJsonValue(QStringLiteral("no_mark"));
+        }
+        trials.append(trial);
+    }
+    return trials;
+}
+
+QString flaggedText(const std::vector<TrialEnding>& endings) {
+    QStringList numbers;
+    for (std::size_t i = 0; i < endings.size(); ++i) {
+        if (!endings[i].marked)
+            numbers << QString::number(i + 1);
+    }
+    return numbers.isEmpty() ? QString()
+                             : QStringLiteral("\nnot marked, so the last position is scored: trial %1\n")
+                                   .arg(numbers.join(QStringLiteral(", ")));
+}
+
+QJsonObject scoreJson(const ScoreView& view) {
     return {{QStringLiteral("session_id"), view.sessionId},
             {QStringLiteral("state"), view.state},
             {QStringLiteral("passed"), view.card.passed},
             {QStringLiteral("metrics"), metricsJson(view.card.metrics)},
-            {QStringLiteral("trials"), trials},
+            {QStringLiteral("trials"), trialsJson(view.card, view.trials)},
             {QStringLiteral("loop"), view.loop},
             {QStringLiteral("recording"), view.recording}};
 }
@@ -65,7 +91,7 @@ QString scoreText(const ScoreView& view) {
                .arg(view.sessionId)
                .arg(view.state, view.card.passed ? QStringLiteral("passed") : QStringLiteral("not passed"))
                .arg(view.card.trials.size()) +
-           metricsText(view.card.metrics);
+           metricsText(view.card.metrics) + flaggedText(view.trials);
 }
 
 } // namespace chiron::cli

@@ -9,11 +9,19 @@
 
 namespace chiron::cli {
 
+/// How one trial ended.
+struct TrialEnding {
+    QString state;
+    bool marked = false; ///< else its last position is scored, and it is flagged
+    bool timedOut = false;
+};
+
 /// What `train`, `session show` and `score` print about one session.
 struct ScoreView {
     qint64 sessionId = 0;
     QString state;
     scoring::ScoreCard card;
+    std::vector<TrialEnding> trials;
     QJsonObject loop;      ///< ticks, late, p50_us, p99_us, max_us
     QJsonObject recording; ///< frames, dropped, bytes
 };
@@ -21,6 +29,11 @@ struct ScoreView {
 /// [{id, version, value, unit, passed}]; a value that is not defined is null with its reason, passed only
 /// where gated.
 QJsonArray metricsJson(const std::vector<scoring::MetricValue>& metrics);
+/// [{trial, metrics, marked, timed_out, state, flag}]; flag is "no_mark" where the last position stands for a
+/// mark, else null. Trials whose ending is not known have no more than their metrics.
+QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnding>& endings);
+/// One line on flagged trials for people; empty where there is none.
+QString flaggedText(const std::vector<TrialEnding>& endings);
 /// The keys of cli.md's `train`: session_id, state, passed, metrics, trials, loop, recording.
 QJsonObject scoreJson(const ScoreView& view);
 /// The same for people.

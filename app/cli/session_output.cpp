@@ -4,6 +4,7 @@
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <cstdio>
 
@@ -35,6 +36,13 @@ core::Result<ScoreView> viewOf(database::Connection& connection, const database:
         return tl::unexpected(card.error());
     if (card)
         view.card = std::move(*card);
+    auto trials = database::SessionReader(connection, actor).trials(session);
+    if (!trials)
+        return tl::unexpected(trials.error());
+    for (const database::TrialRecord& trial : *trials) {
+        const std::string_view ended = database::token(trial.state);
+        view.trials.push_back({QString::fromUtf8(ended.data(), qsizetype(ended.size())), trial.marked, trial.timedOut});
+    }
     return view;
 }
 
@@ -71,6 +79,22 @@ QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& re
     if (!record.voidReason.empty())
         json.insert("void_reason", text(record.voidReason));
     return json;
+}
+
+core::Result<QJsonArray> eventsJson(database::Connection& connection, const database::Actor& actor,
+                                    database::SessionId session) {
+    auto events = database::SessionReader(connection, actor).events(session);
+    if (!events)
+        return tl::unexpected(events.error());
+    QJsonArray array;
+    for (const database::EventRecord& event : *events) {
+        array.append(QJsonObject{{"tick", static_cast<double>(event.tick)},
+                                 {"time_s", event.time_s},
+                                 {"tool", event.tool},
+                                 {"kind", text(event.kind)},
+                                 {"detail", parsed(event.detailJson)}});
+    }
+    return array;
 }
 
 void tell(const QString& line) {

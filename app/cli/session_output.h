@@ -16,6 +16,10 @@ core::Result<ScoreView> viewOf(database::Connection& connection, const database:
 /// `session show`'s document: the view and what is known of the session beside it.
 QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& record);
 
+/// What happened in a session: [{tick, time_s, tool, kind, detail}]. Failure: the reader's.
+core::Result<QJsonArray> eventsJson(database::Connection& connection, const database::Actor& actor,
+                                    database::SessionId session);
+
 /// One line of a list of sessions.
 QJsonObject summaryJson(const database::SessionSummary& summary);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/event_extractor.h"
 
+#include "session/trace_mark.h"
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -95,8 +97,9 @@ void EventExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) 
         m_trials.back().lastTick = frame.header.index;
     if (!(events & (kMarked | kTimedOut)) || m_trials.empty())
         return;
-    note(frame, t_s, (events & kMarked) ? "marked" : "timed_out");
-    m_trials.back().marked = (events & kMarked) != 0;
+    const bool byTrace = isMarkOfTraceEnd(frame);
+    note(frame, t_s, byTrace ? "trace_ended_unmarked" : (events & kMarked) ? "marked" : "timed_out");
+    m_trials.back().marked = (events & kMarked) != 0 && !byTrace;
     m_trials.back().timedOut = (events & kTimedOut) != 0;
     m_trials.back().state = database::SessionState::completed;
 }

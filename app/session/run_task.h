@@ -5,6 +5,7 @@
 #include "devices/drivers/replay/replay_device.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
+#include "session/trace_mark.h"
 
 #include <atomic>
 #include <cstdint>
@@ -49,7 +50,7 @@ public:
         if (!m_ending && wantsEnd(now)) {
             m_ending = true;
             if (m_limits.trace && m_limits.trace->finished() && m_sink.phase() == core::TrialPhase::running)
-                m_inputs.post({core::CommandKind::mark}); // a trace without a mark: its last position is the answer
+                m_inputs.post({core::CommandKind::mark, kMarkOfTraceEnd}); // a trace without a mark: its last position is the answer
             else
                 m_inputs.post({core::CommandKind::end});
         } else if (m_ending && !m_ended) {

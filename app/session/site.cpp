@@ -54,6 +54,14 @@ core::Result<OpenedSite> openSite(const std::string& file, const database::Datab
     return OpenedSite{std::move(*database), std::move(*recovered)};
 }
 
+core::Result<void> checkOperator(const ScriptedSession& session) {
+    auto kind = exerciseKind(session.exercise);
+    if (!kind)
+        return tl::unexpected(kind.error());
+    auto station = stationFor(**kind, session);
+    return station ? core::Result<void>() : tl::unexpected(station.error());
+}
+
 core::Result<TrainingResult> runScripted(database::Database& database, const database::Actor& actor,
                                          const catalogue::Catalogue& catalogue, const ScriptedSession& session,
                                          const std::atomic<bool>* cancel) {

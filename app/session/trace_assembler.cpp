@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/trace_assembler.h"
 
+#include "session/trace_mark.h"
+
 #include "scoring/trace_grid.h"
 
 namespace chiron::session {
@@ -70,8 +72,8 @@ void TraceAssembler::end(const core::HapticFrame& frame) {
         return;
     m_inTrial = false;
     scoring::TrialTrace& trial = m_trials.back();
-    trial.marked = (frame.header.events & core::event_bits::kMarked) != 0;
-    trial.timedOut = !trial.marked;
+    trial.marked = (frame.header.events & core::event_bits::kMarked) != 0 && !isMarkOfTraceEnd(frame);
+    trial.timedOut = (frame.header.events & core::event_bits::kTimedOut) != 0;
     trial.p_WMark_m = onNanometres(m_positions.p_WT_m(0, frame.tool[0]));
     // Contact as models.md §6 has it for every metric: more than 0.02 N of tissue force.
     trial.markInContact = forceOf(frame.tool[0].tissue).norm() > 0.02;

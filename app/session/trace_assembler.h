@@ -30,7 +30,7 @@ private:
 
 /// Stored frames -> what metrics see. Frames are given in order, chunk by chunk, so a long session is never held as
 /// frames; a trial runs from its kTrialStarted frame to its kMarked or kTimedOut frame, both included. A trial that has
-/// neither end (stopped, interrupted) stays, unmarked. A packet read twice (device time not later than the last kept one
+/// neither end (stopped, interrupted) stays, unmarked, as does one that ended with its trace (trace_mark.h). A packet read twice (device time not later than the last kept one
 /// of that tool, over the whole recording) gives one sample. Live scoring, review and verify all come through here.
 class TraceAssembler {
 public:

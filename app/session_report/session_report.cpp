@@ -54,13 +54,14 @@ std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::E
 std::vector<ApexError> apexErrorsOf(const scoring::SessionTrace& trace) {
     std::vector<ApexError> errors;
     for (const scoring::TrialTrace& trial : trace.trials) {
-        if (!trial.apex || (!trial.marked && !trial.timedOut))
+        if (!trial.apex || trial.tools.empty() || trial.tools[0].p_WT_m.empty())
             continue;
         ApexError error;
         error.trial = trial.trial;
-        error.timedOut = trial.timedOut;
-        const double dx = trial.p_WMark_m.x() - trial.apex->x_m;
-        const double dy = trial.p_WMark_m.y() - trial.apex->y_m;
+        error.timedOut = !trial.marked; // the answer that its score counts: where it stood at the end
+        const core::Vec3& p = trial.marked ? trial.p_WMark_m : trial.tools[0].p_WT_m.back();
+        const double dx = p.x() - trial.apex->x_m;
+        const double dy = p.y() - trial.apex->y_m;
         error.x_percent = 100.0 * dx / trial.apex->radius_m;
         error.y_percent = 100.0 * dy / trial.apex->radius_m;
         error.miss = trial.marked && (!trial.markInContact || std::hypot(dx, dy) > trial.apex->radius_m);

@@ -60,14 +60,13 @@ core::Result<CommandOutput> metrics(const Arguments& arguments) {
     const auto card = scoring::calculateScore(*trace, *wanted, {}, true);
     if (!card)
         return tl::unexpected(card.error());
-    QJsonArray trials;
-    for (std::size_t i = 0; i < card->trials.size(); ++i)
-        trials.append(QJsonObject{{QStringLiteral("trial"), static_cast<int>(i) + 1},
-                                  {QStringLiteral("metrics"), metricsJson(card->trials[i])}});
+    std::vector<TrialEnding> endings;
+    for (const scoring::TrialTrace& trial : trace->trials)
+        endings.push_back({{}, trial.marked, trial.timedOut});
     const QJsonObject json{{QStringLiteral("trace"), arguments.operand(0)},
                            {QStringLiteral("metrics"), metricsJson(card->metrics)},
-                           {QStringLiteral("trials"), trials}};
-    return CommandOutput{QJsonDocument(json), metricsText(card->metrics), 0};
+                           {QStringLiteral("trials"), trialsJson(*card, endings)}};
+    return CommandOutput{QJsonDocument(json), metricsText(card->metrics) + flaggedText(endings), 0};
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frames.h"
 #include "session/trace_assembler.h"
+#include "session/trace_mark.h"
 
 #include <QtTest>
 
@@ -15,6 +16,7 @@ private slots:
     void trialIsCutAtItsEvents();
     void timedOutTrial();
     void unmarkedTrialStays();
+    void markOfATraceEndIsNone();
     void chunksMakeNoDifference();
     void pausedSamplesAreFlagged();
     void packetReadTwiceIsOneSample();
@@ -75,6 +77,18 @@ void TestTraceAssembler::unmarkedTrialStays() {
     auto onlyMark = someFrames(10);
     onlyMark[5].header.events = bits::kMarked; // of a trial that is not there
     QVERIFY(assemble(onlyMark).empty());
+}
+
+void TestTraceAssembler::markOfATraceEndIsNone() {
+    auto frames = someFrames(10);
+    frames[1].header.events = bits::kTrialStarted;
+    frames[8].header.events = bits::kMarked;
+    frames[8].header.commands[0] = {core::CommandKind::mark, 0}; // by key: as good as the device's button
+    QVERIFY(assemble(frames)[0].marked);
+    frames[8].header.commands[0].argument = session::kMarkOfTraceEnd;
+    const auto trials = assemble(frames);
+    QVERIFY(!trials[0].marked && !trials[0].timedOut);
+    QCOMPARE(trials[0].p_WMark_m.x(), 0.008); // where it is scored all the same
 }
 
 void TestTraceAssembler::chunksMakeNoDifference() {
