@@ -57,6 +57,15 @@ QStringList wordsFirst(QStringList arguments) {
     return arguments + moved;
 }
 
+// Where no session manager made a runtime folder (a server, a container), Qt notes the one it takes instead.
+// That is nothing that who asked for a report can use.
+void withoutPlatformNotes(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+    if (message.startsWith(QLatin1String("QStandardPaths: ")))
+        return;
+    const QByteArray line = qFormatLogMessage(type, context, message).toUtf8() + '\n';
+    std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
+}
+
 // Pictures need a QApplication, and none of them a screen: the offscreen platform cannot fail to connect.
 std::unique_ptr<QCoreApplication> makeApplication(bool draws) {
     static int count = 1;
@@ -65,6 +74,7 @@ std::unique_ptr<QCoreApplication> makeApplication(bool draws) {
                              nullptr}; // Qt's own options are not ours: -platform with a bad name would abort
     if (draws) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
+        qInstallMessageHandler(withoutPlatformNotes);
         return std::make_unique<QApplication>(count, values);
     }
     return std::make_unique<QCoreApplication>(count, values);
@@ -106,8 +116,11 @@ int runProgram(const QStringList& given) {
         return printHelp(commandHelp(command), json);
     const auto application = makeApplication(command.draws);
     const auto output = command.run(*parsed);
-    if (!output)
-        return fail(command.name() + QStringLiteral(": "), output.error());
+    if (!output) {
+        const QString place = command.name() + QStringLiteral(": "); // a typed getter has said it already
+        return fail(QString::fromStdString(output.error().message).startsWith(place) ? QString() : place,
+                    output.error());
+    }
     return printOutput(*output, json);
 }
 

@@ -34,6 +34,20 @@ core::Result<std::unique_ptr<database::Database>> open(const Arguments& argument
                : database::Database::openReadOnly(path.toStdString(), databaseOptions());
 }
 
+/// A refused login counts whatever the command, or reading would be the way to try many passwords. A reader
+/// cannot count, so the login is tried once more by a writer, unless another program is that now. What is
+/// told of it is the writer's word.
+core::Error counted(const Arguments& arguments, const std::string& name, const std::string& password,
+                    const core::Error& refused) {
+    if (refused.code != core::ErrorCode::notAllowed)
+        return refused;
+    const auto database = open(arguments, Opening::forWriting);
+    if (!database)
+        return refused;
+    const auto again = database::AccountService(**database).login(name, password);
+    return again ? refused : again.error();
+}
+
 } // namespace
 
 QString databasePath(const Arguments& arguments) {
@@ -91,7 +105,9 @@ core::Result<Site> openAsPerson(const Arguments& arguments, Opening opening) {
         return tl::unexpected(database.error());
     const auto actor = database::AccountService(**database).login(name.toStdString(), (*secrets)[0]);
     if (!actor)
-        return tl::unexpected(actor.error());
+        return tl::unexpected(opening == Opening::forReading
+                                  ? counted(arguments, name.toStdString(), (*secrets)[0], actor.error())
+                                  : actor.error());
     return Site{std::move(*database), *actor, std::move(*secrets)};
 }
 

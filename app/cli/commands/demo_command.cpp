@@ -23,6 +23,11 @@ QString valueOf(const scoring::ScoreCard& card, const char* id, int decimals) {
     return QStringLiteral("-");
 }
 
+const QString kLegend = QStringLiteral(
+    "apex error: mean distance between mark and true highest point, in % of the sphere's radius; SD: its spread over the\n"
+    "trials; misses: marked off the sphere, without touching, or not in time; max N: the largest force; passed: every pass\n"
+    "mark of the level met; replay: forces simulated again from the recording; rescored: scores computed again from it\n");
+
 QString resultsTable(const std::vector<session::DemoResult>& results) {
     TextTable table({">session", "person", "exercise", ">level", "operator", ">apex error %", ">SD %", ">misses",
                      ">time s", ">max N", "passed", "replay", "rescored"});
@@ -87,7 +92,7 @@ CommandOutput output(const DemoPlace& place, const std::vector<session::DemoResu
     const QJsonObject json{{"folder", place.folder}, {"database", place.database}, {"report", drawn.reportPdf},
                            {"pictures", pictures}, {"sessions", resultsJson(results)}, {"verify_ok", verified.ok()},
                            {"password", session::kDemoPassword}};
-    const QString text = resultsTable(results) + QLatin1Char('\n') +
+    const QString text = resultsTable(results) + QLatin1Char('\n') + kLegend + QLatin1Char('\n') +
                          alignedPairs({{"verify", verified.ok() ? "nothing wrong found" : QStringLiteral("%1 findings").arg(verified.findings.size())},
                                        {"folder", place.folder}, {"database", place.database}, {"report", drawn.reportPdf},
                                        {"people", QStringLiteral("amalia (administrator), theo, rhea, nikos, ines, eva; password %1").arg(session::kDemoPassword)}});

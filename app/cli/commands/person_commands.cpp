@@ -83,7 +83,9 @@ core::Result<CommandOutput> erasePerson(const Arguments& arguments) {
     return CommandOutput{
         QJsonDocument(json),
         QStringLiteral(
-            "Person %1 is erased: identity and free texts are overwritten%2; scores stay without a name.\n")
+            "Person %1 is erased: identity and free texts are overwritten%2; scores stay without a name.\n"
+            "Backups and copies made before still hold it until they are deleted; a restore erases it "
+            "again.\n")
             .arg(*id)
             .arg(withdraw ? QStringLiteral(", recordings too") : QString()),
         0};

@@ -100,6 +100,11 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
     auto view = viewOf(*reading->connection, reading->site.actor, *id);
     if (!view)
         return tl::unexpected(view.error());
+    auto events = eventsJson(*reading->connection, reading->site.actor, *id);
+    if (!events)
+        return tl::unexpected(events.error());
+    QJsonObject known = sessionJson(*view, (*session)->record());
+    known.insert("events", *events);
     const QDir folder(arguments.has(QStringLiteral("folder")) ? arguments.value(QStringLiteral("folder")) : QStringLiteral("."));
     if (!folder.mkpath(QStringLiteral(".")))
         return core::fail(core::ErrorCode::storage, folder.path().toStdString() + ": the folder cannot be made");
@@ -107,7 +112,7 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
     QString text;
     for (const QString& format : *formats) {
         const QString path = folder.filePath(QStringLiteral("session_%1.%2").arg(*id).arg(format));
-        if (auto written = writeFormat(format, **session, sessionJson(*view, (*session)->record()), path); !written)
+        if (auto written = writeFormat(format, **session, known, path); !written)
             return tl::unexpected(written.error());
         files.append(path);
         text += path + QLatin1Char('\n');
@@ -136,7 +141,7 @@ std::vector<CommandSpec> sessionCommands() {
     showing.run = show;
     CommandSpec exporting = showing;
     exporting.verb = QStringLiteral("export");
-    exporting.summary = QStringLiteral("write a session's samples (csv) and what is known of it (json)");
+    exporting.summary = QStringLiteral("write a session's samples (csv) and what is known of it, with its events (json)");
     exporting.options = {{QStringLiteral("format"), QStringLiteral("csv,json"), QStringLiteral("which files; default: csv")},
                          {QStringLiteral("folder"), QStringLiteral("DIR"), QStringLiteral("where to; default: here")}};
     exporting.example = QStringLiteral("chiron-cli session export 12 --format csv,json --folder out");

@@ -118,7 +118,7 @@ CommandSpec spec(const char* group, const char* summary, const char* example,
 } // namespace
 
 std::vector<CommandSpec> storageCommands() {
-    CommandSpec backing = spec("backup", "a verified snapshot in a new folder, beside a running writer",
+    CommandSpec backing = spec("backup", "a verified snapshot in a new folder",
                                "chiron-cli backup /media/backup/today --as alice", backup);
     CommandSpec restoring =
         spec("restore", "put a verified backup in the database's place; the old file is kept",

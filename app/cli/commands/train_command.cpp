@@ -37,6 +37,8 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
     if (!seed)
         return tl::unexpected(seed.error());
     asked.seed = *seed;
+    if (auto there = session::checkOperator(asked); !there)
+        return tl::unexpected(there.error());
     asked.realtime = arguments.has(QStringLiteral("realtime"));
     asked.familiarisation = arguments.has(QStringLiteral("familiarisation"));
     std::vector<session::ScriptedSession> sessions;
