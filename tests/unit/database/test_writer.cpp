@@ -19,10 +19,11 @@ class CountingSource final : public IDrainable {
 public:
     core::Result<void> drain() override {
         const int count = ++calls;
-        return count < failAt ? core::Result<void>() : core::fail(core::ErrorCode::storage, "ring is torn");
+        return count < failAt || count >= mendedAt ? core::Result<void>() : core::fail(core::ErrorCode::storage, "ring is torn");
     }
     std::atomic<int> calls{0};
     int failAt = 1 << 30;
+    int mendedAt = 1 << 30;
 };
 } // namespace
 
@@ -68,11 +69,17 @@ void TestWriter::writerDrainsSourcesAndKeepsTheirErrors() {
     REQUIRE(f.create());
     CountingSource good;
     CountingSource torn;
+    CountingSource mended; // a disk that was full for a moment
     torn.failAt = 2;
+    mended.failAt = 2;
+    mended.mendedAt = 3;
     f.database->writer().addSource(good);
     f.database->writer().addSource(torn);
+    f.database->writer().addSource(mended);
     QTRY_VERIFY(good.calls >= 3); // by itself, without any job
-    QCOMPARE(torn.calls.load(), 2);
+    QTRY_VERIFY(torn.calls >= 3); // asked again after an error
+    QTRY_VERIFY(mended.calls >= 3);
+    REQUIRE(f.database->writer().removeSource(mended));
     const int before = good.calls;
     QCOMPARE(f.database->writer().flush().error().code, core::ErrorCode::storage);
     QVERIFY(good.calls > before);
