@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulation/exercises/sphere_apex/sphere_apex_parameters.h"
+
+#include <QColor>
+#include <QString>
+#include <string>
+#include <variant>
+
+namespace chiron::scene3d {
+
+/// What a level lets a person see in the scene; the cues of its content (`shown` ones where nothing is felt).
+struct SceneCues {
+    bool tool = true;
+    bool arrow = false; ///< force arrow with the limit line
+};
+
+/// Colours of the theme that the scene uses; tissue and instrument keep their own, believable ones.
+struct SceneColours {
+    QColor background{232, 237, 242};
+    QColor field{205, 214, 222};   ///< operating field (drape)
+    QColor ink{27, 38, 49};        ///< lines and words
+    QColor arrow{0, 95, 135};      ///< force under the limit
+    QColor over{176, 32, 36};      ///< force over the limit
+    QColor ghost{120, 90, 160};
+    bool highContrast = false;
+};
+
+/// What does not change while a scene is on the screen. The parameters are the level's own: the drawn surface is
+/// computed from the same geometry as the force.
+struct SceneSetup {
+    std::string exercise; ///< id of the exercise: which geometry is drawn
+    std::variant<simulation::SphereApexParameters> parameters;
+    double forceLimit_N = 4.0; ///< of the arrow's limit line
+    SceneCues cues;
+    SceneColours colours;
+    double scale = 1.0; ///< of lines and words: 1..2
+    QString family;     ///< font
+};
+
+} // namespace chiron::scene3d
