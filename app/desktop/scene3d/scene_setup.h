@@ -35,6 +35,7 @@ struct SceneSetup {
     double forceLimit_N = 4.0; ///< of the arrow's limit line
     SceneCues cues;
     SceneColours colours;
+    bool leftHanded = false; ///< the entry point of a tool without orientation lies on the left
     double scale = 1.0; ///< of lines and words: 1..2
     QString family;     ///< font
 };
