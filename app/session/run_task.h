@@ -5,6 +5,7 @@
 #include "devices/drivers/replay/replay_device.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
+#include "session/live_link.h"
 #include "session/trace_mark.h"
 
 #include <atomic>
@@ -37,6 +38,7 @@ struct RunLimits {
     std::uint64_t tickLimit = 0;
     const devices::ReplayDevice* trace = nullptr; ///< its end marks the last position and ends the session
     const std::atomic<bool>* cancel = nullptr;
+    LiveLink* live = nullptr; ///< a window that looks on: gets every tick
 };
 
 /// The loop as a runner drives it: ends it by command, so that the end is recorded like everything else. A TickTask.
@@ -47,19 +49,25 @@ public:
 
     bool tick(const realtime::HapticTick& now) noexcept {
         const bool goOn = m_loop.tick(now);
+        if (m_limits.live)
+            m_limits.live->publish(m_loop.shown());
         if (!m_ending && wantsEnd(now)) {
             m_ending = true;
             if (m_limits.trace && m_limits.trace->finished() && m_sink.phase() == core::TrialPhase::running)
-                m_inputs.post({core::CommandKind::mark, kMarkOfTraceEnd}); // a trace without a mark: its last position is the answer
+                m_inputs.postOwn({core::CommandKind::mark, kMarkOfTraceEnd}); // a trace without a mark: its last position is the answer
             else
-                m_inputs.post({core::CommandKind::end});
+                m_inputs.postOwn({core::CommandKind::end});
         } else if (m_ending && !m_ended) {
             m_ended = true;
-            m_inputs.post({core::CommandKind::end});
+            m_inputs.postOwn({core::CommandKind::end});
         }
         return goOn;
     }
-    void timing(const realtime::TickTiming& timing) noexcept { m_loop.timing(timing); }
+    void timing(const realtime::TickTiming& timing) noexcept {
+        m_loop.timing(timing);
+        if (m_limits.live)
+            m_limits.live->publish(m_loop.statistics());
+    }
 
 private:
     bool wantsEnd(const realtime::HapticTick& now) const noexcept {

@@ -4,9 +4,43 @@
 #include "core/random.h"
 #include "devices/drivers/simulated/simulated_device.h"
 
+#include <cmath>
 #include <filesystem>
 
 namespace chiron::session {
+
+core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice) {
+    using W = WorkspaceChoice;
+    if (!(choice.scale >= W::kSmallestScale && choice.scale <= W::kLargestScale))
+        return core::fail(core::ErrorCode::badInput, "workspace: a scale of " + std::to_string(choice.scale) +
+                                                         "; expected 0.25 to 4");
+    for (const double shift_m : choice.origin_m) {
+        if (!(std::abs(shift_m) <= W::kLargestShift_m))
+            return core::fail(core::ErrorCode::badInput, "workspace: a shift of " + std::to_string(shift_m) +
+                                                             " m; expected at most 0.03 m either way");
+    }
+    return devices::WorkspaceMapping{choice.origin_m, choice.scale, choice.leftHanded};
+}
+
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice) {
+    auto mapping = mappingOf(choice);
+    if (!mapping)
+        return tl::unexpected(mapping.error());
+    devices::KeyboardMouseSettings settings;
+    for (std::size_t i = 0; i < 3; ++i) {
+        settings.minimum_m[i] /= choice.scale;
+        settings.maximum_m[i] /= choice.scale;
+        settings.home_m[i] /= choice.scale;
+    }
+    auto device = devices::KeyboardMouseDevice::create(settings);
+    if (!device)
+        return tl::unexpected(device.error());
+    Station station;
+    station.pointer = &(*device)->mailbox();
+    station.mappings.push_back(*mapping);
+    station.devices.push_back(std::move(*device));
+    return station;
+}
 
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const std::string& operatorName, std::uint64_t seed) {
     // Hand and mind have streams of their own: the same person in another field trembles alike.

@@ -3,10 +3,12 @@
 
 #include "core/result.h"
 #include "devices/api/device.h"
+#include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 #include "devices/drivers/replay/replay_device.h"
 #include "scoring/trace_rows.h"
 #include "session/exercise_kind.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -19,8 +21,27 @@ struct Station {
     std::vector<std::unique_ptr<devices::IDevice>> devices;
     std::vector<devices::WorkspaceMapping> mappings;
     std::string operatorName; ///< scripted operator or "trace:<file>"; empty: a person's own hand
+    devices::PointerMailbox* pointer = nullptr;   ///< of `devices`, where a mouse and a keyboard move the tool
     const devices::ReplayDevice* trace = nullptr; ///< of `devices`, where a trace is played: its end ends the session
 };
+
+/// How a person's workspace lies in W: what the set-up screen offers. SI units.
+struct WorkspaceChoice {
+    double scale = 1.0;                  ///< tool movement per hand movement, kSmallestScale..kLargestScale
+    std::array<double, 3> origin_m{};    ///< shift of the workspace in W, at most kLargestShift_m an axis
+    bool leftHanded = false;             ///< mirrored left to right
+
+    static constexpr double kSmallestScale = 0.25;
+    static constexpr double kLargestScale = 4.0;
+    static constexpr double kLargestShift_m = 0.030;
+};
+
+/// The mapping of a choice. Failure: badInput naming the value and its range.
+core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice);
+
+/// A mouse and a keyboard (class "shown"). Whatever the scale, the tool reaches the same box of W: a larger scale makes the
+/// hand's part of it smaller. Failure: badInput.
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {});
 
 /// P2's simulated gimbal with a scripted operator on it. Failure: wrongUse naming the operators that exist.
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const std::string& operatorName, std::uint64_t seed);

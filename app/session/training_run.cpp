@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/training_run.h"
 
+#include "core/clock.h"
 #include "core/fp_environment.h"
 #include "database/repositories/session_repository.h"
 #include "realtime/monotonic_clock.h"
@@ -11,6 +12,7 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <limits>
 #include <thread>
 
 namespace chiron::session {
@@ -19,6 +21,9 @@ namespace {
 
 /// A quarter of the smallest ring: as-fast runs wait there for the drain, so that no frame is ever dropped.
 constexpr std::uint64_t kFlushEvery_ticks = 1024;
+
+/// A person may pause for as long as it takes, and can end the session by hand.
+constexpr std::uint64_t kNoTickLimit = std::numeric_limits<std::uint64_t>::max();
 
 /// As-fast task: the same ticks, with a stop for the writer now and then.
 struct ThrottledTask {
@@ -91,6 +96,7 @@ SessionSetup setupOf(const TrainingRequest& request) {
     setup.seed = request.seed;
     setup.mappings = request.station.mappings;
     setup.safety = headlessSafety(request.level);
+    setup.safety.heartbeatWatched = request.live != nullptr;
     for (const auto& device : request.station.devices)
         setup.devices.push_back(device->descriptor());
     return setup;
@@ -142,7 +148,8 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
         devices.push_back(request.station.devices[i].get());
         tools.push_back({*request.station.devices[i], request.station.mappings[i]});
     }
-    haptics::LiveInputs inputs;
+    haptics::LiveInputs own;
+    haptics::LiveInputs& inputs = request.live ? request.live->inputs() : own;
     haptics::SafetySupervisor supervisor;
     haptics::SceneExchange scenes;
     auto scene = kind.makeScene(setup.level, setup.seed);
@@ -151,8 +158,12 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
     auto loop = haptics::HapticLoop::create({tools, inputs, supervisor, setup.safety, scenes, sink});
     if (!loop)
         return tl::unexpected(loop.error());
-    inputs.post({core::CommandKind::start});
-    RunTask task(**loop, inputs, sink, {kind.tickLimit(setup.level), request.station.trace, request.cancel});
+    if (!request.live)
+        inputs.postOwn({core::CommandKind::start});
+    else // a window that never comes up is a frozen one
+        inputs.beat(request.realtime ? core::monotonicNow_ns() : 0);
+    const std::uint64_t tickLimit = request.live ? kNoTickLimit : kind.tickLimit(setup.level);
+    RunTask task(**loop, inputs, sink, {tickLimit, request.station.trace, request.cancel, request.live});
     return request.realtime ? runRealtime(task, **loop) : runAsFast(task, database.writer());
 }
 
@@ -168,6 +179,11 @@ haptics::SafetySettings headlessSafety(const catalogue::ExerciseLevel& level) {
 
 core::Result<TrainingResult> runTraining(database::Database& database, const database::Actor& actor,
                                          TrainingRequest request) {
+    return runTrainingOn(database, actor, request);
+}
+
+core::Result<TrainingResult> runTrainingOn(database::Database& database, const database::Actor& actor,
+                                           TrainingRequest& request) {
     auto kind = exerciseKind(request.level.exercise);
     if (!kind)
         return tl::unexpected(kind.error());
@@ -181,6 +197,8 @@ core::Result<TrainingResult> runTraining(database::Database& database, const dat
     if (!session)
         return tl::unexpected(session.error());
     result.session = *session;
+    if (request.live)
+        request.live->setSession(*session);
     auto recording = LiveRecording::start(database, actor, *session, setup, request.ringFolder, request.realtime);
     if (!recording)
         return abandon(database, actor, *session, recording.error());

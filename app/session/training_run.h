@@ -6,6 +6,7 @@
 #include "haptics/loop_statistics.h"
 #include "realtime/realtime_thread.h"
 #include "scoring/score_card.h"
+#include "session/live_link.h"
 #include "session/live_recording.h"
 #include "session/station.h"
 
@@ -26,6 +27,9 @@ struct TrainingRequest {
     std::filesystem::path ringFolder;         ///< of the crash ring; recording::defaultRingFolder()
     core::IFrameSink* witness = nullptr;      ///< also gets every frame, on the haptic thread
     const std::atomic<bool>* cancel = nullptr; ///< set from outside: the session ends as *stopped*
+    /// A window: its heartbeat is watched, its `start` command begins the first trial, and nothing but the exercise, `end`
+    /// and `cancel` end the session. Outlives the run.
+    LiveLink* live = nullptr;
 };
 
 /// The loop's punctuality; absent numbers where ticks ran back to back.
@@ -53,6 +57,9 @@ struct TrainingResult {
 /// worker. Failure before the first tick leaves no session; after it, what was recorded stays for recovery.
 core::Result<TrainingResult> runTraining(database::Database& database, const database::Actor& actor,
                                          TrainingRequest request);
+/// The same with a request that the caller keeps, station and all, while it runs and after it.
+core::Result<TrainingResult> runTrainingOn(database::Database& database, const database::Actor& actor,
+                                           TrainingRequest& request);
 
 /// The supervisor's settings for a level without a window: site and exercise caps, no heartbeat.
 haptics::SafetySettings headlessSafety(const catalogue::ExerciseLevel& level);

@@ -57,6 +57,8 @@ public:
     /// From PeriodicRunner, after each tick.
     void timing(const realtime::TickTiming& timing) noexcept;
 
+    /// What the last tick showed; haptic thread (for taps of a session's own), or while no tick runs.
+    const DisplayState& shown() const noexcept { return m_shown; }
     realtime::LatestValue<DisplayState>& display() noexcept { return m_displayTap; }
     /// A snapshot every 256 ticks, while the loop runs.
     realtime::LatestValue<LoopStatistics>& statisticsTap() noexcept { return m_statisticsTap; }

@@ -20,10 +20,12 @@ T age(std::int64_t now_ns, std::int64_t since_ns, std::int64_t unit_ns) noexcept
 
 void LiveInputs::gather(const realtime::HapticTick& now, std::span<devices::IDevice* const> devices,
                         TickInputs& inputs) noexcept {
-    for (core::Command& command : inputs.commands) {
-        command = {};
-        m_commands.tryPop(command);
+    for (std::size_t i = 0; i < inputs.commands.size(); ++i) {
+        inputs.commands[i] = i < m_ownCount ? m_own[i] : core::Command{};
+        if (i >= m_ownCount)
+            m_commands.tryPop(inputs.commands[i]);
     }
+    m_ownCount = 0;
     const std::int64_t beat_ns = m_lastBeat_ns.load(std::memory_order_relaxed);
     inputs.heartbeatAge_ms =
         beat_ns == kNoHeartbeat ? std::uint16_t{0} : age<std::uint16_t>(now.now_ns(), beat_ns, 1'000'000);

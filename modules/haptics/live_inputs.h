@@ -4,13 +4,14 @@
 #include "haptics/tick_inputs.h"
 #include "realtime/spsc_ring.h"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 
 namespace chiron::haptics {
 
 /// Inputs of a running session. Commands wait in a ring (at most two are taken a tick), the heartbeat is one atomic time.
-/// Threads: gather() on the haptic thread; post() on one other thread (GUI or session); beat() on any.
+/// Threads: gather() and postOwn() on the haptic thread; post() on one other thread (GUI or session); beat() on any.
 class LiveInputs final : public ITickInputs {
 public:
     static constexpr std::size_t kCommandRing = 64;
@@ -23,8 +24,18 @@ public:
     /// Hands a command to the loop; false when 64 are already waiting.
     bool post(const core::Command& command) noexcept { return m_commands.tryPush(command); }
 
+    /// A command of the loop's own side (the end of a scripted run), so that a window may own post(). It is taken in the next
+    /// tick, before what waits in the ring; beyond the two of a tick it is false. Haptic thread, or before the first tick.
+    bool postOwn(const core::Command& command) noexcept {
+        if (m_ownCount == m_own.size())
+            return false;
+        m_own[m_ownCount++] = command;
+        return true;
+    }
+
     /// The screen is alive, at this time of the runner's clock (ns). The first call switches the heartbeat on; without it
-    /// (headless runs) its age is always 0.
+    /// (headless runs) its age is always 0. A run that watches the heartbeat beats once before its first tick, so that a window
+    /// that never comes up counts as frozen.
     void beat(std::int64_t now_ns) noexcept { m_lastBeat_ns.store(now_ns, std::memory_order_relaxed); }
 
     void gather(const realtime::HapticTick& now, std::span<devices::IDevice* const> devices,
@@ -33,6 +44,8 @@ public:
 private:
     static constexpr std::int64_t kNoHeartbeat = INT64_MIN;
 
+    std::array<core::Command, core::kMaxCommandsPerTick> m_own{}; ///< haptic thread's
+    std::size_t m_ownCount = 0;
     realtime::SpscRing<core::Command, kCommandRing> m_commands;
     alignas(64) std::atomic<std::int64_t> m_lastBeat_ns{kNoHeartbeat};
 };

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session_state.h"
+#include "haptics/display_state.h"
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+namespace chiron::session {
+
+/// One tick of tool 0 as a live plot needs it; single precision is plenty for a screen. W; SI units.
+struct LiveSample {
+    std::uint64_t tick = 0;
+    double t_s = 0.0;             ///< of the runner's clock since the first tick: a missed deadline shows as a gap
+    std::array<float, 3> tissue_N{}; ///< what the scene answered, on the tool
+    float tissueNorm_N = 0.0f;
+    float torque_Nm = 0.0f;       ///< norm of the tissue torque
+    float commanded_N = 0.0f;     ///< norm after the supervisor; 0 on an input-only device
+    float speed_m_per_s = 0.0f;
+    std::array<float, 3> p_WT_m{};
+    float depth_m = 0.0f;         ///< from the drawn surface point to the tip, 0 out of contact
+    std::uint32_t guards = 0;     ///< core::guard_bits
+    std::uint32_t events = 0;     ///< core::event_bits
+    core::TrialPhase phase = core::TrialPhase::idle;
+    bool paused = false;
+};
+
+static_assert(std::is_trivially_copyable_v<LiveSample>);
+
+/// Of one tick; `start_ns` is the now_ns of the session's first. Pure; haptic thread.
+LiveSample liveSampleOf(const haptics::DisplayState& shown, std::int64_t start_ns) noexcept;
+
+} // namespace chiron::session
