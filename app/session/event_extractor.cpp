@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace chiron::session {
 
@@ -28,19 +27,20 @@ const char* wordFor(CommandKind kind) {
     return nullptr;
 }
 
-/// Guards worth a mark in playback; caps, slew and arming act all the time and are read from the channel instead.
-constexpr std::array<std::pair<std::uint32_t, const char*>, 8> kMarkedGuards{{
-    {core::guard_bits::kOverVelocity, "over_velocity"},
-    {core::guard_bits::kBadSample, "bad_sample"},
-    {core::guard_bits::kSampleFault, "sample_fault"},
-    {core::guard_bits::kWatchdog, "watchdog"},
-    {core::guard_bits::kWatchdogFault, "watchdog_fault"},
-    {core::guard_bits::kHeartbeat, "window_frozen"},
-    {core::guard_bits::kPassivity, "passivity"},
-    {core::guard_bits::kDeviceFault, "device_fault"},
+constexpr std::array<MarkedGuard, 8> kMarkedGuards{{
+    {core::guard_bits::kOverVelocity, "over_velocity", false},
+    {core::guard_bits::kBadSample, "bad_sample", false},
+    {core::guard_bits::kSampleFault, "sample_fault", true},
+    {core::guard_bits::kWatchdog, "watchdog", false},
+    {core::guard_bits::kWatchdogFault, "watchdog_fault", true},
+    {core::guard_bits::kHeartbeat, "window_frozen", false},
+    {core::guard_bits::kPassivity, "passivity", false},
+    {core::guard_bits::kDeviceFault, "device_fault", true},
 }};
 
 } // namespace
+
+std::span<const MarkedGuard> markedGuards() noexcept { return kMarkedGuards; }
 
 void EventExtractor::add(std::span<const core::HapticFrame> frames) {
     for (const core::HapticFrame& frame : frames)
@@ -106,9 +106,9 @@ void EventExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) 
 
 void EventExtractor::addGuards(const core::HapticFrame& frame, double t_s) {
     const std::uint32_t begun = frame.header.guards & ~m_guards;
-    for (const auto& [bit, word] : kMarkedGuards) {
-        if (begun & bit)
-            note(frame, t_s, word);
+    for (const MarkedGuard& guard : kMarkedGuards) {
+        if (begun & guard.bit)
+            note(frame, t_s, guard.word);
     }
     m_guards = frame.header.guards;
 }

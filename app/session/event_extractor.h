@@ -10,6 +10,15 @@
 
 namespace chiron::session {
 
+/// A guard of the supervisor that is worth a mark in playback, and its stored word.
+struct MarkedGuard {
+    std::uint32_t bit = 0;
+    const char* word = "";
+    bool latched = false; ///< a fault that stays
+};
+/// Caps, slew and arming act all the time and are read from the channel instead.
+std::span<const MarkedGuard> markedGuards() noexcept;
+
 /// Stored frames -> the events and trials of a session, as playback marks them and the database keeps them: trial
 /// starts, marks, time-outs, commands, the onset of each guard, the onset of tissue force over the limit.
 class EventExtractor {

@@ -6,6 +6,7 @@
 #include "mechanisms/hand_parameters.h"
 #include "mechanisms/hand_strategy.h"
 #include "scoring/trace.h"
+#include "session/trial_surfaces.h"
 #include "simulation/scene.h"
 
 #include <cstdint>
@@ -44,6 +45,9 @@ public:
     /// Adds to a trial what is true of it (from content and seed) and what its mark touched.
     virtual void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                           scoring::TrialTrace& trial) const = 0;
+    /// What could be touched in each trial, for playback: the geometry that was felt.
+    virtual std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                        std::uint64_t seed) const = 0;
 };
 
 /// The kind with this id. Failure: notFound naming the kinds that exist.

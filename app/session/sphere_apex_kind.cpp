@@ -18,6 +18,35 @@ const simulation::SphereApexParameters& parametersOf(const catalogue::ExerciseLe
 /// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
 constexpr double kArmingAllowance_s = 20.0;
 
+class SphereApexSurfaces final : public TrialSurfaces {
+public:
+    SphereApexSurfaces(const simulation::SphereApexParameters& p, std::uint64_t seed)
+        : m_radius_m(p.radius_m), m_planeHeight_m(p.planeHeight_m) {
+        for (const simulation::SphereApexTrial& trial : simulation::planSphereApexTrials(p, seed)) {
+            m_centres.push_back({trial.centre_m.x(), trial.centre_m.y(), m_planeHeight_m});
+            m_contacts.emplace_back(simulation::sphereApexContact(p, trial));
+        }
+    }
+    std::optional<TrialObject> object(int trial) const override {
+        const auto index = static_cast<std::size_t>(trial);
+        if (trial < 0 || index >= m_centres.size())
+            return std::nullopt;
+        return TrialObject{m_centres[index], m_radius_m};
+    }
+    core::Vec3 surfacePoint(int trial, const core::Vec3& p_WT) const override {
+        const auto index = static_cast<std::size_t>(trial);
+        if (trial < 0 || index >= m_contacts.size() || !p_WT.allFinite())
+            return p_WT;
+        return m_contacts[index].respond(p_WT, core::Vec3::Zero()).surfacePoint;
+    }
+
+private:
+    double m_radius_m;
+    double m_planeHeight_m;
+    std::vector<core::Vec3> m_centres;
+    std::vector<simulation::HemisphereContact> m_contacts;
+};
+
 } // namespace
 
 std::unique_ptr<simulation::IScene> SphereApexKind::makeScene(const catalogue::ExerciseLevel& level,
@@ -59,6 +88,11 @@ void SphereApexKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64
     const auto index = static_cast<std::size_t>(trial.trial);
     if (index < plan.size())
         trial.apex = scoring::ApexTruth{plan[index].centre_m.x(), plan[index].centre_m.y(), p.radius_m};
+}
+
+std::unique_ptr<TrialSurfaces> SphereApexKind::makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                            std::uint64_t seed) const {
+    return std::make_unique<SphereApexSurfaces>(parametersOf(level), seed);
 }
 
 } // namespace chiron::session

@@ -18,6 +18,8 @@ public:
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                   scoring::TrialTrace& trial) const override;
+    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                std::uint64_t seed) const override;
 };
 
 } // namespace chiron::session

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/playback_builder.h"
+
+#include "session/exercise_kind.h"
+#include "session/trace_mark.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::session {
+
+namespace {
+
+double normOf(const core::Array6& wrench) { return std::hypot(wrench[0], wrench[1], wrench[2]); }
+
+/// Adds up frames to samples, trials and marks.
+class TrackBuilder {
+public:
+    TrackBuilder(const StoredSession& session, const TrialSurfaces& surfaces)
+        : m_positions(session.positions()), m_surfaces(surfaces),
+          m_marks(session.record().setup.forceLimit_N, session.positions().tools()) {
+        m_track.session = session.record().summary.id;
+        m_track.exercise = session.setup().level.exercise;
+        m_track.level = session.setup().level.number;
+        m_track.felt = session.record().setup.felt;
+        m_track.forceLimit_N = session.record().setup.forceLimit_N;
+        m_track.toolCount = m_positions.tools();
+        m_open.resize(static_cast<std::size_t>(m_track.toolCount));
+    }
+
+    void add(const core::HapticFrame& frame) {
+        if (!m_haveOrigin) {
+            m_origin_us = frame.tool[0].deviceTime_us;
+            m_haveOrigin = true;
+        }
+        // A sample never reaches over a trial's ends: what a trial's samples hold is what its metrics see.
+        if ((frame.header.events & core::event_bits::kTrialStarted) && m_inSample > 0)
+            closeSample();
+        // A device whose clock stands still or steps back adds no time: playback's time never runs backwards.
+        const auto since_us = static_cast<std::int64_t>(frame.tool[0].deviceTime_us - m_origin_us);
+        m_now_s = std::max(m_now_s, static_cast<double>(since_us) * 1e-6);
+        m_marks.add(frame, m_now_s);
+        addTrial(frame);
+        for (std::size_t i = 0; i < m_open.size(); ++i)
+            addForces(m_open[i], frame.tool[i]);
+        m_last = frame;
+        const bool event = (frame.header.events & (core::event_bits::kMarked | core::event_bits::kTimedOut)) != 0;
+        if (++m_inSample >= PlaybackTrack::kTicksPerSample || event)
+            closeSample();
+    }
+
+    PlaybackTrack take() {
+        if (m_inSample > 0)
+            closeSample();
+        m_track.duration_s = m_now_s;
+        m_track.marks = m_marks.take(m_now_s);
+        for (const PlaybackMark& mark : m_track.marks) {
+            if (mark.kind == PlaybackMarkKind::paused)
+                m_track.paused.push_back({mark.t_s, mark.end_s});
+        }
+        addSpeeds();
+        return std::move(m_track);
+    }
+
+private:
+    void addForces(PlaybackTool& tool, const core::ToolFrame& frame) {
+        const core::Vec3 tissue(frame.tissue[0], frame.tissue[1], frame.tissue[2]);
+        if (tissue.squaredNorm() > tool.tissue_N.squaredNorm())
+            tool.tissue_N = tissue;
+        tool.commanded_N = std::max(tool.commanded_N, normOf(frame.commanded));
+        if (frame.status & core::sample_status::kMeasuredForce) {
+            tool.measured_N = std::max(tool.measured_N, normOf(frame.measured));
+            m_track.measures = true;
+        }
+    }
+
+    /// The open sample becomes one of the track, with the last frame's pose; where no time has passed since the one before, it
+    /// stays open.
+    void closeSample() {
+        if (!m_track.moments.empty() && m_now_s <= m_track.moments.back().t_s)
+            return;
+        const core::TickHeader& header = m_last.header;
+        m_track.moments.push_back({m_now_s, header.index, header.trial, header.phase, header.force, header.paused != 0});
+        const bool present = header.phase == core::TrialPhase::ready || header.phase == core::TrialPhase::running;
+        for (std::size_t i = 0; i < m_open.size(); ++i) {
+            const core::ToolState pose = m_positions.pose(static_cast<int>(i), m_last.tool[i]);
+            PlaybackTool& tool = m_open[i];
+            tool.p_WT = pose.p_WT;
+            tool.q_WT = pose.q_WT;
+            tool.jaw_rad = pose.jaw_rad;
+            tool.p_WProxy = present ? m_surfaces.surfacePoint(header.trial, pose.p_WT) : pose.p_WT;
+            m_track.tools.push_back(tool);
+            tool = {};
+        }
+        m_inSample = 0;
+    }
+
+    void addTrial(const core::HapticFrame& frame) {
+        using namespace core::event_bits;
+        if (frame.header.events & kTrialStarted) {
+            PlaybackTrial trial;
+            trial.index = frame.header.trial;
+            trial.start_s = m_now_s;
+            trial.object = m_surfaces.object(trial.index);
+            m_track.trials.push_back(trial);
+            m_inTrial = true;
+        }
+        if (!m_inTrial)
+            return;
+        PlaybackTrial& trial = m_track.trials.back();
+        trial.end_s = m_now_s;
+        trial.p_WEnd = m_positions.p_WT_m(0, frame.tool[0]);
+        if (frame.header.events & (kMarked | kTimedOut)) {
+            trial.marked = (frame.header.events & kMarked) != 0 && !isMarkOfTraceEnd(frame);
+            trial.timedOut = (frame.header.events & kTimedOut) != 0;
+            m_inTrial = false;
+        }
+    }
+
+    /// Central differences over 40 ms: what a person would call the speed, without the encoder's steps.
+    void addSpeeds() {
+        constexpr std::size_t kHalf = 5;
+        const std::size_t n = m_track.moments.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t a = i >= kHalf ? i - kHalf : 0;
+            const std::size_t b = std::min(i + kHalf, n - 1);
+            const double dt_s = m_track.moments[b].t_s - m_track.moments[a].t_s;
+            for (int k = 0; k < m_track.toolCount; ++k) {
+                const double d_m = (m_track.tool(b, k).p_WT - m_track.tool(a, k).p_WT).norm();
+                auto& tool = m_track.tools[i * static_cast<std::size_t>(m_track.toolCount) + static_cast<std::size_t>(k)];
+                tool.speed_m_per_s = dt_s > 0.0 ? d_m / dt_s : 0.0;
+            }
+        }
+    }
+
+    const ToolPositions& m_positions;
+    const TrialSurfaces& m_surfaces;
+    MarkExtractor m_marks;
+    PlaybackTrack m_track;
+    std::vector<PlaybackTool> m_open; ///< the sample being added up
+    core::HapticFrame m_last;
+    int m_inSample = 0;
+    bool m_inTrial = false;
+    bool m_haveOrigin = false;
+    std::uint64_t m_origin_us = 0;
+    double m_now_s = 0.0;
+};
+
+} // namespace
+
+core::Result<PlaybackTrack> buildPlaybackTrack(StoredSession& session, const PlaybackProgress& progress) {
+    auto kind = exerciseKind(session.setup().level.exercise);
+    if (!kind)
+        return tl::unexpected(kind.error());
+    const auto surfaces = (*kind)->makeSurfaces(session.setup().level, session.setup().seed);
+    TrackBuilder builder(session, *surfaces);
+    const std::size_t chunks = session.reader().chunkCount();
+    for (std::size_t i = 0; i < chunks; ++i) {
+        if (progress && !progress(static_cast<double>(i) / static_cast<double>(chunks)))
+            return core::fail(core::ErrorCode::cancelled, "playback: stopped by the person");
+        auto frames = session.reader().framesOf(i);
+        if (!frames)
+            return tl::unexpected(frames.error());
+        for (const core::HapticFrame& frame : *frames)
+            builder.add(frame);
+    }
+    return builder.take();
+}
+
+} // namespace chiron::session

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/playback_mark.h"
+
+#include "session/event_extractor.h"
+#include "session/trace_mark.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::session {
+
+namespace {
+
+constexpr double kContact_N = 0.02;
+constexpr double kBridge_s = 0.2;
+
+double tissueOf(const core::ToolFrame& tool) {
+    return std::hypot(tool.tissue[0], tool.tissue[1], tool.tissue[2]);
+}
+
+} // namespace
+
+bool isPenalty(PlaybackMarkKind kind) noexcept {
+    return kind == PlaybackMarkKind::overLimit || kind == PlaybackMarkKind::timedOut || kind == PlaybackMarkKind::fault;
+}
+
+PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind, int tool) {
+    PlaybackMark mark;
+    mark.t_s = mark.end_s = t_s;
+    mark.tick = frame.header.index;
+    mark.kind = kind;
+    mark.trial = frame.header.trial;
+    mark.tool = tool;
+    m_marks.push_back(std::move(mark));
+    return m_marks.back();
+}
+
+void MarkExtractor::follow(Span& span, bool on, const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind,
+                           int tool, double bridge_s) {
+    if (on && !span.open) {
+        const bool goesOn = span.mark && m_marks[*span.mark].trial == frame.header.trial &&
+                            t_s - m_marks[*span.mark].end_s <= bridge_s;
+        if (!goesOn) {
+            note(frame, t_s, kind, tool);
+            span.mark = m_marks.size() - 1;
+        }
+    }
+    if (span.mark && (on || span.open))
+        m_marks[*span.mark].end_s = t_s;
+    span.open = on;
+}
+
+void MarkExtractor::add(const core::HapticFrame& frame, double t_s) {
+    addCommands(frame, t_s);
+    addTrialEvents(frame, t_s);
+    addGuards(frame, t_s);
+    addForces(frame, t_s);
+    follow(m_paused, frame.header.paused != 0, frame, t_s, PlaybackMarkKind::paused);
+}
+
+void MarkExtractor::addCommands(const core::HapticFrame& frame, double t_s) {
+    for (const core::Command& command : frame.header.commands) {
+        if (command.kind == core::CommandKind::rearm)
+            note(frame, t_s, PlaybackMarkKind::rearmed);
+        if (command.kind == core::CommandKind::end)
+            note(frame, t_s, PlaybackMarkKind::ended);
+    }
+}
+
+void MarkExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) {
+    using namespace core::event_bits;
+    const std::uint32_t events = frame.header.events;
+    if (events & kTrialStarted)
+        note(frame, t_s, PlaybackMarkKind::trialStarted);
+    if (events & kMarked)
+        note(frame, t_s, isMarkOfTraceEnd(frame) ? PlaybackMarkKind::traceEnded : PlaybackMarkKind::marked);
+    else if (events & kTimedOut)
+        note(frame, t_s, PlaybackMarkKind::timedOut);
+}
+
+void MarkExtractor::addGuards(const core::HapticFrame& frame, double t_s) {
+    const std::uint32_t begun = frame.header.guards & ~m_guards;
+    for (const MarkedGuard& guard : markedGuards()) {
+        if (begun & guard.bit)
+            note(frame, t_s, guard.latched ? PlaybackMarkKind::fault : PlaybackMarkKind::guard).detail = guard.word;
+    }
+    m_guards = frame.header.guards;
+    if (frame.header.force == core::ForceState::stopped && m_force != core::ForceState::stopped)
+        note(frame, t_s, PlaybackMarkKind::forceStopped);
+    m_force = frame.header.force;
+}
+
+void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
+    const bool scored = frame.header.paused == 0;
+    for (int tool = 0; tool < m_tools; ++tool) {
+        const auto i = static_cast<std::size_t>(tool);
+        const double tissue = tissueOf(frame.tool[i]);
+        follow(m_contact[i], tissue > kContact_N, frame, t_s, PlaybackMarkKind::contact, tool, kBridge_s);
+        const bool over = scored && tissue > m_forceLimit_N;
+        follow(m_over[i], over, frame, t_s, PlaybackMarkKind::overLimit, tool);
+        if (over) {
+            std::optional<double>& worst = m_marks[*m_over[i].mark].value;
+            worst = std::max(worst.value_or(0.0), tissue);
+        }
+    }
+}
+
+std::vector<PlaybackMark> MarkExtractor::take(double end_s) {
+    const auto close = [&](Span& span) {
+        if (span.open)
+            m_marks[*span.mark].end_s = end_s;
+        span = {};
+    };
+    close(m_paused);
+    std::for_each(m_over.begin(), m_over.end(), close);
+    std::for_each(m_contact.begin(), m_contact.end(), close);
+    std::stable_sort(m_marks.begin(), m_marks.end(),
+                     [](const PlaybackMark& a, const PlaybackMark& b) { return a.t_s < b.t_s; });
+    return std::move(m_marks);
+}
+
+} // namespace chiron::session

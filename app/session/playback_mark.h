@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/haptic_frame.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chiron::session {
+
+/// What a mark on the scrubber tells of.
+enum class PlaybackMarkKind : std::uint8_t {
+    trialStarted,
+    marked,      ///< the person's answer
+    timedOut,    ///< penalty: the limit was reached without an answer
+    traceEnded,  ///< a replayed trace ended without a mark
+    contact,     ///< tool and object touched, from t_s to end_s
+    overLimit,   ///< penalty: tissue force over the level's limit, from t_s to end_s; value: largest force, N
+    paused,      ///< from t_s to end_s
+    forceStopped,
+    rearmed,
+    guard, ///< the supervisor stepped in; `detail` says why
+    fault, ///< latched; `detail` says why
+    ended, ///< the person ended the session
+};
+
+/// One thing that happened, or went on for a while. The words for it are the screen's.
+struct PlaybackMark {
+    double t_s = 0.0;                ///< device time since the first frame
+    double end_s = 0.0;              ///< equal to t_s for a moment
+    std::uint64_t tick = 0;
+    PlaybackMarkKind kind = PlaybackMarkKind::marked;
+    int trial = 0;                   ///< from 0
+    int tool = 0;
+    std::optional<double> value;     ///< overLimit: largest tissue force, N
+    std::string detail;              ///< guard, fault: stored token of the event ("watchdog", "over_velocity", ...)
+};
+
+/// Whether it costs: over the limit, timed out, a fault.
+bool isPenalty(PlaybackMarkKind kind) noexcept;
+
+/// Stored frames -> marks, in the order of time, by the rules of EventExtractor, so that playback tells what the database
+/// lists; spans (contact, over the limit, pause) get their end as well. Contact is more than 0.02 N of tissue force, as
+/// for every metric; a touch lost for less than 0.2 s goes on. Frames come in order, chunk by chunk.
+class MarkExtractor {
+public:
+    MarkExtractor(double forceLimit_N, int tools) : m_forceLimit_N(forceLimit_N), m_tools(tools) {}
+
+    /// `t_s`: the frame's device time since the first frame.
+    void add(const core::HapticFrame& frame, double t_s);
+    /// Closes what is still going on at `end_s` and hands the marks over, by time.
+    std::vector<PlaybackMark> take(double end_s);
+
+private:
+    /// A span that goes on, or the last one that did.
+    struct Span {
+        std::optional<std::size_t> mark; ///< index in m_marks
+        bool open = false;
+    };
+    PlaybackMark& note(const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind, int tool = 0);
+    void follow(Span& span, bool on, const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind, int tool = 0,
+                double bridge_s = -1.0);
+    void addCommands(const core::HapticFrame& frame, double t_s);
+    void addTrialEvents(const core::HapticFrame& frame, double t_s);
+    void addForces(const core::HapticFrame& frame, double t_s);
+    void addGuards(const core::HapticFrame& frame, double t_s);
+
+    double m_forceLimit_N;
+    int m_tools;
+    std::uint32_t m_guards = 0;
+    core::ForceState m_force = core::ForceState::off;
+    Span m_paused;
+    std::array<Span, core::kMaxTools> m_over{};
+    std::array<Span, core::kMaxTools> m_contact{};
+    std::vector<PlaybackMark> m_marks;
+};
+
+} // namespace chiron::session

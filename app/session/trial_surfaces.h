@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+
+#include <optional>
+
+namespace chiron::session {
+
+/// The object of one trial, as playback draws it: what was true, from content and seed.
+struct TrialObject {
+    core::Vec3 p_WObject = core::Vec3::Zero(); ///< m; sphere_apex: centre of the ball, in the plane
+    double radius_m = 0.0;
+};
+
+/// What could be touched in each trial of a session, made again from its stored content and seed: the same geometry
+/// that was felt. Immutable; any thread.
+class TrialSurfaces {
+public:
+    TrialSurfaces() = default;
+    TrialSurfaces(const TrialSurfaces&) = delete;
+    TrialSurfaces& operator=(const TrialSurfaces&) = delete;
+    virtual ~TrialSurfaces() = default;
+
+    /// Nothing for a trial that was not planned.
+    virtual std::optional<TrialObject> object(int trial) const = 0;
+    /// Where a tool that stays at the surface is drawn, m in W; `p_WT` itself out of contact and without an object.
+    virtual core::Vec3 surfacePoint(int trial, const core::Vec3& p_WT) const = 0;
+};
+
+} // namespace chiron::session

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/worst_moment.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::session {
+
+namespace {
+
+bool startsWith(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
+
+/// Horizontal distance of the answer from the truth, m; 0 where there is no truth.
+double missOf(const PlaybackTrial& trial) {
+    if (!trial.object)
+        return 0.0;
+    const core::Vec3 d = trial.p_WEnd - trial.object->p_WObject;
+    return std::hypot(d.x(), d.y());
+}
+
+std::optional<WorstMoment> largestForce(const PlaybackTrack& track) {
+    std::optional<WorstMoment> worst;
+    for (std::size_t i = 0; i < track.moments.size(); ++i) {
+        const PlaybackMoment& moment = track.moments[i];
+        const PlaybackTrial* trial = track.trialAt(moment.t_s);
+        if (!trial || moment.t_s > trial->end_s || moment.paused)
+            continue;
+        for (int k = 0; k < track.toolCount; ++k) {
+            const double force_N = track.tool(i, k).tissue_N.norm();
+            if (!worst || force_N > worst->value)
+                worst = WorstMoment{moment.t_s, moment.trial, force_N, "N", "force_max", false};
+        }
+    }
+    return worst;
+}
+
+WorstMoment endOf(const PlaybackTrial& trial, double value) {
+    WorstMoment worst;
+    worst.t_s = trial.end_s;
+    worst.trial = trial.index;
+    worst.value = value;
+    return worst;
+}
+
+std::optional<WorstMoment> farthestAnswer(const PlaybackTrack& track) {
+    const auto found =
+        std::max_element(track.trials.begin(), track.trials.end(),
+                         [](const PlaybackTrial& a, const PlaybackTrial& b) { return missOf(a) < missOf(b); });
+    if (found == track.trials.end() || !found->object || found->object->radius_m <= 0.0)
+        return std::nullopt;
+    WorstMoment worst = endOf(*found, 100.0 * missOf(*found) / found->object->radius_m);
+    worst.unit = "%";
+    return worst;
+}
+
+const scoring::MetricValue* metricIn(const std::vector<scoring::MetricValue>& metrics, const std::string& id) {
+    const auto found =
+        std::find_if(metrics.begin(), metrics.end(), [&id](const scoring::MetricValue& m) { return m.id == id; });
+    return found == metrics.end() ? nullptr : &*found;
+}
+
+/// The end of the trial whose own value is worst by the gate: the largest under a maximum, the smallest over a minimum.
+std::optional<WorstMoment> worstTrial(const PlaybackTrack& track, const scoring::ScoreCard& card,
+                                      const scoring::Gate& gate) {
+    std::optional<WorstMoment> worst;
+    for (std::size_t i = 0; i < std::min(card.trials.size(), track.trials.size()); ++i) {
+        const scoring::MetricValue* own = metricIn(card.trials[i], gate.metric);
+        if (!own || !own->value)
+            continue;
+        const bool worse = !worst || (gate.maximum ? *own->value > worst->value : *own->value < worst->value);
+        if (!worse)
+            continue;
+        worst = endOf(track.trials[i], *own->value);
+        worst->unit = own->unit;
+    }
+    return worst;
+}
+
+std::optional<WorstMoment> ofGate(const PlaybackTrack& track, const scoring::ScoreCard& card, const scoring::Gate& gate) {
+    if (startsWith(gate.metric, "force_"))
+        return largestForce(track);
+    if (startsWith(gate.metric, "apex_"))
+        return farthestAnswer(track);
+    return worstTrial(track, card, gate);
+}
+
+} // namespace
+
+std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring::ScoreCard& card,
+                                       std::span<const scoring::Gate> gates) {
+    if (track.trials.empty())
+        return std::nullopt;
+    for (const scoring::Gate& gate : gates) {
+        const scoring::MetricValue* metric = metricIn(card.metrics, gate.metric);
+        if (!metric || metric->passed != std::optional<bool>(false))
+            continue;
+        if (auto worst = ofGate(track, card, gate)) {
+            worst->reason = gate.metric;
+            worst->gateFailed = true;
+            return worst;
+        }
+    }
+    return largestForce(track);
+}
+
+} // namespace chiron::session

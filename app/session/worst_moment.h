@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scoring/score_card.h"
+#include "session/playback_track.h"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace chiron::session {
+
+/// The one moment worth looking at first.
+struct WorstMoment {
+    double t_s = 0.0;
+    int trial = 0;
+    double value = 0.0;     ///< in `unit`
+    std::string unit;       ///< of the metric, "N" for a force
+    std::string reason;     ///< id of the metric that failed, or "force_max" where none did
+    bool gateFailed = false; ///< a gate that did not hold led here
+};
+
+/// Where the first failed gate was missed most: for a force metric the largest tissue force; for an apex metric the answer of
+/// the trial that was farthest off; for any other the end of the trial with the worst value. Without a failed gate the
+/// largest tissue force of all trials. Pauses and the time between trials do not count. Nothing on a track
+/// without a trial. Pure.
+std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring::ScoreCard& card,
+                                       std::span<const scoring::Gate> gates);
+
+} // namespace chiron::session
