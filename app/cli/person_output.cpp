@@ -32,7 +32,9 @@ QJsonObject commentJson(const database::SessionComment& comment) {
     return {{QStringLiteral("id"), static_cast<qint64>(comment.id)},
             {QStringLiteral("author"), static_cast<qint64>(comment.author)},
             {QStringLiteral("utc"), text(comment.utc)},
-            {QStringLiteral("text"), text(comment.text)}};
+            {QStringLiteral("text"), text(comment.text)},
+            {QStringLiteral("tick"),
+             comment.tick ? QJsonValue(static_cast<qint64>(*comment.tick)) : QJsonValue()}};
 }
 
 QJsonArray commentsJson(const std::vector<database::SessionComment>& comments) {

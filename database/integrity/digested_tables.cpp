@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
-// The order of columns is part of the stored format: a digest covers the values in this order. Columns are
-// never added here; later versions put new values into tables of their own.
+// The order of columns is part of the stored format: a digest covers the values in this order. What a later
+// version adds stands at the end, is nullable, and is counted in laterColumns.
 namespace chiron::database {
 namespace {
 
@@ -94,12 +94,13 @@ std::vector<DigestedTable> recordTables() {
          {"score_set_id", "trial", "ordinal", "metric", "version", "unit", "value", "reason", "passed"}},
         {"session_comment",
          {"id"},
-         {"id", "session_id", "author_id", "utc", "text_hash"},
+         {"id", "session_id", "author_id", "utc", "text_hash", "tick"},
          "text",
          "text_hash",
          "EXISTS (SELECT 1 FROM erasure WHERE person_id IN (session_comment.author_id, (SELECT person_id "
          "FROM session "
-         "WHERE id = session_comment.session_id)))"},
+         "WHERE id = session_comment.session_id)))",
+         1},
         {"erasure",
          {"person_id"},
          {"person_id", "utc", "reason", "administrator_id", "recordings_withdrawn", "digests_json"}},

@@ -53,6 +53,11 @@ void add(Hasher& hasher, const Value& value) {
 } // namespace
 
 RowDigest rowDigest(std::string_view table, std::span<const Value> values) {
+    const DigestedTable& spec = digestedTable(table);
+    const std::size_t firstVersion = spec.columns.size() - spec.laterColumns;
+    while (values.size() > firstVersion && values.back().type() == Value::Type::null) {
+        values = values.first(values.size() - 1);
+    }
     Hasher hasher;
     hasher.text("chiron-row-1");
     hasher.text(table);

@@ -24,6 +24,10 @@ struct DigestedTable {
     std::string_view hashedColumn{}; ///< a payload or text that hashColumn covers; empty: none
     std::string_view hashColumn{};
     std::string_view erasedSql{}; ///< expression that is 1 where an erasure has emptied hashedColumn
+    /// How many columns at the end came with a later version of the schema. They are nullable; where the last
+    /// ones are NULL the digest leaves them out, so that a row which has none keeps the digest it was born
+    /// with.
+    std::size_t laterColumns = 0;
 };
 
 /// All of them, parents first.
@@ -31,7 +35,8 @@ const std::vector<DigestedTable>& digestedTables();
 /// The one of this name; must exist.
 const DigestedTable& digestedTable(std::string_view name);
 
-/// BLAKE2b-256 over "chiron-row-1", the table's name and each value: a tag (0 NULL, 1 INTEGER, 2 REAL, 3
+/// BLAKE2b-256 over "chiron-row-1", the table's name, the number of values and each value (but later columns
+/// that are NULL at the end): a tag (0 NULL, 1 INTEGER, 2 REAL, 3
 /// TEXT, 4 BLOB), then 8 bytes little-endian (two's complement; the double's bits), or an 8-byte length and
 /// the bytes.
 RowDigest rowDigest(std::string_view table, std::span<const Value> values);

@@ -10,6 +10,18 @@ namespace {
 constexpr int kMostBreaks = 4096; // of one table; then the rest is reported as one range
 }
 
+RowScan::RowScan(Connection& connection, const DigestedTable& table, VerifyReport& report)
+    : m_connection(connection), m_table(table), m_report(report) {
+    for (std::size_t i = 0; i < table.laterColumns; ++i) {
+        const auto there =
+            selectInteger(connection, "SELECT count(*) FROM pragma_table_info(?) WHERE name = ?",
+                          {std::string(table.name), std::string(m_table.columns.back())});
+        if (there && there->value_or(1) == 0) {
+            m_table.columns.pop_back();
+        }
+    }
+}
+
 std::string printable(const Value& value) {
     switch (value.type()) {
     case Value::Type::null:

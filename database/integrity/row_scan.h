@@ -18,8 +18,7 @@ class RowScan {
 public:
     using Visitor = std::function<void(const std::vector<Value>& values)>;
 
-    RowScan(Connection& connection, const DigestedTable& table, VerifyReport& report)
-        : m_connection(connection), m_table(table), m_report(report) {}
+    RowScan(Connection& connection, const DigestedTable& table, VerifyReport& report);
     /// visit gets the covered values of each row that could be read, damaged or not.
     void run(const Visitor& visit = {});
 
@@ -32,7 +31,7 @@ private:
     std::string keyOf(const std::vector<Value>& values) const;
 
     Connection& m_connection;
-    const DigestedTable& m_table;
+    DigestedTable m_table; ///< as this file has it: an earlier version lacks the later columns
     VerifyReport& m_report;
     std::string m_words; ///< SQLite's of the last failure
 };

@@ -8,11 +8,30 @@
 #include "database/repositories/session_repository.h"
 #include "database/repositories/session_rules.h"
 
+#include <cstdint>
+#include <limits>
+
 // What people add to a session afterwards: void, archive, comment.
 namespace chiron::database {
 namespace {
 constexpr int kMaximumFreeText = 10000;
+
+// A running session's length is not known yet.
+core::Result<void> checkMoment(Connection& connection, SessionId session, std::uint64_t tick) {
+    const auto ticks =
+        selectInteger(connection, "SELECT ticks FROM session WHERE id = ? AND state <> 'running'", {session});
+    if (!ticks) {
+        return tl::unexpected(ticks.error());
+    }
+    const auto longest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    const bool inside = tick <= (*ticks ? static_cast<std::uint64_t>(**ticks) : longest);
+    return inside ? core::Result<void>()
+                  : core::fail(core::ErrorCode::badInput, "moment: the session has no tick " +
+                                                              std::to_string(tick) + ", its last is " +
+                                                              std::to_string(ticks->value_or(0)));
 }
+
+} // namespace
 
 core::Result<void> mayWriteSession(Connection& connection, const Actor& actor, Action action,
                                    SessionId session) {
@@ -73,13 +92,17 @@ core::Result<void> SessionRepository::setArchived(SessionId session, bool archiv
                        {archived ? "archive" : "unarchive", "session", session, *row, "{}"});
 }
 
-core::Result<std::int64_t> SessionRepository::addComment(SessionId session, const std::string& text) {
+core::Result<std::int64_t> SessionRepository::addComment(SessionId session, const std::string& text,
+                                                         std::optional<std::uint64_t> tick) {
     if (auto allowed = mayWriteSession(m_connection, m_actor, Action::addComment, session); !allowed) {
         return tl::unexpected(allowed.error());
     }
     if (auto good = checkText("comment", text, kMaximumFreeText); !good || text.empty()) {
         return good ? core::fail(core::ErrorCode::badInput, "comment: expected a text")
                     : tl::unexpected(good.error());
+    }
+    if (auto good = tick ? checkMoment(m_connection, session, *tick) : core::Result<void>(); !good) {
+        return tl::unexpected(good.error());
     }
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM session_comment");
     if (!last) {
@@ -92,7 +115,8 @@ core::Result<std::int64_t> SessionRepository::addComment(SessionId session, cons
                                 {"author_id", m_actor.personId()},
                                 {"utc", core::utcNowIso8601()},
                                 {"text", text},
-                                {"text_hash", toBlob(textDigest(text))}});
+                                {"text_hash", toBlob(textDigest(text))},
+                                {"tick", tick ? Value(static_cast<std::int64_t>(*tick)) : Value()}});
     if (!row) {
         return tl::unexpected(row.error());
     }

@@ -2,6 +2,7 @@
 #include "database/access/authorise.h"
 #include "database/query.h"
 #include "database/repositories/session_reader.h"
+#include "database/repositories/session_rules.h"
 
 namespace chiron::database {
 namespace {
@@ -73,13 +74,19 @@ core::Result<std::vector<recording::SecondSummary>> SessionReader::secondSummari
                                             });
 }
 
+SessionComment commentOf(const Query& row) {
+    SessionComment comment{row.integer(0), row.integer(1), row.text(2), row.text(3), std::nullopt};
+    if (!row.isNull(4)) {
+        comment.tick = unsignedFromStored(row.integer(4));
+    }
+    return comment;
+}
+
 core::Result<std::vector<SessionComment>> SessionReader::comments(SessionId id) {
     return rowsOf<SessionComment>(
         m_connection, m_actor, Action::comments, id,
-        "SELECT id, author_id, utc, text FROM session_comment WHERE session_id = ? ORDER BY id",
-        [](const Query& row) {
-            return SessionComment{row.integer(0), row.integer(1), row.text(2), row.text(3)};
-        });
+        "SELECT id, author_id, utc, text, tick FROM session_comment WHERE session_id = ? ORDER BY id",
+        commentOf);
 }
 
 } // namespace chiron::database

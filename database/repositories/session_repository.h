@@ -7,6 +7,7 @@
 #include "recording/trial_sink.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -39,7 +40,10 @@ public:
     /// voided.
     core::Result<void> voidSession(SessionId session, const std::string& reason);
     core::Result<void> setArchived(SessionId session, bool archived); ///< out of the usual lists; audited
-    core::Result<std::int64_t> addComment(SessionId session, const std::string& text);
+    /// To the session as a whole, or to a moment of its recording (executed tick). Audited. Failure:
+    /// badInput, also when an ended session is shorter.
+    core::Result<std::int64_t> addComment(SessionId session, const std::string& text,
+                                          std::optional<std::uint64_t> tick = {});
 
 private:
     Connection& m_connection;

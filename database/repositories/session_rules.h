@@ -4,6 +4,7 @@
 #include "core/result.h"
 #include "database/access/action.h"
 #include "database/connection.h"
+#include "database/query.h"
 #include "database/repositories/session_types.h"
 
 namespace chiron::database {
@@ -12,6 +13,9 @@ namespace chiron::database {
 /// storage.
 core::Result<void> mayWriteSession(Connection& connection, const Actor& actor, Action action,
                                    SessionId session);
+
+/// A comment from a row that begins with id, author_id, utc, text, tick.
+SessionComment commentOf(const Query& row);
 
 /// The state of a session as stored. Failure: storage.
 core::Result<SessionState> sessionState(Connection& connection, SessionId session);

@@ -82,7 +82,8 @@ struct SessionComment {
     std::int64_t id = 0;
     PersonId author = 0;
     std::string utc;
-    std::string text; ///< empty where erased
+    std::string text;                    ///< empty where erased
+    std::optional<std::uint64_t> tick{}; ///< executed tick it belongs to; absent: the session as a whole
 };
 
 /// A line of the list of sessions, from stored summaries only.

@@ -4,6 +4,7 @@
 #include "database/integrity/verifier.h"
 #include "database/query.h"
 #include "database/schema/migration_runner.h"
+#include "database/upkeep/manifest.h"
 
 #include <QDir>
 #include <QFile>
@@ -45,7 +46,7 @@ core::Result<void> makeStoredSite(const std::string& file) {
     return built;
 }
 
-// What a later version may do: a table large enough to take a while.
+// What the first step after version 1 may do: a table large enough to take a while.
 std::vector<Migration> withSecond(const std::string& more = {}) {
     std::vector<Migration> migrations = builtInMigrations();
     migrations.resize(1);
@@ -77,6 +78,8 @@ class TestMigration : public QObject {
 private slots:
     void stepsFollowOn();
     void storedVersion1Opens();
+    void commentsOfVersion1KeepTheirDigest();
+    void backupOfVersion1IsRestored();
     void newerIsRefusedUnchanged();
     void newerInTheLogIsRefusedUnchanged();
     void stepBacksUpFirst();
@@ -124,6 +127,60 @@ void TestMigration::storedVersion1Opens() {
     QCOMPARE(sessions.comments(1)->front().text, std::string("steady"));
     REQUIRE(storeSession(*f.database, *ada));
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
+}
+
+void TestMigration::commentsOfVersion1KeepTheirDigest() {
+    DatabaseFixture f;
+    REQUIRE(makeStoredSite(f.path()));
+    REQUIRE(f.reopen());
+    QCOMPARE(f.database->schemaVersion(), MigrationRunner().newest());
+    QCOMPARE(numberIn(f.path() + ".before-v2", "PRAGMA user_version"), std::int64_t{1});
+    const auto ada = AccountService(*f.database).login("ada", kPassword);
+    REQUIRE(ada);
+    REQUIRE(f.database->write([&](WriteContext& w) {
+        return SessionRepository(w.connection(), *ada).addComment(1, "here it shook", 250);
+    }));
+    auto reader = f.database->openReader();
+    const auto comments = SessionReader(**reader, *ada).comments(1);
+    REQUIRE(comments);
+    QCOMPARE(comments->size(), std::size_t{2});
+    QVERIFY(!comments->front().tick && comments->back().tick == 250U);
+    reader->reset();
+    f.database.reset();
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());
+    // A moment given to an old comment, or taken from a new one, shows.
+    for (const char* change : {"UPDATE session_comment SET tick = 3 WHERE id = 1",
+                               "UPDATE session_comment SET tick = NULL WHERE id = 2"}) {
+        auto connection = Connection::open(f.path(), Connection::Mode::readWrite);
+        REQUIRE((*connection)->execute("BEGIN"));
+        REQUIRE((*connection)->execute(change));
+        REQUIRE((*connection)->execute("COMMIT"));
+        connection->reset();
+        const VerifyReport report = verifyDatabase(f.path(), f.options);
+        QVERIFY(!report.ok() && report.findings[0].table == "session_comment");
+    }
+}
+
+void TestMigration::backupOfVersion1IsRestored() {
+    DatabaseFixture f;
+    REQUIRE(makeStoredSite(f.path()));
+    const auto key = SiteKey::load(f.path() + ".site");
+    REQUIRE(key);
+    QDir().mkpath(QString::fromStdString(f.path("backup")));
+    Manifest manifest{"backup", "2026-11-20T12:30:00.000Z", 1, readHeadFile(**key)->value(), {}};
+    auto old = Connection::open(f.path(), Connection::Mode::readOnly);
+    REQUIRE(copyDatabase(**old, f.path("backup") + "/" + kSnapshotFile));
+    old->reset();
+    manifest.files[kSnapshotFile] = fileDigest(f.path("backup") + "/" + kSnapshotFile).value();
+    REQUIRE(writeManifest(f.path("backup"), manifest, **key));
+    const auto info = Upkeep::restore(requestFor(f, f.path("backup")), f.options);
+    REQUIRE(info);
+    QCOMPARE(numberIn(f.path(), "PRAGMA user_version"), std::int64_t{MigrationRunner().newest()});
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());
+    // Nothing of it lies about: no copy from before the step.
+    QVERIFY(QDir(f.folder.path()).entryList({"*restoring*"}).isEmpty());
+    REQUIRE(f.reopen());
+    REQUIRE(AccountService(*f.database).login("ada", kPassword));
 }
 
 void TestMigration::newerIsRefusedUnchanged() {
@@ -179,7 +236,9 @@ void TestMigration::stepBacksUpFirst() {
     REQUIRE(again);
     QVERIFY(again->empty());
     // The program that knows version 1 only now leaves it alone.
-    QVERIFY(Database::openForWriting(f.path(), f.options).error().message.find("newer") != std::string::npos);
+    std::vector<Migration> first = builtInMigrations();
+    first.resize(1);
+    QVERIFY(MigrationRunner(first).inspect(f.path()).error().message.find("newer") != std::string::npos);
 }
 
 void TestMigration::failingStepHasNotHappened() {
