@@ -18,6 +18,8 @@ using A = Action;
 // clang-format off
 constexpr AccessRow kRows[] = {
     // action                     anonymous simulated maintenance trainee trainer researcher admin
+    {A::hasPeople,                All,      No,       No,         No,     No,     No,        No},
+    {A::listLoginNames,           All,      No,       No,         No,     No,     No,        No},
     {A::createFirstAdministrator, All,      No,       No,         No,     No,     No,        No},
     {A::beginLogin,               All,      No,       No,         No,     No,     No,        No},
     {A::finishLogin,              All,      No,       No,         No,     No,     No,        No},

@@ -6,6 +6,8 @@
 /// denied to everybody and fails a test, as does a public function in repositories/ or upkeep/ that is not
 /// listed here.
 #define CHIRON_REPOSITORY_FUNCTIONS(X)                                                                       \
+    X(AccountRepository, hasPeople)                                                                          \
+    X(AccountRepository, listLoginNames)                                                                     \
     X(AccountRepository, createFirstAdministrator)                                                           \
     X(AccountRepository, beginLogin)                                                                         \
     X(AccountRepository, finishLogin)                                                                        \

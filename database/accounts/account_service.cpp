@@ -72,6 +72,18 @@ core::Result<void> forgetOldPages(Connection& connection) {
 
 } // namespace
 
+core::Result<bool> AccountService::hasPeople() {
+    auto reader = m_database.openReader();
+    return reader ? AccountRepository(**reader, Actor::anonymous()).hasPeople()
+                  : tl::unexpected(reader.error());
+}
+
+core::Result<std::vector<LoginName>> AccountService::listLoginNames() {
+    auto reader = m_database.openReader();
+    return reader ? AccountRepository(**reader, Actor::anonymous()).listLoginNames()
+                  : tl::unexpected(reader.error());
+}
+
 core::Result<FirstAdministrator> AccountService::createFirstAdministrator(const std::string& name,
                                                                           const std::string& password,
                                                                           const std::string& displayName) {

@@ -31,6 +31,11 @@ class AccountService {
 public:
     explicit AccountService(Database& database) : m_database(database) {}
 
+    /// Whether anybody was ever added; if not, createFirstAdministrator is due. Anybody may ask.
+    core::Result<bool> hasPeople();
+    /// Enabled accounts by name, for the login screen. Anybody may ask.
+    core::Result<std::vector<LoginName>> listLoginNames();
+
     /// Only while the database has no people. Failure: wrongUse otherwise; badInput with the rules.
     core::Result<FirstAdministrator> createFirstAdministrator(const std::string& name,
                                                               const std::string& password,
@@ -61,7 +66,8 @@ public:
     core::Result<std::vector<Person>> listPeople(const Actor& actor);
     core::Result<Person> personByName(const Actor& actor, const std::string& name);
     /// Erases a person (data.md, Proof): the administrator's own password confirms it. Overwrites, then
-    /// VACUUMs. withdrawRecordings also overwrites their samples. Failure: wrongUse while a session is
+    /// VACUUMs. withdrawRecordings also overwrites their samples. Where it stopped half-way (disk full,
+    /// another program reading) it can be asked for again and goes on. Failure: wrongUse while a session is
     /// running.
     core::Result<void> erasePerson(const Actor& actor, const std::string& password, PersonId person,
                                    const std::string& reason, bool withdrawRecordings);

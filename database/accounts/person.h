@@ -19,6 +19,13 @@ struct Person {
     std::string createdUtc;
 };
 
+/// Whom the login screen offers: no e-mail, no roles, no code.
+struct LoginName {
+    PersonId id = 0;
+    std::string name;        ///< login name
+    std::string displayName; ///< may be empty
+};
+
 /// A person to be created; the password is already hashed (PasswordHasher), so that no writer job waits for
 /// Argon2id.
 struct NewPerson {

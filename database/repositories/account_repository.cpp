@@ -48,11 +48,11 @@ core::Result<PersonId> AccountRepository::createFirstAdministrator(const NewPers
     if (auto allowed = writeAllowed(m_connection, m_actor, Action::createFirstAdministrator); !allowed) {
         return tl::unexpected(allowed.error());
     }
-    const auto any = selectInteger(m_connection, "SELECT count(*) FROM person WHERE kind <> 'simulated'");
+    const auto any = anybody();
     if (!any) {
         return tl::unexpected(any.error());
     }
-    if (any->value_or(1) != 0) {
+    if (*any) {
         return core::fail(core::ErrorCode::wrongUse,
                           "this database has people already; an administrator adds more");
     }

@@ -17,6 +17,10 @@ public:
     AccountRepository(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
 
+    /// Whether anybody was ever added; if not, a first administrator must be made.
+    core::Result<bool> hasPeople();
+    /// Enabled accounts by name, for the login screen: never the simulated account, never the erased.
+    core::Result<std::vector<LoginName>> listLoginNames();
     /// Failure: wrongUse when there are people already.
     core::Result<PersonId> createFirstAdministrator(const NewPerson& person,
                                                     const std::string& recoveryCodeHash);
@@ -41,6 +45,7 @@ public:
     core::Result<void> resetPassword(PersonId id, const std::string& newHash);
 
 private:
+    core::Result<bool> anybody();
     core::Result<PersonId> insertPerson(const NewPerson& person);
     core::Result<void> keepsAnAdministrator();
     core::Result<void> storePassword(PersonId id, const std::string& hash, bool mustChange);

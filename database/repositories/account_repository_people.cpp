@@ -26,6 +26,35 @@ Person personOf(const Query& row) {
 
 } // namespace
 
+core::Result<bool> AccountRepository::hasPeople() {
+    if (const auto scope = authorise(m_connection, m_actor, Action::hasPeople); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    return anybody();
+}
+
+core::Result<bool> AccountRepository::anybody() {
+    const auto any = selectInteger(m_connection, "SELECT count(*) FROM person WHERE kind <> 'simulated'");
+    return any ? core::Result<bool>(any->value_or(1) != 0) : tl::unexpected(any.error());
+}
+
+core::Result<std::vector<LoginName>> AccountRepository::listLoginNames() {
+    if (const auto scope = authorise(m_connection, m_actor, Action::listLoginNames); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    auto query = Query::run(m_connection, "SELECT id, name, display_name FROM person "
+                                          "WHERE kind = 'person' AND enabled = 1 ORDER BY name_key");
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<LoginName> names;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        names.push_back({query->integer(0), query->text(1), query->text(2)});
+    }
+    return row ? core::Result<std::vector<LoginName>>(std::move(names)) : tl::unexpected(row.error());
+}
+
 core::Result<std::vector<Person>> AccountRepository::listPeople() {
     if (const auto scope = authorise(m_connection, m_actor, Action::listPeople); !scope) {
         return tl::unexpected(scope.error());

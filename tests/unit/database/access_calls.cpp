@@ -23,6 +23,10 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
     const auto none = Touches::nothing;
     const auto person = Touches::person;
 
+    add(Action::hasPeople, none, false,
+        [](C& c, A a, std::int64_t) { return drop(AccountRepository(c, a).hasPeople()); });
+    add(Action::listLoginNames, none, false,
+        [](C& c, A a, std::int64_t) { return drop(AccountRepository(c, a).listLoginNames()); });
     add(Action::createFirstAdministrator, none, true, [=](C& c, A a, std::int64_t) -> core::Result<void> {
         const auto made = AccountRepository(c, a).createFirstAdministrator(fresh, hash);
         // Permitted, but there are people already: that refusal is another one.

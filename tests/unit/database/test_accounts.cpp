@@ -20,6 +20,7 @@ private slots:
     void productionHashIsArgon2idAtItsCost();
     void passwordRulesAreStated();
     void firstAdministratorOnlyOnce();
+    void loginNamesAreThoseWhoMayLogIn();
     void recoveryCodeWorksOnce();
     void wrongPasswordsWaitLongerAndLonger();
     void waitSurvivesRestartsAndClocksSetBack();
@@ -72,6 +73,30 @@ void TestAccounts::firstAdministratorOnlyOnce() {
         selectText(**reader, "SELECT recovery_hash || password_hash FROM credential")->value();
     QVERIFY(stored.find(first->recoveryCode) == std::string::npos);
     QVERIFY(stored.find(kPassword) == std::string::npos);
+}
+
+void TestAccounts::loginNamesAreThoseWhoMayLogIn() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    AccountService accounts(*f.database);
+    QCOMPARE(accounts.hasPeople().value(), false); // the built-in account is nobody
+    QVERIFY(accounts.listLoginNames()->empty());
+    const auto ada = f.administrator();
+    QCOMPARE(accounts.hasPeople().value(), true);
+    const auto zoe = f.person(*ada, "zoe", {Role::trainee});
+    const auto bob = f.person(*ada, "Bob", {Role::trainer});
+    const auto eve = f.person(*ada, "eve", {Role::trainee});
+    REQUIRE(accounts.setEnabled(*ada, zoe->personId(), false));
+    REQUIRE(accounts.erasePerson(*ada, kPassword, eve->personId(), "wish", false));
+    const auto names = accounts.listLoginNames();
+    REQUIRE(names);
+    QCOMPARE(names->size(), std::size_t{2});
+    QCOMPARE(names->at(0).name, std::string("ada"));
+    QCOMPARE(names->at(1).name, std::string("Bob"));
+    QCOMPARE(names->at(1).displayName, std::string("Bob display"));
+    QCOMPARE(names->at(1).id, bob->personId());
+    REQUIRE(accounts.setEnabled(*ada, zoe->personId(), true));
+    QCOMPARE(accounts.listLoginNames()->size(), std::size_t{3});
 }
 
 void TestAccounts::recoveryCodeWorksOnce() {
