@@ -8,6 +8,7 @@
 #include "database/repositories/account_repository.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
+#include "database/repositories/session_rules.h"
 
 namespace chiron::database {
 namespace {
@@ -37,7 +38,8 @@ core::Result<PersonSession> sessionOf(Connection& connection, const Actor& actor
 
 core::Result<std::vector<SessionComment>> commentsBy(Connection& connection, PersonId author) {
     auto query = Query::run(
-        connection, "SELECT id, author_id, utc, text FROM session_comment WHERE author_id = ? ORDER BY id",
+        connection,
+        "SELECT id, author_id, utc, text, tick FROM session_comment WHERE author_id = ? ORDER BY id",
         {author});
     if (!query) {
         return tl::unexpected(query.error());
@@ -45,7 +47,7 @@ core::Result<std::vector<SessionComment>> commentsBy(Connection& connection, Per
     std::vector<SessionComment> comments;
     auto row = query->next();
     for (; row && *row; row = query->next()) {
-        comments.push_back({query->integer(0), query->integer(1), query->text(2), query->text(3)});
+        comments.push_back(commentOf(*query));
     }
     return row ? core::Result<std::vector<SessionComment>>(std::move(comments)) : tl::unexpected(row.error());
 }
@@ -67,6 +69,20 @@ core::Result<std::vector<AuditEntry>> auditOf(Connection& connection, PersonId p
                            query->text(4), query->text(5), query->integer(6), query->text(7)});
     }
     return row ? core::Result<std::vector<AuditEntry>>(std::move(entries)) : tl::unexpected(row.error());
+}
+
+core::Result<Erasure> tombstoneOf(Connection& connection, PersonId person) {
+    auto stored = storedErasures(connection);
+    if (!stored) {
+        return tl::unexpected(stored.error());
+    }
+    for (const Erasure& erasure : *stored) {
+        if (erasure.person == person) {
+            return erasure;
+        }
+    }
+    return core::fail(core::ErrorCode::notFound,
+                      "person " + std::to_string(person) + " is erased but has no tombstone; run verify");
 }
 
 } // namespace
@@ -125,18 +141,23 @@ core::Result<Erasure> PrivacyRepository::erasePerson(PersonId person, const std:
         return core::fail(core::ErrorCode::wrongUse,
                           "neither oneself nor the simulated account can be erased");
     }
-    const auto present =
-        selectInteger(m_connection, "SELECT count(*) FROM person WHERE id = ? AND kind = 'person'", {person});
+    const auto kind = selectText(m_connection, "SELECT kind FROM person WHERE id = ?", {person});
     const auto running = selectInteger(
         m_connection, "SELECT count(*) FROM session WHERE person_id = ? AND state = 'running'", {person});
-    if (!present || !running) {
-        return tl::unexpected(!present ? present.error() : running.error());
+    if (!kind || !running) {
+        return tl::unexpected(!kind ? kind.error() : running.error());
     }
-    if (present->value_or(0) == 0) {
+    if (!*kind) {
         return core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(person));
     }
     if (running->value_or(0) > 0) {
         return core::fail(core::ErrorCode::wrongUse, "a session of this person has not ended yet");
+    }
+    if (**kind == "erased") {
+        const auto tombstone = tombstoneOf(m_connection, person);
+        if (!tombstone || tombstone->recordingsWithdrawn || !withdrawRecordings) {
+            return tombstone;
+        }
     }
     return overwritePerson(m_connection, m_actor,
                            {person, "", "", reason, m_actor.personId(), withdrawRecordings, ""});

@@ -44,6 +44,8 @@ public:
     core::Result<PersonExport> exportPerson(PersonId person);
     /// Overwrites identity, code, credentials and free texts (and recordings if asked) and leaves a
     /// tombstone. The caller confirms the password and VACUUMs afterwards (AccountService::erasePerson).
+    /// Of somebody who is erased already it returns the tombstone as it stands, so that what did not follow
+    /// (list, VACUUM) can be done again; recordings can still be withdrawn.
     /// Failure: wrongUse for the simulated account, oneself, the last administrator or a running session.
     core::Result<Erasure> erasePerson(PersonId person, const std::string& reason, bool withdrawRecordings);
     core::Result<std::vector<Erasure>> listErasures();

@@ -24,6 +24,14 @@ core::Result<database::PersonId> personOf(Site& site, const std::string& name) {
     return person->id;
 }
 
+// Somebody whose erasure stopped half-way has no name any more: "erased-12" is asked for again by number.
+core::Result<database::PersonId> personToErase(Site& site, const QString& name) {
+    const QString prefix = QStringLiteral("erased-");
+    bool number = false;
+    const qlonglong id = name.startsWith(prefix) ? name.mid(prefix.size()).toLongLong(&number) : 0;
+    return number ? core::Result<database::PersonId>(id) : personOf(site, name.toStdString());
+}
+
 core::Result<void> writeFile(const QString& path, const QByteArray& bytes) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
@@ -67,7 +75,7 @@ core::Result<CommandOutput> erasePerson(const Arguments& arguments) {
     auto site = openAsPerson(arguments, Opening::forWriting);
     if (!site)
         return tl::unexpected(site.error());
-    const auto id = personOf(*site, arguments.operand(0).toStdString());
+    const auto id = personToErase(*site, arguments.operand(0));
     if (!id)
         return tl::unexpected(id.error());
     const bool withdraw = arguments.has(QStringLiteral("withdraw-recordings"));
@@ -109,7 +117,8 @@ std::vector<CommandSpec> personCommands() {
     erasing.verb = QStringLiteral("erase");
     erasing.summary = QStringLiteral(
         "overwrite who a person was; cannot be undone; the administrator's password confirms it");
-    erasing.operands = {name};
+    erasing.operands = {
+        {QStringLiteral("NAME"), QStringLiteral("login name; erased-NUMBER to go on where it stopped")}};
     erasing.options = {
         {QStringLiteral("reason"), QStringLiteral("TEXT"), QStringLiteral("why, kept in the tombstone"),
          true},

@@ -4,9 +4,12 @@
 #include "database/accounts/account_rules.h"
 #include "database/accounts/password_hasher.h"
 #include "database/accounts/throttle.h"
+#include "database/integrity/verifier.h"
+#include "database/privacy/erasure.h"
 #include "database/query.h"
 #include "database/repositories/privacy_repository.h"
 
+#include <QDir>
 #include <QFile>
 
 using namespace chiron;
@@ -37,6 +40,7 @@ private slots:
     void erasureLeavesNoTraceButTheTombstone();
     void erasureNeedsThePassword();
     void erasureTellsWhenAReaderKeepsOldPages();
+    void erasureGoesOnWhereItStopped();
     void filesAreTheirOwnersAlone();
 };
 
@@ -109,7 +113,7 @@ void TestPrivacy::exportHoldsEverything() {
     const auto id = storeSession(*f.database, *tim);
     REQUIRE(id);
     REQUIRE(f.database->write([&](WriteContext& w) {
-        return SessionRepository(w.connection(), *tim).addComment(*id, "my hand shook");
+        return SessionRepository(w.connection(), *tim).addComment(*id, "my hand shook", 42);
     }));
     auto reader = f.database->openReader();
     const auto held = PrivacyRepository(**reader, *tim).exportPerson(tim->personId());
@@ -121,6 +125,7 @@ void TestPrivacy::exportHoldsEverything() {
     QCOMPARE(held->sessions[0].events.size(), std::size_t{1});
     QVERIFY(held->sessions[0].scores.has_value());
     QCOMPARE(held->commentsWritten.size(), std::size_t{1});
+    QVERIFY(held->commentsWritten[0].tick == 42U && held->sessions[0].comments[0].tick == 42U);
     QVERIFY(held->hasPassword);
     QVERIFY(held->audit.size() >= 5); // created, logged in, began, finished, scored, commented
 }
@@ -210,6 +215,38 @@ void TestPrivacy::erasureTellsWhenAReaderKeepsOldPages() {
              told.error().message.c_str());
     (*reader)->rollback();
     QVERIFY(!AccountService(*f.database).login("tim", kPassword)); // erased all the same
+    REQUIRE(AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", true));
+}
+
+void TestPrivacy::erasureGoesOnWhereItStopped() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "timotheus-unverwechselbar", {Role::trainee});
+    const auto id = storeSession(*f.database, *tim);
+    REQUIRE(id);
+    AccountService accounts(*f.database);
+    const QString list = QString::fromStdString(erasureListFile(f.database->siteFolder()));
+    QVERIFY(QDir().mkpath(list)); // a folder in the list's place: it cannot be written
+    QVERIFY(!accounts.erasePerson(*ada, kPassword, tim->personId(), "first wish", false));
+    QVERIFY(onDisk(f.path(), "timotheus-unverwechselbar")); // it stopped before the old pages were forgotten
+    QVERIFY(QDir().rmdir(list));
+    REQUIRE(accounts.erasePerson(*ada, kPassword, tim->personId(), "second wish", false));
+    QVERIFY(!onDisk(f.path(), "timotheus-unverwechselbar"));
+    auto listed = readErasureList(list.toStdString());
+    REQUIRE(listed);
+    QCOMPARE(listed->size(), std::size_t{1});
+    QCOMPARE(listed->front().reason, std::string("first wish")); // the tombstone is what it was
+    // Recordings can be withdrawn afterwards.
+    auto reader = f.database->openReader();
+    QVERIFY(SessionReader(**reader, *ada).openChunks(*id).has_value());
+    reader->reset();
+    REQUIRE(accounts.erasePerson(*ada, kPassword, tim->personId(), "withdrew", true));
+    reader = f.database->openReader();
+    QVERIFY(!SessionReader(**reader, *ada).openChunks(*id));
+    reader->reset();
+    f.database.reset();
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());
 }
 
 void TestPrivacy::filesAreTheirOwnersAlone() {
