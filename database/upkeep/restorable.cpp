@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/upkeep/restorable.h"
 
-#include "database/access/authorise.h"
-#include "database/accounts/account_service.h"
 #include "database/integrity/snapshot_check.h"
 #include "database/privacy/erasure.h"
 #include "database/query.h"
 #include "database/schema/migration_runner.h"
 #include "database/upkeep/manifest.h"
+#include "database/upkeep/restore_rights.h"
 
+#include <QFile>
 #include <vector>
 
 namespace chiron::database {
@@ -95,21 +95,6 @@ core::Result<int> prepare(const std::string& copy, const Actor& actor, const Sit
     return vacuumed ? applied : tl::unexpected(vacuumed.error());
 }
 
-core::Result<Actor> administratorOf(const std::string& copy, const RestoreRequest& request,
-                                    const DatabaseOptions& options) {
-    auto database = Database::openReadOnly(copy, options);
-    if (!database) {
-        return tl::unexpected(database.error());
-    }
-    auto actor = AccountService(**database).login(request.name, request.password);
-    auto reader = (*database)->openReader();
-    if (!actor || !reader) {
-        return actor ? core::Result<Actor>(tl::unexpected(reader.error())) : actor;
-    }
-    const auto scope = authorise(**reader, *actor, Action::restore);
-    return scope ? actor : core::Result<Actor>(tl::unexpected(scope.error()));
-}
-
 core::Result<void> bringCopyUpToDate(const std::string& copy) {
     const MigrationRunner runner;
     const auto present = runner.inspect(copy);
@@ -118,7 +103,11 @@ core::Result<void> bringCopyUpToDate(const std::string& copy) {
     }
     auto connection = Connection::create(copy);
     const auto migrated = connection ? runner.migrate(**connection) : tl::unexpected(connection.error());
-    return migrated ? core::Result<void>() : tl::unexpected(migrated.error());
+    if (!migrated) {
+        return tl::unexpected(migrated.error());
+    }
+    QFile::remove(QString::fromStdString(*migrated)); // the backup itself is the copy from before
+    return {};
 }
 
 } // namespace
@@ -128,7 +117,7 @@ core::Result<int> makeRestorable(const std::string& copy, const RestoreRequest& 
     if (auto current = bringCopyUpToDate(copy); !current) {
         return tl::unexpected(current.error());
     }
-    const auto actor = administratorOf(copy, request, options);
+    const auto actor = restorerIn(copy, request.name, request.password, options);
     if (!actor) {
         return tl::unexpected(actor.error());
     }

@@ -3,6 +3,7 @@
 #include "database/schema/migration_runner.h"
 #include "database/upkeep/manifest.h"
 #include "database/upkeep/restorable.h"
+#include "database/upkeep/restore_rights.h"
 #include "database/upkeep/upkeep.h"
 #include "database/writer_lock.h"
 
@@ -137,6 +138,9 @@ core::Result<RestoreInfo> Upkeep::restore(const RestoreRequest& request, const D
     const auto lock = takeWriterLock(request.targetFile);
     if (!lock) {
         return tl::unexpected(lock.error());
+    }
+    if (auto agreed = presentAdministratorAgrees(request, options); !agreed) {
+        return tl::unexpected(agreed.error());
     }
     const auto manifest = readManifest(request.backupFolder, **key);
     if (!manifest) {

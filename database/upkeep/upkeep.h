@@ -25,6 +25,9 @@ struct RestoreRequest {
     std::string name; ///< an administrator of the backup
     std::string password;
     std::string siteKeyFile; ///< copied where the target has no site key yet; empty: there must be one
+    /// An administrator of the database that stands at targetFile now; empty: the same name and password.
+    std::string presentName{};
+    std::string presentPassword{};
 };
 
 struct RestoreInfo {
@@ -44,7 +47,8 @@ public:
                                              const std::string& folder);
 
     /// Puts a verified backup in place, erases again what was erased since, keeps the old file aside. Needs
-    /// the target's writer lock.
+    /// the target's writer lock, an administrator of the backup, and one of the database that is replaced,
+    /// where that can be read and has one.
     static core::Result<RestoreInfo> restore(const RestoreRequest& request,
                                              const DatabaseOptions& options = {});
 

@@ -63,7 +63,8 @@ core::Result<CommandOutput> restore(const Arguments& arguments) {
         return wrongUse(QStringLiteral(
             "--as is missing; expected --as NAME, an administrator of the backup, with the password in "
             "CHIRON_PASSWORD or by --password-stdin"));
-    const auto secrets = readSecrets(arguments, {QStringLiteral("CHIRON_PASSWORD")});
+    const auto secrets = readSecrets(
+        arguments, {QStringLiteral("CHIRON_PASSWORD"), QStringLiteral("CHIRON_PRESENT_PASSWORD")});
     if (!secrets)
         return tl::unexpected(secrets.error());
     if (!QFileInfo(arguments.operand(0)).isDir())
@@ -72,6 +73,11 @@ core::Result<CommandOutput> restore(const Arguments& arguments) {
                               .arg(quoted(arguments.operand(0)))
                               .toStdString());
     request.password = (*secrets)[0];
+    if (!(*secrets)[1].empty()) {
+        request.presentName = arguments.value(QStringLiteral("present-as")).toStdString();
+        request.presentName = request.presentName.empty() ? request.name : request.presentName;
+        request.presentPassword = (*secrets)[1];
+    }
     request.backupFolder = QFileInfo(arguments.operand(0)).absoluteFilePath().toStdString();
     request.targetFile = databasePath(arguments).toStdString();
     request.siteKeyFile = arguments.value(QStringLiteral("site-key")).toStdString();
@@ -128,8 +134,12 @@ std::vector<CommandSpec> storageCommands() {
     backing.operands =
         exporting.operands = {{QStringLiteral("FOLDER"), QStringLiteral("a folder that does not exist yet")}};
     restoring.operands = {{QStringLiteral("FOLDER"), QStringLiteral("a folder that backup made")}};
-    restoring.options = {{QStringLiteral("site-key"), QStringLiteral("FILE"),
-                          QStringLiteral("the site key, where this machine has none yet")}};
+    restoring.options = {
+        {QStringLiteral("site-key"), QStringLiteral("FILE"),
+         QStringLiteral("the site key, where this machine has none yet")},
+        {QStringLiteral("present-as"), QStringLiteral("NAME"),
+         QStringLiteral("an administrator of the database that is replaced, with the password in "
+                        "CHIRON_PRESENT_PASSWORD or the second line of stdin; default: --as")}};
     return {backing, restoring,
             spec("migrate", "bring an older database up to this program's version, after a backup",
                  "chiron-cli migrate --database old.db --as alice", migrate),

@@ -31,6 +31,7 @@ private slots:
     void restoreRefusesChangedBackups_data();
     void restoreRefusesChangedBackups();
     void restoreNeedsAnAdministratorAndTheLock();
+    void restoreNeedsAnAdministratorOfWhatItReplaces();
     void restoreReplacesADamagedFile();
 };
 
@@ -220,6 +221,33 @@ void TestRestore::restoreNeedsAnAdministratorAndTheLock() {
     request.name = "ada";
     request.password = "wrong word 12";
     QCOMPARE(Upkeep::restore(request, f.options).error().code, core::ErrorCode::notAllowed);
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());
+}
+
+void TestRestore::restoreNeedsAnAdministratorOfWhatItReplaces() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto zoe = f.person(*ada, "zoe", {Role::admin});
+    REQUIRE(zoe);
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("backup")));
+    AccountService accounts(*f.database);
+    REQUIRE(accounts.setRoles(*ada, zoe->personId(), {Role::trainee}));
+    REQUIRE(accounts.changePassword(*ada, kPassword, "newer horse 77"));
+    f.database.reset();
+    // Zoe was an administrator when the backup was made, and is none now.
+    RestoreRequest request = requestFor(f, f.path("backup"));
+    request.name = "zoe";
+    const auto refused = Upkeep::restore(request, f.options);
+    QCOMPARE(refused.error().code, core::ErrorCode::notAllowed);
+    QVERIFY2(refused.error().message.find("must agree") != std::string::npos,
+             refused.error().message.c_str());
+    // Ada's word of that time is not her word of today.
+    request.name = "ada";
+    QCOMPARE(Upkeep::restore(request, f.options).error().code, core::ErrorCode::notAllowed);
+    request.presentName = "ada";
+    request.presentPassword = "newer horse 77";
+    REQUIRE(Upkeep::restore(request, f.options));
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
 }
 
