@@ -10,7 +10,7 @@ QFont PlotTheme::font(double pixels, bool bold) const {
     QFont font;
     // Noto Sans stands behind the first family for letters that it lacks.
     font.setFamilies({family, QStringLiteral("Noto Sans"), QStringLiteral("DejaVu Sans")});
-    font.setPixelSize(qMax(1, qRound(pixels)));
+    font.setPixelSize(qMax(1, qRound(pixels * scale)));
     font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
     // Letters keep their true widths at any scale of the paper.
     font.setHintingPreference(QFont::PreferNoHinting);

@@ -28,10 +28,12 @@ struct PlotTheme {
     QColor seriesA{0, 95, 135};     ///< solid line
     QColor seriesB{178, 84, 0};     ///< dashed line
     QColor seriesC{86, 58, 140};    ///< dotted line
+    QColor seriesD{92, 104, 117};   ///< dash-dotted line: a second session beside the first
+    double scale = 1.0;             ///< of fonts and of the smallest size, 1..2; 1 on paper
     QString family;                 ///< chosen by reportFontFamily()
     QLocale locale = QLocale(QLocale::English, QLocale::UnitedKingdom);
 
-    /// A font of `pixels` logical pixels (1/96 inch): sizes are in pixels so that screen, PNG and PDF agree.
+    /// A font of `pixels` logical pixels (1/96 inch) times the scale: sizes are in pixels so that screen, PNG and PDF agree.
     QFont font(double pixels, bool bold = false) const;
 };
 

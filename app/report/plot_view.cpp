@@ -12,7 +12,7 @@ namespace chiron::report {
 
 PlotView::PlotView(const PlotTheme& theme, QWidget* parent)
     : QWidget(parent), m_impl(std::make_unique<Impl>(theme, this)) {
-    setMinimumSize(160, 120);
+    setMinimumSize(qRound(160 * theme.scale), qRound(120 * theme.scale));
 }
 
 PlotView::~PlotView() = default;

@@ -6,6 +6,7 @@
 #include "report/report_data.h"
 
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,7 +24,7 @@ struct PlotAxis {
 };
 
 /// How a series is told apart: by its line (or marker) as well as by its colour.
-enum class PlotStyle { solidA, dashedB, dottedC };
+enum class PlotStyle { solidA, dashedB, dottedC, dashDotD };
 
 struct PlotPoint {
     double x = 0.0;
@@ -69,6 +70,20 @@ public:
     void addCircle(const QString& name, double radius);
     /// A note in the middle of an empty plot.
     void setNote(const QString& text);
+
+    /// A filled band between two values, behind everything: what is usual, or published.
+    void addBand(const QString& name, double low, double high);
+
+    /// The same width left of the axis in plots that stand one above the other, so that one cursor stands in one column.
+    /// Logical pixels at scale 1.
+    void setLeftMargin(double pixels);
+    /// A vertical line at `x`; moved alone, without drawing the plot again. Not a number: none.
+    void showCursor(double x);
+    double cursorX() const;
+    /// Hears the x at which the plot is clicked or dragged, within the axis' range.
+    void onSeek(std::function<void(double)> call);
+    /// Where `x` lies in this widget, logical pixels.
+    double pixelOf(double x) const;
 
     /// Draws the plot into `area` of any paint device whose logical unit is 1/96 inch (vectors on a PDF).
     void paintTo(QCPPainter& painter, const QRectF& area);

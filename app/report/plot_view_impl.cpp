@@ -89,9 +89,11 @@ QColor PlotView::Impl::color(PlotStyle style) const {
     case PlotStyle::dashedB:
         return theme.seriesB;
     case PlotStyle::dottedC:
+        return theme.seriesC;
+    case PlotStyle::dashDotD:
         break;
     }
-    return theme.seriesC;
+    return theme.seriesD;
 }
 
 QPen PlotView::Impl::pen(PlotStyle style, double width) const {
@@ -102,6 +104,8 @@ QPen PlotView::Impl::pen(PlotStyle style, double width) const {
         pen.setDashPattern({6.0, 2.5});
     if (style == PlotStyle::dottedC)
         pen.setDashPattern({1.5, 2.0});
+    if (style == PlotStyle::dashDotD)
+        pen.setDashPattern({6.0, 2.0, 1.5, 2.0});
     return pen;
 }
 

@@ -4,6 +4,7 @@
 #include "report/decimate.h"
 #include "report/plot_view.h"
 
+#include <limits>
 #include <qcustomplot.h>
 
 namespace chiron::report {
@@ -51,8 +52,14 @@ struct PlotView::Impl {
     void placeEventLabels(int axisWidth);
     void equaliseScale();
 
+    void makeCursor();
+    void seekTo(double pixel);
+
     PlotTheme theme;
     QCustomPlot* plot = nullptr; ///< child of the view
+    QCPItemLine* cursor = nullptr; ///< on a layer of its own; made with the first cursor
+    double cursorX = std::numeric_limits<double>::quiet_NaN();
+    std::function<void(double)> seek;
     QCPTextElement* title = nullptr;
     PlotAxis xAxis;
     PlotAxis yAxis;
