@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/frame/app_context.h"
+
+#include "session/site.h"
+
+namespace chiron::desktop {
+
+namespace {
+/// The token file is part of the program and checked by a test for each theme: a failure here is a programmer's mistake.
+Theme themeOf(const Settings& settings) {
+    return Theme::load(settings.theme(), settings.scale()).value();
+}
+
+struct Opened {
+    session::OpenedSite site;
+    catalogue::Catalogue catalogue;
+};
+
+core::Result<Opened> openWithContent(const std::string& file, const database::DatabaseOptions& options) {
+    auto content = catalogue::findContentDirectory().and_then([](const std::string& folder) { return catalogue::Catalogue::load(folder); });
+    if (!content)
+        return tl::unexpected(content.error());
+    auto site = session::openSite(file, options);
+    if (!site)
+        return tl::unexpected(site.error());
+    return Opened{std::move(*site), std::move(*content)};
+}
+
+} // namespace
+
+AppContext::AppContext(DesktopSite& site, Settings& settings, QObject* parent)
+    : QObject(parent), m_site(site), m_settings(settings), m_theme(themeOf(settings)) {}
+
+void AppContext::openSite() {
+    const std::string file = m_site.file().toStdString();
+    const database::DatabaseOptions options = m_site.options();
+    m_background.run(
+        this, [file, options](WorkToken&) { return openWithContent(file, options); },
+        [this](core::Result<Opened> opened) {
+            if (!opened) {
+                emit siteFailed(opened.error());
+                return;
+            }
+            m_site.setCatalogue(std::move(opened->catalogue));
+            m_site.setOpened(std::move(opened->site.database), std::move(opened->site.recovered));
+            emit siteOpened();
+        });
+}
+
+void AppContext::takeSite(std::unique_ptr<database::Database> database, catalogue::Catalogue catalogue) {
+    m_site.setCatalogue(std::move(catalogue));
+    m_site.setOpened(std::move(database), {});
+    emit siteOpened();
+}
+
+void AppContext::logIn(const database::Actor& actor) {
+    m_actor = actor;
+    emit actorChanged();
+    m_navigator.replace({QStringLiteral("home"), {}});
+    m_navigator.forget();
+}
+
+void AppContext::logOut() {
+    m_navigator.replace({QStringLiteral("login"), {}});
+    if (m_navigator.current().screen != QLatin1String("login"))
+        return; // the screen may not be left now
+    m_actor = database::Actor::anonymous();
+    m_navigator.forget();
+    emit actorChanged();
+}
+
+void AppContext::applyAppearance() {
+    m_theme = themeOf(m_settings);
+    emit appearanceChanged();
+}
+
+void AppContext::setTrialRuns(bool runs) {
+    if (m_trialRuns == runs)
+        return;
+    m_trialRuns = runs;
+    emit trialRunsChanged(runs);
+}
+
+} // namespace chiron::desktop

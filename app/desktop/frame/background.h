@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+
+#include <QMetaObject>
+#include <QObject>
+#include <QPointer>
+#include <QThreadPool>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace chiron::desktop {
+
+/// Asks a piece of work to end early, and hears how far it is. Shared by the screen and the worker, because either may
+/// outlive the other.
+class WorkToken {
+public:
+    void cancel() noexcept { m_cancelled.store(true, std::memory_order_relaxed); }
+    bool cancelled() const noexcept { return m_cancelled.load(std::memory_order_relaxed); }
+    const std::atomic<bool>& flag() const noexcept { return m_cancelled; }
+    void setProgress(int done, int of) noexcept {
+        m_of.store(of, std::memory_order_relaxed);
+        m_done.store(done, std::memory_order_relaxed);
+    }
+    int done() const noexcept { return m_done.load(std::memory_order_relaxed); }
+    int of() const noexcept { return m_of.load(std::memory_order_relaxed); } ///< 0: not known
+
+private:
+    std::atomic<bool> m_cancelled{false};
+    std::atomic<int> m_done{0};
+    std::atomic<int> m_of{0};
+};
+
+/// Work off the GUI thread: lists, scores, Argon2id, backups. `work` runs on a pool thread with connections of its own;
+/// `done` gets its result on the GUI thread, unless `owner` is gone by then. wait() before what the work uses goes. GUI
+/// thread.
+class Background : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+    ~Background() override; ///< waits for all of it
+
+    template <class Work, class Done>
+    std::shared_ptr<WorkToken> run(QObject* owner, Work work, Done done) {
+        auto token = std::make_shared<WorkToken>();
+        m_tokens.push_back(token);
+        QPointer<QObject> alive(owner);
+        m_pool.start([this, alive, token, work = std::move(work), done = std::move(done)]() mutable {
+            using T = std::invoke_result_t<Work, WorkToken&>;
+            auto result = std::make_shared<T>(work(*token)); // shared: posted closures must be copyable
+            QMetaObject::invokeMethod(this, [alive, result, done = std::move(done)]() mutable {
+                if (alive)
+                    done(std::move(*result));
+            });
+        });
+        return token;
+    }
+
+    /// Asks everything to end early and waits for it: before the database closes.
+    void cancelAndWait();
+    bool idle() const { return m_pool.activeThreadCount() == 0; }
+
+private:
+    QThreadPool m_pool;
+    std::vector<std::weak_ptr<WorkToken>> m_tokens;
+};
+
+} // namespace chiron::desktop

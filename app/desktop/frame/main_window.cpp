@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/frame/main_window.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/frame/message_bar.h"
+#include "desktop/frame/screen.h"
+#include "desktop/frame/side_bar.h"
+#include "desktop/screen_catalogue.h"
+#include "desktop/widgets/kit.h"
+
+#include <QCloseEvent>
+#include <QHBoxLayout>
+#include <QTimer>
+
+namespace chiron::desktop {
+
+MainWindow::MainWindow(AppContext& context) : m_context(context) {
+    setObjectName(QStringLiteral("main_window"));
+    setWindowTitle(QStringLiteral("Chiron"));
+    setMinimumSize(960, 540);
+    resize(1280, 720);
+    build();
+    connect(&context.navigator(), &Navigator::moved, this, &MainWindow::showPlace);
+    context.navigator().setGuard([this] { return !m_screen || m_screen->mayLeave(); });
+    connect(&context, &AppContext::appearanceChanged, this, [this] {
+        if (m_context.trialRuns())
+            m_rebuildWanted = true;
+        else
+            rebuild();
+    });
+    connect(&context, &AppContext::actorChanged, this, [this] { m_rebuildWanted = true; });
+    connect(&context, &AppContext::trialRunsChanged, this, [this](bool runs) {
+        if (!runs && m_rebuildWanted)
+            QTimer::singleShot(0, this, &MainWindow::rebuild);
+    });
+}
+
+MainWindow::~MainWindow() {
+    m_context.navigator().setGuard({});
+}
+
+void MainWindow::build() {
+    m_rebuildWanted = false;
+    const Theme& theme = m_context.theme();
+    m_frame = new QWidget;
+    m_frame->setProperty("kind", QStringLiteral("page"));
+    auto* row = new QHBoxLayout(m_frame);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    m_sideBar = new SideBar(m_context);
+    row->addWidget(m_sideBar);
+    auto* column = new QVBoxLayout;
+    column->setSpacing(0);
+    m_banner = banner();
+    column->addWidget(m_banner);
+    m_stage = new QVBoxLayout;
+    m_stage->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(m_stage, 1);
+    m_messages = new MessageBar(theme);
+    column->addWidget(m_messages);
+    row->addLayout(column, 1);
+    connect(&m_context.messages(), &Messages::told, m_messages, &MessageBar::tell);
+    setCentralWidget(m_frame); // deletes the frame before
+}
+
+QWidget* MainWindow::banner() const {
+    const Theme& theme = m_context.theme();
+    auto* banner = new QWidget;
+    banner->setProperty("kind", QStringLiteral("banner"));
+    banner->setAttribute(Qt::WA_StyledBackground);
+    auto* row = new QHBoxLayout(banner);
+    row->setContentsMargins(theme.px(16), theme.px(4), theme.px(16), theme.px(4));
+    row->addWidget(kit::label(theme, tr("Demonstration site: invented people and scripted sessions. Do not record real training here."),
+                              TextStyle::small));
+    banner->setVisible(false);
+    return banner;
+}
+
+void MainWindow::rebuild() {
+    const Place place = m_context.navigator().current();
+    m_screen = nullptr;
+    build();
+    showPlace(place);
+}
+
+void MainWindow::showPlace(const Place& place) {
+    const ScreenEntry* entry = findScreen(place.screen);
+    if (!entry)
+        return;
+    if (m_rebuildWanted)
+        build(); // another person: another navigation
+    else if (m_screen) {
+        m_stage->removeWidget(m_screen);
+        m_screen->hide();
+        m_screen->deleteLater(); // the call may come from one of its own buttons
+    }
+    m_sideBar->setVisible(entry->framed && m_context.loggedIn());
+    m_banner->setVisible(m_context.site().isOpen() && m_context.site().database().isDemonstration());
+    m_screen = entry->make(m_context, place);
+    m_stage->addWidget(m_screen);
+    m_sideBar->showCurrent(place.screen);
+    setWindowTitle(tr("%1 - Chiron").arg(m_screen->title()));
+    m_screen->enter();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(!m_screen || m_screen->mayLeave());
+}
+
+bool MainWindow::event(QEvent* event) {
+    const bool handled = QMainWindow::event(event);
+    if (event->type() == QEvent::UpdateRequest && !m_painted) {
+        m_painted = true;
+        emit firstPainted();
+    }
+    return handled;
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/frame/place.h"
+
+#include <QMainWindow>
+
+class QHBoxLayout;
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+class AppContext;
+class MessageBar;
+class Screen;
+class SideBar;
+
+/// The window: navigation, the present screen, messages. Builds the screens that the navigator asks for, and everything
+/// anew when the appearance changes. GUI thread.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit MainWindow(AppContext& context);
+    ~MainWindow() override;
+
+    Screen* screen() const { return m_screen; }
+
+signals:
+    void firstPainted(); ///< once: what is slow to load may begin
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    void build();
+    void showPlace(const Place& place);
+    void rebuild();
+    QWidget* banner() const;
+
+    AppContext& m_context;
+    QWidget* m_frame = nullptr;
+    SideBar* m_sideBar = nullptr;
+    QWidget* m_banner = nullptr;
+    MessageBar* m_messages = nullptr;
+    QVBoxLayout* m_stage = nullptr;
+    Screen* m_screen = nullptr;
+    bool m_rebuildWanted = false;
+    bool m_painted = false;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/frame/program.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/frame/main_window.h"
+
+#include <QCommandLineParser>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QStyleFactory>
+#include <QTranslator>
+
+namespace chiron::desktop {
+
+namespace {
+
+QString databaseFile(const QCommandLineParser& arguments) {
+    const QString given = arguments.value(QStringLiteral("database"));
+    if (!given.isEmpty())
+        return QFileInfo(given).absoluteFilePath();
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)).filePath(QStringLiteral("chiron/chiron.db"));
+}
+
+} // namespace
+
+void applyAppearance(QApplication& application, AppContext& context) {
+    for (QTranslator* old : application.findChildren<QTranslator*>()) {
+        application.removeTranslator(old);
+        delete old;
+    }
+    for (const char* catalogue : {"qtbase", "chiron"}) {
+        auto* translator = new QTranslator(&application);
+        if (translator->load(QStringLiteral(":/i18n/%1_%2.qm").arg(QLatin1String(catalogue), context.language())))
+            application.installTranslator(translator);
+        else
+            delete translator;
+    }
+    QLocale::setDefault(context.locale());
+    application.setFont(context.theme().font(TextStyle::body));
+    application.setPalette(context.theme().palette());
+    application.setStyleSheet(context.theme().styleSheet());
+}
+
+int runProgram(QApplication& application) {
+    QCommandLineParser arguments;
+    arguments.setApplicationDescription(QStringLiteral("Chiron: learn by touch"));
+    arguments.addHelpOption();
+    arguments.addVersionOption();
+    arguments.addOption({QStringLiteral("database"), QStringLiteral("The database to work on (default: the user's own)."), QStringLiteral("FILE")});
+    arguments.addOption({QStringLiteral("settings"), QStringLiteral("Where look and language are remembered (default: the user's own)."),
+                         QStringLiteral("FILE")});
+    arguments.process(application);
+
+    Settings settings(arguments.value(QStringLiteral("settings")));
+    DesktopSite site(databaseFile(arguments));
+    AppContext context(site, settings);
+    applyAppearance(application, context);
+    QObject::connect(&context, &AppContext::appearanceChanged, &application, [&] { applyAppearance(application, context); });
+    MainWindow window(context); // after the connection above: the window is built anew in the new look
+    context.navigator().replace({site.exists() ? QStringLiteral("login") : QStringLiteral("first_start"), {}});
+    QObject::connect(&window, &MainWindow::firstPainted, &context, [&] {
+        if (site.exists())
+            context.openSite();
+    });
+    window.show();
+    const int status = QApplication::exec();
+    context.background().cancelAndWait();
+    return status;
+}
+
+} // namespace chiron::desktop

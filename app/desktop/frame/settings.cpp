@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/frame/settings.h"
+
+#include <QDir>
+#include <QStandardPaths>
+
+namespace chiron::desktop {
+
+namespace {
+
+const QStringList kLanguages{QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")};
+const QStringList kThemes{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("high_contrast")};
+
+QString settingsFile(const QString& given) {
+    if (!given.isEmpty())
+        return given;
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation))
+        .filePath(QStringLiteral("chiron/desktop.ini"));
+}
+
+QString personKey(qint64 person, const QString& key) {
+    return QStringLiteral("person_%1/%2").arg(person).arg(key);
+}
+
+} // namespace
+
+Settings::Settings(const QString& file) : m_file(settingsFile(file), QSettings::IniFormat) {}
+
+QString Settings::language() const {
+    const QString stored = m_file.value(QStringLiteral("language")).toString();
+    if (kLanguages.contains(stored))
+        return stored;
+    const QString system = QLocale::system().name().section(QLatin1Char('_'), 0, 0);
+    return kLanguages.contains(system) ? system : kLanguages.first();
+}
+
+void Settings::setLanguage(const QString& language) {
+    m_file.setValue(QStringLiteral("language"), language);
+}
+
+QLocale Settings::locale() const {
+    const QString now = language();
+    if (now == QLatin1String("de"))
+        return QLocale(QLocale::German, QLocale::Germany);
+    if (now == QLatin1String("el"))
+        return QLocale(QLocale::Greek, QLocale::Greece);
+    return QLocale(QLocale::English, QLocale::UnitedKingdom);
+}
+
+ThemeName Settings::theme() const {
+    const qsizetype index = kThemes.indexOf(m_file.value(QStringLiteral("theme")).toString());
+    return index < 0 ? ThemeName::light : static_cast<ThemeName>(index);
+}
+
+void Settings::setTheme(ThemeName theme) {
+    m_file.setValue(QStringLiteral("theme"), kThemes.at(static_cast<int>(theme)));
+}
+
+double Settings::scale() const {
+    bool isNumber = false;
+    const double scale = m_file.value(QStringLiteral("scale"), 1.0).toDouble(&isNumber);
+    return isNumber ? qBound(1.0, scale, 2.0) : 1.0;
+}
+
+void Settings::setScale(double scale) {
+    m_file.setValue(QStringLiteral("scale"), qBound(1.0, scale, 2.0));
+}
+
+bool Settings::sound() const {
+    return m_file.value(QStringLiteral("sound"), true).toBool();
+}
+
+void Settings::setSound(bool on) {
+    m_file.setValue(QStringLiteral("sound"), on);
+}
+
+QVariant Settings::ofPerson(qint64 person, const QString& key, const QVariant& otherwise) const {
+    return m_file.value(personKey(person, key), otherwise);
+}
+
+void Settings::setOfPerson(qint64 person, const QString& key, const QVariant& value) {
+    m_file.setValue(personKey(person, key), value);
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/frame/side_bar.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/screen_catalogue.h"
+#include "desktop/widgets/kit.h"
+
+#include <QScrollArea>
+#include <algorithm>
+
+namespace chiron::desktop {
+
+SideBar::SideBar(AppContext& context, QWidget* parent) : QWidget(parent), m_context(context) {
+    const Theme& theme = context.theme();
+    setProperty("kind", QStringLiteral("sidebar"));
+    setAttribute(Qt::WA_StyledBackground);
+    auto* column = new QVBoxLayout(this);
+    const int margin = theme.px(12);
+    column->setContentsMargins(margin, margin, margin, margin);
+    column->setSpacing(theme.px(4));
+    column->addWidget(kit::line(theme, QStringLiteral("Chiron"), TextStyle::title));
+    column->addSpacing(theme.px(8));
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(entries());
+    scroll->setMinimumWidth(scroll->widget()->sizeHint().width() + theme.px(14));
+    column->addWidget(scroll, 1);
+    column->addWidget(personArea());
+}
+
+QPushButton* SideBar::entry(const QString& icon, const QString& text, const QString& name) {
+    auto* button = kit::button(m_context.theme(), text);
+    button->setIcon(m_context.theme().icon(icon, Colour::sidebarText));
+    button->setObjectName(name);
+    return button;
+}
+
+QWidget* SideBar::entries() {
+    auto* list = new QWidget;
+    list->setProperty("kind", QStringLiteral("sidebar"));
+    auto* column = new QVBoxLayout(list);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(m_context.theme().px(4));
+    for (const ScreenEntry& screen : screenCatalogue()) {
+        const bool mine = std::any_of(screen.roles.begin(), screen.roles.end(), [this](database::Role role) { return m_context.has(role); });
+        if (!mine)
+            continue;
+        const QString id = QLatin1String(screen.id);
+        auto* button = entry(QLatin1String(screen.icon), titleOf(screen), QStringLiteral("nav.") + id);
+        button->setCheckable(true);
+        connect(button, &QPushButton::clicked, this, [this, id] {
+            m_context.navigator().go(id);
+            showCurrent(m_context.navigator().current().screen); // a screen that may not be left keeps its mark
+        });
+        m_buttons.emplace_back(id, button);
+        column->addWidget(button);
+    }
+    column->addStretch();
+    return list;
+}
+
+QWidget* SideBar::personArea() {
+    auto* area = new QWidget;
+    auto* column = new QVBoxLayout(area);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(m_context.theme().px(4));
+    auto* name = kit::label(m_context.theme(), QString::fromStdString(m_context.actor().name()), TextStyle::strong);
+    name->setObjectName(QStringLiteral("nav.person"));
+    column->addWidget(name);
+    auto* search = entry(QStringLiteral("search"), tr("Find a command"), QStringLiteral("nav.palette"));
+    connect(search, &QPushButton::clicked, this, &SideBar::paletteAsked);
+    auto* help = entry(QStringLiteral("help-contents"), tr("Help"), QStringLiteral("nav.help"));
+    connect(help, &QPushButton::clicked, this, &SideBar::helpAsked);
+    auto* lock = entry(QStringLiteral("system-lock-screen"), tr("Lock"), QStringLiteral("nav.lock"));
+    connect(lock, &QPushButton::clicked, &m_context, &AppContext::lockAsked);
+    auto* leave = entry(QStringLiteral("system-switch-user"), tr("Switch user"), QStringLiteral("nav.switch_user"));
+    connect(leave, &QPushButton::clicked, this, [this] { m_context.logOut(); });
+    for (QPushButton* button : {search, help, lock, leave})
+        column->addWidget(button);
+    return area;
+}
+
+void SideBar::showCurrent(const QString& screen) {
+    for (const auto& [id, button] : m_buttons)
+        button->setChecked(id == screen);
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QPushButton;
+
+namespace chiron::desktop {
+
+class AppContext;
+
+/// Navigation by role at the left: the screens that the person's roles give, who is logged in, lock, switch user. Built
+/// anew with every change of person or appearance. GUI thread.
+class SideBar final : public QWidget {
+    Q_OBJECT
+public:
+    explicit SideBar(AppContext& context, QWidget* parent = nullptr);
+    void showCurrent(const QString& screen);
+
+signals:
+    void paletteAsked();
+    void helpAsked();
+
+private:
+    QWidget* entries();
+    QWidget* personArea();
+    QPushButton* entry(const QString& icon, const QString& text, const QString& name);
+
+    AppContext& m_context;
+    std::vector<std::pair<QString, QPushButton*>> m_buttons;
+};
+
+} // namespace chiron::desktop

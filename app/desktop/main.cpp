@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/frame/program.h"
+
+#include <QStyleFactory>
+
+int main(int argc, char** argv) {
+    qputenv("QT3D_RENDERER", "opengl"); // faster than the other back end where the rasteriser is software
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("chiron"));
+    QApplication::setApplicationVersion(QStringLiteral(CHIRON_VERSION));
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    return chiron::desktop::runProgram(application);
+}

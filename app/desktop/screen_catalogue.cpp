@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/screen_catalogue.h"
+
+#include "desktop/frame/screen.h"
+#include "desktop/settings/settings_screen.h"
+
+#include <QCoreApplication>
+
+namespace chiron::desktop {
+
+namespace {
+
+template <class S>
+Screen* make(AppContext& context, const Place& place) {
+    return new S(context, place);
+}
+
+} // namespace
+
+const std::vector<ScreenEntry>& screenCatalogue() {
+    using enum database::Role;
+    static const std::vector<database::Role> everybody{trainee, trainer, researcher, admin};
+    // Ids of screens to come, so that places can already name them: first_start, login, home, exercise_setup {exercise, level},
+    // training {plan}, debrief {session}, playback {session, at_s, ghost}, results, sessions, people, storage, station.
+    static const std::vector<ScreenEntry> entries{
+        {"settings", QT_TRANSLATE_NOOP("Screens", "Settings"), "configure", everybody, true, &make<SettingsScreen>},
+    };
+    return entries;
+}
+
+const ScreenEntry* findScreen(const QString& id) {
+    for (const ScreenEntry& entry : screenCatalogue())
+        if (id == QLatin1String(entry.id))
+            return &entry;
+    return nullptr;
+}
+
+QString titleOf(const ScreenEntry& entry) {
+    return QCoreApplication::translate("Screens", entry.title);
+}
+
+} // namespace chiron::desktop

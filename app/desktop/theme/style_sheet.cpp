@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/theme/theme.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace chiron::desktop {
+
+namespace {
+
+// @name is a colour of the theme, #12# a length at 100 %. Widgets say what they are by the property "kind".
+constexpr const char* kSheet = R"(
+QMainWindow, QDialog, QWidget[kind="page"] { background: @window; }
+QScrollArea, QScrollArea > QWidget > QWidget[kind="page"] { background: @window; border: none; }
+QFrame[kind="card"] { background: @surface; border: 1px solid @border; border-radius: #10#; }
+QFrame[kind="raised"] { background: @raised; border: 1px solid @border; border-radius: #8#; }
+QFrame[kind="good"] { background: @goodSoft; border: 1px solid @good; border-radius: #8#; }
+QFrame[kind="warning"] { background: @warningSoft; border: 1px solid @warning; border-radius: #8#; }
+QFrame[kind="bad"] { background: @badSoft; border: 1px solid @bad; border-radius: #8#; }
+QFrame[kind="info"] { background: @accentSoft; border: 1px solid @accent; border-radius: #8#; }
+QFrame[kind="rule"] { background: @border; border: none; max-height: 1px; min-height: 1px; }
+QWidget[kind="sidebar"] { background: @sidebar; }
+QWidget[kind="sidebar"] QLabel { color: @sidebarText; }
+QWidget[kind="sidebar"] QPushButton { background: transparent; color: @sidebarText; border: 2px solid transparent;
+    border-radius: #8#; padding: #8# #12#; text-align: left; }
+QWidget[kind="sidebar"] QPushButton:hover { background: @sidebarActive; }
+QWidget[kind="sidebar"] QPushButton:checked { background: @sidebarActive; font-weight: 600; border-left: #4# solid @accent; }
+QWidget[kind="sidebar"] QPushButton:focus { border: 2px solid @focus; }
+QWidget[kind="banner"] { background: @warningSoft; border-bottom: 1px solid @warning; }
+QWidget[kind="banner"] QLabel { color: @warning; }
+QLabel { color: @text; background: transparent; }
+QLabel[kind="muted"] { color: @muted; }
+QLabel[kind="good"] { color: @good; }
+QLabel[kind="warning"] { color: @warning; }
+QLabel[kind="bad"] { color: @bad; }
+QLabel[kind="accent"] { color: @accent; }
+QPushButton { background: @surface; color: @text; border: 1px solid @borderStrong; border-radius: #8#; padding: #6# #14#;
+    min-height: #22#; }
+QPushButton:hover { background: @accentSoft; border-color: @accent; }
+QPushButton:pressed { background: @raised; }
+QPushButton:focus { border: 2px solid @focus; padding: #5# #13#; }
+QPushButton:disabled { color: @muted; border-color: @border; background: @raised; }
+QPushButton:checked { background: @accentSoft; border: 2px solid @accent; }
+QPushButton[kind="primary"] { background: @accent; color: @accentText; border: 1px solid @accent; font-weight: 600; }
+QPushButton[kind="primary"]:hover { background: @accentHover; }
+QPushButton[kind="primary"]:focus { border: 2px solid @focus; }
+QPushButton[kind="primary"]:disabled { background: @raised; color: @muted; border-color: @border; }
+QPushButton[kind="danger"] { background: @bad; color: @badText; border: 1px solid @bad; font-weight: 600; }
+QPushButton[kind="danger"]:focus { border: 2px solid @focus; }
+QPushButton[kind="danger"]:disabled { background: @raised; color: @muted; border-color: @border; }
+QPushButton[kind="quiet"] { background: transparent; border: 2px solid transparent; color: @accent; }
+QPushButton[kind="quiet"]:hover { background: @accentSoft; }
+QPushButton[kind="quiet"]:focus { border: 2px solid @focus; }
+QPushButton[kind="tile"] { background: @surface; border: 1px solid @border; border-radius: #10#; padding: #14#; text-align: left; }
+QPushButton[kind="tile"]:hover { border-color: @accent; background: @accentSoft; }
+QPushButton[kind="tile"]:focus { border: 2px solid @focus; }
+QPushButton[kind="tile"]:checked { border: 2px solid @accent; background: @accentSoft; }
+QLineEdit, QPlainTextEdit, QTextEdit, QSpinBox, QDoubleSpinBox, QComboBox, QDateEdit { background: @surface; color: @text;
+    border: 1px solid @borderStrong; border-radius: #6#; padding: #5# #8#; min-height: #22#; selection-background-color: @accent;
+    selection-color: @accentText; }
+QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border: 2px solid @focus; }
+QLineEdit:disabled, QPlainTextEdit:disabled, QComboBox:disabled { color: @muted; background: @raised; border-color: @border; }
+QLineEdit[kind="bad"] { border: 2px solid @bad; }
+QComboBox::drop-down { border: none; width: #24#; }
+QComboBox::down-arrow { width: #8#; height: #8#; border-left: 2px solid @text; border-bottom: 2px solid @text; margin-right: #8#; }
+QComboBox QAbstractItemView { background: @surface; color: @text; border: 1px solid @borderStrong; selection-background-color: @accent;
+    selection-color: @accentText; outline: none; }
+QCheckBox, QRadioButton { color: @text; spacing: #8#; background: transparent; padding: #3#; border: 2px solid transparent; border-radius: #6#; }
+QCheckBox:focus, QRadioButton:focus { border: 2px solid @focus; }
+QCheckBox::indicator, QRadioButton::indicator { width: #18#; height: #18#; border: 2px solid @borderStrong; background: @surface; }
+QCheckBox::indicator { border-radius: #4#; }
+QRadioButton::indicator { border-radius: #10#; }
+QCheckBox::indicator:checked, QRadioButton::indicator:checked { background: @accent; border-color: @accent; }
+QTableView, QListView, QTreeView, QTableWidget, QListWidget { background: @surface; color: @text; border: 1px solid @border;
+    border-radius: #8#; gridline-color: @grid; alternate-background-color: @raised; outline: none; selection-background-color: @accentSoft;
+    selection-color: @text; }
+QTableView::item, QListView::item { padding: #4# #8#; }
+QTableView:focus, QListView:focus { border: 2px solid @focus; }
+QTableView::item:selected, QListView::item:selected { background: @accentSoft; color: @text; border-left: #3# solid @accent; }
+QHeaderView { background: @raised; border: none; }
+QHeaderView::section { background: @raised; color: @text; border: none; border-bottom: 1px solid @borderStrong; padding: #6# #8#; font-weight: 600; }
+QTableCornerButton::section { background: @raised; border: none; }
+QProgressBar { background: @raised; border: 1px solid @borderStrong; border-radius: #6#; text-align: center; color: @text; min-height: #18#; }
+QProgressBar::chunk { background: @accent; border-radius: #5#; }
+QSlider::groove:horizontal { background: @border; height: #6#; border-radius: #3#; }
+QSlider::sub-page:horizontal { background: @accent; border-radius: #3#; }
+QSlider::handle:horizontal { background: @accent; border: 2px solid @surface; width: #16#; margin: -#7# 0; border-radius: #9#; }
+QSlider::handle:horizontal:focus { border: 2px solid @focus; }
+QScrollBar:vertical { background: transparent; width: #12#; margin: 0; }
+QScrollBar::handle:vertical { background: @borderStrong; border-radius: #5#; min-height: #30#; margin: #2#; }
+QScrollBar:horizontal { background: transparent; height: #12#; margin: 0; }
+QScrollBar::handle:horizontal { background: @borderStrong; border-radius: #5#; min-width: #30#; margin: #2#; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+QTabBar::tab { background: transparent; color: @muted; padding: #8# #14#; border-bottom: #3# solid transparent; }
+QTabBar::tab:selected { color: @text; border-bottom: #3# solid @accent; font-weight: 600; }
+QTabBar::tab:focus { color: @focus; }
+QTabWidget::pane { border: none; border-top: 1px solid @border; }
+QToolTip { background: @raised; color: @text; border: 1px solid @borderStrong; padding: #4#; }
+QMenu { background: @surface; color: @text; border: 1px solid @borderStrong; padding: #4#; }
+QMenu::item { padding: #6# #18#; border-radius: #4#; }
+QMenu::item:selected { background: @accentSoft; }
+QSplitter::handle { background: @border; }
+QGroupBox { border: 1px solid @border; border-radius: #8#; margin-top: #18#; padding: #10#; }
+QGroupBox::title { subcontrol-origin: margin; left: #8#; color: @text; font-weight: 600; }
+)";
+
+QString inScale(QString sheet, const Theme& theme) {
+    QString out;
+    out.reserve(sheet.size());
+    for (qsizetype i = 0; i < sheet.size(); ++i) {
+        const qsizetype end = sheet.at(i) == QLatin1Char('#') ? sheet.indexOf(QLatin1Char('#'), i + 1) : -1;
+        bool isLength = false;
+        const int length = end > i + 1 && end <= i + 4 ? sheet.mid(i + 1, end - i - 1).toInt(&isLength) : 0;
+        if (!isLength) {
+            out += sheet.at(i);
+            continue;
+        }
+        out += QStringLiteral("%1px").arg(theme.px(length));
+        i = end;
+    }
+    return out;
+}
+
+} // namespace
+
+QString Theme::styleSheet() const {
+    QString sheet = inScale(QString::fromLatin1(kSheet), *this);
+    // Longer names first, so that @accent does not eat the beginning of @accentSoft.
+    std::vector<std::pair<QString, QColor>> names;
+#define CHIRON_COLOUR(role) names.emplace_back(QStringLiteral("@" #role), color(Colour::role));
+    CHIRON_THEME_COLOURS(CHIRON_COLOUR)
+#undef CHIRON_COLOUR
+    std::sort(names.begin(), names.end(), [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+    for (const auto& [name, colour] : names)
+        sheet.replace(name, colour.name());
+    return sheet;
+}
+
+} // namespace chiron::desktop

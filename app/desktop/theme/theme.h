@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "desktop/theme/theme_colour.h"
+
+#include <QColor>
+#include <QFont>
+#include <QIcon>
+#include <QPalette>
+#include <QString>
+#include <QStringList>
+#include <array>
+
+namespace chiron::desktop {
+
+/// Colours, fonts and measures of one theme at one scale, all from resources/theme/tokens.json. A value that does not
+/// change: another theme or scale is another Theme, and the window is built anew with it. GUI thread.
+class Theme {
+public:
+    /// Failure (badInput): the token file lacks a name or holds a bad value; the message names it.
+    static core::Result<Theme> load(ThemeName name, double scale);
+    /// The same from other bytes (tests).
+    static core::Result<Theme> fromJson(const QByteArray& json, ThemeName name, double scale);
+
+    ThemeName name() const noexcept { return m_name; }
+    double scale() const noexcept { return m_scale; } ///< 1..2
+    bool isDark() const { return color(Colour::window).lightness() < 128; }
+    QColor color(Colour role) const { return m_colours[static_cast<std::size_t>(role)]; }
+    QFont font(TextStyle style) const;
+    /// Logical pixels of 100 % in this scale: every length on the screen goes through here.
+    int px(double at100Percent) const { return qRound(at100Percent * m_scale); }
+    int controlHeight() const { return px(m_control_px); } ///< of a button or field
+    int radius() const { return px(m_radius_px); }
+
+    /// A Breeze icon by name, in this theme's ink (or the colour given). Never null: an icon that is missing is a plain dot.
+    QIcon icon(const QString& name, Colour ink = Colour::text) const;
+
+    QPalette palette() const;
+    /// The style sheet of every widget; screens need none of their own (widgets take dynamic properties, see README).
+    QString styleSheet() const;
+
+private:
+    Theme() = default;
+
+    ThemeName m_name = ThemeName::light;
+    double m_scale = 1.0;
+    double m_control_px = 36;
+    double m_radius_px = 8;
+    std::array<QColor, static_cast<std::size_t>(Colour::count)> m_colours;
+    std::array<int, static_cast<std::size_t>(TextStyle::count)> m_text_px{};
+    std::array<int, static_cast<std::size_t>(TextStyle::count)> m_weight{};
+    QStringList m_families;
+    QStringList m_monoFamilies;
+};
+
+} // namespace chiron::desktop

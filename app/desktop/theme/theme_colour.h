@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace chiron::desktop {
+
+/// The roles that a colour can have; a theme of tokens.json names each of them, by the same name.
+#define CHIRON_THEME_COLOURS(X)                                                                              \
+    X(window) X(surface) X(raised) X(sidebar) X(sidebarText) X(sidebarActive) X(border) X(borderStrong)      \
+    X(text) X(muted) X(accent) X(accentText) X(accentHover) X(accentSoft) X(focus) X(good) X(goodSoft)       \
+    X(warning) X(warningSoft) X(bad) X(badSoft) X(badText) X(seriesA) X(seriesB) X(seriesC) X(overFill)      \
+    X(grid) X(sceneBackground) X(sceneField) X(ghost)
+
+enum class Colour {
+#define CHIRON_COLOUR(name) name,
+    CHIRON_THEME_COLOURS(CHIRON_COLOUR)
+#undef CHIRON_COLOUR
+        count
+};
+
+/// Kinds of text; tokens.json gives each its size (logical pixels at 100 %) and weight.
+#define CHIRON_TEXT_STYLES(X) X(small) X(body) X(label) X(strong) X(title) X(heading) X(display) X(mono)
+
+enum class TextStyle {
+#define CHIRON_STYLE(name) name,
+    CHIRON_TEXT_STYLES(CHIRON_STYLE)
+#undef CHIRON_STYLE
+        count
+};
+
+enum class ThemeName { light, dark, highContrast };
+
+} // namespace chiron::desktop

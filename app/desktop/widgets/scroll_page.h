@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+
+#include <QScrollArea>
+
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+/// A page that scrolls when the window is small or the scale large, with the margins and the largest width that all pages
+/// share. Put the screen's parts into column(). The scroll bar follows the keyboard focus.
+class ScrollPage : public QScrollArea {
+    Q_OBJECT
+public:
+    /// `maximumWidth_px` at 100 %; 0: as wide as the window.
+    explicit ScrollPage(const Theme& theme, int maximumWidth_px = 1200, QWidget* parent = nullptr);
+    QVBoxLayout* column() const { return m_column; }
+
+protected:
+    bool focusNextPrevChild(bool next) override;
+
+private:
+    QVBoxLayout* m_column;
+};
+
+} // namespace chiron::desktop
