@@ -11,6 +11,8 @@ namespace chiron::session {
 
 namespace {
 
+constexpr double kContact_N = 0.02;
+
 double normOf(const core::Array6& wrench) { return std::hypot(wrench[0], wrench[1], wrench[2]); }
 
 /// Adds up frames to samples, trials and marks.
@@ -113,6 +115,7 @@ private:
         if (frame.header.events & (kMarked | kTimedOut)) {
             trial.marked = (frame.header.events & kMarked) != 0 && !isMarkOfTraceEnd(frame);
             trial.timedOut = (frame.header.events & kTimedOut) != 0;
+            trial.endedInContact = normOf(frame.tool[0].tissue) > kContact_N;
             m_inTrial = false;
         }
     }

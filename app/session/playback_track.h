@@ -46,6 +46,7 @@ struct PlaybackTrial {
     double end_s = 0.0;
     bool marked = false;
     bool timedOut = false;
+    bool endedInContact = false; ///< tissue force over 0.02 N at its end, as scoring asks of a mark
     core::Vec3 p_WEnd = core::Vec3::Zero(); ///< tool 0 at the mark, or where it stood at the end
     std::optional<TrialObject> object;      ///< the truth
 };

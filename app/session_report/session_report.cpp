@@ -138,7 +138,7 @@ QString metricName(const std::string& id) {
                                 : QString::fromStdString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
-core::Result<ReportData> reportDataOf(session::StoredSession& session, database::Connection& connection,
+core::Result<ReportData> reportHeadOf(session::StoredSession& session, database::Connection& connection,
                                       const database::Actor& actor, const std::string& language) {
     ReportData data;
     addFacts(data, session, language);
@@ -150,6 +150,15 @@ core::Result<ReportData> reportDataOf(session::StoredSession& session, database:
     } else if (card.error().code != core::ErrorCode::notFound) {
         return tl::unexpected(card.error());
     }
+    return data;
+}
+
+core::Result<ReportData> reportDataOf(session::StoredSession& session, database::Connection& connection,
+                                      const database::Actor& actor, const std::string& language) {
+    auto head = reportHeadOf(session, connection, actor, language);
+    if (!head)
+        return head;
+    ReportData data = std::move(*head);
     auto trace = session.trace();
     if (!trace)
         return tl::unexpected(trace.error());

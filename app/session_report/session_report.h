@@ -12,6 +12,11 @@ namespace chiron::session_report {
 core::Result<report::ReportData> reportDataOf(session::StoredSession& session, database::Connection& connection,
                                       const database::Actor& actor, const std::string& language);
 
+/// The same without what has to be read from the recording (samples, answers, duration): for a debrief that must not wait. Failure:
+/// the scores'.
+core::Result<report::ReportData> reportHeadOf(session::StoredSession& session, database::Connection& connection,
+                                              const database::Actor& actor, const std::string& language);
+
 /// What a metric is called on screen and paper, in English; the id with spaces where it has no name of its own.
 QString metricName(const std::string& id);
 

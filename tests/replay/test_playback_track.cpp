@@ -151,6 +151,7 @@ void TestPlaybackTrack::trialsAndMarks() {
         const session::PlaybackTrial& trial = track.trials[i];
         const scoring::TrialTrace& truth = trace->trials[i];
         QCOMPARE(trial.marked, truth.marked);
+        QCOMPARE(trial.endedInContact, truth.markInContact);
         QVERIFY((trial.p_WEnd - truth.p_WMark_m).norm() < 2e-9);
         QCOMPARE(trial.object->p_WObject.x(), truth.apex->x_m);
         QCOMPARE(trial.object->radius_m, truth.apex->radius_m);

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session_report/track_series.h"
+
+#include <cmath>
+
+namespace chiron::session_report {
+
+using session::PlaybackTrack;
+
+report::SampleSeries seriesOf(const PlaybackTrack& track) {
+    report::SampleSeries series;
+    for (std::size_t i = 0; i < track.moments.size() && track.toolCount > 0; ++i) {
+        const session::PlaybackTool& tool = track.tool(i, 0);
+        series.t_s.push_back(track.moments[i].t_s);
+        series.x_mm.push_back(tool.p_WT.x() * 1e3);
+        series.y_mm.push_back(tool.p_WT.y() * 1e3);
+        series.z_mm.push_back(tool.p_WT.z() * 1e3);
+        series.tissue_N.push_back(tool.tissue_N.norm());
+        series.speed_mm_per_s.push_back(tool.speed_m_per_s * 1e3);
+        if (track.felt)
+            series.commanded_N.push_back(tool.commanded_N);
+        if (track.measures)
+            series.measured_N.push_back(tool.measured_N);
+    }
+    for (const session::PlaybackSpan& span : track.paused)
+        series.paused.push_back({span.begin_s, span.end_s});
+    for (const session::PlaybackTrial& trial : track.trials)
+        series.events.push_back({trial.start_s, QString::number(trial.index + 1)});
+    return series;
+}
+
+std::vector<report::ApexError> apexErrorsOf(const PlaybackTrack& track) {
+    std::vector<report::ApexError> errors;
+    for (const session::PlaybackTrial& trial : track.trials) {
+        if (!trial.object || trial.object->radius_m <= 0.0)
+            continue;
+        const core::Vec3 d = trial.p_WEnd - trial.object->p_WObject;
+        report::ApexError error;
+        error.trial = trial.index;
+        error.timedOut = !trial.marked;
+        error.x_percent = 100.0 * d.x() / trial.object->radius_m;
+        error.y_percent = 100.0 * d.y() / trial.object->radius_m;
+        error.miss = trial.marked &&
+                     (!trial.endedInContact || std::hypot(d.x(), d.y()) > trial.object->radius_m);
+        errors.push_back(error);
+    }
+    return errors;
+}
+
+} // namespace chiron::session_report
