@@ -2,6 +2,8 @@
 #include "desktop/frame/main_window.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/command_palette.h"
+#include "desktop/frame/help_dialogs.h"
 #include "desktop/frame/message_bar.h"
 #include "desktop/frame/screen.h"
 #include "desktop/frame/side_bar.h"
@@ -10,6 +12,7 @@
 
 #include <QCloseEvent>
 #include <QHBoxLayout>
+#include <QShortcut>
 #include <QTimer>
 
 namespace chiron::desktop {
@@ -19,6 +22,13 @@ MainWindow::MainWindow(AppContext& context) : m_context(context) {
     setWindowTitle(QStringLiteral("Chiron"));
     setMinimumSize(960, 540);
     resize(1280, 720);
+    m_actions.palette = [this] { showCommandPalette(); };
+    m_actions.shortcuts = [this] { showShortcuts(m_context.theme(), commandsNow(m_context, m_screen, m_actions), this); };
+    m_actions.help = [this] {
+        if (m_screen)
+            showHelp(m_context.theme(), *m_screen, this);
+    };
+    m_actions.close = [this] { close(); };
     build();
     connect(&context.navigator(), &Navigator::moved, this, &MainWindow::showPlace);
     context.navigator().setGuard([this] { return !m_screen || m_screen->mayLeave(); });
@@ -48,6 +58,8 @@ void MainWindow::build() {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
     m_sideBar = new SideBar(m_context);
+    connect(m_sideBar, &SideBar::paletteAsked, this, m_actions.palette);
+    connect(m_sideBar, &SideBar::helpAsked, this, m_actions.help);
     row->addWidget(m_sideBar);
     auto* column = new QVBoxLayout;
     column->setSpacing(0);
@@ -100,7 +112,26 @@ void MainWindow::showPlace(const Place& place) {
     m_stage->addWidget(m_screen);
     m_sideBar->showCurrent(place.screen);
     setWindowTitle(tr("%1 - Chiron").arg(m_screen->title()));
+    renewShortcuts();
     m_screen->enter();
+}
+
+void MainWindow::renewShortcuts() {
+    delete m_shortcuts;
+    m_shortcuts = new QObject(this);
+    for (const CommandGroup& group : commandsNow(m_context, m_screen, m_actions)) {
+        for (const ScreenCommand& command : group.commands) {
+            if (command.keys.isEmpty() || !command.registersKeys || !command.act)
+                continue;
+            auto* shortcut = new QShortcut(command.keys, this);
+            connect(shortcut, &QShortcut::activated, m_shortcuts, command.act, Qt::QueuedConnection); // the act may renew the shortcuts
+            connect(m_shortcuts, &QObject::destroyed, shortcut, &QObject::deleteLater);
+        }
+    }
+}
+
+void MainWindow::showCommandPalette() {
+    (new CommandPalette(m_context.theme(), commandsNow(m_context, m_screen, m_actions), this))->open();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

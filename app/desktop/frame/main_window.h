@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/frame/command_list.h"
 #include "desktop/frame/place.h"
 
 #include <QMainWindow>
@@ -36,9 +37,13 @@ private:
     void build();
     void showPlace(const Place& place);
     void rebuild();
+    void renewShortcuts();
+    void showCommandPalette();
     QWidget* banner() const;
 
     AppContext& m_context;
+    WindowActions m_actions;
+    QObject* m_shortcuts = nullptr; ///< parent of the keys that work now
     QWidget* m_frame = nullptr;
     SideBar* m_sideBar = nullptr;
     QWidget* m_banner = nullptr;

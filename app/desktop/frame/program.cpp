@@ -2,6 +2,7 @@
 #include "desktop/frame/program.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/instance_link.h"
 #include "desktop/frame/main_window.h"
 
 #include <QCommandLineParser>
@@ -20,6 +21,23 @@ QString databaseFile(const QCommandLineParser& arguments) {
     if (!given.isEmpty())
         return QFileInfo(given).absoluteFilePath();
     return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)).filePath(QStringLiteral("chiron/chiron.db"));
+}
+
+/// A second desktop on this database brings this window forward; if we are the second, the first one comes and we go.
+void connectInstances(AppContext& context, MainWindow& window, InstanceLink& link, QApplication& application) {
+    QObject::connect(&context, &AppContext::siteOpened, &link, [&context, &link] {
+        if (const auto listens = link.listen(); !listens)
+            qWarning("A second program on this database could not raise this window: %s", listens.error().message.c_str());
+    });
+    QObject::connect(&link, &InstanceLink::raiseAsked, &window, [&window] {
+        window.setWindowState(window.windowState() & ~Qt::WindowMinimized);
+        window.raise();
+        window.activateWindow();
+    });
+    QObject::connect(&context, &AppContext::siteFailed, &application, [&context, &application](const core::Error& error) {
+        if (error.code == core::ErrorCode::locked && InstanceLink::raiseOther(context.site().file()))
+            application.quit();
+    });
 }
 
 } // namespace
@@ -63,6 +81,8 @@ int runProgram(QApplication& application) {
         if (site.exists())
             context.openSite();
     });
+    InstanceLink link(site.file());
+    connectInstances(context, window, link, application);
     window.show();
     const int status = QApplication::exec();
     context.background().cancelAndWait();
