@@ -9,31 +9,11 @@ namespace chiron::cli {
 
 namespace {
 
-QJsonObject metricJson(const scoring::MetricValue& metric) {
-    QJsonObject json{{QStringLiteral("id"), QString::fromStdString(metric.id)},
-                     {QStringLiteral("version"), metric.version},
-                     {QStringLiteral("unit"), QString::fromStdString(metric.unit)}};
-    const bool defined = metric.value && std::isfinite(*metric.value);
-    json[QStringLiteral("value")] = defined ? QJsonValue(*metric.value) : QJsonValue(QJsonValue::Null);
-    if (!defined)
-        json[QStringLiteral("reason")] = QString::fromStdString(metric.reason);
-    json[QStringLiteral("passed")] =
-        metric.passed ? QJsonValue(*metric.passed) : QJsonValue(QJsonValue::Null);
-    return json;
-}
-
 QString passedWord(const std::optional<bool>& passed) {
     return !passed ? QString() : *passed ? QStringLiteral("yes") : QStringLiteral("NO");
 }
 
 } // namespace
-
-QJsonArray metricsJson(const std::vector<scoring::MetricValue>& metrics) {
-    QJsonArray array;
-    for (const scoring::MetricValue& metric : metrics)
-        array.append(metricJson(metric));
-    return array;
-}
 
 QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnding>& endings) {
     QJsonArray trials;

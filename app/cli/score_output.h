@@ -3,6 +3,7 @@
 
 #include "cli/command.h"
 #include "scoring/score_card.h"
+#include "session/score_json.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -26,9 +27,8 @@ struct ScoreView {
     QJsonObject recording; ///< frames, dropped, bytes
 };
 
-/// [{id, version, value, unit, passed}]; a value that is not defined is null with its reason, passed only
-/// where gated.
-QJsonArray metricsJson(const std::vector<scoring::MetricValue>& metrics);
+using session::metricsJson;
+
 /// [{trial, metrics, marked, timed_out, state, flag}]; flag is "no_mark" where the last position stands for a
 /// mark, else null. Trials whose ending is not known have no more than their metrics.
 QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnding>& endings);

@@ -97,7 +97,8 @@ core::Result<void> checkAgain(database::Database& database, const database::Acto
 
 core::Result<std::vector<DemoResult>> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,
                                                    std::uint64_t seed,
-                                                   const std::function<void(const std::string&)>& progress) {
+                                                   const std::function<void(const DemoProgress&)>& progress,
+                                                   const std::atomic<bool>* cancel) {
     auto planned = planOperators(catalogue, seed);
     if (!planned)
         return tl::unexpected(planned.error());
@@ -107,10 +108,10 @@ core::Result<std::vector<DemoResult>> makeDemoSite(database::Database& database,
     planned->insert(planned->end(), people->begin(), people->end());
     std::vector<DemoResult> results;
     for (const Planned& plan : *planned) {
-        progress("session " + std::to_string(results.size() + 1) + " of " + std::to_string(planned->size()) + ": " +
-                 plan.session.exercise + " level " + std::to_string(plan.session.level) + ", " +
-                 plan.session.operatorName);
-        auto result = runScripted(database, plan.actor, catalogue, plan.session);
+        if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
+            return core::fail(core::ErrorCode::cancelled, "the demonstration was stopped before it was complete");
+        progress({static_cast<int>(results.size()) + 1, static_cast<int>(planned->size()), plan.session});
+        auto result = runScripted(database, plan.actor, catalogue, plan.session, cancel);
         if (!result)
             return tl::unexpected(result.error());
         DemoResult line{plan.person, plan.session, std::move(*result), false, false};

@@ -3,6 +3,7 @@
 
 #include "session/site.h"
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,14 +19,24 @@ struct DemoResult {
     bool scoreSame = false;
 };
 
+/// How far the making of a demonstration is.
+struct DemoProgress {
+    int session = 1; ///< from 1
+    int of = 1;
+    const ScriptedSession& asked;
+};
+
 /// The people of a demonstration site; their password is documented, and the database marked *demonstration*.
 inline constexpr const char* kDemoPassword = "asclepius-demo";
 
 /// Fills a fresh database: an administrator, a trainer, a researcher, three trainees; four operators on every level of
 /// every exercise as the simulated account, and a few attempts of each trainee; each session replayed and scored again.
-/// `progress` hears one line a session. Failure: badInput if the database exists; the first failing session's.
+/// `progress` hears of each session before it runs, on the calling thread. Takes about a minute of one core; `cancel` ends
+/// it early (the database is then to be thrown away). Failure: wrongUse if there are people; cancelled; the first failing
+/// session's.
 core::Result<std::vector<DemoResult>> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,
                                                    std::uint64_t seed,
-                                                   const std::function<void(const std::string&)>& progress);
+                                                   const std::function<void(const DemoProgress&)>& progress,
+                                                   const std::atomic<bool>* cancel = nullptr);
 
 } // namespace chiron::session

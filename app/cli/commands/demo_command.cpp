@@ -118,7 +118,14 @@ core::Result<CommandOutput> demo(const Arguments& arguments) {
     if (!site)
         return tl::unexpected(site.error());
     auto results = session::makeDemoSite(*site->database, *catalogue, *seed,
-                                         [](const std::string& line) { tell(QString::fromStdString(line)); });
+                                         [](const session::DemoProgress& now) {
+                                             tell(QStringLiteral("session %1 of %2: %3 level %4, %5")
+                                                      .arg(now.session)
+                                                      .arg(now.of)
+                                                      .arg(QString::fromStdString(now.asked.exercise))
+                                                      .arg(now.asked.level)
+                                                      .arg(QString::fromStdString(now.asked.operatorName)));
+                                         });
     if (!results)
         return tl::unexpected(results.error());
     auto drawn = drawDemo(*site->database, *results, place->folder);
