@@ -24,17 +24,21 @@ core::Result<void> bad(const std::string& message) {
 
 } // namespace
 
-core::Result<void> checkPassword(const std::string& name, const std::string& password) {
+PasswordCheck examinePassword(const std::string& name, const std::string& password) {
     const auto text = decoded(password);
     const QList<uint> characters = text ? text->toUcs4() : QList<uint>();
     const QSet<uint> different(characters.begin(), characters.end());
-    const bool sameAsName = text && nameKey(password) == nameKey(name);
-    if (!text || characters.size() < kMinimumPasswordCharacters ||
-        password.size() > static_cast<std::size_t>(kMaximumPasswordBytes) || different.size() < 4 ||
-        sameAsName) {
+    return {characters.size() >= kMinimumPasswordCharacters, different.size() >= kMinimumDifferentCharacters,
+            !text || nameKey(password) != nameKey(name),
+            text && password.size() <= static_cast<std::size_t>(kMaximumPasswordBytes)};
+}
+
+core::Result<void> checkPassword(const std::string& name, const std::string& password) {
+    if (!examinePassword(name, password).ok()) {
         return bad("password not accepted: it needs at least " + std::to_string(kMinimumPasswordCharacters) +
                    " characters, at most " + std::to_string(kMaximumPasswordBytes) +
-                   " bytes of valid UTF-8, at least 4 different characters, and must not be the login name");
+                   " bytes of valid UTF-8, at least " + std::to_string(kMinimumDifferentCharacters) +
+                   " different characters, and must not be the login name");
     }
     return {};
 }

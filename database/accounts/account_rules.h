@@ -9,7 +9,18 @@ namespace chiron::database {
 
 inline constexpr int kMinimumPasswordCharacters = 10;
 inline constexpr int kMaximumPasswordBytes = 1024;
+inline constexpr int kMinimumDifferentCharacters = 4;
 inline constexpr int kMaximumNameCharacters = 64;
+
+/// Each password rule by itself, for a form that tells while somebody types.
+struct PasswordCheck {
+    bool longEnough = false; ///< kMinimumPasswordCharacters
+    bool varied = false;     ///< kMinimumDifferentCharacters
+    bool notTheName = false;
+    bool storable = false; ///< valid UTF-8 of at most kMaximumPasswordBytes
+    bool ok() const noexcept { return longEnough && varied && notTheName && storable; }
+};
+PasswordCheck examinePassword(const std::string& name, const std::string& password);
 
 /// Password rules, all stated in the Error (badInput): at least 10 characters, at most 1024 bytes, valid
 /// UTF-8, not the login name, at least 4 different characters. No rule about kinds of characters (NIST SP

@@ -1,56 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/accounts/account_service.h"
 
+#include "database/access/authorise.h"
 #include "database/accounts/account_rules.h"
 #include "database/accounts/password_hasher.h"
-#include "database/accounts/user_csv.h"
+#include "database/accounts/recovery_code.h"
 #include "database/query.h"
 #include "database/repositories/account_repository.h"
 #include "database/repositories/privacy_repository.h"
 
-#include <sodium.h>
+#include <set>
 
 namespace chiron::database {
 namespace {
-
-// 5 groups of 5 symbols of 32 without look-alikes: 125 bits.
-std::string newRecoveryCode() {
-    static constexpr char kSymbols[] = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
-    std::string code;
-    for (int i = 0; i < 25; ++i) {
-        code += i > 0 && i % 5 == 0 ? "-" : "";
-        code.push_back(kSymbols[randombytes_uniform(32)]);
-    }
-    return code;
-}
-
-core::Error wrongSecret(const char* what) {
-    return {core::ErrorCode::notAllowed, std::string("name or ") + what + " is wrong"};
-}
-
-core::Error wrongPassword() {
-    return wrongSecret("password");
-}
-
-core::Error mustWait(std::int64_t wait_ns) {
-    return {core::ErrorCode::notAllowed, "too many wrong passwords: wait " +
-                                             std::to_string((wait_ns + 999'999'999) / 1'000'000'000) +
-                                             " s before the next attempt"};
-}
-
-// Verifies on this thread; an unknown account costs the same time as a known one.
-core::Result<void> check(const PasswordHasher& hasher, const LoginAttempt& attempt, const std::string& secret,
-                         const char* what = "password") {
-    if (attempt.wait_ns > 0) {
-        return tl::unexpected(mustWait(attempt.wait_ns));
-    }
-    if (attempt.passwordHash.empty()) {
-        (void)hasher.hash(secret);
-        return tl::unexpected(wrongSecret(what));
-    }
-    return hasher.verify(attempt.passwordHash, secret) ? core::Result<void>()
-                                                       : tl::unexpected(wrongSecret(what));
-}
 
 // Overwritten pages may still lie in the file's free space and in the log: the one is rebuilt, the other
 // emptied.
@@ -107,70 +69,6 @@ core::Result<FirstAdministrator> AccountService::createFirstAdministrator(const 
     return id ? core::Result<FirstAdministrator>({*id, code}) : tl::unexpected(id.error());
 }
 
-core::Result<Actor> AccountService::login(const std::string& name, const std::string& password) {
-    if (!m_database.isWritable()) {
-        return loginReadOnly(name, password);
-    }
-    const auto attempt = m_database.write([&](WriteContext& writing) {
-        return AccountRepository(writing.connection(), Actor::anonymous()).beginLogin(name);
-    });
-    if (!attempt) {
-        return tl::unexpected(attempt.error());
-    }
-    const PasswordHasher hasher(m_database.options().passwordCost);
-    if (auto right = check(hasher, *attempt, password); !right) {
-        return tl::unexpected(right.error());
-    }
-    return m_database.write([&](WriteContext& writing) {
-        return AccountRepository(writing.connection(), Actor::anonymous()).finishLogin(*attempt);
-    });
-}
-
-core::Result<Actor> AccountService::loginReadOnly(const std::string& name, const std::string& password) {
-    auto reader = m_database.openReader();
-    if (!reader) {
-        return tl::unexpected(reader.error());
-    }
-    AccountRepository accounts(**reader, Actor::anonymous());
-    const auto attempt = accounts.beginLogin(name);
-    if (!attempt) {
-        return tl::unexpected(attempt.error());
-    }
-    const PasswordHasher hasher(m_database.options().passwordCost);
-    if (auto right = check(hasher, *attempt, password); !right) {
-        return tl::unexpected(right.error());
-    }
-    return accounts.finishLogin(*attempt);
-}
-
-core::Result<std::string> AccountService::recover(const std::string& name, const std::string& code,
-                                                  const std::string& newPassword) {
-    if (auto good = checkPassword(name, newPassword); !good) {
-        return tl::unexpected(good.error());
-    }
-    const auto attempt = m_database.write([&](WriteContext& writing) {
-        return AccountRepository(writing.connection(), Actor::anonymous()).beginRecovery(name);
-    });
-    if (!attempt) {
-        return tl::unexpected(attempt.error());
-    }
-    const PasswordHasher hasher(m_database.options().passwordCost);
-    if (auto right = check(hasher, *attempt, code, "recovery code"); !right) {
-        return tl::unexpected(right.error());
-    }
-    const std::string newCode = newRecoveryCode();
-    const auto passwordHash = hasher.hash(newPassword);
-    const auto codeHash = hasher.hash(newCode);
-    if (!passwordHash || !codeHash) {
-        return tl::unexpected(!passwordHash ? passwordHash.error() : codeHash.error());
-    }
-    const auto done = m_database.write([&](WriteContext& writing) {
-        return AccountRepository(writing.connection(), Actor::anonymous())
-            .finishRecovery(*attempt, *passwordHash, *codeHash);
-    });
-    return done ? core::Result<std::string>(newCode) : tl::unexpected(done.error());
-}
-
 core::Result<PersonId> AccountService::createPerson(const Actor& actor, const PersonRequest& request) {
     if (auto good = checkPassword(request.name, request.password); !good) {
         return tl::unexpected(good.error());
@@ -184,6 +82,33 @@ core::Result<PersonId> AccountService::createPerson(const Actor& actor, const Pe
             .createPerson(
                 {request.name, request.displayName, request.roles, *hash, request.mustChangePassword});
     });
+}
+
+core::Result<Roster> AccountService::previewCsv(const Actor& actor, const std::string& csvText) {
+    auto reader = m_database.openReader();
+    if (!reader) {
+        return tl::unexpected(reader.error());
+    }
+    if (const auto scope = authorise(**reader, actor, Action::importPeople); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    const auto people = AccountRepository(**reader, actor).listPeople();
+    if (!people) {
+        return tl::unexpected(people.error());
+    }
+    std::set<std::string> taken;
+    for (const Person& person : *people) {
+        taken.insert(nameKey(person.name));
+    }
+    Roster roster = readRoster(csvText);
+    for (UserCsvRow& row : roster.rows) {
+        row.password.clear(); // whoever looks at the preview has no need of it
+        if (taken.contains(nameKey(row.name))) {
+            roster.problems.push_back({row.line, RosterFault::nameTaken, row.name, 0,
+                                       "name \"" + row.name + "\": somebody has it already"});
+        }
+    }
+    return roster;
 }
 
 core::Result<std::vector<PersonId>> AccountService::importCsv(const Actor& actor,
@@ -204,14 +129,6 @@ core::Result<std::vector<PersonId>> AccountService::importCsv(const Actor& actor
     return m_database.write([&](WriteContext& writing) {
         return AccountRepository(writing.connection(), actor).importPeople(people);
     });
-}
-
-core::Result<Actor> AccountService::confirm(const Actor& actor, const std::string& password) {
-    auto confirmed = login(actor.name(), password);
-    if (confirmed && confirmed->personId() != actor.personId()) {
-        return tl::unexpected(wrongPassword());
-    }
-    return confirmed;
 }
 
 core::Result<void> AccountService::changePassword(const Actor& actor, const std::string& oldPassword,

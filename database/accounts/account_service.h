@@ -3,6 +3,7 @@
 
 #include "core/result.h"
 #include "database/accounts/person.h"
+#include "database/accounts/user_csv.h"
 #include "database/database.h"
 
 #include <optional>
@@ -46,17 +47,26 @@ public:
     /// read-only the wait is honoured but cannot be lengthened. Failure: notAllowed (same words for an
     /// unknown name), with the wait in seconds.
     core::Result<Actor> login(const std::string& name, const std::string& password);
+    /// The same for a screen: a refusal says its kind and how long the next attempt must wait.
+    tl::expected<Actor, Refusal> tryLogin(const std::string& name, const std::string& password);
+    /// tryLogin of somebody who is logged in already: unlocking, confirming.
+    tl::expected<Actor, Refusal> tryConfirm(const Actor& actor, const std::string& password);
 
     /// Sets a new password with the recovery code; the code is used up and a new one returned. Throttled like
     /// login.
     core::Result<std::string> recover(const std::string& name, const std::string& code,
                                       const std::string& newPassword);
+    tl::expected<std::string, Refusal> tryRecover(const std::string& name, const std::string& code,
+                                                  const std::string& newPassword);
 
     core::Result<PersonId> createPerson(const Actor& actor, const PersonRequest& request);
     /// CSV with a header line: name,display_name,roles,password (roles separated by ';' or quoted commas).
     /// All or nothing; every wrong row is named (line, column, value, expectation). People must change these
     /// passwords at first login.
     core::Result<std::vector<PersonId>> importCsv(const Actor& actor, const std::string& csvText);
+    /// What importCsv would do, without doing it: people to be added (without their passwords) and everything
+    /// wrong, by line; also names that are taken. Failure: notAllowed, storage.
+    core::Result<Roster> previewCsv(const Actor& actor, const std::string& csvText);
     core::Result<void> changePassword(const Actor& actor, const std::string& oldPassword,
                                       const std::string& newPassword);
     /// By an administrator: the person must change it at the next login.
@@ -73,7 +83,8 @@ public:
                                    const std::string& reason, bool withdrawRecordings);
 
 private:
-    core::Result<Actor> loginReadOnly(const std::string& name, const std::string& password);
+    core::Result<LoginAttempt> begin(const std::string& name, bool recovery);
+    core::Result<Actor> finish(const LoginAttempt& attempt);
     core::Result<Actor> confirm(const Actor& actor, const std::string& password);
     Database& m_database;
 };

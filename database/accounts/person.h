@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/result.h"
 #include "database/actor.h"
 
 #include <string>
@@ -41,7 +42,21 @@ struct LoginAttempt {
     PersonId person = 0; ///< 0: no such account; hash something all the same, so that it takes as long
     std::string
         passwordHash; ///< what to verify against (password or recovery code); empty where there is nothing
-    std::int64_t wait_ns = 0; ///< > 0: the account must wait so long; nothing was counted
+    std::int64_t wait_ns = 0;        ///< > 0: the account must wait so long; nothing was counted
+    std::int64_t waitIfWrong_ns = 0; ///< how long the next attempt must wait when this one is wrong
+};
+
+/// Why somebody was not let in.
+struct Refusal {
+    enum class Kind : std::uint8_t {
+        wrong,    ///< name, password or code; not told which
+        mustWait, ///< too many wrong ones: not even looked at
+        disabled, ///< the password is right
+        failed    ///< anything else: storage, rules; see error
+    };
+    Kind kind = Kind::failed;
+    std::int64_t wait_ns = 0; ///< before the next attempt is looked at
+    core::Error error;
 };
 
 } // namespace chiron::database

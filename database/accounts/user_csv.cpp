@@ -16,23 +16,27 @@ struct Record {
 };
 
 constexpr std::size_t kMaximumRecords = 10000;
-constexpr int kMaximumNamedErrors = 20;
+constexpr std::size_t kMaximumNamedErrors = 20;
 
 // One pass over the text; quotes double inside quotes, line ends may be LF or CRLF.
 class CsvReader {
 public:
     explicit CsvReader(const std::string& text) : m_text(text) {}
-    core::Result<std::vector<Record>> read() {
+    std::vector<Record> read(Roster& roster) {
         for (std::size_t i = 0; i < m_text.size(); ++i) {
             m_line += m_text[i] == '\n' ? 1 : 0;
             m_quoted ? inside(i) : outside(m_text[i]);
             if (m_records.size() > kMaximumRecords) {
-                return core::fail(core::ErrorCode::badInput, "more than 10000 lines");
+                roster.problems.push_back({m_line, RosterFault::tooManyLines, std::to_string(kMaximumRecords),
+                                           0, "more than " + std::to_string(kMaximumRecords) + " lines"});
+                return {};
             }
         }
         if (m_quoted) {
-            return core::fail(core::ErrorCode::badInput,
-                              "line " + std::to_string(m_record.line) + ": a quotation mark is not closed");
+            roster.problems.push_back(
+                {m_record.line, RosterFault::notClosed, "", 0,
+                 "line " + std::to_string(m_record.line) + ": a quotation mark is not closed"});
+            return {};
         }
         if (!m_field.empty() || !m_record.fields.empty()) {
             endRecord();
@@ -86,7 +90,7 @@ struct Columns {
     std::optional<std::size_t> name, displayName, roles, password;
 };
 
-core::Result<Columns> headerOf(const Record& header) {
+std::optional<Columns> headerOf(const Record& header, Roster& roster) {
     Columns columns;
     for (std::size_t i = 0; i < header.fields.size(); ++i) {
         const std::string& title = header.fields[i];
@@ -96,40 +100,30 @@ core::Result<Columns> headerOf(const Record& header) {
                                              : title == "password"     ? &columns.password
                                                                        : nullptr;
         if (column == nullptr || column->has_value()) {
-            return core::fail(core::ErrorCode::badInput,
-                              "line 1: column \"" + title +
-                                  "\" is unknown or given twice; expected name,display_name,roles,password");
+            roster.problems.push_back(
+                {1, RosterFault::unknownColumn, title, 0,
+                 "line 1: column \"" + title +
+                     "\" is unknown or given twice; expected name,display_name,roles,password"});
+            return std::nullopt;
         }
         *column = i;
     }
     if (!columns.name || !columns.roles || !columns.password) {
-        return core::fail(core::ErrorCode::badInput,
-                          "line 1: expected the columns name,display_name,roles,password");
+        roster.problems.push_back({1, RosterFault::columnMissing, "", 0,
+                                   "line 1: expected the columns name,display_name,roles,password"});
+        return std::nullopt;
     }
     return columns;
 }
 
-class Collector {
-public:
-    void add(int line, const std::string& column, const std::string& value, const std::string& expectation) {
-        if (++m_count <= kMaximumNamedErrors) {
-            m_text += (m_text.empty() ? "" : "\n") + ("line " + std::to_string(line)) + ", " + column +
-                      (value.empty() ? "" : " \"" + value + "\"") + ": " + expectation;
-        }
-    }
-    bool any() const { return m_count > 0; }
-    std::string text() const {
-        return m_count > kMaximumNamedErrors
-                   ? m_text + "\nand " + std::to_string(m_count - kMaximumNamedErrors) + " more"
-                   : m_text;
-    }
+void add(Roster& roster, int line, RosterFault fault, const std::string& column, const std::string& value,
+         const std::string& expectation, int other = 0) {
+    roster.problems.push_back({line, fault, value, other,
+                               "line " + std::to_string(line) + ", " + column +
+                                   (value.empty() ? "" : " \"" + value + "\"") + ": " + expectation});
+}
 
-private:
-    int m_count = 0;
-    std::string m_text;
-};
-
-UserCsvRow rowOf(const Record& record, const Columns& columns, Collector& errors) {
+UserCsvRow rowOf(const Record& record, const Columns& columns, Roster& roster) {
     UserCsvRow row;
     row.line = record.line;
     row.name = record.fields[*columns.name];
@@ -140,57 +134,73 @@ UserCsvRow rowOf(const Record& record, const Columns& columns, Collector& errors
     if (const auto set = rolesFromList(roles)) {
         row.roles = *set;
     } else {
-        errors.add(row.line, "roles", record.fields[*columns.roles],
-                   "expected trainee, trainer, researcher or admin, separated by ;");
+        add(roster, row.line, RosterFault::roles, "roles", record.fields[*columns.roles],
+            "expected trainee, trainer, researcher or admin, separated by ;");
     }
     if (const auto good = checkName(row.name); !good) {
-        errors.add(row.line, "name", row.name, good.error().message);
+        add(roster, row.line, RosterFault::name, "name", row.name, good.error().message);
     }
     if (const auto good = checkText("display name", row.displayName, 200); !good) {
-        errors.add(row.line, "display_name", "", good.error().message);
+        add(roster, row.line, RosterFault::displayName, "display_name", "", good.error().message);
     }
     if (const auto good = checkPassword(row.name, row.password); !good) {
-        errors.add(row.line, "password", "", good.error().message); // the value stays secret
+        add(roster, row.line, RosterFault::password, "password", "", good.error().message);
     }
     return row;
 }
 
 } // namespace
 
-core::Result<std::vector<UserCsvRow>> parseUserCsv(const std::string& text) {
+Roster readRoster(const std::string& text) {
+    Roster roster;
     const std::string body = text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
-    auto records = CsvReader(body).read();
-    if (!records) {
-        return tl::unexpected(records.error());
+    const auto records = CsvReader(body).read(roster);
+    if (!roster.problems.empty()) {
+        return roster;
     }
-    if (records->size() < 2) {
-        return core::fail(core::ErrorCode::badInput, "expected a header line and at least one person");
+    if (records.size() < 2) {
+        roster.problems.push_back(
+            {1, RosterFault::nobody, "", 0, "expected a header line and at least one person"});
+        return roster;
     }
-    const auto columns = headerOf(records->front());
+    const auto columns = headerOf(records.front(), roster);
     if (!columns) {
-        return tl::unexpected(columns.error());
+        return roster;
     }
-    Collector errors;
-    std::vector<UserCsvRow> rows;
+    const int expected = static_cast<int>(records.front().fields.size());
     std::map<std::string, int> lineOfName;
-    for (std::size_t i = 1; i < records->size(); ++i) {
-        const Record& record = (*records)[i];
-        if (record.fields.size() != records->front().fields.size()) {
-            errors.add(record.line, "fields", std::to_string(record.fields.size()),
-                       "expected " + std::to_string(records->front().fields.size()));
+    for (std::size_t i = 1; i < records.size(); ++i) {
+        const Record& record = records[i];
+        if (static_cast<int>(record.fields.size()) != expected) {
+            add(roster, record.line, RosterFault::fieldCount, "fields", std::to_string(record.fields.size()),
+                "expected " + std::to_string(expected), expected);
             continue;
         }
-        rows.push_back(rowOf(record, *columns, errors));
-        const auto [other, isNew] = lineOfName.emplace(nameKey(rows.back().name), record.line);
+        roster.rows.push_back(rowOf(record, *columns, roster));
+        const UserCsvRow& row = roster.rows.back();
+        const auto [other, isNew] = lineOfName.emplace(nameKey(row.name), record.line);
         if (!isNew) {
-            errors.add(record.line, "name", rows.back().name,
-                       "given already in line " + std::to_string(other->second));
+            add(roster, record.line, RosterFault::nameTwice, "name", row.name,
+                "given already in line " + std::to_string(other->second), other->second);
         }
     }
-    if (errors.any()) {
-        return core::fail(core::ErrorCode::badInput, errors.text());
+    return roster;
+}
+
+core::Result<std::vector<UserCsvRow>> parseUserCsv(const std::string& text) {
+    Roster roster = readRoster(text);
+    if (roster.problems.empty()) {
+        return std::move(roster.rows);
     }
-    return rows;
+    std::string words;
+    const std::size_t named = std::min(roster.problems.size(), kMaximumNamedErrors);
+    for (std::size_t i = 0; i < named; ++i) {
+        words += (words.empty() ? "" : "\n") + roster.problems[i].words;
+    }
+    if (named < roster.problems.size()) {
+        words += "\nand " + std::to_string(roster.problems.size() - named) + " more";
+    }
+    return core::fail(core::ErrorCode::badInput, words);
 }
 
 } // namespace chiron::database

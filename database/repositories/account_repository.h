@@ -24,8 +24,8 @@ public:
     /// Failure: wrongUse when there are people already.
     core::Result<PersonId> createFirstAdministrator(const NewPerson& person,
                                                     const std::string& recoveryCodeHash);
-    /// Counts the attempt as failed until finishLogin says otherwise. Failure: notAllowed while the account
-    /// must wait.
+    /// Counts the attempt as failed until finishLogin says otherwise; while the account must wait it is not
+    /// counted and says how long (LoginAttempt::wait_ns).
     core::Result<LoginAttempt> beginLogin(const std::string& name);
     /// After the password was found right. Failure: notAllowed when the account is disabled.
     core::Result<Actor> finishLogin(const LoginAttempt& attempt);

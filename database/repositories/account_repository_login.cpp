@@ -10,8 +10,6 @@
 namespace chiron::database {
 namespace {
 
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
-
 struct StoredCredential {
     LoginAttempt attempt;
     ThrottleState throttle;
@@ -36,12 +34,6 @@ core::Result<StoredCredential> credentialOf(Connection& connection, const std::s
         found.throttle = {query->integer(3), query->text(4), query->integer(5)};
     }
     return found;
-}
-
-core::Error mustWait(std::int64_t remaining_ns) {
-    const std::int64_t seconds = (remaining_ns + kSecond_ns - 1) / kSecond_ns;
-    return {core::ErrorCode::notAllowed,
-            "too many wrong passwords: wait " + std::to_string(seconds) + " s before the next attempt"};
 }
 
 } // namespace
@@ -72,13 +64,13 @@ core::Result<LoginAttempt> AccountRepository::beginAttempt(const std::string& na
     ThrottleState& throttle = found->throttle;
     const std::string bootBefore = throttle.boot;
     const std::int64_t remaining = throttleRemaining_ns(throttle, now);
+    const LoginAttempt waiting{found->attempt.person, "", remaining};
     if (remaining > 0 && throttle.boot == bootBefore) {
-        return tl::unexpected(mustWait(remaining));
+        return waiting;
     }
     if (!m_connection
              .isWritable()) { // beside a writer: the wait is honoured, but the attempt cannot be counted
-        return remaining > 0 ? core::Result<LoginAttempt>(tl::unexpected(mustWait(remaining)))
-                             : found->attempt;
+        return remaining > 0 ? waiting : found->attempt;
     }
     if (remaining == 0) {
         throttleCount(throttle, now);
@@ -90,9 +82,10 @@ core::Result<LoginAttempt> AccountRepository::beginAttempt(const std::string& na
     if (!stored) {
         return tl::unexpected(stored.error());
     }
+    found->attempt.waitIfWrong_ns = throttleRemaining_ns(throttle, now);
     // After a restart the wait begins anew and must be kept: that is an outcome, not a failure (which would
     // undo it).
-    return remaining > 0 ? LoginAttempt{found->attempt.person, "", remaining} : found->attempt;
+    return remaining > 0 ? waiting : found->attempt;
 }
 
 core::Result<Actor> AccountRepository::finishLogin(const LoginAttempt& attempt) {

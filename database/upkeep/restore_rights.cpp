@@ -36,6 +36,9 @@ core::Result<Actor> restorerIn(const std::string& file, const std::string& name,
     if (!attempt) {
         return tl::unexpected(attempt.error());
     }
+    if (attempt->wait_ns > 0) {
+        return core::fail(core::ErrorCode::notAllowed, "too many wrong passwords: try again later");
+    }
     const PasswordHasher hasher(options.passwordCost);
     if (attempt->passwordHash.empty() || !hasher.verify(attempt->passwordHash, password)) {
         return core::fail(core::ErrorCode::notAllowed, "name or password is wrong");

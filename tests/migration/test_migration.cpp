@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unit/database/database_fixture.h"
+#include "stored_site.h"
 
 #include "database/integrity/verifier.h"
 #include "database/query.h"
 #include "database/schema/migration_runner.h"
-#include "database/upkeep/manifest.h"
 
 #include <QDir>
 #include <QFile>
@@ -18,33 +17,6 @@ using namespace chiron::database;
 using namespace chiron::test;
 
 namespace {
-
-constexpr const char* kFolder = CHIRON_SOURCE_DIR "/tests/migration/";
-
-void copyTo(const std::string& name, const QByteArray& content) {
-    QFile file(QString::fromStdString(name));
-    if (file.open(QIODevice::WriteOnly | QIODevice::Truncate)) {
-        file.write(content);
-    }
-}
-
-core::Result<void> makeStoredSite(const std::string& file) {
-    auto connection = Connection::create(file);
-    if (!connection) {
-        return tl::unexpected(connection.error());
-    }
-    auto built = (*connection)
-                     ->execute("PRAGMA foreign_keys=OFF; BEGIN;" +
-                               contentOf(std::string(kFolder) + "v1_site.sql").toStdString() +
-                               "COMMIT; PRAGMA application_id=" + std::to_string(kApplicationId) +
-                               "; PRAGMA user_version=1; PRAGMA journal_mode=WAL;");
-    QDir().mkpath(QString::fromStdString(file + ".site"));
-    copyTo(file + ".site/site.key", contentOf(std::string(kFolder) + "v1_site.key"));
-    copyTo(file + ".site/audit_head.json", contentOf(std::string(kFolder) + "v1_audit_head.json"));
-    QFile::setPermissions(QString::fromStdString(file + ".site/site.key"),
-                          QFile::ReadOwner | QFile::WriteOwner);
-    return built;
-}
 
 // What the first step after version 1 may do: a table large enough to take a while.
 std::vector<Migration> withSecond(const std::string& more = {}) {
@@ -64,12 +36,6 @@ core::Result<std::string> migrate(const std::string& file, const MigrationRunner
     return connection ? runner.migrate(**connection) : tl::unexpected(connection.error());
 }
 
-std::int64_t numberIn(const std::string& file, const std::string& sql) {
-    auto connection = Connection::open(file, Connection::Mode::readOnly);
-    const auto value = connection ? selectInteger(**connection, sql) : tl::unexpected(connection.error());
-    return value ? value->value_or(-1) : -2;
-}
-
 } // namespace
 
 /// Old files open, newer ones are left alone, a step that does not finish has not happened.
@@ -78,8 +44,6 @@ class TestMigration : public QObject {
 private slots:
     void stepsFollowOn();
     void storedVersion1Opens();
-    void commentsOfVersion1KeepTheirDigest();
-    void backupOfVersion1IsRestored();
     void newerIsRefusedUnchanged();
     void newerInTheLogIsRefusedUnchanged();
     void stepBacksUpFirst();
@@ -127,60 +91,6 @@ void TestMigration::storedVersion1Opens() {
     QCOMPARE(sessions.comments(1)->front().text, std::string("steady"));
     REQUIRE(storeSession(*f.database, *ada));
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
-}
-
-void TestMigration::commentsOfVersion1KeepTheirDigest() {
-    DatabaseFixture f;
-    REQUIRE(makeStoredSite(f.path()));
-    REQUIRE(f.reopen());
-    QCOMPARE(f.database->schemaVersion(), MigrationRunner().newest());
-    QCOMPARE(numberIn(f.path() + ".before-v2", "PRAGMA user_version"), std::int64_t{1});
-    const auto ada = AccountService(*f.database).login("ada", kPassword);
-    REQUIRE(ada);
-    REQUIRE(f.database->write([&](WriteContext& w) {
-        return SessionRepository(w.connection(), *ada).addComment(1, "here it shook", 250);
-    }));
-    auto reader = f.database->openReader();
-    const auto comments = SessionReader(**reader, *ada).comments(1);
-    REQUIRE(comments);
-    QCOMPARE(comments->size(), std::size_t{2});
-    QVERIFY(!comments->front().tick && comments->back().tick == 250U);
-    reader->reset();
-    f.database.reset();
-    QVERIFY(verifyDatabase(f.path(), f.options).ok());
-    // A moment given to an old comment, or taken from a new one, shows.
-    for (const char* change : {"UPDATE session_comment SET tick = 3 WHERE id = 1",
-                               "UPDATE session_comment SET tick = NULL WHERE id = 2"}) {
-        auto connection = Connection::open(f.path(), Connection::Mode::readWrite);
-        REQUIRE((*connection)->execute("BEGIN"));
-        REQUIRE((*connection)->execute(change));
-        REQUIRE((*connection)->execute("COMMIT"));
-        connection->reset();
-        const VerifyReport report = verifyDatabase(f.path(), f.options);
-        QVERIFY(!report.ok() && report.findings[0].table == "session_comment");
-    }
-}
-
-void TestMigration::backupOfVersion1IsRestored() {
-    DatabaseFixture f;
-    REQUIRE(makeStoredSite(f.path()));
-    const auto key = SiteKey::load(f.path() + ".site");
-    REQUIRE(key);
-    QDir().mkpath(QString::fromStdString(f.path("backup")));
-    Manifest manifest{"backup", "2026-11-20T12:30:00.000Z", 1, readHeadFile(**key)->value(), {}};
-    auto old = Connection::open(f.path(), Connection::Mode::readOnly);
-    REQUIRE(copyDatabase(**old, f.path("backup") + "/" + kSnapshotFile));
-    old->reset();
-    manifest.files[kSnapshotFile] = fileDigest(f.path("backup") + "/" + kSnapshotFile).value();
-    REQUIRE(writeManifest(f.path("backup"), manifest, **key));
-    const auto info = Upkeep::restore(requestFor(f, f.path("backup")), f.options);
-    REQUIRE(info);
-    QCOMPARE(numberIn(f.path(), "PRAGMA user_version"), std::int64_t{MigrationRunner().newest()});
-    QVERIFY(verifyDatabase(f.path(), f.options).ok());
-    // Nothing of it lies about: no copy from before the step.
-    QVERIFY(QDir(f.folder.path()).entryList({"*restoring*"}).isEmpty());
-    REQUIRE(f.reopen());
-    REQUIRE(AccountService(*f.database).login("ada", kPassword));
 }
 
 void TestMigration::newerIsRefusedUnchanged() {

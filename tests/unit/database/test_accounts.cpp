@@ -2,6 +2,7 @@
 #include "database_fixture.h"
 
 #include "database/accounts/account_rules.h"
+#include "database/accounts/generated_password.h"
 #include "database/accounts/password_hasher.h"
 #include "database/accounts/throttle.h"
 #include "database/query.h"
@@ -23,6 +24,7 @@ private slots:
     void loginNamesAreThoseWhoMayLogIn();
     void recoveryCodeWorksOnce();
     void wrongPasswordsWaitLongerAndLonger();
+    void refusalsSayHowLongToWait();
     void waitSurvivesRestartsAndClocksSetBack();
     void readOnlyLoginHonoursTheWait();
     void unknownNamesReadLikeWrongPasswords();
@@ -57,6 +59,16 @@ void TestAccounts::passwordRulesAreStated() {
     }
     QVERIFY(checkPassword("ada", "длинный пароль").has_value());
     QVERIFY(checkPassword("ada", "1234567890").has_value());
+    // Rule by rule, for a form.
+    const PasswordCheck empty = examinePassword("ada", "");
+    QVERIFY(!empty.longEnough && !empty.varied && empty.notTheName && empty.storable && !empty.ok());
+    const PasswordCheck same = examinePassword("Ada Lovelace", "ada lovelace");
+    QVERIFY(same.longEnough && same.varied && !same.notTheName && same.storable);
+    QVERIFY(!examinePassword("ada", std::string(1025, 'x') + "abc").storable);
+    for (int i = 0; i < 50; ++i) {
+        QVERIFY(checkPassword("", generatedPassword()).has_value());
+    }
+    QVERIFY(generatedPassword() != generatedPassword());
 }
 
 void TestAccounts::firstAdministratorOnlyOnce() {
@@ -145,6 +157,34 @@ void TestAccounts::wrongPasswordsWaitLongerAndLonger() {
     REQUIRE(accounts.login("ada", kPassword)); // counted from the start again
     QVERIFY(!accounts.login("ada", "wrong word 12"));
     REQUIRE(accounts.login("ada", kPassword));
+}
+
+void TestAccounts::refusalsSayHowLongToWait() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    AccountService accounts(*f.database);
+    for (const std::int64_t seconds : {0, 0, 2}) {
+        const auto refused = accounts.tryLogin("tim", "wrong word 12");
+        QVERIFY(!refused && refused.error().kind == Refusal::Kind::wrong);
+        QCOMPARE(refused.error().wait_ns, seconds * 1'000'000'000); // of the attempt after this one
+    }
+    const auto early = accounts.tryLogin("tim", kPassword);
+    QVERIFY(!early && early.error().kind == Refusal::Kind::mustWait);
+    QCOMPARE(early.error().wait_ns, std::int64_t{2'000'000'000});
+    f.clock->advance_s(2);
+    REQUIRE(accounts.login("tim", kPassword));
+    const auto nobody = accounts.tryLogin("nobody", kPassword);
+    QVERIFY(!nobody && nobody.error().kind == Refusal::Kind::wrong && nobody.error().wait_ns == 0);
+    REQUIRE(accounts.setEnabled(*ada, tim->personId(), false));
+    const auto disabled = accounts.tryLogin("tim", kPassword);
+    QVERIFY(!disabled && disabled.error().kind == Refusal::Kind::disabled);
+    QVERIFY(accounts.tryConfirm(*ada, kPassword).has_value());
+    const auto code = accounts.tryRecover("ada", "not the code", "newer horse 77");
+    QVERIFY(!code && code.error().kind == Refusal::Kind::wrong);
+    const auto weak = accounts.tryRecover("ada", "not the code", "short");
+    QVERIFY(!weak && weak.error().kind == Refusal::Kind::failed);
 }
 
 void TestAccounts::waitSurvivesRestartsAndClocksSetBack() {

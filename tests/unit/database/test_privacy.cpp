@@ -11,6 +11,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <algorithm>
 
 using namespace chiron;
 using namespace chiron::database;
@@ -34,6 +35,7 @@ class TestPrivacy : public QObject {
     Q_OBJECT
 private slots:
     void csvImportIsAllOrNothing();
+    void csvPreviewChangesNothing();
     void csvSyntax_data();
     void csvSyntax();
     void exportHoldsEverything();
@@ -79,6 +81,35 @@ void TestPrivacy::csvImportIsAllOrNothing() {
     QVERIFY(yan->mustChangePassword());
     QVERIFY((yan->roles() == RoleSet{Role::trainee, Role::admin}));
     REQUIRE(accounts.personByName(*ada, "quote \"q\" person"));
+}
+
+void TestPrivacy::csvPreviewChangesNothing() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "tim", {Role::trainer});
+    AccountService accounts(*f.database);
+    const std::string text = "name,display_name,roles,password\n"
+                             "uma,Uma,trainee,a good long word\n"
+                             "TIM,Tim,trainee,a good long word\n"
+                             "vic,Vic,wizard,short\n"
+                             "uma,Uma,trainee,a good long word\n"
+                             "wes,Wes,trainee\n";
+    const auto preview = accounts.previewCsv(*ada, text);
+    REQUIRE(preview);
+    QCOMPARE(preview->rows.size(), std::size_t{4}); // wes has no row: fields are missing
+    QCOMPARE(preview->rows[0].displayName, std::string("Uma"));
+    QVERIFY(preview->rows[0].password.empty());
+    const auto has = [&](int line, RosterFault fault, int other = 0) {
+        return std::any_of(preview->problems.begin(), preview->problems.end(), [&](const RosterProblem& p) {
+            return p.line == line && p.fault == fault && p.other == other;
+        });
+    };
+    QVERIFY(has(3, RosterFault::nameTaken) && has(4, RosterFault::roles) && has(4, RosterFault::password));
+    QVERIFY(has(5, RosterFault::nameTwice, 2) && has(6, RosterFault::fieldCount, 4));
+    QCOMPARE(preview->problems.size(), std::size_t{5});
+    QCOMPARE(accounts.listPeople(*ada)->size(), std::size_t{2});
+    QCOMPARE(accounts.previewCsv(*tim, text).error().code, core::ErrorCode::notAllowed);
 }
 
 void TestPrivacy::csvSyntax_data() {
