@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+
+namespace chiron::scene3d {
+
+/// The fixed look of a laparoscope held over the near edge of the field: 44° above the plane, from −y.
+struct CameraFit {
+    core::Vec3 p_WEye = core::Vec3::Zero();    ///< m
+    core::Vec3 p_WTarget = core::Vec3::Zero(); ///< m
+    double fieldOfView_deg = 30.0;             ///< vertical
+};
+
+/// The nearest place on that line of sight from which the whole workspace is seen: the disc of `radius_m` on the plane and
+/// the room above it up to `room_m`. `aspect` = width/height of the picture > 0; `rightMargin` = share of the width that
+/// the force bar takes. Pure.
+CameraFit fitCamera(double radius_m, double planeHeight_m, double room_m, double aspect, double rightMargin);
+
+} // namespace chiron::scene3d

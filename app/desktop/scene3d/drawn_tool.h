@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/scene_state.h"
+
+namespace chiron::scene3d {
+
+/// Where the tip is drawn: at the surface where the device renders no force, else where the hand is.
+inline core::Vec3 drawnTip(const ToolView& tool) {
+    return tool.drawnAtSurface ? tool.p_WProxy : tool.p_WT;
+}
+
+/// How one tool is held in the picture. A tool that has only ever shown the identity has no orientation to show: its
+/// shaft goes through a fixed entry point, as through a trocar.
+class DrawnOrientation {
+public:
+    /// Once a picture; the shaft leaves the tip along +z of what comes back.
+    core::Quat of(const ToolView& tool, bool leftHanded) {
+        // 1e-9: a quaternion that went through a recording may have lost its last bits
+        m_turned = m_turned || tool.q_WT.vec().norm() > 1e-9;
+        if (m_turned && tool.q_WT.norm() > 0.5)
+            return tool.q_WT.normalized();
+        return throughEntry(drawnTip(tool), leftHanded);
+    }
+
+    /// Entry point: 0.16 m to the working hand's side and 0.17 m above the middle of the field.
+    static core::Quat throughEntry(const core::Vec3& p_WTip, bool leftHanded) {
+        const core::Vec3 entry(leftHanded ? -0.16 : 0.16, 0.00, 0.17);
+        core::Vec3 z = entry - p_WTip;
+        if (!(z.norm() > 1e-6))
+            z = core::Vec3::UnitZ();
+        z.normalize();
+        // The jaws open across the line of sight, which comes from −y and above.
+        const core::Vec3 y = z.cross(core::Vec3(0.0, -0.75, 0.66)).normalized();
+        core::Mat3 axes;
+        axes << y.cross(z), y, z;
+        return core::Quat(axes);
+    }
+
+private:
+    bool m_turned = false;
+};
+
+} // namespace chiron::scene3d

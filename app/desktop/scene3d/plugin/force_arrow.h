@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/plugin/qt3d_parts.h"
+#include "desktop/scene3d/scene_setup.h"
+#include "desktop/scene3d/scene_state.h"
+
+namespace chiron::scene3d {
+
+/// The force on the tool as an arrow from its tip, 10 mm a quarter of the limit, with a ring where the limit lies. Over the limit
+/// it changes colour, grows thicker and wears rings: never colour alone. Drawn over the instrument.
+class ForceArrow final : public Qt3DCore::QEntity {
+public:
+    explicit ForceArrow(Qt3DCore::QNode* parent);
+
+    void change(const SceneSetup& setup);
+    void show(const ToolView& tool);
+
+    static constexpr double kLimit_mm = 40.0;  ///< length at the limit
+    static constexpr double kLongest = 1.75;   ///< of the limit's length; beyond, the bar tells
+    static constexpr double kLeast_N = 0.02;   ///< below, no arrow
+
+private:
+    SceneSetup m_setup;
+    Qt3DCore::QTransform* m_pose;
+    Qt3DRender::QParameter* m_tint;
+    Qt3DRender::QParameter* m_lineTint;
+    Part* m_stem;
+    Part* m_head;
+    Part* m_limit;
+    Part* m_rings[3];
+};
+
+} // namespace chiron::scene3d

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene3d/plugin/instrument.h"
+
+#include "desktop/scene3d/parts/instrument_mesh.h"
+
+#include <QMatrix4x4>
+
+namespace chiron::scene3d {
+
+Instrument::Instrument(SharedLight& light, bool ghost, Qt3DCore::QNode* parent)
+    : QEntity(parent), m_ghost(ghost), m_pose(new Qt3DCore::QTransform(this)),
+      m_tint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(1, 1, 1, 1), this)) {
+    auto* material = makeMaterial("solid.vert", "instrument.frag", {light.lamp, m_tint},
+                                  ghost ? Blend::translucent : Blend::opaque, this);
+    addComponent(m_pose);
+    new Part(instrumentBody(), material, this);
+    for (Part*& jaw : m_jaw)
+        jaw = new Part(instrumentJaw(), material, this);
+    setEnabled(false);
+}
+
+void Instrument::setGhostColour(const QColor& colour) {
+    if (m_ghost)
+        m_tint->setValue(toTint(colour, 0.38F));
+}
+
+void Instrument::show(const ToolView& tool, bool leftHanded) {
+    setEnabled(tool.present);
+    if (!tool.present)
+        return;
+    m_pose->setTranslation(toMillimetres(drawnTip(tool)));
+    m_pose->setRotation(toQuaternion(m_orientation.of(tool, leftHanded)));
+    const float half_deg = qRadiansToDegrees(0.5F * float(tool.jaw_rad));
+    for (int side = 0; side < 2; ++side) {
+        QMatrix4x4 matrix;
+        matrix.rotate(180.0F * float(side), 0.0F, 0.0F, 1.0F);
+        matrix.translate(0.0F, 0.0F, float(kHinge_mm));
+        matrix.rotate(half_deg, 1.0F, 0.0F, 0.0F); // the tip lies on −z of the hinge: this turns it towards +y
+        matrix.translate(0.0F, 0.0F, -float(kHinge_mm));
+        m_jaw[side]->at().setMatrix(matrix);
+    }
+}
+
+} // namespace chiron::scene3d

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/plugin/qt3d_parts.h"
+#include "desktop/scene3d/plugin/scene_content.h"
+
+namespace chiron::scene3d {
+
+/// What shows where things are: a thin line from the tip straight down to what lies under it, with a foot there; and, in
+/// playback, a pin where the person marked.
+class PlaceMarks final : public Qt3DCore::QEntity {
+public:
+    explicit PlaceMarks(Qt3DCore::QNode* parent);
+
+    void change(const SceneSetup& setup);
+    void show(const SceneState& state, const ISceneContent& content);
+
+private:
+    SceneSetup m_setup;
+    Qt3DRender::QParameter* m_lineTint;
+    Qt3DRender::QParameter* m_pinTint;
+    Part* m_line[core::kMaxTools];
+    Part* m_foot[core::kMaxTools];
+    Qt3DCore::QEntity* m_pin;
+    Qt3DCore::QTransform* m_pinAt;
+};
+
+} // namespace chiron::scene3d

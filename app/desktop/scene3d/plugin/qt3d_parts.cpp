@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene3d/plugin/qt3d_parts.h"
+
+#include <QUrl>
+#include <Qt3DCore/QAttribute>
+#include <Qt3DCore/QBuffer>
+#include <Qt3DCore/QGeometry>
+#include <Qt3DRender/QBlendEquation>
+#include <Qt3DRender/QBlendEquationArguments>
+#include <Qt3DRender/QDepthTest>
+#include <Qt3DRender/QEffect>
+#include <Qt3DRender/QGraphicsApiFilter>
+#include <Qt3DRender/QNoDepthMask>
+#include <Qt3DRender/QRenderPass>
+#include <Qt3DRender/QTechnique>
+
+namespace chiron::scene3d {
+
+using Qt3DCore::QAttribute;
+
+MeshRenderer::MeshRenderer(const TriangleMesh& mesh, Qt3DCore::QNode* parent) : QGeometryRenderer(parent) {
+    auto* geometry = new Qt3DCore::QGeometry(this);
+    m_vertices = new Qt3DCore::QBuffer(geometry);
+    m_indices = new Qt3DCore::QBuffer(geometry);
+    static constexpr struct {
+        const char* name;
+        uint size;
+        uint offset;
+    } kFields[4] = {{"vertexPosition", 3, offsetof(MeshVertex, position_mm)},
+                    {"vertexNormal", 3, offsetof(MeshVertex, normal)},
+                    {"vertexTexCoord", 2, offsetof(MeshVertex, texture)},
+                    {"vertexLight", 1, offsetof(MeshVertex, light)}};
+    for (int i = 0; i < 4; ++i) {
+        m_places[i] = new QAttribute(m_vertices, QLatin1String(kFields[i].name), QAttribute::Float, kFields[i].size, 0,
+                                     kFields[i].offset, sizeof(MeshVertex), geometry);
+        geometry->addAttribute(m_places[i]);
+    }
+    m_order = new QAttribute(m_indices, QAttribute::UnsignedInt, 1, 0, 0, 0, geometry);
+    m_order->setAttributeType(QAttribute::IndexAttribute);
+    geometry->addAttribute(m_order);
+    geometry->setBoundingVolumePositionAttribute(m_places[0]);
+    setGeometry(geometry);
+    setMesh(mesh);
+}
+
+void MeshRenderer::setMesh(const TriangleMesh& mesh) {
+    const auto bytes = [](const auto& values) {
+        return QByteArray(reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(values[0])));
+    };
+    m_vertices->setData(bytes(mesh.vertices));
+    m_indices->setData(bytes(mesh.indices));
+    for (QAttribute* place : m_places)
+        place->setCount(uint(mesh.vertices.size()));
+    m_order->setCount(uint(mesh.indices.size()));
+    setVertexCount(int(mesh.indices.size()));
+}
+
+namespace {
+
+void addBlend(Qt3DRender::QRenderPass* pass, Blend blend) {
+    using Arguments = Qt3DRender::QBlendEquationArguments;
+    auto* depth = new Qt3DRender::QDepthTest(pass);
+    depth->setDepthFunction(Qt3DRender::QDepthTest::LessOrEqual);
+    pass->addRenderState(depth);
+    if (blend == Blend::opaque)
+        return;
+    pass->addRenderState(new Qt3DRender::QNoDepthMask(pass));
+    auto* arguments = new Arguments(pass);
+    arguments->setSourceRgb(blend == Blend::premultiplied ? Arguments::One : Arguments::SourceAlpha);
+    arguments->setDestinationRgb(Arguments::OneMinusSourceAlpha);
+    arguments->setSourceAlpha(Arguments::One);
+    arguments->setDestinationAlpha(Arguments::One);
+    auto* equation = new Qt3DRender::QBlendEquation(pass);
+    equation->setBlendFunction(Qt3DRender::QBlendEquation::Add);
+    pass->addRenderState(arguments);
+    pass->addRenderState(equation);
+}
+
+QByteArray source(const char* name) {
+    return Qt3DRender::QShaderProgram::loadSource(QUrl(QStringLiteral("qrc:/chiron/scene3d/") + QLatin1String(name)));
+}
+
+} // namespace
+
+Qt3DRender::QMaterial* makeMaterial(const char* vertexShader, const char* fragmentShader,
+                                    const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
+                                    Qt3DCore::QNode* parent) {
+    auto* material = new Qt3DRender::QMaterial(parent);
+    auto* effect = new Qt3DRender::QEffect(material);
+    auto* technique = new Qt3DRender::QTechnique(effect);
+    technique->graphicsApiFilter()->setApi(Qt3DRender::QGraphicsApiFilter::OpenGL);
+    technique->graphicsApiFilter()->setProfile(Qt3DRender::QGraphicsApiFilter::CoreProfile);
+    technique->graphicsApiFilter()->setMajorVersion(3);
+    technique->graphicsApiFilter()->setMinorVersion(2);
+    auto* pass = new Qt3DRender::QRenderPass(technique);
+    auto* program = new Qt3DRender::QShaderProgram(pass);
+    program->setVertexShaderCode(source(vertexShader));
+    program->setFragmentShaderCode(source(fragmentShader));
+    pass->setShaderProgram(program);
+    addBlend(pass, blend);
+    technique->addRenderPass(pass);
+    effect->addTechnique(technique);
+    material->setEffect(effect);
+    for (Qt3DRender::QParameter* parameter : parameters)
+        material->addParameter(parameter);
+    return material;
+}
+
+Part::Part(const TriangleMesh& mesh, Qt3DRender::QMaterial* material, Qt3DCore::QNode* parent)
+    : QEntity(parent), m_mesh(new MeshRenderer(mesh, this)), m_transform(new Qt3DCore::QTransform(this)) {
+    addComponent(m_mesh);
+    addComponent(material);
+    addComponent(m_transform);
+}
+
+} // namespace chiron::scene3d

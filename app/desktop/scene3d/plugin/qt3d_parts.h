@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+#include "desktop/scene3d/triangle_mesh.h"
+
+#include <QByteArray>
+#include <QColor>
+#include <QQuaternion>
+#include <QVector3D>
+#include <QVector4D>
+#include <Qt3DCore/QEntity>
+#include <Qt3DCore/QTransform>
+#include <Qt3DRender/QGeometryRenderer>
+#include <Qt3DRender/QMaterial>
+#include <Qt3DRender/QParameter>
+#include <Qt3DRender/QShaderProgram>
+#include <vector>
+
+namespace chiron::scene3d {
+
+/// Triangles on their way to the driver; setMesh() replaces them.
+class MeshRenderer final : public Qt3DRender::QGeometryRenderer {
+public:
+    explicit MeshRenderer(const TriangleMesh& mesh, Qt3DCore::QNode* parent = nullptr);
+    void setMesh(const TriangleMesh& mesh);
+
+private:
+    Qt3DCore::QBuffer* m_vertices;
+    Qt3DCore::QBuffer* m_indices;
+    Qt3DCore::QAttribute* m_places[4];
+    Qt3DCore::QAttribute* m_order;
+};
+
+enum class Blend { opaque, translucent, premultiplied };
+
+/// A material of the two shaders of these names (in shaders/), with its parameters.
+Qt3DRender::QMaterial* makeMaterial(const char* vertexShader, const char* fragmentShader,
+                                    const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
+                                    Qt3DCore::QNode* parent);
+
+/// An entity with these triangles, this material and a transform of its own.
+class Part final : public Qt3DCore::QEntity {
+public:
+    Part(const TriangleMesh& mesh, Qt3DRender::QMaterial* material, Qt3DCore::QNode* parent);
+    Qt3DCore::QTransform& at() { return *m_transform; }
+    MeshRenderer& mesh() { return *m_mesh; }
+
+private:
+    MeshRenderer* m_mesh;
+    Qt3DCore::QTransform* m_transform;
+};
+
+inline QVector3D toMillimetres(const core::Vec3& p_m) {
+    return {float(p_m.x() * 1e3), float(p_m.y() * 1e3), float(p_m.z() * 1e3)};
+}
+inline QVector3D toVector(const core::Vec3& v) {
+    return {float(v.x()), float(v.y()), float(v.z())};
+}
+inline QQuaternion toQuaternion(const core::Quat& q) {
+    return {float(q.w()), float(q.x()), float(q.y()), float(q.z())};
+}
+inline QVector4D toTint(const QColor& colour, float opacity = 1.0F) {
+    return {float(colour.redF()), float(colour.greenF()), float(colour.blueF()), opacity};
+}
+
+} // namespace chiron::scene3d

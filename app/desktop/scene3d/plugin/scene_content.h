@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/plugin/shared_light.h"
+#include "desktop/scene3d/scene_setup.h"
+#include "desktop/scene3d/scene_state.h"
+
+#include <Qt3DCore/QEntity>
+#include <memory>
+
+namespace chiron::scene3d {
+
+/// What lies in the opening of the drape: one a kind of exercise. Its entities belong to the parent entity.
+class ISceneContent {
+public:
+    virtual ~ISceneContent() = default;
+    virtual void change(const SceneSetup& setup) = 0;
+    virtual void show(const SceneState& state) = 0;
+    /// z of what lies under this place, as shown: where a shadow falls. Metres, W.
+    virtual double groundHeight_m(double x_m, double y_m) const = 0;
+    virtual double fieldRadius_m() const = 0; ///< of the workspace round W's origin
+    virtual double planeHeight_m() const = 0;
+    virtual double roomAbove_m() const = 0; ///< above the plane, that the camera must see
+};
+
+/// The content of an exercise; empty where this exercise has no drawn scene. One catalogue line each.
+std::unique_ptr<ISceneContent> makeSceneContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent);
+bool hasSceneContent(const SceneSetup& setup);
+
+} // namespace chiron::scene3d

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene3d/plugin/scene_stage.h"
+
+#include "desktop/scene3d/camera_fit.h"
+#include "desktop/scene3d/parts/drape_mesh.h"
+
+#include <Qt3DRender/QCameraSelector>
+#include <Qt3DRender/QLayerFilter>
+#include <Qt3DRender/QPickingSettings>
+#include <Qt3DRender/QRenderSettings>
+#include <Qt3DRender/QRenderSurfaceSelector>
+#include <Qt3DRender/QViewport>
+
+namespace chiron::scene3d {
+
+namespace {
+
+constexpr double kOpeningBeyond_m = 0.010; // of the drape's opening beyond the workspace
+
+Qt3DRender::QLayer* makeLayer(Qt3DCore::QNode* parent) {
+    auto* layer = new Qt3DRender::QLayer(parent);
+    layer->setRecursive(true);
+    return layer;
+}
+
+} // namespace
+
+SceneStage::SceneStage(const SceneSetup& setup, QObject* surface)
+    : m_setup(setup), m_root(new Qt3DCore::QEntity), m_light(m_root), m_camera(new Qt3DRender::QCamera(m_root)),
+      m_ghostLayer(makeLayer(m_root)), m_overLayer(makeLayer(m_root)),
+      m_cloth(new Qt3DRender::QParameter(QStringLiteral("cloth"), QVector3D(), m_root)) {
+    makeFrameGraph(surface);
+    m_content = makeSceneContent(setup, m_light, m_root);
+    makeDrape();
+    m_marks = new PlaceMarks(m_root);
+    for (Instrument*& instrument : m_instruments)
+        instrument = new Instrument(m_light, false, m_root);
+    m_ghost = new Instrument(m_light, true, m_root);
+    m_ghost->addComponent(m_ghostLayer);
+    for (ForceArrow*& arrow : m_arrows) {
+        arrow = new ForceArrow(m_root);
+        arrow->addComponent(m_overLayer);
+    }
+    m_gauge = new ForceGauge(m_root);
+    m_gauge->addComponent(m_overLayer);
+    change(setup);
+    show(SceneState{});
+}
+
+void SceneStage::makeFrameGraph(QObject* surface) {
+    auto* settings = new Qt3DRender::QRenderSettings(m_root);
+    auto* target = new Qt3DRender::QRenderSurfaceSelector;
+    target->setSurface(surface);
+    auto* viewport = new Qt3DRender::QViewport(target);
+    auto* camera = new Qt3DRender::QCameraSelector(viewport);
+    camera->setCamera(m_camera);
+
+    auto* field = new Qt3DRender::QLayerFilter(camera);
+    field->addLayer(m_ghostLayer);
+    field->addLayer(m_overLayer);
+    field->setFilterMode(Qt3DRender::QLayerFilter::DiscardAnyMatchingLayers);
+    m_clear = new Qt3DRender::QClearBuffers(field);
+    m_clear->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
+
+    auto* ghost = new Qt3DRender::QLayerFilter(camera);
+    ghost->addLayer(m_ghostLayer);
+
+    auto* over = new Qt3DRender::QLayerFilter(camera);
+    over->addLayer(m_overLayer);
+    auto* clearDepth = new Qt3DRender::QClearBuffers(over);
+    clearDepth->setBuffers(Qt3DRender::QClearBuffers::DepthBuffer);
+
+    settings->setActiveFrameGraph(target);
+    settings->setRenderPolicy(Qt3DRender::QRenderSettings::Always); // the window steps the engine itself
+    m_root->addComponent(settings);
+}
+
+void SceneStage::makeDrape() {
+    auto* material = makeMaterial("drape.vert", "drape.frag", {m_light.lamp, m_light.lens, m_light.outlined, m_cloth},
+                                  Blend::opaque, m_root);
+    auto* drape = new Part(drapeMesh((m_content->fieldRadius_m() + kOpeningBeyond_m) * 1e3), material, m_root);
+    drape->at().setTranslation({0.0F, 0.0F, float(m_content->planeHeight_m() * 1e3)});
+}
+
+void SceneStage::change(const SceneSetup& setup) {
+    m_setup = setup;
+    m_light.change(setup);
+    m_clear->setClearColor(setup.colours.field);
+    m_cloth->setValue(toTint(setup.colours.field).toVector3D());
+    m_content->change(setup);
+    m_marks->change(setup);
+    m_ghost->setGhostColour(setup.colours.ghost);
+    for (ForceArrow* arrow : m_arrows)
+        arrow->change(setup);
+    m_gauge->change(setup);
+    aim();
+}
+
+void SceneStage::show(const SceneState& state) {
+    m_content->show(state);
+    m_marks->show(state, *m_content);
+    for (std::size_t i = 0; i < state.tool.size(); ++i) {
+        ToolView tool = state.tool[i];
+        m_arrows[i]->show(tool);
+        tool.present = tool.present && m_setup.cues.tool;
+        m_instruments[i]->show(tool, m_setup.leftHanded);
+    }
+    m_ghost->show(state.ghost, m_setup.leftHanded);
+    m_gauge->show(state);
+}
+
+void SceneStage::setPicture(const QSize& size_px, double ratio) {
+    m_size_px = size_px;
+    m_light.setSize_px(size_px);
+    m_gauge->setPicture(size_px, ratio);
+    aim();
+}
+
+void SceneStage::aim() {
+    const double aspect = double(std::max(1, m_size_px.width())) / std::max(1, m_size_px.height());
+    const CameraFit fit = fitCamera(m_content->fieldRadius_m() + 1.2 * kOpeningBeyond_m, m_content->planeHeight_m(), m_content->roomAbove_m(),
+                                    aspect, m_gauge->widthShare());
+    m_camera->lens()->setPerspectiveProjection(float(fit.fieldOfView_deg), float(aspect), 20.0F, 2500.0F);
+    m_camera->setPosition(toMillimetres(fit.p_WEye));
+    m_camera->setViewCenter(toMillimetres(fit.p_WTarget));
+    m_camera->setUpVector({0.0F, 0.0F, 1.0F});
+}
+
+} // namespace chiron::scene3d

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/plugin/force_arrow.h"
+#include "desktop/scene3d/plugin/force_gauge.h"
+#include "desktop/scene3d/plugin/instrument.h"
+#include "desktop/scene3d/plugin/place_marks.h"
+#include "desktop/scene3d/plugin/scene_content.h"
+
+#include <QObject>
+#include <Qt3DRender/QCamera>
+#include <Qt3DRender/QClearBuffers>
+#include <Qt3DRender/QLayer>
+#include <array>
+#include <memory>
+
+namespace chiron::scene3d {
+
+/// Everything that is drawn, with the order in which it is: field and instruments, then the ghost, then (over all) the
+/// arrow and the bar. Owned by the engine through root().
+class SceneStage {
+public:
+    SceneStage(const SceneSetup& setup, QObject* surface);
+
+    Qt3DCore::QEntity* root() { return m_root; }
+    void change(const SceneSetup& setup);
+    void show(const SceneState& state);
+    /// Size in device pixels, and device pixels a logical one.
+    void setPicture(const QSize& size_px, double ratio);
+
+private:
+    void makeFrameGraph(QObject* surface);
+    void makeDrape();
+    void aim();
+
+    SceneSetup m_setup;
+    QSize m_size_px{1024, 768};
+    Qt3DCore::QEntity* m_root; ///< the engine deletes it, and all below
+    SharedLight m_light;
+    Qt3DRender::QCamera* m_camera;
+    Qt3DRender::QLayer* m_ghostLayer;
+    Qt3DRender::QLayer* m_overLayer;
+    Qt3DRender::QParameter* m_cloth;
+    Qt3DRender::QClearBuffers* m_clear = nullptr;
+    std::unique_ptr<ISceneContent> m_content;
+    std::array<Instrument*, core::kMaxTools> m_instruments{};
+    std::array<ForceArrow*, core::kMaxTools> m_arrows{};
+    Instrument* m_ghost = nullptr;
+    PlaceMarks* m_marks = nullptr;
+    ForceGauge* m_gauge = nullptr;
+};
+
+} // namespace chiron::scene3d

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene3d/plugin/scene_window.h"
+
+#include <QEvent>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <Qt3DCore/QAspectEngine>
+#include <Qt3DCore/QCoreAspect>
+#include <Qt3DRender/QRenderAspect>
+#include <Qt3DRender/QShaderProgram>
+
+namespace chiron::scene3d {
+
+namespace {
+
+constexpr int kMostSettling = 60; // frames; a driver that refuses a shader must not keep the scene from being shown
+
+QSurfaceFormat sceneFormat() {
+    QSurfaceFormat format;
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setSamples(0); // four samples cost a software rasteriser half its frames
+    format.setSwapInterval(1);
+    return format;
+}
+
+} // namespace
+
+SceneWindow::SceneWindow() {
+    setSurfaceType(QSurface::OpenGLSurface);
+    setFormat(sceneFormat());
+    setObjectName(QStringLiteral("scene.window"));
+}
+
+SceneWindow::~SceneWindow() {
+    if (m_engine)
+        m_engine->setRootEntity({}); // while the window and its context still live
+    m_root.reset();                  // and the nodes while the engine's table of them does
+    m_engine.reset();
+}
+
+void SceneWindow::setRoot(Qt3DCore::QEntity* root) {
+    m_root = Qt3DCore::QEntityPtr(root);
+}
+
+void SceneWindow::start() {
+    // The renderer makes its context from the default format; the rest of the program keeps its own.
+    const QSurfaceFormat before = QSurfaceFormat::defaultFormat();
+    QSurfaceFormat::setDefaultFormat(sceneFormat());
+    m_engine = std::make_unique<Qt3DCore::QAspectEngine>();
+    m_engine->setRunMode(Qt3DCore::QAspectEngine::Manual);
+    m_engine->registerAspect(new Qt3DCore::QCoreAspect);
+    m_engine->registerAspect(new Qt3DRender::QRenderAspect(Qt3DRender::QRenderAspect::Automatic));
+    m_engine->setRootEntity(m_root);
+    draw();
+    QSurfaceFormat::setDefaultFormat(before);
+}
+
+void SceneWindow::requestFrame() {
+    if (isExposed())
+        requestUpdate();
+}
+
+void SceneWindow::onFirstFrame(std::function<void()> call) {
+    m_firstFrame = std::move(call);
+    if (m_whole)
+        tellFirstFrame();
+}
+
+void SceneWindow::tellFirstFrame() {
+    if (m_firstFrame)
+        QTimer::singleShot(0, this, std::exchange(m_firstFrame, nullptr));
+}
+
+void SceneWindow::exposeEvent(QExposeEvent*) {
+    if (!isExposed() || !m_root)
+        return;
+    if (!m_engine)
+        start();
+    requestUpdate();
+}
+
+void SceneWindow::resizeEvent(QResizeEvent*) {
+    if (m_resized)
+        m_resized();
+    requestFrame();
+}
+
+bool SceneWindow::event(QEvent* event) {
+    if (event->type() == QEvent::UpdateRequest) {
+        draw();
+        return true;
+    }
+    return QWindow::event(event);
+}
+
+void SceneWindow::draw() {
+    if (!m_engine || !isExposed() || m_drawing)
+        return;
+    m_drawing = true;
+    m_engine->processFrame();
+    m_drawing = false;
+    ++m_frames;
+    if (m_whole)
+        return;
+    // Buffers, textures and shaders arrive over the first few frames.
+    if (allShadersReady() || m_settling >= kMostSettling) {
+        m_whole = true;
+        tellFirstFrame();
+    }
+    ++m_settling;
+    requestUpdate();
+}
+
+bool SceneWindow::allShadersReady() const {
+    const auto programs = m_root->findChildren<Qt3DRender::QShaderProgram*>();
+    return std::all_of(programs.begin(), programs.end(), [](const Qt3DRender::QShaderProgram* program) {
+        return program->status() != Qt3DRender::QShaderProgram::NotReady;
+    });
+}
+
+} // namespace chiron::scene3d

@@ -1,0 +1,28 @@
+#version 150
+// Cloth fills most of the picture, so its light is worked out here and not for every pixel.
+in vec3 vertexPosition;
+in vec3 vertexNormal;
+in vec2 vertexTexCoord;
+in float vertexLight;
+
+uniform mat4 mvp;
+uniform mat4 modelMatrix;
+uniform vec3 eyePosition;
+uniform vec3 lamp;
+uniform vec3 cloth;
+uniform float outlined;
+
+out vec3 shade;
+out vec2 weave;
+
+void main()
+{
+    vec3 place = (modelMatrix * vec4(vertexPosition, 1.0)).xyz;
+    vec3 toEye = normalize(eyePosition - place);
+    float head = max(0.0, dot(vertexNormal, toEye));
+    float above = 0.5 + 0.5 * dot(vertexNormal, lamp);
+    float lit = vertexLight * (0.34 + 0.36 * above + 0.34 * head);
+    shade = cloth * mix(lit, 0.96, 0.8 * outlined);
+    weave = place.xy;
+    gl_Position = mvp * vec4(vertexPosition, 1.0);
+}

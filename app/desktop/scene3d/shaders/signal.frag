@@ -1,0 +1,16 @@
+#version 150
+// Arrow, lines and pins: their colour tells something, so light changes it little.
+in vec3 place;
+in vec3 normal;
+in float steel;
+
+uniform vec3 eyePosition;
+uniform vec4 tint;
+
+out vec4 colour;
+
+void main()
+{
+    float head = max(0.0, dot(normalize(normal), normalize(eyePosition - place)));
+    colour = vec4(tint.rgb * (0.62 + 0.38 * head), tint.a);
+}

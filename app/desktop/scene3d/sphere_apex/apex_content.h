@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/plugin/qt3d_parts.h"
+#include "desktop/scene3d/plugin/scene_content.h"
+#include "desktop/scene3d/sphere_apex/apex_surface.h"
+
+namespace chiron::scene3d {
+
+/// The hemisphere on its plane, or the cover over it: one entity, whose triangles change with the trial only; the tips move
+/// it in the vertex shader.
+class ApexContent final : public ISceneContent {
+public:
+    ApexContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent);
+
+    void change(const SceneSetup& setup) override;
+    void show(const SceneState& state) override;
+    double groundHeight_m(double x_m, double y_m) const override { return m_surface.height_m(x_m, y_m); }
+    double fieldRadius_m() const override { return m_parameters.workspaceRadius_m; }
+    double planeHeight_m() const override { return m_parameters.planeHeight_m; }
+    double roomAbove_m() const override { return m_parameters.radius_m + 0.022; }
+
+private:
+    void showTips(const SceneState& state);
+    Qt3DRender::QParameter* parameter(const char* name, const QVariant& value, Qt3DCore::QNode* parent);
+
+    simulation::SphereApexParameters m_parameters;
+    SceneSetup m_setup;
+    ApexSurface m_surface;
+    Qt3DRender::QParameter* m_dentPlace;
+    Qt3DRender::QParameter* m_dentNormal;
+    Qt3DRender::QParameter* m_tips;
+    Qt3DRender::QParameter* m_presses;
+    Qt3DRender::QParameter* m_tools;
+    Qt3DRender::QParameter* m_plain;
+    Part* m_part = nullptr;
+};
+
+} // namespace chiron::scene3d
