@@ -3,14 +3,13 @@
 
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/instance_link.h"
+#include "desktop/frame/languages.h"
 #include "desktop/frame/main_window.h"
 
 #include <QCommandLineParser>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
-#include <QStyleFactory>
-#include <QTranslator>
 
 namespace chiron::desktop {
 
@@ -43,17 +42,7 @@ void connectInstances(AppContext& context, MainWindow& window, InstanceLink& lin
 } // namespace
 
 void applyAppearance(QApplication& application, AppContext& context) {
-    for (QTranslator* old : application.findChildren<QTranslator*>()) {
-        application.removeTranslator(old);
-        delete old;
-    }
-    for (const char* catalogue : {"qtbase", "chiron"}) {
-        auto* translator = new QTranslator(&application);
-        if (translator->load(QStringLiteral(":/i18n/%1_%2.qm").arg(QLatin1String(catalogue), context.language())))
-            application.installTranslator(translator);
-        else
-            delete translator;
-    }
+    installLanguage(application, context.language());
     QLocale::setDefault(context.locale());
     application.setFont(context.theme().font(TextStyle::body));
     application.setPalette(context.theme().palette());

@@ -6,6 +6,12 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+/// The tokens are part of a static library, whose resources the linker leaves out unless they are asked for. Global, as the
+/// macro wants it.
+static void initialiseDesktopResources() {
+    Q_INIT_RESOURCE(desktop);
+}
+
 namespace chiron::desktop {
 
 namespace {
@@ -37,6 +43,7 @@ QStringList listOf(const QJsonValue& value) {
 } // namespace
 
 core::Result<Theme> Theme::load(ThemeName name, double scale) {
+    initialiseDesktopResources();
     QFile file(QStringLiteral(":/theme/tokens.json"));
     if (!file.open(QIODevice::ReadOnly))
         return core::fail(core::ErrorCode::notFound, "tokens.json is not part of this program");

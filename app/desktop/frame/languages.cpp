@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/frame/languages.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QTranslator>
+
+/// The catalogues are part of a static library, whose resources the linker leaves out unless they are asked for.
+static void initialiseCatalogues() {
+    Q_INIT_RESOURCE(i18n);
+}
+
+namespace chiron::desktop {
+
+void installLanguage(QCoreApplication& application, const QString& language) {
+    initialiseCatalogues();
+    for (QTranslator* old : application.findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly)) {
+        QCoreApplication::removeTranslator(old);
+        delete old;
+    }
+    QStringList files{QStringLiteral(":/i18n/chiron_%1.qm").arg(language)};
+    if (language != QLatin1String("en")) // Qt's own words are English already
+        files.prepend(QLibraryInfo::path(QLibraryInfo::TranslationsPath) + QStringLiteral("/qtbase_%1.qm").arg(language));
+    for (const QString& file : files) { // the one installed last is asked first: ours
+        auto* translator = new QTranslator(&application);
+        if (translator->load(file))
+            QCoreApplication::installTranslator(translator);
+        else
+            delete translator;
+    }
+}
+
+} // namespace chiron::desktop
