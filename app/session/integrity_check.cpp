@@ -31,8 +31,9 @@ std::vector<database::Finding> checkScores(database::Connection& connection, dat
     return {};
 }
 
-database::VerifyReport verifyEverything(const std::string& databaseFile, const database::DatabaseOptions& options) {
-    return database::verifyDatabase(databaseFile, options, checkScores);
+database::VerifyReport verifyEverything(const std::string& databaseFile, const database::DatabaseOptions& options,
+                                        const database::VerifyWatch& watch) {
+    return database::verifyDatabase(databaseFile, options, checkScores, watch);
 }
 
 } // namespace chiron::session

@@ -10,8 +10,6 @@
 #include "session/run_task.h"
 #include "session/session_outcome.h"
 
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <limits>
 #include <thread>
 
@@ -51,12 +49,7 @@ LoopReport runRealtime(RunTask& task, haptics::HapticLoop& loop) {
         report.priorityDetail = status.priorityDetail;
     });
     haptic.join();
-    const haptics::LoopStatistics& statistics = loop.statistics();
-    report.realtime = true;
-    report.late = statistics.late();
-    report.p50_us = statistics.lateness().percentile_us(0.5);
-    report.p99_us = statistics.lateness().percentile_us(0.99);
-    report.max_us = static_cast<double>(statistics.lateness().maximum_ns()) * 1e-3;
+    setPunctuality(report, loop.statistics());
     return report;
 }
 
@@ -72,22 +65,6 @@ LoopReport runAsFast(RunTask& task, database::WriterThread& writer) {
     });
     haptic.join();
     return report;
-}
-
-std::string loopJson(const LoopReport& report) {
-    QJsonObject json{{"ticks", static_cast<double>(report.ticks)},
-                     {"late", static_cast<double>(report.late)},
-                     {"skipped", static_cast<double>(report.skipped)},
-                     {"realtime", report.realtime},
-                     {"priority_granted", report.priorityGranted},
-                     {"priority_detail", QString::fromStdString(report.priorityDetail)}};
-    const auto put = [&json](const char* key, const std::optional<double>& value) {
-        json.insert(QLatin1String(key), value ? QJsonValue(*value) : QJsonValue());
-    };
-    put("p50_us", report.p50_us);
-    put("p99_us", report.p99_us);
-    put("max_us", report.max_us);
-    return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
 }
 
 SessionSetup setupOf(const TrainingRequest& request) {

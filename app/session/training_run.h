@@ -8,6 +8,7 @@
 #include "scoring/score_card.h"
 #include "session/live_link.h"
 #include "session/live_recording.h"
+#include "session/loop_report.h"
 #include "session/station.h"
 
 #include <atomic>
@@ -30,19 +31,6 @@ struct TrainingRequest {
     /// A window: its heartbeat is watched, its `start` command begins the first trial, and nothing but the exercise, `end`
     /// and `cancel` end the session. Outlives the run.
     LiveLink* live = nullptr;
-};
-
-/// The loop's punctuality; absent numbers where ticks ran back to back.
-struct LoopReport {
-    std::uint64_t ticks = 0;
-    std::uint64_t late = 0;
-    std::uint64_t skipped = 0;
-    std::optional<double> p50_us;
-    std::optional<double> p99_us;
-    std::optional<double> max_us;
-    bool realtime = false;
-    bool priorityGranted = false;
-    std::string priorityDetail;
 };
 
 struct TrainingResult {

@@ -10,8 +10,8 @@ namespace {
 constexpr int kMostBreaks = 4096; // of one table; then the rest is reported as one range
 }
 
-RowScan::RowScan(Connection& connection, const DigestedTable& table, VerifyReport& report)
-    : m_connection(connection), m_table(table), m_report(report) {
+RowScan::RowScan(Connection& connection, const DigestedTable& table, VerifyReport& report, VerifySteps& steps)
+    : m_connection(connection), m_table(table), m_report(report), m_steps(steps) {
     for (std::size_t i = 0; i < table.laterColumns; ++i) {
         const auto there =
             selectInteger(connection, "SELECT count(*) FROM pragma_table_info(?) WHERE name = ?",
@@ -82,6 +82,9 @@ RowScan::Pass RowScan::readFrom(std::int64_t after, std::int64_t& last, const Vi
         return Pass::broken;
     }
     while (true) {
+        if (!m_steps.goOn()) {
+            return Pass::finished;
+        }
         const auto row = query->next();
         if (!row) {
             m_words = row.error().message;
@@ -96,6 +99,7 @@ RowScan::Pass RowScan::readFrom(std::int64_t after, std::int64_t& last, const Vi
         }
         last = query->integer(0);
         checkRow(*query, visit);
+        m_steps.add();
     }
 }
 

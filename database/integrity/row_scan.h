@@ -4,6 +4,7 @@
 #include "database/connection.h"
 #include "database/integrity/row_digest.h"
 #include "database/integrity/verifier.h"
+#include "database/integrity/verify_steps.h"
 
 #include <functional>
 #include <set>
@@ -18,7 +19,7 @@ class RowScan {
 public:
     using Visitor = std::function<void(const std::vector<Value>& values)>;
 
-    RowScan(Connection& connection, const DigestedTable& table, VerifyReport& report);
+    RowScan(Connection& connection, const DigestedTable& table, VerifyReport& report, VerifySteps& steps);
     /// visit gets the covered values of each row that could be read, damaged or not.
     void run(const Visitor& visit = {});
 
@@ -33,6 +34,7 @@ private:
     Connection& m_connection;
     DigestedTable m_table; ///< as this file has it: an earlier version lacks the later columns
     VerifyReport& m_report;
+    VerifySteps& m_steps;
     std::string m_words; ///< SQLite's of the last failure
 };
 

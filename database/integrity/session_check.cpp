@@ -88,7 +88,7 @@ void checkScoreSet(Connection& connection, const ScoreSet& set, const SeenRows& 
 } // namespace
 
 void checkSessions(Connection& connection, const SeenRows& seen, const ScoreCheck& check,
-                   VerifyReport& report) {
+                   VerifyReport& report, VerifySteps& steps) {
     const auto ended =
         collect<Ended>(connection, "session",
                        "SELECT id, chunks, seal, recording_erased, EXISTS (SELECT 1 FROM score_set WHERE "
@@ -115,9 +115,13 @@ void checkSessions(Connection& connection, const SeenRows& seen, const ScoreChec
         }
     }
     for (const Ended& session : ended) {
+        if (!steps.goOn()) {
+            return;
+        }
         if (check && session.scored && !session.erased) {
             const auto found = check(connection, session.id);
             report.findings.insert(report.findings.end(), found.begin(), found.end());
+            steps.add(VerifySteps::kStepsOfSession);
         }
     }
 }

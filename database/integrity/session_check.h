@@ -2,6 +2,7 @@
 #pragma once
 
 #include "database/integrity/verifier.h"
+#include "database/integrity/verify_steps.h"
 
 #include <map>
 #include <set>
@@ -18,6 +19,6 @@ struct SeenRows {
 /// Checks what belongs together: no chunk or score missing, seals as stored when the session ended; then, if
 /// given, the scores themselves.
 void checkSessions(Connection& connection, const SeenRows& seen, const ScoreCheck& check,
-                   VerifyReport& report);
+                   VerifyReport& report, VerifySteps& steps);
 
 } // namespace chiron::database

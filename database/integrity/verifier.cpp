@@ -48,10 +48,10 @@ std::int64_t integerOf(const DigestedTable& table, const std::vector<Value>& val
     return 0;
 }
 
-SeenRows checkRows(Connection& connection, VerifyReport& report) {
+SeenRows checkRows(Connection& connection, VerifyReport& report, VerifySteps& steps) {
     SeenRows seen;
     for (const DigestedTable& table : digestedTables()) {
-        RowScan(connection, table, report).run([&](const std::vector<Value>& values) {
+        RowScan(connection, table, report, steps).run([&](const std::vector<Value>& values) {
             if (table.name == "chunk") {
                 seen.chunks[integerOf(table, values, "session_id")].insert(
                     integerOf(table, values, "sequence"));
@@ -68,8 +68,9 @@ SeenRows checkRows(Connection& connection, VerifyReport& report) {
 } // namespace
 
 VerifyReport verifySnapshot(const std::string& file, const SiteKey* key, const std::optional<AuditHead>& head,
-                            const ScoreCheck& check) {
+                            const ScoreCheck& check, const VerifyWatch& watch) {
     VerifyReport report;
+    VerifySteps steps(watch, report);
     if (const auto present = MigrationRunner().inspect(file); !present) {
         add(report, "file", "", "", present.error().message);
     }
@@ -82,25 +83,31 @@ VerifyReport verifySnapshot(const std::string& file, const SiteKey* key, const s
         return report;
     }
     (void)(*connection)->execute("BEGIN"); // one snapshot for all checks, whatever is written meanwhile
-    checkStructure(**connection, report);
-    const SeenRows seen = checkRows(**connection, report);
-    checkSessions(**connection, seen, check, report);
-    if (key != nullptr) {
+    steps.plan(**connection, bool(check));
+    if (steps.goOn()) {
+        checkStructure(**connection, report);
+    }
+    const SeenRows seen = checkRows(**connection, report, steps);
+    if (!steps.goOn()) { // what was not seen must not be called missing
+        return report;
+    }
+    checkSessions(**connection, seen, check, report, steps);
+    if (key != nullptr && steps.goOn()) {
         checkAudit(**connection, *key, head, report);
     }
     return report;
 }
 
 VerifyReport verifyDatabase(const std::string& file, const DatabaseOptions& options,
-                            const ScoreCheck& check) {
+                            const ScoreCheck& check, const VerifyWatch& watch) {
     const auto key = SiteKey::load(siteFolderFor(file, options));
     if (!key) {
-        VerifyReport report = verifySnapshot(file, nullptr, std::nullopt, check);
+        VerifyReport report = verifySnapshot(file, nullptr, std::nullopt, check, watch);
         add(report, "audit", "audit", "", key.error().message + " (the chain could not be checked)");
         return report;
     }
     const auto head = readHeadFile(**key);
-    VerifyReport report = verifySnapshot(file, key->get(), head.value_or(std::nullopt), check);
+    VerifyReport report = verifySnapshot(file, key->get(), head.value_or(std::nullopt), check, watch);
     if (!head) {
         add(report, "audit", "audit", "", head.error().message);
     } else if (!*head) {

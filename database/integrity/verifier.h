@@ -24,8 +24,12 @@ struct Finding {
 struct VerifyReport {
     std::vector<Finding> findings;
     std::uint64_t rowsChecked = 0;
-    bool ok() const noexcept { return findings.empty(); }
+    bool cancelled = false; ///< ended early: what was found holds, what was not looked at is not vouched for
+    bool ok() const noexcept { return findings.empty() && !cancelled; }
 };
+
+/// Hears how far a verification is, in steps of about equal length, on its thread; false ends it early.
+using VerifyWatch = std::function<bool(std::uint64_t done, std::uint64_t of)>;
 
 /// Recomputes the scores of one session and compares them with the stored ones; given by the session layer.
 /// Called with a read-only connection, once for each ended session whose recording is there.
@@ -36,6 +40,6 @@ using ScoreCheck = std::function<std::vector<Finding>(Connection&, SessionId)>;
 /// Whatever is wrong with the file becomes a finding; never an error, never a crash. Blocking and long: a
 /// worker's task.
 VerifyReport verifyDatabase(const std::string& file, const DatabaseOptions& options = {},
-                            const ScoreCheck& check = {});
+                            const ScoreCheck& check = {}, const VerifyWatch& watch = {});
 
 } // namespace chiron::database

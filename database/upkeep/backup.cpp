@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <sqlite3.h>
 
 namespace chiron::database {
 namespace {
@@ -33,9 +34,35 @@ core::Result<void> writeErasures(Connection& reader, const std::string& siteFold
     return saveErasureList(file, *erasures);
 }
 
+bool isSet(const std::atomic<bool>* cancel) {
+    return cancel != nullptr && cancel->load(std::memory_order_relaxed);
+}
+
+// While it lives, SQLite breaks off what this connection does once `cancel` is set.
+class Interruptible {
+public:
+    Interruptible(Connection& connection, const std::atomic<bool>* cancel) : m_connection(connection) {
+        constexpr int kAskEvery_instructions = 1000;
+        if (cancel != nullptr) {
+            sqlite3_progress_handler(
+                connection.handle(), kAskEvery_instructions,
+                [](void* flag) { return isSet(static_cast<const std::atomic<bool>*>(flag)) ? 1 : 0; },
+                const_cast<std::atomic<bool>*>(cancel));
+        }
+    }
+    Interruptible(const Interruptible&) = delete;
+    Interruptible& operator=(const Interruptible&) = delete;
+    ~Interruptible() { sqlite3_progress_handler(m_connection.handle(), 0, nullptr, nullptr); }
+
+private:
+    Connection& m_connection;
+};
+
 // Everything but the rename; the folder is thrown away when this fails.
 core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const std::string& folder,
-                                const std::string& kind, const SiteKey& key, const SnapshotExtra& extra) {
+                                const std::string& kind, const SiteKey& key, const SnapshotExtra& extra,
+                                const std::atomic<bool>* cancel) {
+    const Interruptible interruptible(reader, cancel);
     const std::string copy = folder + "/" + kSnapshotFile;
     auto done = copyDatabase(reader, copy);
     done = done ? writeErasures(reader, database.siteFolder(), folder + "/" + kErasuresFile) : done;
@@ -47,7 +74,8 @@ core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const st
     if (!head) {
         return tl::unexpected(head.error());
     }
-    if (const VerifyReport report = verifySnapshot(copy, &key, *head); !report.ok()) {
+    if (const VerifyReport report = verifySnapshot(copy, &key, *head, {}, [cancel](std::uint64_t, std::uint64_t) { return !isSet(cancel); });
+        !report.ok() && !report.cancelled) {
         return core::fail(core::ErrorCode::doesNotHold,
                           "the copy does not verify, nothing was kept: " + firstOf(report));
     }
@@ -83,7 +111,7 @@ core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const st
 
 core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& reader,
                                                const std::string& folder, const std::string& kind,
-                                               const SnapshotExtra& extra) {
+                                               const SnapshotExtra& extra, const std::atomic<bool>* cancel) {
     const auto key = SiteKey::load(database.siteFolder());
     if (!key) {
         return tl::unexpected(key.error());
@@ -97,7 +125,10 @@ core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& r
     if (!QDir().mkpath(partial) || !QFile::setPermissions(partial, kOwnerAlone)) {
         return core::fail(core::ErrorCode::storage, folder + ": cannot be created");
     }
-    auto info = fill(database, reader, partial.toStdString(), kind, **key, extra);
+    auto info = fill(database, reader, partial.toStdString(), kind, **key, extra, cancel);
+    if (isSet(cancel)) { // whatever it broke off with
+        info = core::fail(core::ErrorCode::cancelled, folder + ": stopped, nothing was kept");
+    }
     if (info && !QDir().rename(partial, target)) {
         info = core::fail(core::ErrorCode::storage, folder + ": cannot be put in place");
     }
@@ -110,7 +141,8 @@ core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& r
     return flushed ? info : core::Result<SnapshotInfo>(tl::unexpected(flushed.error()));
 }
 
-core::Result<SnapshotInfo> Upkeep::backup(Database& database, const Actor& actor, const std::string& folder) {
+core::Result<SnapshotInfo> Upkeep::backup(Database& database, const Actor& actor, const std::string& folder,
+                                          const std::atomic<bool>* cancel) {
     auto reader = database.openReader();
     if (!reader) {
         return tl::unexpected(reader.error());
@@ -118,7 +150,7 @@ core::Result<SnapshotInfo> Upkeep::backup(Database& database, const Actor& actor
     if (const auto scope = authorise(**reader, actor, Action::backup); !scope) {
         return tl::unexpected(scope.error());
     }
-    const auto info = writeSnapshotFolder(database, **reader, folder, "backup", {});
+    const auto info = writeSnapshotFolder(database, **reader, folder, "backup", {}, cancel);
     if (!info || !database.isWritable()) {
         return info;
     }

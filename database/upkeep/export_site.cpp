@@ -97,7 +97,8 @@ core::Result<std::vector<std::string>> writeTables(Connection& snapshot, const s
 } // namespace
 
 core::Result<SnapshotInfo> Upkeep::exportSite(Database& database, const Actor& actor,
-                                              const std::string& folder) {
+                                              const std::string& folder,
+                                              const std::atomic<bool>* cancel) {
     auto reader = database.openReader();
     if (!reader) {
         return tl::unexpected(reader.error());
@@ -105,7 +106,7 @@ core::Result<SnapshotInfo> Upkeep::exportSite(Database& database, const Actor& a
     if (const auto scope = authorise(**reader, actor, Action::exportSite); !scope) {
         return tl::unexpected(scope.error());
     }
-    const auto info = writeSnapshotFolder(database, **reader, folder, "export", writeTables);
+    const auto info = writeSnapshotFolder(database, **reader, folder, "export", writeTables, cancel);
     if (!info || !database.isWritable()) {
         return info;
     }

@@ -14,9 +14,9 @@ using SnapshotExtra =
 
 /// Writes a snapshot folder: the database's copy, verified, erasures and extras, then the manifest; under
 /// another name first, renamed when it is whole. Failure: badInput if the folder exists; doesNotHold if the
-/// copy does not verify; storage.
+/// copy does not verify; cancelled; storage.
 core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& reader,
                                                const std::string& folder, const std::string& kind,
-                                               const SnapshotExtra& extra);
+                                               const SnapshotExtra& extra, const std::atomic<bool>* cancel);
 
 } // namespace chiron::database

@@ -5,6 +5,7 @@
 #include "database/actor.h"
 #include "database/database.h"
 
+#include <atomic>
 #include <string>
 
 namespace chiron::database {
@@ -42,9 +43,10 @@ class Upkeep {
 public:
     /// A consistent snapshot beside the running writer, with manifest, audit head and list of erasures, in a
     /// new folder (badInput if it exists). Complete or not there: it is written under another name and
-    /// renamed.
+    /// renamed. Failure: cancelled, when `cancel` was set meanwhile; nothing is left behind then.
     static core::Result<SnapshotInfo> backup(Database& database, const Actor& actor,
-                                             const std::string& folder);
+                                             const std::string& folder,
+                                             const std::atomic<bool>* cancel = nullptr);
 
     /// Puts a verified backup in place, erases again what was erased since, keeps the old file aside. Needs
     /// the target's writer lock, an administrator of the backup, and one of the database that is replaced,
@@ -54,7 +56,8 @@ public:
 
     /// A backup and every table as JSON Lines (blobs as hex; no credentials), with a manifest of digests.
     static core::Result<SnapshotInfo> exportSite(Database& database, const Actor& actor,
-                                                 const std::string& folder);
+                                                 const std::string& folder,
+                                                 const std::atomic<bool>* cancel = nullptr);
 };
 
 } // namespace chiron::database

@@ -56,4 +56,11 @@ double LatencyHistogram::percentile_us(double fraction) const noexcept {
     return static_cast<double>(m_maximum_ns) * 1e-3;
 }
 
+std::uint64_t LatencyHistogram::countUpTo(std::int64_t limit_ns) const noexcept {
+    std::uint64_t seen = 0;
+    for (int i = 0; i < kBuckets - 1 && upperEdge_ns(i) <= limit_ns; ++i)
+        seen += m_counts[static_cast<std::size_t>(i)];
+    return seen;
+}
+
 } // namespace chiron::haptics

@@ -24,6 +24,8 @@ public:
     /// The value that a share `fraction` (0..1) of all values does not exceed: upper edge of its bucket, at most the
     /// maximum. 0 if empty. In µs.
     double percentile_us(double fraction) const noexcept;
+    /// How many values lie in buckets that end at `limit_ns` or below.
+    std::uint64_t countUpTo(std::int64_t limit_ns) const noexcept;
 
 private:
     static int bucketOf(std::int64_t value_ns) noexcept;

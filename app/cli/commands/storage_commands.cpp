@@ -35,14 +35,14 @@ CommandOutput snapshotOutput(const database::SnapshotInfo& info) {
 }
 
 using Snapshot = core::Result<database::SnapshotInfo> (*)(database::Database&, const database::Actor&,
-                                                          const std::string&);
+                                                          const std::string&, const std::atomic<bool>*);
 
 core::Result<CommandOutput> snapshot(const Arguments& arguments, Snapshot make) {
     auto site = openAsPerson(arguments, Opening::forWriting);
     if (!site)
         return tl::unexpected(site.error());
     const auto info =
-        make(*site->database, site->actor, QFileInfo(arguments.operand(0)).absoluteFilePath().toStdString());
+        make(*site->database, site->actor, QFileInfo(arguments.operand(0)).absoluteFilePath().toStdString(), nullptr);
     if (!info)
         return tl::unexpected(info.error());
     return snapshotOutput(*info);

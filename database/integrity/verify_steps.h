@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/connection.h"
+#include "database/integrity/verifier.h"
+
+#include <cstdint>
+
+namespace chiron::database {
+
+/// Counts what a verification has done and asks its watch now and then whether to go on. A session's scores count as many
+/// steps as rows take in the same time.
+class VerifySteps {
+public:
+    static constexpr std::uint64_t kStepsOfSession = 500;
+    static constexpr std::uint64_t kAskEvery = 64;
+
+    VerifySteps(const VerifyWatch& watch, VerifyReport& report) : m_watch(watch), m_report(report) {}
+    /// Looks how much there is to do; what cannot be counted is left out, and the end comes early.
+    void plan(Connection& connection, bool withScores);
+    void add(std::uint64_t steps = 1);
+    bool goOn() const noexcept { return !m_report.cancelled; }
+
+private:
+    const VerifyWatch& m_watch;
+    VerifyReport& m_report;
+    std::uint64_t m_done = 0;
+    std::uint64_t m_of = 0;
+    std::uint64_t m_askedAt = 0;
+};
+
+} // namespace chiron::database
