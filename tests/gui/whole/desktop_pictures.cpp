@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of every screen: desktop_pictures FOLDER [NAME ...]. Needs a display (Xvfb will do), because the 3D scene is only
+// on the screen, not in the widgets. Makes its own site; the sessions in it are scripted.
+#include "support/every_place.h"
+
+#include <QDir>
+#include <QScreen>
+#include <cstdio>
+
+using namespace chiron;
+
+namespace {
+
+struct Look {
+    const char* name;
+    desktop::ThemeName theme;
+    double scale;
+    const char* language;
+};
+
+constexpr Look kLooks[] = {{"light", desktop::ThemeName::light, 1.0, "en"},
+                           {"dark", desktop::ThemeName::dark, 1.0, "en"},
+                           {"contrast", desktop::ThemeName::highContrast, 1.0, "en"},
+                           {"de", desktop::ThemeName::light, 1.0, "de"},
+                           {"el", desktop::ThemeName::light, 1.0, "el"},
+                           {"large_de", desktop::ThemeName::light, 2.0, "de"}};
+
+void take(const tests::DesktopFixture& desktop, const QString& file) {
+    QTest::qWait(700); // scenes draw their first frames
+    const QPixmap picture = desktop.window->screen()->window()->windowHandle()->screen()->grabWindow(desktop.window->winId());
+    if (!picture.save(file))
+        std::fprintf(stderr, "could not write %s\n", qPrintable(file));
+    std::printf("%s\n", qPrintable(file));
+}
+
+/// A demonstration running for some seconds, then paused.
+void takeTraining(tests::DesktopFixture& desktop, const QDir& folder, const Look& look, std::string& person) {
+    const tests::VisitedPlace setup{"training", "tina", {QStringLiteral("training"), {{"exercise", "sphere_apex"}, {"level", 1}, {"device", "simulated"}, {"operator", "intermediate"}}}};
+    tests::visit(desktop, setup, person);
+    QTest::qWait(9000);
+    take(desktop, folder.filePath(QStringLiteral("training_%1.png").arg(QLatin1String(look.name))));
+    QTest::keyClick(desktop.window.get(), Qt::Key_Space);
+    QTest::qWait(900);
+    take(desktop, folder.filePath(QStringLiteral("training_paused_%1.png").arg(QLatin1String(look.name))));
+    QTest::keyClick(desktop.window.get(), Qt::Key_Escape);
+    QTest::qWait(300);
+    take(desktop, folder.filePath(QStringLiteral("training_stopped_%1.png").arg(QLatin1String(look.name))));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    qputenv("QT3D_RENDERER", "opengl");
+    QApplication application(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.size() < 2) {
+        std::fprintf(stderr, "usage: desktop_pictures FOLDER [NAME ...]\n");
+        return 2;
+    }
+    const QDir folder(arguments.at(1));
+    folder.mkpath(QStringLiteral("."));
+    const QStringList wanted = arguments.mid(2);
+    tests::DesktopFixture desktop;
+    const auto places = tests::everyPlace(tests::addVisitedSessions(desktop));
+    std::string person;
+    for (const Look& look : kLooks) {
+        if (!wanted.isEmpty() && !wanted.contains(QLatin1String(look.name)))
+            continue;
+        desktop.settings.setTheme(look.theme);
+        desktop.settings.setScale(look.scale);
+        desktop.settings.setLanguage(QLatin1String(look.language));
+        desktop.context.applyAppearance();
+        for (const tests::VisitedPlace& place : places) {
+            tests::visit(desktop, place, person);
+            take(desktop, folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(place.name), QLatin1String(look.name))));
+        }
+        takeTraining(desktop, folder, look, person);
+    }
+    return 0;
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/widgets/state_panel.h"
+#include "support/desktop_fixture.h"
+
+#include <QCoreApplication>
+#include <vector>
+
+namespace chiron::tests {
+
+/// A screen with something on it, and who can see it.
+struct VisitedPlace {
+    const char* name; ///< of findings and pictures
+    const char* person;
+    desktop::Place place;
+};
+
+/// Sessions to look at: one completed, one that failed its gates, one timed out, all tina's.
+struct VisitedSessions {
+    database::SessionId good = 0;
+    database::SessionId bad = 0;
+};
+
+inline VisitedSessions addVisitedSessions(DesktopFixture& desktop) {
+    VisitedSessions sessions;
+    sessions.good = desktop.addSession("tina", 1, "expert", 1, 2, 20.0);
+    sessions.bad = desktop.addSession("tina", 1, "unsafe", 2, 2, 20.0);
+    desktop.addSession("theo", 1, "novice", 3, 1, 20.0);
+    return sessions;
+}
+
+/// Every screen of the program, empty ones too.
+inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions) {
+    const auto place = [](const char* screen, const QVariantMap& parameters = {}) { return desktop::Place{QLatin1String(screen), parameters}; };
+    const QVariantMap good{{"session", qlonglong(sessions.good)}};
+    const QVariantMap bad{{"session", qlonglong(sessions.bad)}};
+    const QVariantMap apex{{"exercise", "sphere_apex"}, {"level", 1}};
+    return {{"first_start", "", place("first_start")},
+            {"login", "", place("login")},
+            {"home_trainee", "tina", place("home")},
+            {"home_trainee_empty", "theo", place("home")},
+            {"home_trainer", "tom", place("home")},
+            {"home_administrator", "ada", place("home")},
+            {"home_researcher", "rhea", place("home")},
+            {"exercise_setup", "tina", place("exercise_setup", apex)},
+            {"debrief_passed", "tina", place("debrief", good)},
+            {"debrief_failed", "tina", place("debrief", bad)},
+            {"playback", "tina", place("playback", good)},
+            {"playback_trainer", "tom", place("playback", bad)},
+            {"results", "tina", place("results")},
+            {"sessions", "tom", place("sessions")},
+            {"people", "ada", place("people")},
+            {"storage", "ada", place("storage")},
+            {"station", "ada", place("station")},
+            {"settings", "tina", place("settings")}};
+}
+
+/// Until nothing on the screen is loading any more; false after ten seconds.
+inline bool waitUntilLoaded(DesktopFixture& desktop) {
+    return QTest::qWaitFor(
+        [&desktop] {
+            if (!desktop.window->screen() || !desktop.context.background().idle())
+                return false;
+            for (const auto* panel : desktop.window->findChildren<desktop::StatePanel*>())
+                if (panel->isVisible() && panel->state() == desktop::StatePanel::State::loading)
+                    return false;
+            return true;
+        },
+        10000);
+}
+
+/// Goes there as that person ("" for nobody) and waits for what is loaded.
+inline bool visit(DesktopFixture& desktop, const VisitedPlace& visited, std::string& present) {
+    if (present != visited.person) {
+        present = visited.person;
+        if (present.empty())
+            desktop.context.logOut();
+        else
+            desktop.logIn(present);
+        waitUntilLoaded(desktop);
+    }
+    desktop.context.navigator().replace(visited.place);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    return waitUntilLoaded(desktop);
+}
+
+} // namespace chiron::tests
