@@ -3,6 +3,7 @@
 
 #include "desktop/frame/screen.h"
 #include "desktop/settings/settings_screen.h"
+#include "desktop/training/training_screen.h"
 
 #include <QCoreApplication>
 
@@ -23,6 +24,7 @@ const std::vector<ScreenEntry>& screenCatalogue() {
     // Ids of screens to come, so that places can already name them: first_start, login, home, exercise_setup {exercise, level},
     // training {plan}, debrief {session}, playback {session, at_s, ghost}, results, sessions, people, storage, station.
     static const std::vector<ScreenEntry> entries{
+        {"training", QT_TRANSLATE_NOOP("Screens", "Training"), "media-playback-start", {}, false, &make<TrainingScreen>},
         {"settings", QT_TRANSLATE_NOOP("Screens", "Settings"), "configure", everybody, true, &make<SettingsScreen>},
     };
     return entries;

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/sound/cue_synthesiser.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::desktop {
+
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+constexpr double kSilence = 1e-4;        // below it a level is nothing
+constexpr double kFollow_s = 0.006;      // levels and pitch reach their target in some milliseconds
+constexpr double kClickDecay_s = 0.012;
+constexpr double kTouch_Hz = 220.0;
+constexpr double kClick_Hz = 1500.0;
+constexpr double kWarning_Hz = 988.0;    // far from the tone's octaves
+constexpr double kBeat_Hz = 5.0;
+constexpr double kFirstForce_N = 0.02;   // less is no touch
+constexpr double kLoudestShare = 3.0;    // pitch stops rising at three times the limit
+
+/// One step from `level` towards `target`; what is left of a fading sound becomes exactly nothing.
+double followed(double level, double target, double share) noexcept {
+    const double next = level + share * (target - level);
+    return target < kSilence && next < kSilence ? 0.0 : next;
+}
+
+} // namespace
+
+CueSynthesiser::CueSynthesiser(double rate_Hz)
+    : m_rate_Hz(std::max(rate_Hz, 8000.0)), m_follow(1.0 - std::exp(-1.0 / (kFollow_s * m_rate_Hz))),
+      m_clickDecay(std::exp(-1.0 / (kClickDecay_s * m_rate_Hz))) {}
+
+void CueSynthesiser::set(const SoundCues& cues) noexcept {
+    m_cues = cues;
+    m_cues.limit_N = std::isfinite(cues.limit_N) && cues.limit_N > 0.0 ? cues.limit_N : 4.0;
+    m_cues.force_N = std::isfinite(cues.force_N) ? std::max(cues.force_N, 0.0) : 0.0;
+    if (cues.contacts != m_heard && cues.audible && !m_first)
+        m_clickTarget = kClickPeak;
+    m_heard = cues.contacts;
+    m_first = false;
+}
+
+void CueSynthesiser::render(std::span<float> samples) noexcept {
+    for (float& sample : samples)
+        sample = next();
+}
+
+float CueSynthesiser::next() noexcept { return static_cast<float>(tone() + click() + warning()); }
+
+double CueSynthesiser::sine(double& phase, double frequency_Hz) const noexcept {
+    phase += frequency_Hz / m_rate_Hz;
+    phase -= std::floor(phase);
+    return std::sin(kTwoPi * phase);
+}
+
+double CueSynthesiser::tone() noexcept {
+    const double share = std::min(m_cues.force_N / m_cues.limit_N, kLoudestShare);
+    const bool sounds = m_cues.audible && m_cues.force_N > kFirstForce_N;
+    const double level = sounds ? kTonePeak * (0.35 + 0.65 * std::min(share, 1.0)) : 0.0;
+    m_toneLevel = followed(m_toneLevel, level, m_follow);
+    if (sounds)
+        m_toneFrequency_Hz += m_follow * (kTouch_Hz * std::exp2(2.0 * share) - m_toneFrequency_Hz);
+    if (m_toneLevel == 0.0) {
+        m_tonePhase = 0.0;
+        return 0.0;
+    }
+    return m_toneLevel * sine(m_tonePhase, m_toneFrequency_Hz);
+}
+
+double CueSynthesiser::click() noexcept {
+    m_clickTarget *= m_clickDecay;
+    // Twice as fast a rise as the decay keeps the click short; it still starts at 0 and so does its sine.
+    m_clickLevel = followed(m_clickLevel, m_clickTarget, 2.0 * m_follow);
+    if (m_clickLevel == 0.0 && m_clickTarget < kSilence) {
+        m_clickTarget = 0.0;
+        m_clickPhase = 0.0;
+        return 0.0;
+    }
+    return m_clickLevel * sine(m_clickPhase, kClick_Hz);
+}
+
+double CueSynthesiser::warning() noexcept {
+    const bool sounds = m_cues.audible && m_cues.force_N > m_cues.limit_N;
+    const bool beat = m_beatPhase < 0.5;
+    const double target = sounds && beat ? kWarningPeak : 0.0;
+    m_warningLevel = followed(m_warningLevel, target, m_follow);
+    if (sounds) {
+        m_beatPhase += kBeat_Hz / m_rate_Hz;
+        m_beatPhase -= std::floor(m_beatPhase);
+    } else {
+        m_beatPhase = 0.0; // the next warning begins with a beat, at once
+    }
+    if (m_warningLevel == 0.0) {
+        m_warningPhase = 0.0;
+        return 0.0;
+    }
+    return m_warningLevel * sine(m_warningPhase, kWarning_Hz);
+}
+
+} // namespace chiron::desktop

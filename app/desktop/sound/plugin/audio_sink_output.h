@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/sound/cue_source.h"
+#include "desktop/sound/sound_output.h"
+
+#include <QAudioDevice>
+#include <QThread>
+#include <atomic>
+#include <memory>
+
+namespace chiron::desktop {
+
+/// The cues on a Qt audio sink with a thread of its own: neither a busy window nor the sound server can make the other
+/// wait. GUI thread.
+class AudioSinkOutput final : public ISoundOutput {
+public:
+    explicit AudioSinkOutput(const QAudioDevice& device);
+    ~AudioSinkOutput() override; ///< ends the thread
+
+    void set(const SoundCues& cues) noexcept override { m_cues.publish(cues); }
+    bool works() const noexcept override { return m_works.load(std::memory_order_relaxed); }
+
+private:
+    realtime::LatestValue<SoundCues> m_cues;
+    std::atomic<bool> m_works{true};
+    std::unique_ptr<QThread> m_thread;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/training/control_bar.h"
+
+#include "desktop/widgets/kit.h"
+
+#include <QHBoxLayout>
+
+namespace chiron::desktop {
+
+ControlBar::ControlBar(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(theme.px(10));
+    m_stop = add(tr("Stop force (Esc)"), "danger", QStringLiteral("process-stop"), QStringLiteral("training.stop"));
+    m_stop->setFont(theme.font(TextStyle::title));
+    m_stop->setMinimumHeight(theme.px(56));
+    row->addWidget(m_stop, 3);
+    m_main = add({}, "primary", {}, QStringLiteral("training.main"));
+    m_main->setMinimumHeight(theme.px(56));
+    row->addWidget(m_main, 2);
+    m_resumeHere = add(tr("Resume here"), "", QStringLiteral("go-jump"), QStringLiteral("training.resume_here"));
+    m_resumeHere->setMinimumHeight(theme.px(56));
+    row->addWidget(m_resumeHere, 2);
+    m_end = add(tr("End session …"), "", QStringLiteral("media-playback-stop"), QStringLiteral("training.end"));
+    m_end->setMinimumHeight(theme.px(56));
+    row->addWidget(m_end, 1);
+    connect(m_stop, &QPushButton::clicked, this, &ControlBar::stopAsked);
+    connect(m_main, &QPushButton::clicked, this, [this] { emit mainAsked(m_is); });
+    connect(m_resumeHere, &QPushButton::clicked, this, &ControlBar::resumeHereAsked);
+    connect(m_end, &QPushButton::clicked, this, &ControlBar::endAsked);
+    m_resumeHere->hide();
+    setMain(Main::pause);
+    setRunning(false);
+}
+
+QPushButton* ControlBar::add(const QString& text, const char* kind, const QString& icon, const QString& name) {
+    auto* button = kit::button(m_theme, text, kind, icon);
+    button->setObjectName(name);
+    return button;
+}
+
+void ControlBar::setMain(Main main) {
+    if (main == m_is)
+        return;
+    m_is = main;
+    QString text = tr("Pause (Space)");
+    QString icon = QStringLiteral("media-playback-pause");
+    if (main == Main::resume) {
+        text = tr("Resume (Space)");
+        icon = QStringLiteral("media-playback-start");
+    } else if (main == Main::rearm) {
+        text = tr("Re-arm (R)");
+        icon = QStringLiteral("view-refresh");
+    }
+    m_main->setText(text);
+    m_main->setIcon(m_theme.icon(icon, Colour::accentText));
+    m_main->setIconSize(QSize(m_theme.px(20), m_theme.px(20)));
+}
+
+void ControlBar::setResumeHere(bool possible) { m_resumeHere->setVisible(possible); }
+
+void ControlBar::setRunning(bool running) {
+    for (QPushButton* button : {m_stop, m_main, m_resumeHere, m_end})
+        button->setEnabled(running);
+}
+
+} // namespace chiron::desktop

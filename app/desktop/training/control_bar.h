@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+
+#include <QWidget>
+
+class QPushButton;
+
+namespace chiron::desktop {
+
+/// The buttons of a running session: stop force (large), pause / resume / re-arm in one place, resume here, end. GUI thread.
+class ControlBar final : public QWidget {
+    Q_OBJECT
+public:
+    enum class Main { pause, resume, rearm };
+
+    explicit ControlBar(const Theme& theme, QWidget* parent = nullptr);
+
+    void setMain(Main main);
+    void setResumeHere(bool possible); ///< shown only while it does something
+    void setRunning(bool running);     ///< false: nothing to press yet, or no longer
+    QPushButton* mainButton() const { return m_main; }
+
+signals:
+    void stopAsked();
+    void mainAsked(chiron::desktop::ControlBar::Main main);
+    void resumeHereAsked();
+    void endAsked();
+
+private:
+    QPushButton* add(const QString& text, const char* kind, const QString& icon, const QString& name);
+
+    const Theme& m_theme;
+    Main m_is = Main::resume;
+    QPushButton* m_stop;
+    QPushButton* m_main;
+    QPushButton* m_resumeHere;
+    QPushButton* m_end;
+};
+
+} // namespace chiron::desktop

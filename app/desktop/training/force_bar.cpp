@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/training/force_bar.h"
+
+#include <QPainter>
+#include <cmath>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr double kReach = 1.25; // of the limit: what lies above it must be seen as above
+} // namespace
+
+ForceBar::ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_quantity(std::move(quantity)), m_numbers(numbers) {
+    setAccessibleName(m_quantity.name);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+QSize ForceBar::sizeHint() const { return {m_theme.px(200), m_theme.px(44)}; }
+
+void ForceBar::setValue(double value) {
+    if (!std::isfinite(value) || value == m_value)
+        return;
+    const bool wasOver = isOver();
+    m_value = value;
+    if (wasOver != isOver())
+        setAccessibleDescription(words());
+    update();
+}
+
+QString ForceBar::words() const {
+    if (!m_numbers)
+        return isOver() ? tr("over the limit") : QString();
+    const QString number = m_locale.toString(m_value, 'f', m_quantity.decimals);
+    return isOver() ? tr("%1 %2, over the limit").arg(number, m_quantity.unit) : tr("%1 %2").arg(number, m_quantity.unit);
+}
+
+void ForceBar::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setFont(m_theme.font(TextStyle::label));
+    const int textHeight = painter.fontMetrics().height();
+    const QRect head(0, 0, width(), textHeight);
+    painter.setPen(m_theme.color(Colour::text));
+    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, m_quantity.name);
+    painter.setPen(m_theme.color(isOver() ? Colour::bad : Colour::text));
+    painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, words());
+
+    const QRect track(0, textHeight + m_theme.px(4), width() - 1, m_theme.px(16));
+    painter.setPen(m_theme.color(Colour::borderStrong));
+    painter.setBrush(m_theme.color(Colour::raised));
+    painter.drawRect(track);
+    const double share = std::clamp(m_value / (m_quantity.limit * kReach), 0.0, 1.0);
+    const QRect filled(track.left() + 1, track.top() + 1, qRound(share * (track.width() - 1)), track.height() - 1);
+    painter.fillRect(filled, m_theme.color(isOver() ? Colour::bad : Colour::seriesA));
+    const int limitX = track.left() + qRound(track.width() / kReach);
+    if (isOver()) // not by colour alone
+        painter.fillRect(filled, QBrush(m_theme.color(Colour::surface), Qt::BDiagPattern));
+    painter.setPen(QPen(m_theme.color(Colour::text), m_theme.px(2)));
+    painter.drawLine(limitX, track.top() - m_theme.px(3), limitX, track.bottom() + m_theme.px(3));
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+
+#include <QLocale>
+#include <QWidget>
+
+namespace chiron::desktop {
+
+/// A level between nothing and a quarter more than the limit, with the limit as a line; above it the bar is hatched and
+/// says so in words. Shows its number only where the level allows numbers. GUI thread.
+class ForceBar final : public QWidget {
+    Q_OBJECT
+public:
+    struct Quantity {
+        QString name;        ///< "Force"
+        QString unit;        ///< "N"
+        double limit = 4.0;  ///< in that unit
+        int decimals = 2;
+    };
+    ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent = nullptr);
+
+    void setValue(double value); ///< in the quantity's unit, from 0
+    bool isOver() const noexcept { return m_value > m_quantity.limit; }
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    QString words() const;
+
+    const Theme& m_theme;
+    QLocale m_locale;
+    Quantity m_quantity;
+    bool m_numbers;
+    double m_value = 0.0;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "desktop/training/force_words.h"
+
+#include <QFrame>
+
+class QLabel;
+
+namespace chiron::desktop {
+
+/// What force is doing, as a notice whose words and sign change. GUI thread.
+class ForceNotice final : public QFrame {
+    Q_OBJECT
+public:
+    explicit ForceNotice(const Theme& theme, QWidget* parent = nullptr);
+
+    void show(const ForceWords& words); ///< cheap where nothing changed
+    const ForceWords& words() const noexcept { return m_words; }
+
+private:
+    const Theme& m_theme;
+    ForceWords m_words;
+    QLabel* m_sign;
+    QLabel* m_title;
+    QLabel* m_text;
+};
+
+} // namespace chiron::desktop

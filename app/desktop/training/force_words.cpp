@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/training/force_words.h"
+
+#include <QCoreApplication>
+
+namespace chiron::desktop {
+
+using core::ForceState;
+namespace guard_bits = core::guard_bits;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(ForceWords)
+};
+
+ForceWords stoppedWords() {
+    return {"bad", Words::tr("Force is stopped"),
+            Words::tr("The clock stands still and everything so far is kept. Press Re-arm (or R) to go on, or End.")};
+}
+
+ForceWords faultWords(std::uint32_t guards) {
+    QString why = Words::tr("The safety supervisor took force away.");
+    if ((guards & guard_bits::kOverVelocity) != 0)
+        why = Words::tr("The tool moved faster than is safe, so force was taken away.");
+    else if ((guards & (guard_bits::kWatchdogFault | guard_bits::kWatchdog)) != 0)
+        why = Words::tr("The device's data came too late, so force was taken away.");
+    else if ((guards & (guard_bits::kSampleFault | guard_bits::kBadSample)) != 0)
+        why = Words::tr("The device sent positions that cannot be right, so force was taken away.");
+    else if ((guards & guard_bits::kDeviceFault) != 0)
+        why = Words::tr("The device reports a fault, so force was taken away.");
+    else if ((guards & guard_bits::kNotFinite) != 0)
+        why = Words::tr("The calculated force was not a number, so force was taken away. Please report this.");
+    return {"bad", why, Words::tr("The clock stands still and everything so far is kept. Hold the tool safely, then press Re-arm (or R).")};
+}
+
+ForceWords armingWords(const haptics::DisplayState& state) {
+    switch (state.waitsFor) {
+    case haptics::ArmingWait::firstPacket:
+        return {"warning", Words::tr("Waiting for the device"), Words::tr("No usable position has come yet. Check that it is on.")};
+    case haptics::ArmingWait::holdStill:
+        return {"warning", Words::tr("Hold still"), Words::tr("Hold the tool still for half a second; force then rises slowly.")};
+    case haptics::ArmingWait::window:
+        return {"warning", Words::tr("Force is held"), Words::tr("The window did not answer for a moment. Force comes back by itself.")};
+    default:
+        return {"warning", Words::tr("Force is waiting"),
+                Words::tr("Move the tool out of contact, or hold it still and press Resume here.")};
+    }
+}
+
+ForceWords shownWords(const haptics::DisplayState& state, bool ownHand) {
+    if (!ownHand)
+        return {"info", Words::tr("You are watching"), Words::tr("Force is shown, not felt.")};
+    if (state.tool[0].noMovement)
+        return {"warning", Words::tr("No movement"), Words::tr("Nothing has moved for two seconds. Move the mouse over the scene or press an arrow key.")};
+    return {"info", Words::tr("Shown, not felt"),
+            Words::tr("This device renders no force. The tool stays at the surface and moves more slowly the harder you press.")};
+}
+
+} // namespace
+
+ForceWords forceWords(const haptics::DisplayState& state, const AskedFor& asked, const QLocale& locale) {
+    if (!state.started)
+        return {"info", Words::tr("Getting ready"), Words::tr("The first trial begins as soon as the scene is drawn.")};
+    if (state.force == ForceState::fault)
+        return faultWords(state.guards);
+    if (asked.stopped || state.force == ForceState::stopped)
+        return stoppedWords();
+    if (asked.paused)
+        return {"info", Words::tr("Paused"), Words::tr("The clock stands still. Press Resume or Space to go on.")};
+    if (!asked.felt || !asked.ownHand)
+        return shownWords(state, asked.ownHand);
+    switch (state.force) {
+    case ForceState::ramping:
+        return {"info", Words::tr("Force is coming"),
+                Words::tr("It rises slowly; the clock starts at full strength (%1 %).").arg(locale.toString(qRound(state.gain * 10.0) * 10))};
+    case ForceState::on:
+        return {"good", Words::tr("Force is on"), Words::tr("Esc stops it at once.")};
+    case ForceState::heldByHeartbeat:
+        return {"warning", Words::tr("Force is held"), Words::tr("The window did not answer for a moment. Force comes back by itself.")};
+    case ForceState::heldByWatchdog:
+        return {"warning", Words::tr("Force is held"), Words::tr("The device's data come late. Force comes back when they are on time.")};
+    case ForceState::pausing:
+    case ForceState::paused:
+        return {"info", Words::tr("Paused"), Words::tr("The clock stands still. Press Resume or Space to go on.")};
+    default:
+        return armingWords(state);
+    }
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "haptics/display_state.h"
+
+#include <QFrame>
+#include <QLocale>
+
+class QLabel;
+class QPushButton;
+
+namespace chiron::desktop {
+
+/// What is being done, on what, which trial of how many, and how long is left of it. GUI thread.
+class HeaderBar final : public QFrame {
+    Q_OBJECT
+public:
+    struct Titles {
+        QString exercise;
+        QString level;
+        QString device;
+        QString deviceIcon;
+        int trials = 1;
+        bool sound = false;         ///< the level has sound cues: there is something to mute
+        bool familiarisation = false;
+    };
+    HeaderBar(const Theme& theme, const QLocale& locale, const Titles& titles, QWidget* parent = nullptr);
+
+    void show(const haptics::DisplayState& state);
+    void setMuted(bool muted);
+    void setSilent(const QString& why); ///< no output: said here, once, quietly
+
+signals:
+    void muteAsked();
+
+private:
+    const Theme& m_theme;
+    QLocale m_locale;
+    int m_trials;
+    QLabel* m_trial;
+    QLabel* m_left;
+    QPushButton* m_mute = nullptr;
+    int m_shownTrial = -1;
+    int m_shownLeft_s = -1;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/training/info_panel.h"
+
+#include "desktop/training/force_bar.h"
+#include "desktop/training/live_plot.h"
+#include "desktop/widgets/kit.h"
+
+#include <QGridLayout>
+#include <cmath>
+
+namespace chiron::desktop {
+
+namespace {
+
+constexpr int kNumbersEvery_frames = 6;  // ten times a second: digits that can be read
+constexpr double kSpeedAxis_mm_per_s = 60.0;
+
+template <class A>
+double norm3(const A& v, std::size_t at = 0) {
+    return std::hypot(v[at], v[at + 1], v[at + 2]);
+}
+
+} // namespace
+
+InfoPanel::InfoPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, Limits limits, QWidget* parent)
+    : QFrame(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_limits(limits) {
+    setProperty("kind", QStringLiteral("card"));
+    m_column = new QVBoxLayout(this);
+    m_column->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(10));
+    m_column->setSpacing(theme.px(10));
+    m_elapsed = kit::label(theme, tr("Elapsed: %1").arg(QStringLiteral("0:00")), TextStyle::strong);
+    m_elapsed->setObjectName(QStringLiteral("training.elapsed"));
+    m_column->addWidget(m_elapsed);
+    if (cues.bars)
+        addBars();
+    if (cues.numbers)
+        addNumbers();
+    if (cues.plots)
+        addPlots();
+    if (!cues.bars && !cues.numbers && !cues.plots) {
+        auto* none = kit::label(theme, tr("This level shows no measurements: work by what you feel. Everything is recorded and in the results."),
+                                TextStyle::body, "muted");
+        none->setObjectName(QStringLiteral("training.no_cues"));
+        m_column->addWidget(none);
+    }
+    m_column->addStretch();
+    m_loop = kit::label(theme, {}, TextStyle::small, "muted");
+    m_loop->setObjectName(QStringLiteral("training.loop"));
+    m_column->addWidget(m_loop);
+}
+
+void InfoPanel::addBars() {
+    m_force = new ForceBar(m_theme, m_locale, {tr("Force"), tr("N"), m_limits.force_N, 2}, m_cues.numbers);
+    m_force->setObjectName(QStringLiteral("training.force_bar"));
+    m_column->addWidget(m_force);
+    m_torque = new ForceBar(m_theme, m_locale, {tr("Torque"), tr("mN·m"), m_limits.torque_Nm * 1e3, 0}, m_cues.numbers);
+    m_torque->setObjectName(QStringLiteral("training.torque_bar"));
+    m_column->addWidget(m_torque);
+}
+
+void InfoPanel::addNumbers() {
+    m_column->addWidget(kit::label(m_theme, tr("Tip"), TextStyle::strong));
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(m_theme.px(12));
+    grid->setVerticalSpacing(m_theme.px(2));
+    m_tip[0] = addNumber(tr("to the right"), QStringLiteral("training.tip_x"), *grid);
+    m_tip[1] = addNumber(tr("away from you"), QStringLiteral("training.tip_y"), *grid);
+    m_tip[2] = addNumber(tr("up"), QStringLiteral("training.tip_z"), *grid);
+    m_speed = addNumber(tr("speed"), QStringLiteral("training.speed"), *grid);
+    m_column->addLayout(grid);
+}
+
+QLabel* InfoPanel::addNumber(const QString& name, const QString& objectName, QGridLayout& grid) {
+    const int row = grid.rowCount();
+    grid.addWidget(kit::label(m_theme, name, TextStyle::small, "muted"), row, 0);
+    auto* number = kit::line(m_theme, {}, TextStyle::mono);
+    number->setObjectName(objectName);
+    number->setAccessibleName(name);
+    number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    grid.addWidget(number, row, 1);
+    grid.setColumnStretch(0, 1);
+    return number;
+}
+
+void InfoPanel::addPlots() {
+    m_forcePlot = new LivePlot(m_theme, m_locale, tr("Force (N)"), m_limits.force_N * 1.25, m_limits.force_N);
+    m_forcePlot->setObjectName(QStringLiteral("training.force_plot"));
+    m_column->addWidget(m_forcePlot);
+    m_speedPlot = new LivePlot(m_theme, m_locale, tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
+    m_speedPlot->setObjectName(QStringLiteral("training.speed_plot"));
+    m_column->addWidget(m_speedPlot);
+}
+
+void InfoPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
+    if (m_start_ns == 0)
+        m_start_ns = state.now_ns;
+    const haptics::ToolDisplay& tool = state.tool[0];
+    if (m_force) {
+        m_force->setValue(norm3(tool.tissue));
+        m_torque->setValue(norm3(tool.tissue, 3) * 1e3);
+    }
+    if (m_forcePlot) {
+        for (const session::LiveSample& sample : samples) {
+            m_forcePlot->add(sample.t_s, static_cast<double>(sample.tissueNorm_N));
+            m_speedPlot->add(sample.t_s, static_cast<double>(sample.speed_m_per_s) * 1e3);
+        }
+        m_forcePlot->update();
+        m_speedPlot->update();
+    }
+    if (m_frame++ % kNumbersEvery_frames != 0)
+        return;
+    if (m_cues.numbers)
+        showNumbers(tool);
+    showLoop(state);
+    const std::int64_t second = (state.now_ns - m_start_ns) / 1'000'000'000;
+    if (second != m_shownSecond) {
+        m_shownSecond = second;
+        m_elapsed->setText(tr("Elapsed: %1").arg(QStringLiteral("%1:%2").arg(second / 60).arg(second % 60, 2, 10, QLatin1Char('0'))));
+    }
+}
+
+void InfoPanel::showNumbers(const haptics::ToolDisplay& tool) {
+    for (std::size_t i = 0; i < m_tip.size(); ++i)
+        m_tip[i]->setText(tr("%1 mm").arg(m_locale.toString(tool.p_WT_m[i] * 1e3, 'f', 1)));
+    m_speed->setText(tr("%1 mm/s").arg(m_locale.toString(norm3(tool.v_WT_m_per_s) * 1e3, 'f', 0)));
+}
+
+void InfoPanel::showLoop(const haptics::DisplayState& state) {
+    if (state.droppedFrames > 0)
+        m_loop->setText(tr("%n samples could not be recorded: this session will be incomplete.", nullptr,
+                           static_cast<int>(std::min<std::uint64_t>(state.droppedFrames, 1'000'000'000))));
+    else if (state.lateTicks > 0)
+        m_loop->setText(tr("Recording complete; %n ticks late", nullptr,
+                           static_cast<int>(std::min<std::uint64_t>(state.lateTicks, 1'000'000'000))));
+    else
+        m_loop->setText(tr("Recording complete; every tick on time"));
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "haptics/display_state.h"
+#include "session/level_cues.h"
+#include "session/live_sample.h"
+
+#include <QFrame>
+#include <QLocale>
+#include <span>
+
+class QLabel;
+
+namespace chiron::desktop {
+
+class ForceBar;
+class LivePlot;
+
+/// What is measured right now, as far as the level allows it: bars, numbers, plots; and how the loop does. GUI thread.
+class InfoPanel final : public QFrame {
+    Q_OBJECT
+public:
+    struct Limits {
+        double force_N = 4.0;
+        double torque_Nm = 0.150;
+    };
+    InfoPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, Limits limits,
+              QWidget* parent = nullptr);
+
+    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples);
+
+private:
+    void addBars();
+    void addNumbers();
+    void addPlots();
+    QLabel* addNumber(const QString& name, const QString& objectName, class QGridLayout& grid);
+    void showNumbers(const haptics::ToolDisplay& tool);
+    void showLoop(const haptics::DisplayState& state);
+
+    const Theme& m_theme;
+    QLocale m_locale;
+    session::LevelCues m_cues;
+    Limits m_limits;
+    class QVBoxLayout* m_column;
+    QLabel* m_elapsed = nullptr;
+    ForceBar* m_force = nullptr;
+    ForceBar* m_torque = nullptr;
+    std::array<QLabel*, 3> m_tip{};
+    QLabel* m_speed = nullptr;
+    LivePlot* m_forcePlot = nullptr;
+    LivePlot* m_speedPlot = nullptr;
+    QLabel* m_loop = nullptr;
+    std::int64_t m_start_ns = 0;
+    std::int64_t m_shownSecond = -1;
+    int m_frame = 0;
+};
+
+} // namespace chiron::desktop

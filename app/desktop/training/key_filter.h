@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+
+class QKeyEvent;
+class QWidget;
+
+namespace chiron::desktop {
+
+/// The training screen's keys, wherever the focus is, in the native window of the 3D scene too: a filter on the application.
+/// Esc stops force at once and closes nothing while force may flow; Space pauses and resumes; Enter marks, or presses the
+/// button that has the focus; R re-arms; arrows and PageUp/PageDown move the tool; Tab leaves the scene for the controls.
+/// While a dialog is open or a text is being typed, Esc alone is taken. GUI thread.
+class KeyFilter final : public QObject {
+    Q_OBJECT
+public:
+    explicit KeyFilter(QWidget& screen);
+    ~KeyFilter() override;
+
+    void setScene(QObject* inputSource) { m_scene = inputSource; } ///< may be a window without widgets
+    void setActive(bool active);                                   ///< from the session's begin to its end
+    /// Paused or stopped: then Esc may do elsewhere what it usually does.
+    void setHeld(bool held) { m_held = held; }
+
+signals:
+    void stopAsked();
+    void pauseAsked();
+    void rearmAsked();
+    void markAsked();
+    void toolKey(int key, bool down);
+    void leaveSceneAsked(bool forward); ///< Tab while the scene has the focus
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    bool elsewhere() const; ///< a dialog is open or a text is being typed
+    bool takes(const QKeyEvent& event, QObject* watched) const;
+    void act(const QKeyEvent& event);
+
+    QWidget& m_screen;
+    QPointer<QObject> m_scene;
+    bool m_active = false;
+    bool m_held = false;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/training/live_feed.h"
+
+namespace chiron::desktop {
+
+core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(database::Database& database, const database::Actor& actor,
+                                                        session::TrainingRequest request) {
+    std::unique_ptr<LiveFeed> feed(new LiveFeed);
+    feed->m_samples.reserve(session::LiveLink::kSamples);
+    auto training = session::LiveTraining::start(database, actor, std::move(request), [to = feed.get()] {
+        QMetaObject::invokeMethod(to, [to] {
+            to->tick(); // the last state is shown before the end is told
+            to->m_timer.stop();
+            emit to->finished();
+        }, Qt::QueuedConnection);
+    });
+    if (!training)
+        return tl::unexpected(training.error());
+    feed->m_training = std::move(*training);
+    feed->m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&feed->m_timer, &QTimer::timeout, feed.get(), &LiveFeed::tick);
+    feed->m_timer.start(kFrame_ms);
+    return feed;
+}
+
+LiveFeed::~LiveFeed() = default;
+
+void LiveFeed::tick() {
+    m_training->beat();
+    m_training->display().read(m_state);
+    m_samples.clear();
+    for (session::LiveSample sample; m_samples.size() < m_samples.capacity() && m_training->samples().tryPop(sample);) {
+        m_samples.push_back(sample);
+        m_contacts += (sample.events & core::event_bits::kContactBegan) != 0 ? 1 : 0;
+    }
+    emit frame();
+}
+
+} // namespace chiron::desktop

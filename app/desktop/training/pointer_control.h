@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "devices/drivers/keyboard_mouse/pointer_mailbox.h"
+
+#include <QPointF>
+#include <set>
+
+namespace chiron::desktop {
+
+/// From pixels, wheel steps and held keys to metres of the hand in D (x to the right, y away from the person, z up). GUI
+/// thread; the mailbox outlives it.
+class PointerControl {
+public:
+    static constexpr double kMetresPerPixel = 0.0001;  ///< at 100 % scale: 650 pixels are the field's radius
+    static constexpr double kMetresPerWheelStep = 0.002; ///< one notch (120 eighths of a degree)
+    static constexpr double kKeySpeed_m_per_s = 0.030;
+
+    /// `scale`: of the screen, so that a hand's way across a larger picture is as long as across a small one. `mirrored`: the
+    /// workspace is left-handed; to the right on the screen stays to the right in the scene.
+    PointerControl(devices::PointerMailbox& mailbox, double scale, bool mirrored = false)
+        : m_mailbox(mailbox), m_scale(scale), m_right(mirrored ? -1.0 : 1.0) {}
+
+    /// The pointer moved by this many pixels (y down): across the field, or up and down while `lifting`.
+    void drag(QPointF pixels, bool lifting) noexcept;
+    void wheel(int eighthsOfDegree) noexcept;
+    /// Arrows and PageUp/PageDown (Qt::Key). False: not one of them.
+    bool keyDown(int key);
+    bool keyUp(int key);
+    void releaseKeys(); ///< paused, or the window lost the keyboard: nothing may go on moving
+    void click();       ///< "here it is"
+
+private:
+    void sendRate();
+
+    devices::PointerMailbox& m_mailbox;
+    double m_scale;
+    double m_right; ///< sign of x in D that is to the right in W
+    std::set<int> m_held;
+};
+
+} // namespace chiron::desktop

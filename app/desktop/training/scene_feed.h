@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+#include "desktop/scene3d/scene_setup.h"
+#include "desktop/scene3d/scene_state.h"
+#include "desktop/theme/theme.h"
+#include "haptics/display_state.h"
+#include "session/level_cues.h"
+
+namespace chiron::desktop {
+
+/// What a scene is set up with for a level in a theme.
+scene3d::SceneSetup sceneSetupOf(const catalogue::ExerciseLevel& level, const session::LevelCues& cues, const Theme& theme,
+                                 bool leftHanded);
+
+/// What is drawn of a tick: only what the level lets be seen. `startedAt_ns`: now_ns of the first tick.
+scene3d::SceneState sceneStateOf(const haptics::DisplayState& shown, const session::LevelCues& cues, std::int64_t startedAt_ns);
+
+} // namespace chiron::desktop

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/training/pointer_control.h"
+
+#include <QObject>
+#include <QPointer>
+
+class QMouseEvent;
+class QWidget;
+
+namespace chiron::desktop {
+
+/// Mouse and wheel over the scene as hand movements. While captured the pointer is hidden and kept inside the scene, so
+/// that no edge ends a movement; a click marks. Free, it is an ordinary pointer and a click asks for capture. GUI thread.
+class ScenePointer final : public QObject {
+    Q_OBJECT
+public:
+    /// `source`: where events arrive (ISceneView::inputSource()); `area`: the widget that it fills.
+    ScenePointer(PointerControl& control, QObject& source, QWidget& area, QObject* parent = nullptr);
+    ~ScenePointer() override;
+
+    void capture();
+    void release();
+    bool captured() const noexcept { return m_captured; }
+
+signals:
+    void marked();
+    void captureAsked(); ///< a click while the pointer was free
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void moved(const QMouseEvent& event);
+    void backToMiddle();
+    void setCursorShape(Qt::CursorShape shape);
+
+    PointerControl& m_control;
+    QPointer<QObject> m_source;
+    QPointer<QWidget> m_area;
+    bool m_captured = false;
+    bool m_known = false;   ///< m_last is a place of this capture
+    QPointF m_last;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/training/training_plan.h"
+
+#include "recording/crash_ring.h"
+#include "scoring/trace_csv.h"
+
+#include <QRandomGenerator>
+
+namespace chiron::desktop {
+
+namespace {
+
+core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level, std::uint64_t seed) {
+    switch (plan.device) {
+    case PlanDevice::mouse:
+        return session::keyboardMouseStation(plan.workspace);
+    case PlanDevice::demonstration: {
+        auto kind = session::exerciseKind(level.exercise);
+        if (!kind)
+            return tl::unexpected(kind.error());
+        return session::scriptedStation(**kind, plan.operatorName.toStdString(), seed);
+    }
+    case PlanDevice::trace:
+        break;
+    }
+    auto rows = scoring::readTraceCsvFile(plan.traceFile.toStdString());
+    if (!rows)
+        return tl::unexpected(rows.error());
+    return session::traceStation(*rows);
+}
+
+QString wordOf(PlanDevice device) {
+    switch (device) {
+    case PlanDevice::demonstration:
+        return QStringLiteral("demonstration");
+    case PlanDevice::trace:
+        return QStringLiteral("trace");
+    case PlanDevice::mouse:
+        break;
+    }
+    return QStringLiteral("mouse");
+}
+
+PlanDevice deviceOf(const QString& word) {
+    for (const PlanDevice device : {PlanDevice::demonstration, PlanDevice::trace})
+        if (word == wordOf(device))
+            return device;
+    return PlanDevice::mouse;
+}
+
+} // namespace
+
+QVariantMap TrainingPlan::toMap() const {
+    return {{QStringLiteral("exercise"), exercise},
+            {QStringLiteral("level"), level},
+            {QStringLiteral("device"), wordOf(device)},
+            {QStringLiteral("operator"), operatorName},
+            {QStringLiteral("trace"), traceFile},
+            {QStringLiteral("scale"), workspace.scale},
+            {QStringLiteral("origin_x_m"), workspace.origin_m[0]},
+            {QStringLiteral("origin_y_m"), workspace.origin_m[1]},
+            {QStringLiteral("origin_z_m"), workspace.origin_m[2]},
+            {QStringLiteral("left_handed"), workspace.leftHanded},
+            {QStringLiteral("familiarisation"), familiarisation}};
+}
+
+TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
+    TrainingPlan plan;
+    plan.exercise = map.value(QStringLiteral("exercise")).toString();
+    plan.level = map.value(QStringLiteral("level"), 1).toInt();
+    plan.device = deviceOf(map.value(QStringLiteral("device")).toString());
+    plan.operatorName = map.value(QStringLiteral("operator")).toString();
+    plan.traceFile = map.value(QStringLiteral("trace")).toString();
+    plan.workspace.scale = map.value(QStringLiteral("scale"), 1.0).toDouble();
+    plan.workspace.origin_m = {map.value(QStringLiteral("origin_x_m")).toDouble(), map.value(QStringLiteral("origin_y_m")).toDouble(),
+                               map.value(QStringLiteral("origin_z_m")).toDouble()};
+    plan.workspace.leftHanded = map.value(QStringLiteral("left_handed")).toBool();
+    plan.familiarisation = map.value(QStringLiteral("familiarisation")).toBool();
+    return plan;
+}
+
+core::Result<session::TrainingRequest> requestOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level) {
+    session::TrainingRequest request;
+    request.level = level;
+    request.seed = QRandomGenerator::global()->generate64() >> 1; // stays readable as a signed number everywhere
+    request.familiarisation = plan.familiarisation && plan.ownHand();
+    request.ringFolder = recording::defaultRingFolder();
+    auto station = stationOf(plan, level, request.seed);
+    if (!station)
+        return tl::unexpected(station.error());
+    request.station = std::move(*station);
+    return request;
+}
+
+database::Actor actorOf(const TrainingPlan& plan, const database::Actor& person) {
+    return plan.device == PlanDevice::demonstration ? database::Actor::simulated() : person;
+}
+
+} // namespace chiron::desktop

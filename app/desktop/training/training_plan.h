@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/catalogue.h"
+#include "session/station.h"
+#include "session/training_run.h"
+
+#include <QString>
+#include <QVariantMap>
+
+namespace chiron::desktop {
+
+/// Who or what moves the tool.
+enum class PlanDevice { mouse, demonstration, trace };
+
+/// What was chosen on the set-up screen: enough to begin the session, and small enough for a Place.
+struct TrainingPlan {
+    QString exercise;
+    int level = 1;
+    PlanDevice device = PlanDevice::mouse;
+    QString operatorName; ///< demonstration
+    QString traceFile;    ///< trace
+    session::WorkspaceChoice workspace; ///< mouse
+    bool familiarisation = false;
+
+    bool ownHand() const { return device == PlanDevice::mouse; }
+    QVariantMap toMap() const;
+    static TrainingPlan fromMap(const QVariantMap& map); ///< what is missing or unknown is as in a new plan
+};
+
+/// The session of a plan, with a seed of its own. A demonstration belongs to the simulated account: it is nobody's score.
+/// Reads the trace file, so a worker's task. Failure: as the station's (a trace's names file and row).
+core::Result<session::TrainingRequest> requestOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level);
+database::Actor actorOf(const TrainingPlan& plan, const database::Actor& person);
+
+} // namespace chiron::desktop

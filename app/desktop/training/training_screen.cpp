@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A session from prepared to stored.
+#include "desktop/training/training_screen.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/scene3d/scene_loader.h"
+#include "desktop/training/force_notice.h"
+#include "desktop/training/header_bar.h"
+#include "desktop/training/info_panel.h"
+#include "desktop/training/key_filter.h"
+#include "desktop/training/scene_feed.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QGuiApplication>
+#include <QTimer>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr int kSceneWait_ms = 4000; // a scene that is never drawn (a covered window) does not keep a session from beginning
+} // namespace
+
+TrainingScreen::~TrainingScreen() {
+    m_keys->setActive(false);
+    m_pointer.reset();
+    m_hand.reset();
+    m_control.reset();
+    m_feed.reset(); // ends what still runs, and waits until it is stored
+    context().setTrialRuns(false);
+}
+
+void TrainingScreen::enter() {
+    setFocus();
+    if (!m_level)
+        fail({core::ErrorCode::notFound, "exercise \"" + m_plan.exercise.toStdString() + "\": no level " + std::to_string(m_plan.level)});
+}
+
+void TrainingScreen::paintEvent(QPaintEvent* event) {
+    Screen::paintEvent(event);
+    if (m_painted || !m_level)
+        return;
+    m_painted = true; // the scene is loaded after the screen is seen
+    QTimer::singleShot(0, this, &TrainingScreen::prepare);
+}
+
+void TrainingScreen::prepare() {
+    context().background().run(
+        this,
+        [plan = m_plan, level = *m_level](WorkToken&) {
+            (void)scene3d::findWhyFlat(); // loads the 3D libraries while the window is alive
+            return requestOf(plan, level);
+        },
+        [this](core::Result<session::TrainingRequest> request) { loadScene(std::move(request)); });
+}
+
+void TrainingScreen::loadScene(core::Result<session::TrainingRequest> request) {
+    if (!request) {
+        fail(request.error());
+        return;
+    }
+    m_request = std::move(*request);
+    if (m_cues.sound)
+        if (const QString why = m_sound.open(); !why.isEmpty())
+            m_header->setSilent(why);
+    auto loaded = scene3d::makeSceneView(sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded), m_stage);
+    m_scene = std::move(loaded.view);
+    m_scene->widget()->setAccessibleName(tr("Scene"));
+    m_stage->setContent(m_scene->widget());
+    m_stage->showContent();
+    m_keys->setScene(m_scene->inputSource());
+    m_scene->onFirstFrame([alive = QPointer<TrainingScreen>(this)] {
+        if (alive)
+            alive->begin();
+    });
+    QTimer::singleShot(kSceneWait_ms, this, &TrainingScreen::begin);
+}
+
+void TrainingScreen::begin() {
+    if (m_feed || !m_request)
+        return;
+    auto feed = LiveFeed::start(context().site().database(), actorOf(m_plan, context().actor()), std::move(*m_request));
+    m_request.reset();
+    if (!feed) {
+        fail(feed.error());
+        return;
+    }
+    m_feed = std::move(*feed);
+    m_control.emplace(m_feed->training());
+    connect(m_feed.get(), &LiveFeed::frame, this, &TrainingScreen::onFrame);
+    connect(m_feed.get(), &LiveFeed::finished, this, &TrainingScreen::onFinished);
+    connectPointer();
+    connect(qGuiApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+        if (state != Qt::ApplicationActive && running() && m_pointer && !m_control->held())
+            pauseOrResume(); // the pointer belongs to another program now
+    });
+    context().setTrialRuns(true);
+    m_keys->setActive(true);
+    m_controls->setRunning(true);
+    m_control->begin();
+    goOn();
+}
+
+void TrainingScreen::connectPointer() {
+    devices::PointerMailbox* mailbox = m_feed->training().pointer();
+    if (!mailbox)
+        return;
+    m_hand.emplace(*mailbox, context().theme().scale(), m_plan.workspace.leftHanded);
+    m_pointer = std::make_unique<ScenePointer>(*m_hand, *m_scene->inputSource(), *m_scene->widget());
+    connect(m_pointer.get(), &ScenePointer::marked, this, [this] { m_hand->click(); });
+    connect(m_pointer.get(), &ScenePointer::captureAsked, this, [this] {
+        if (running() && !m_control->held())
+            goOn();
+    });
+}
+
+void TrainingScreen::onFrame() {
+    const haptics::DisplayState& state = m_feed->state();
+    if (m_over || state.tools == 0)
+        return;
+    if (m_start_ns == 0)
+        m_start_ns = state.now_ns;
+    const bool wasHeld = m_control->held();
+    m_control->look(state);
+    if (m_control->held() && !wasHeld)
+        hold();
+    m_scene->show(sceneStateOf(state, m_cues, m_start_ns));
+    m_header->show(state);
+    m_info->show(state, m_feed->samples());
+    m_sound.play(state, m_feed->contacts(), m_control->held());
+    showControls();
+    if (state.ended && !m_storing) {
+        m_storing = true;
+        hold();
+        m_controls->setRunning(false);
+        m_stage->showLoading(tr("Storing and scoring the session …"));
+    }
+}
+
+void TrainingScreen::showControls() {
+    const haptics::DisplayState& state = m_feed->state();
+    const bool felt = m_feed->training().felt() && m_plan.ownHand();
+    m_notice->show(forceWords(state, {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped()}, context().locale()));
+    const bool latched = m_control->stopped() || state.force == core::ForceState::stopped || state.force == core::ForceState::fault;
+    m_controls->setMain(latched ? ControlBar::Main::rearm : m_control->paused() ? ControlBar::Main::resume : ControlBar::Main::pause);
+    m_controls->setResumeHere(felt && state.force == core::ForceState::arming && state.waitsFor == haptics::ArmingWait::smallRequest);
+    m_keys->setHeld(m_control->held());
+}
+
+void TrainingScreen::onFinished() {
+    m_sound.silence();
+    m_over = true;
+    hold();
+    m_keys->setActive(false);
+    m_controls->setRunning(false);
+    context().setTrialRuns(false);
+    const core::Result<session::TrainingResult>& result = m_feed->training().result();
+    if (!result)
+        fail(result.error());
+    else
+        context().navigator().replace({QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(result->session)}}});
+}
+
+void TrainingScreen::fail(const core::Error& error) {
+    m_over = true;
+    m_controls->setRunning(false);
+    m_stage->showError(tr("The session could not be run"), error, [this] {
+        QVariantMap parameters = m_plan.toMap();
+        context().navigator().replace({QStringLiteral("exercise_setup"), parameters});
+    });
+}
+
+void TrainingScreen::stopForce() {
+    if (!running())
+        return;
+    m_control->stopForce();
+    hold();
+    showControls();
+}
+
+void TrainingScreen::pauseOrResume() {
+    if (!running() || m_storing)
+        return;
+    m_control->pauseOrResume();
+    m_control->held() ? hold() : goOn();
+    showControls();
+}
+
+void TrainingScreen::rearm() {
+    if (!running() || m_storing)
+        return;
+    m_control->rearm();
+    goOn();
+    showControls();
+}
+
+void TrainingScreen::mark() {
+    if (running() && m_plan.ownHand() && !m_control->held())
+        m_control->mark();
+}
+
+void TrainingScreen::end() {
+    if (!running() || m_storing)
+        return;
+    m_control->pause();
+    hold();
+    askToEnd(tr("End the session now?"), tr("End the session"), [this] {
+        if (running())
+            m_control->end();
+    });
+}
+
+bool TrainingScreen::mayLeave() {
+    if (!running())
+        return true;
+    m_control->pause();
+    hold();
+    bool leave = false;
+    askToEnd(tr("A session is running. End it and leave?"), tr("End and leave"), [&leave] { leave = true; });
+    if (leave && running()) { // its end is nobody's news any more: no debrief
+        disconnect(m_feed.get(), nullptr, this, nullptr);
+        m_over = true;
+        m_keys->setActive(false);
+        m_feed->training().requestStop();
+    }
+    return leave || !running();
+}
+
+void TrainingScreen::hold() {
+    if (m_hand)
+        m_hand->releaseKeys();
+    if (m_pointer)
+        m_pointer->release();
+}
+
+void TrainingScreen::goOn() {
+    if (m_pointer && !m_control->held())
+        m_pointer->capture();
+}
+
+void TrainingScreen::toggleMute() {
+    m_sound.setMuted(!m_sound.muted());
+    m_header->setMuted(m_sound.muted());
+    context().settings().setSound(!m_sound.muted());
+}
+
+} // namespace chiron::desktop

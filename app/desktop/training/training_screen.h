@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+#include "desktop/frame/screen.h"
+#include "desktop/scene3d/scene_view.h"
+#include "desktop/training/control_bar.h"
+#include "desktop/training/force_words.h"
+#include "desktop/training/live_feed.h"
+#include "desktop/training/pointer_control.h"
+#include "desktop/training/scene_pointer.h"
+#include "desktop/training/session_control.h"
+#include "desktop/training/sound_cue_player.h"
+#include "desktop/training/training_plan.h"
+#include "session/level_cues.h"
+
+#include <optional>
+
+namespace chiron::desktop {
+
+class ForceNotice;
+class HeaderBar;
+class InfoPanel;
+class KeyFilter;
+class StatePanel;
+
+/// A running session: control, graphics, info. Its place is a TrainingPlan. It loads the scene after it has been painted
+/// itself, begins the session when the scene has been drawn, and goes to the debrief when it is stored. GUI thread.
+class TrainingScreen final : public Screen {
+    Q_OBJECT
+public:
+    TrainingScreen(AppContext& context, const Place& place);
+    ~TrainingScreen() override;
+
+    QString title() const override;
+    void enter() override;
+    bool mayLeave() override;
+    bool isBusy() const override { return running(); }
+    std::vector<ScreenCommand> commands() override;
+    QString help() const override;
+
+    LiveFeed* feed() const { return m_feed.get(); } ///< null before the session begins
+    scene3d::ISceneView* scene() const { return m_scene.get(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    // training_screen_build.cpp
+    void build();
+    QWidget* buildSide();
+    void buildKeys();
+    void askToEnd(const QString& question, const QString& endText, std::function<void()> end);
+
+    // training_screen.cpp: from prepared to stored
+    void prepare();
+    void loadScene(core::Result<session::TrainingRequest> request);
+    void begin();
+    void connectPointer();
+    void onFrame();
+    void showControls();
+    void onFinished();
+    void fail(const core::Error& error);
+    bool running() const { return m_feed && !m_over; }
+
+    void stopForce();
+    void pauseOrResume();
+    void rearm();
+    void mark();
+    void end();
+    void hold();   ///< frees pointer and keys: paused or stopped
+    void goOn();   ///< takes them again
+    void toggleMute();
+
+    TrainingPlan m_plan;
+    const catalogue::ExerciseLevel* m_level = nullptr; ///< the catalogue's; null: no such level
+    session::LevelCues m_cues;
+    double m_limit_N = 4.0;
+
+    StatePanel* m_stage = nullptr;
+    HeaderBar* m_header = nullptr;
+    InfoPanel* m_info = nullptr;
+    ForceNotice* m_notice = nullptr;
+    ControlBar* m_controls = nullptr;
+    KeyFilter* m_keys = nullptr;
+    QWidget* m_side = nullptr;
+
+    bool m_painted = false;
+    bool m_over = false;    ///< stored or failed: nothing keeps anybody here
+    bool m_storing = false;
+    bool m_asking = false;
+    std::int64_t m_start_ns = 0;
+    std::unique_ptr<scene3d::ISceneView> m_scene;
+    std::optional<session::TrainingRequest> m_request; ///< prepared, waits for the scene
+    SoundCuePlayer m_sound;
+    // In this order: the session outlives what talks to it.
+    std::unique_ptr<LiveFeed> m_feed;
+    std::optional<SessionControl> m_control;
+    std::optional<PointerControl> m_hand;
+    std::unique_ptr<ScenePointer> m_pointer;
+};
+
+} // namespace chiron::desktop

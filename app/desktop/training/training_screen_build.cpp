@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the training screen is made of, and its words.
+#include "desktop/training/training_screen.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/training/force_notice.h"
+#include "desktop/training/header_bar.h"
+#include "desktop/training/info_panel.h"
+#include "desktop/training/key_filter.h"
+#include "desktop/training/training_words.h"
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/state_panel.h"
+#include "session/exercise_kind.h"
+
+#include <QHBoxLayout>
+#include <QMessageBox>
+#include <QResizeEvent>
+#include <QScrollArea>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr double kSideWidth_px = 290;
+constexpr double kLargestSideShare = 0.42; // of a small window: the scene stays the larger part
+} // namespace
+
+TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
+    : Screen(context, place), m_plan(TrainingPlan::fromMap(place.parameters)),
+      m_level(context.site().catalogue().find(m_plan.exercise.toStdString(), m_plan.level)), m_sound(4.0) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(title());
+    if (m_level) {
+        // Who watches feels nothing, whatever the device renders.
+        m_cues = session::cuesOf(*m_level, false);
+        if (const auto kind = session::exerciseKind(m_level->exercise))
+            m_limit_N = (*kind)->forceLimit_N(*m_level);
+    }
+    m_sound = SoundCuePlayer(m_limit_N);
+    m_sound.setMuted(!context.settings().sound());
+    build();
+    buildKeys();
+}
+
+void TrainingScreen::build() {
+    const Theme& theme = context().theme();
+    auto* column = new QVBoxLayout(this);
+    const int margin = theme.px(12);
+    column->setContentsMargins(margin, margin, margin, margin);
+    column->setSpacing(theme.px(10));
+    const std::string language = context().language().toStdString();
+    HeaderBar::Titles titles;
+    titles.exercise = title();
+    titles.level = m_level ? QString::fromStdString(catalogue::textIn(m_level->title, language)) : QString();
+    titles.device = deviceTitle(m_plan);
+    titles.sound = m_cues.sound;
+    titles.familiarisation = m_plan.familiarisation && m_plan.ownHand();
+    if (m_level)
+        if (const auto kind = session::exerciseKind(m_level->exercise))
+            titles.trials = (*kind)->trialCount(*m_level);
+    m_header = new HeaderBar(theme, context().locale(), titles);
+    m_header->setMuted(m_sound.muted());
+    connect(m_header, &HeaderBar::muteAsked, this, &TrainingScreen::toggleMute);
+    column->addWidget(m_header);
+
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(theme.px(10));
+    m_stage = new StatePanel(theme);
+    m_stage->showLoading(tr("Preparing the scene …"));
+    middle->addWidget(m_stage, 1);
+    m_side = buildSide();
+    middle->addWidget(m_side);
+    column->addLayout(middle, 1);
+
+    auto* keys = kit::label(theme, keysInWords(m_plan.ownHand()), TextStyle::small, "muted");
+    keys->setObjectName(QStringLiteral("training.keys"));
+    column->addWidget(keys);
+    m_controls = new ControlBar(theme);
+    column->addWidget(m_controls);
+    connect(m_controls, &ControlBar::stopAsked, this, &TrainingScreen::stopForce);
+    connect(m_controls, &ControlBar::endAsked, this, &TrainingScreen::end);
+    connect(m_controls, &ControlBar::resumeHereAsked, this, [this] {
+        if (m_control)
+            m_control->resumeHere();
+    });
+    connect(m_controls, &ControlBar::mainAsked, this, [this](ControlBar::Main main) {
+        main == ControlBar::Main::rearm ? rearm() : pauseOrResume();
+    });
+}
+
+QWidget* TrainingScreen::buildSide() {
+    const Theme& theme = context().theme();
+    auto* side = new QScrollArea;
+    side->setWidgetResizable(true);
+    side->setFrameShape(QFrame::NoFrame);
+    side->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    side->setFocusPolicy(Qt::NoFocus); // nothing in it can be changed
+    auto* inner = new QWidget;
+    inner->setProperty("kind", QStringLiteral("page"));
+    auto* column = new QVBoxLayout(inner);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(10));
+    m_notice = new ForceNotice(theme);
+    column->addWidget(m_notice);
+    if (m_level && m_level->needsForce && m_level->shownForce)
+        column->addWidget(kit::label(theme, QString::fromStdString(catalogue::textIn(m_level->shownForce->note, context().language().toStdString())),
+                                     TextStyle::small, "muted"));
+    m_info = new InfoPanel(theme, context().locale(), m_cues, {.force_N = m_limit_N});
+    column->addWidget(m_info, 1);
+    side->setWidget(inner);
+    m_notice->show(forceWords({}, {.felt = false, .ownHand = m_plan.ownHand()}, context().locale()));
+    return side;
+}
+
+void TrainingScreen::buildKeys() {
+    m_keys = new KeyFilter(*this);
+    connect(m_keys, &KeyFilter::stopAsked, this, &TrainingScreen::stopForce);
+    connect(m_keys, &KeyFilter::pauseAsked, this, &TrainingScreen::pauseOrResume);
+    connect(m_keys, &KeyFilter::rearmAsked, this, &TrainingScreen::rearm);
+    connect(m_keys, &KeyFilter::markAsked, this, &TrainingScreen::mark);
+    connect(m_keys, &KeyFilter::leaveSceneAsked, this, [this](bool) {
+        window()->activateWindow();
+        m_controls->mainButton()->setFocus(Qt::TabFocusReason);
+    });
+    connect(m_keys, &KeyFilter::toolKey, this, [this](int key, bool down) {
+        if (!m_hand || (down && m_control->held()))
+            return;
+        down ? m_hand->keyDown(key) : m_hand->keyUp(key);
+    });
+}
+
+void TrainingScreen::resizeEvent(QResizeEvent* event) {
+    Screen::resizeEvent(event);
+    m_side->setFixedWidth(std::min(context().theme().px(kSideWidth_px), static_cast<int>(kLargestSideShare * width())));
+}
+
+void TrainingScreen::askToEnd(const QString& question, const QString& endText, std::function<void()> end) {
+    if (m_asking)
+        return;
+    m_asking = true;
+    QMessageBox box(QMessageBox::Question, title(), question, QMessageBox::NoButton, window());
+    box.setObjectName(QStringLiteral("training.ask"));
+    box.setInformativeText(tr("What is recorded is kept. The session counts as stopped, not as completed."));
+    QPushButton* keep = box.addButton(tr("Keep training"), QMessageBox::RejectRole);
+    keep->setObjectName(QStringLiteral("training.ask.keep"));
+    QPushButton* leave = box.addButton(endText, QMessageBox::DestructiveRole);
+    leave->setObjectName(QStringLiteral("training.ask.end"));
+    box.setDefaultButton(keep);
+    box.setEscapeButton(keep);
+    box.exec();
+    m_asking = false;
+    if (box.clickedButton() == leave)
+        end();
+}
+
+QString TrainingScreen::title() const {
+    const catalogue::Exercise* exercise = context().site().catalogue().find(m_plan.exercise.toStdString());
+    return exercise ? QString::fromStdString(catalogue::textIn(exercise->title, context().language().toStdString())) : tr("Training");
+}
+
+QString TrainingScreen::help() const {
+    return tr("Here you work. On the left you see the scene, on the right what is measured, below the controls. A level shows only what "
+              "belongs to it; what is hidden is still recorded.\n\n"
+              "%1\n\n"
+              "Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it "
+              "is.\n\nAfter the last trial the debrief opens by itself.")
+        .arg(keysInWords(m_plan.ownHand()));
+}
+
+std::vector<ScreenCommand> TrainingScreen::commands() {
+    if (!running())
+        return {};
+    std::vector<ScreenCommand> list{
+        {tr("Stop force"), QKeySequence(Qt::Key_Escape), [this] { stopForce(); }, false},
+        {tr("Pause or go on"), QKeySequence(Qt::Key_Space), [this] { pauseOrResume(); }, false},
+        {tr("Re-arm force"), QKeySequence(Qt::Key_R), [this] { rearm(); }, false},
+        {tr("End the session"), {}, [this] { end(); }, true},
+    };
+    if (m_plan.ownHand())
+        list.push_back({tr("Mark this place"), QKeySequence(Qt::Key_Return), [this] { mark(); }, false});
+    if (m_cues.sound)
+        list.push_back({tr("Sound on or off"), {}, [this] { toggleMute(); }, true});
+    return list;
+}
+
+} // namespace chiron::desktop

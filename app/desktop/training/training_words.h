@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/training/training_plan.h"
+
+#include <QString>
+#include <string>
+
+namespace chiron::desktop {
+
+/// Words that set-up and training share.
+QString operatorTitle(const std::string& name); ///< "an expert"; a name that is not known as it is
+QString deviceTitle(const TrainingPlan& plan);  ///< with what is felt of it
+QString deviceIcon(PlanDevice device);          ///< Breeze name
+QString keysInWords(bool ownHand);              ///< how the tool is moved, marked, paused, stopped
+
+} // namespace chiron::desktop
