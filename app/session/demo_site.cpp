@@ -5,6 +5,10 @@
 #include "database/repositories/score_repository.h"
 #include "session/replayer.h"
 
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
 namespace chiron::session {
 
 namespace {
@@ -120,6 +124,31 @@ core::Result<std::vector<DemoResult>> makeDemoSite(database::Database& database,
         results.push_back(std::move(line));
     }
     return results;
+}
+
+core::Result<std::unique_ptr<database::Database>> createDemoSite(const std::string& file, const database::DatabaseOptions& options,
+                                                                 const catalogue::Catalogue& catalogue, std::uint64_t seed,
+                                                                 const std::function<void(const DemoProgress&)>& progress,
+                                                                 const std::atomic<bool>* cancel) {
+    const QString name = QString::fromStdString(file);
+    if (QFileInfo::exists(name))
+        return core::fail(core::ErrorCode::badInput, file + ": exists already; a demonstration is made in a new file");
+    database::DatabaseOptions marked = options;
+    marked.demonstration = true;
+    const std::string folder = database::siteFolderFor(file, marked);
+    const bool ownFolder = !QFileInfo::exists(QString::fromStdString(folder));
+    auto site = openSite(file, marked);
+    if (!site)
+        return tl::unexpected(site.error());
+    auto made = makeDemoSite(*site->database, catalogue, seed, progress, cancel);
+    if (made)
+        return std::move(site->database);
+    site->database.reset();
+    for (const char* suffix : {"", "-wal", "-shm"})
+        QFile::remove(name + QLatin1String(suffix));
+    if (ownFolder)
+        QDir(QString::fromStdString(folder)).removeRecursively();
+    return tl::unexpected(made.error());
 }
 
 } // namespace chiron::session

@@ -39,4 +39,11 @@ core::Result<std::vector<DemoResult>> makeDemoSite(database::Database& database,
                                                    const std::function<void(const DemoProgress&)>& progress,
                                                    const std::atomic<bool>* cancel = nullptr);
 
+/// makeDemoSite in a new file, opened for writing and marked *demonstration*. What was made goes again when it fails or is
+/// cancelled. Failure: badInput if the file exists (it is left as it is), storage, as makeDemoSite.
+core::Result<std::unique_ptr<database::Database>> createDemoSite(const std::string& file, const database::DatabaseOptions& options,
+                                                                 const catalogue::Catalogue& catalogue, std::uint64_t seed,
+                                                                 const std::function<void(const DemoProgress&)>& progress,
+                                                                 const std::atomic<bool>* cancel = nullptr);
+
 } // namespace chiron::session
