@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/screen_catalogue.h"
 
+#include "desktop/first_start/first_start_screen.h"
 #include "desktop/frame/screen.h"
+#include "desktop/login/login_screen.h"
 #include "desktop/settings/settings_screen.h"
 #include "desktop/training/training_screen.h"
 
@@ -24,6 +26,8 @@ const std::vector<ScreenEntry>& screenCatalogue() {
     // Ids of screens to come, so that places can already name them: first_start, login, home, exercise_setup {exercise, level},
     // training {plan}, debrief {session}, playback {session, at_s, ghost}, results, sessions, people, storage, station.
     static const std::vector<ScreenEntry> entries{
+        {"first_start", QT_TRANSLATE_NOOP("Screens", "Welcome"), "list-add-user", {}, false, &make<FirstStartScreen>},
+        {"login", QT_TRANSLATE_NOOP("Screens", "Log in"), "system-switch-user", {}, false, &make<LoginScreen>},
         {"training", QT_TRANSLATE_NOOP("Screens", "Training"), "media-playback-start", {}, false, &make<TrainingScreen>},
         {"settings", QT_TRANSLATE_NOOP("Screens", "Settings"), "configure", everybody, true, &make<SettingsScreen>},
     };

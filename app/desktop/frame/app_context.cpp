@@ -69,6 +69,13 @@ void AppContext::logOut() {
     emit actorChanged();
 }
 
+void AppContext::logOutNow() {
+    m_actor = database::Actor::anonymous();
+    emit actorChanged();
+    m_navigator.replaceNow({QStringLiteral("login"), {}});
+    m_navigator.forget();
+}
+
 void AppContext::applyAppearance() {
     m_theme = themeOf(m_settings);
     emit appearanceChanged();

@@ -42,6 +42,8 @@ public:
     void logIn(const database::Actor& actor);
     /// Switch user and log out: back to the login screen; what was recorded is kept.
     void logOut();
+    /// The same without asking the present screen: somebody else takes over a locked window.
+    void logOutNow();
     /// Theme, scale or language was changed in the settings: everything on the screen is built anew.
     void applyAppearance();
 

@@ -7,6 +7,7 @@
 #include "desktop/frame/message_bar.h"
 #include "desktop/frame/screen.h"
 #include "desktop/frame/side_bar.h"
+#include "desktop/lock/lock_controller.h"
 #include "desktop/screen_catalogue.h"
 #include "desktop/widgets/kit.h"
 
@@ -30,6 +31,7 @@ MainWindow::MainWindow(AppContext& context) : m_context(context) {
     };
     m_actions.close = [this] { close(); };
     build();
+    new LockController(context, *this);
     connect(&context.navigator(), &Navigator::moved, this, &MainWindow::showPlace);
     context.navigator().setGuard([this] { return !m_screen || m_screen->mayLeave(); });
     connect(&context, &AppContext::appearanceChanged, this, [this] {

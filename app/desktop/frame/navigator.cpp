@@ -20,8 +20,11 @@ void Navigator::go(const Place& place) {
 }
 
 void Navigator::replace(const Place& place) {
-    if (!mayLeave())
-        return;
+    if (mayLeave())
+        replaceNow(place);
+}
+
+void Navigator::replaceNow(const Place& place) {
     m_current = place;
     emit moved(m_current);
 }

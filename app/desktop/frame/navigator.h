@@ -22,6 +22,8 @@ public:
     void go(const QString& screen, const QVariantMap& parameters = {}) { go(Place{screen, parameters}); }
     /// The same without a past: for screens that nobody returns to (training -> debrief, login -> home).
     void replace(const Place& place);
+    /// replace() that asks nobody.
+    void replaceNow(const Place& place);
     void back();
     /// Forgets the past: after login and logout.
     void forget() { m_past.clear(); }

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/accounts/form.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/widgets/kit.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QLineEdit>
+#include <QStyle>
+
+namespace chiron::desktop::form {
+
+QLineEdit* textField(const Theme& theme, QVBoxLayout* layout, const QString& label, const QString& objectName) {
+    auto* words = kit::label(theme, label, TextStyle::label);
+    auto* field = new QLineEdit;
+    field->setObjectName(objectName);
+    field->setAccessibleName(label);
+    field->setFont(theme.font(TextStyle::body));
+    words->setBuddy(field);
+    auto* pair = new QVBoxLayout;
+    pair->setSpacing(theme.px(4));
+    pair->addWidget(words);
+    pair->addWidget(field);
+    layout->addLayout(pair);
+    return field;
+}
+
+QLineEdit* passwordField(const Theme& theme, QVBoxLayout* layout, const QString& label, const QString& objectName) {
+    auto* field = textField(theme, layout, label, objectName);
+    field->setEchoMode(QLineEdit::Password);
+    field->setInputMethodHints(Qt::ImhSensitiveData | Qt::ImhNoPredictiveText | Qt::ImhNoAutoUppercase);
+    return field;
+}
+
+void setKind(QWidget* widget, const char* kind) {
+    if (widget->property("kind") == QLatin1String(kind))
+        return;
+    widget->setProperty("kind", QLatin1String(kind));
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+}
+
+QComboBox* languageChoice(AppContext& context) {
+    auto* choice = new QComboBox;
+    choice->setObjectName(QStringLiteral("accounts.language"));
+    choice->setAccessibleName(QCoreApplication::translate("AccountForm", "Language"));
+    for (const auto& [id, name] : {std::pair{"en", "English"}, std::pair{"de", "Deutsch"}, std::pair{"el", "Ελληνικά"}})
+        choice->addItem(QString::fromUtf8(name), QString::fromLatin1(id));
+    choice->setCurrentIndex(choice->findData(context.language()));
+    QObject::connect(
+        choice, &QComboBox::activated, &context,
+        [&context, choice] {
+            context.settings().setLanguage(choice->currentData().toString());
+            context.applyAppearance();
+        },
+        Qt::QueuedConnection);
+    return choice;
+}
+
+} // namespace chiron::desktop::form

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/first_start/site_maker.h"
+#include "desktop/theme/theme.h"
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace chiron::desktop {
+
+class NoticeArea;
+class PasswordFields;
+
+/// The form of the first administrator. GUI thread.
+class AdministratorPage final : public QWidget {
+    Q_OBJECT
+public:
+    explicit AdministratorPage(const Theme& theme, QWidget* parent = nullptr);
+    void focusFirst();
+    void setWorking(bool working); ///< while the site is being made
+    void showProblem(const QString& text);
+
+signals:
+    void submitted(const chiron::desktop::AdministratorRequest& request);
+    void backAsked();
+
+private:
+    void renew();
+    void submit();
+
+    QLineEdit* m_name;
+    QLabel* m_nameRule;
+    QLineEdit* m_displayName;
+    PasswordFields* m_passwords;
+    NoticeArea* m_notice;
+    QPushButton* m_back;
+    QPushButton* m_create;
+    bool m_working = false;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/lock/idle_lock.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+
+namespace chiron::desktop {
+
+IdleLock::IdleLock(int idle_ms, QObject* parent) : QObject(parent), m_idle_ms(idle_ms) {
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, &IdleLock::look);
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+void IdleLock::touch() {
+    m_sinceTouch.start(); // the timer runs on and looks here when it ends: no timer is moved a thousand times a second
+}
+
+void IdleLock::setHeld(bool held) {
+    m_held = held;
+    restart();
+}
+
+void IdleLock::setActive(bool active) {
+    m_active = active;
+    restart();
+}
+
+void IdleLock::setIdle(int idle_ms) {
+    m_idle_ms = idle_ms;
+    restart();
+}
+
+void IdleLock::restart() {
+    m_timer.stop();
+    m_sinceTouch.start();
+    if (isAwake())
+        m_timer.start(m_idle_ms);
+}
+
+void IdleLock::look() {
+    const qint64 left = m_idle_ms - m_sinceTouch.elapsed();
+    if (left > 0) {
+        m_timer.start(static_cast<int>(left));
+        return;
+    }
+    emit idle();
+}
+
+bool IdleLock::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonPress:
+    case QEvent::Wheel:
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TabletMove:
+    case QEvent::TabletPress:
+        touch();
+        break;
+    default:
+        break;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace chiron::desktop

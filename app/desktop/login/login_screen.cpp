@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/login/login_screen.h"
+
+#include "database/accounts/account_service.h"
+#include "desktop/accounts/form.h"
+#include "desktop/accounts/recovery_code_panel.h"
+#include "desktop/frame/app_context.h"
+#include "desktop/login/login_form.h"
+#include "desktop/login/new_password_page.h"
+#include "desktop/login/recovery_page.h"
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/scroll_page.h"
+#include "desktop/widgets/state_panel.h"
+#include "session/demo_site.h"
+
+#include <QComboBox>
+
+namespace chiron::desktop {
+
+namespace {
+
+const QString kFailed = QStringLiteral("failed"); // the site could not be opened when this place was left
+
+/// Somebody who was let in, or why not; with the new recovery code where one was used.
+struct Recovered {
+    tl::expected<database::Actor, database::Refusal> actor;
+    std::string newCode;
+};
+
+Recovered recoverAndLogIn(database::Database& database, const std::string& name, const std::string& code, const std::string& password) {
+    database::AccountService accounts(database);
+    const auto newCode = accounts.tryRecover(name, code, password);
+    if (!newCode)
+        return {tl::unexpected(newCode.error()), {}};
+    return {accounts.tryLogin(name, password), *newCode};
+}
+
+} // namespace
+
+LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(context, place) {
+    const Theme& theme = context.theme();
+    auto* page = new ScrollPage(theme, 460);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(page);
+    auto* heading = kit::label(theme, QStringLiteral("Chiron"), TextStyle::display);
+    heading->setAlignment(Qt::AlignCenter);
+    const kit::Box box = kit::box(theme);
+    const int padding = theme.px(28);
+    box.layout->setContentsMargins(padding, padding, padding, padding);
+    m_room = box.layout;
+    m_site = new StatePanel(theme);
+    m_site->setObjectName(QStringLiteral("login.site"));
+    m_form = new LoginForm(theme);
+    m_site->setContent(m_form);
+    m_room->addWidget(m_site);
+    page->column()->addStretch(1);
+    page->column()->addWidget(heading);
+    page->column()->addWidget(box.frame);
+    page->column()->addStretch(1);
+    page->column()->addWidget(form::languageChoice(context), 0, Qt::AlignHCenter);
+    connect(m_form, &LoginForm::submitted, this, &LoginScreen::logIn);
+    connect(m_form, &LoginForm::forgotten, this, &LoginScreen::showRecovery);
+    m_site->showLoading(tr("Opening the site …"));
+}
+
+QString LoginScreen::title() const {
+    return tr("Log in");
+}
+
+QString LoginScreen::help() const {
+    return tr("Type a few letters of your name, or choose it in the list, then enter your password.\n\nAfter three wrong passwords the "
+              "account rests for a moment before the next attempt; the button counts the seconds. Nothing is lost by it.\n\nForgot "
+              "your password? An administrator can give you a new one. The first administrator has a recovery code.");
+}
+
+void LoginScreen::enter() {
+    connect(&context(), &AppContext::siteOpened, this, &LoginScreen::loadNames);
+    connect(&context(), &AppContext::siteFailed, this, &LoginScreen::siteFailed);
+    if (context().site().isOpen())
+        loadNames();
+    else if (place().parameters.value(kFailed).toBool())
+        openAgain(); // built anew after a failure: nobody else would tell
+}
+
+void LoginScreen::openAgain() {
+    m_site->showLoading(tr("Opening the site …"));
+    context().openSite();
+}
+
+void LoginScreen::siteFailed(const core::Error& error) {
+    context().navigator().note({{kFailed, true}});
+    m_site->showError(tr("The site could not be opened."), error, [this] { openAgain(); });
+}
+
+void LoginScreen::loadNames() {
+    database::Database* database = &context().site().database();
+    context().background().run(
+        this, [database](WorkToken&) { return database::AccountService(*database).listLoginNames(); },
+        [this](core::Result<std::vector<database::LoginName>> names) { namesLoaded(std::move(names)); });
+}
+
+void LoginScreen::namesLoaded(core::Result<std::vector<database::LoginName>> names) {
+    if (!names) {
+        m_site->showError(tr("The names could not be read."), names.error(), [this] {
+            m_site->showLoading(tr("Opening the site …"));
+            loadNames();
+        });
+        return;
+    }
+    if (names->empty()) { // a site always keeps an administrator: so nobody was ever added
+        context().navigator().replace({QStringLiteral("first_start"), {}});
+        return;
+    }
+    m_form->setNames(*names);
+    if (context().site().database().isDemonstration())
+        m_form->showDemonstrationHint(tr("This is a demonstration: choose anybody. The password of all of them is %1")
+                                          .arg(QString::fromLatin1(session::kDemoPassword)));
+    m_site->showContent();
+    m_form->focusFirst();
+}
+
+void LoginScreen::setPage(QWidget* page) {
+    if (m_page) {
+        m_page->hide();
+        m_page->deleteLater(); // the call may come from one of its own buttons
+    }
+    m_page = page;
+    m_site->setVisible(page == nullptr);
+    if (page)
+        m_room->addWidget(page);
+}
+
+void LoginScreen::showForm() {
+    setPage(nullptr);
+    m_form->setWorking(false);
+    m_form->focusFirst();
+}
+
+void LoginScreen::logIn(const QString& name, const QString& password) {
+    m_form->setWorking(true);
+    database::Database* database = &context().site().database();
+    context().background().run(
+        this,
+        [database, name = name.toStdString(), password = password.toStdString()](WorkToken&) {
+            return database::AccountService(*database).tryLogin(name, password);
+        },
+        [this, password](tl::expected<database::Actor, database::Refusal> actor) {
+            if (!actor)
+                m_form->showRefusal(actor.error());
+            else if (actor->mustChangePassword())
+                showForced(*actor, password);
+            else
+                context().logIn(*actor);
+        });
+}
+
+void LoginScreen::showForced(const database::Actor& actor, const QString& password) {
+    auto* page = new NewPasswordPage(context().theme(), QString::fromStdString(actor.name()));
+    connect(page, &NewPasswordPage::backAsked, this, &LoginScreen::showForm);
+    connect(page, &NewPasswordPage::submitted, this,
+            [this, page, actor, password](const QString& fresh) { changePassword(page, actor, password, fresh); });
+    setPage(page);
+    page->focusFirst();
+}
+
+void LoginScreen::changePassword(NewPasswordPage* page, const database::Actor& actor, const QString& oldPassword,
+                                 const QString& newPassword) {
+    if (oldPassword == newPassword) {
+        page->showProblem(tr("This is the password that you were given. Choose another one."));
+        return;
+    }
+    page->setWorking(true);
+    database::Database* database = &context().site().database();
+    context().background().run(
+        page,
+        [database, actor, old = oldPassword.toStdString(), fresh = newPassword.toStdString()](WorkToken&) -> core::Result<database::Actor> {
+            database::AccountService accounts(*database);
+            if (const auto changed = accounts.changePassword(actor, old, fresh); !changed)
+                return tl::unexpected(changed.error());
+            return accounts.login(actor.name(), fresh);
+        },
+        [this, page](core::Result<database::Actor> again) {
+            if (again) {
+                context().logIn(*again);
+                return;
+            }
+            page->setWorking(false);
+            page->showProblem(tr("The password was not changed.\n%1").arg(inWords(again.error())));
+        });
+}
+
+void LoginScreen::showRecovery() {
+    auto* page = new RecoveryPage(context().theme(), m_form->name());
+    connect(page, &RecoveryPage::backAsked, this, &LoginScreen::showForm);
+    connect(page, &RecoveryPage::submitted, this,
+            [this, page](const QString& name, const QString& code, const QString& password) { recover(page, name, code, password); });
+    setPage(page);
+    page->focusFirst();
+}
+
+void LoginScreen::recover(RecoveryPage* page, const QString& name, const QString& code, const QString& newPassword) {
+    page->setWorking(true);
+    database::Database* database = &context().site().database();
+    context().background().run(
+        page,
+        [database, name = name.toStdString(), code = code.toStdString(), password = newPassword.toStdString()](WorkToken&) {
+            return recoverAndLogIn(*database, name, code, password);
+        },
+        [this, page, name](Recovered done) {
+            if (done.newCode.empty())
+                page->showRefusal(done.actor.error());
+            else
+                showNewCode(done.actor ? *done.actor : database::Actor::anonymous(), name, QString::fromStdString(done.newCode));
+        });
+}
+
+void LoginScreen::showNewCode(const database::Actor& actor, const QString& name, const QString& code) {
+    auto* panel = new RecoveryCodePanel(context().theme(), name, code);
+    connect(panel, &RecoveryCodePanel::finished, this, [this, actor] {
+        if (actor.kind() == database::ActorKind::person)
+            context().logIn(actor);
+        else
+            showForm(); // the new password is set, but the login after it failed
+    });
+    setPage(panel);
+    if (auto* copy = panel->findChild<QWidget*>(QStringLiteral("recovery.copy")))
+        copy->setFocus();
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "database/accounts/person.h"
+#include "database/actor.h"
+#include "desktop/frame/screen.h"
+
+#include <tl/expected.hpp>
+#include <vector>
+
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+class LoginForm;
+class NewPasswordPage;
+class RecoveryPage;
+class StatePanel;
+
+/// Who is this? People by name, the password, what to do when it is forgotten. The first screen that is painted: its names
+/// come from the background once the site is open. Passwords are checked on a worker.
+class LoginScreen final : public Screen {
+    Q_OBJECT
+public:
+    LoginScreen(AppContext& context, const Place& place);
+
+    QString title() const override;
+    QString help() const override;
+    void enter() override;
+
+private:
+    void showForm();
+    void showForced(const database::Actor& actor, const QString& password);
+    void showRecovery();
+    void showNewCode(const database::Actor& actor, const QString& name, const QString& code);
+    void setPage(QWidget* page);
+    void loadNames();
+    void namesLoaded(core::Result<std::vector<database::LoginName>> names);
+    void siteFailed(const core::Error& error);
+    void openAgain();
+    void logIn(const QString& name, const QString& password);
+    void changePassword(NewPasswordPage* page, const database::Actor& actor, const QString& oldPassword, const QString& newPassword);
+    void recover(RecoveryPage* page, const QString& name, const QString& code, const QString& newPassword);
+
+    StatePanel* m_site; ///< opening, failed, or there
+    QVBoxLayout* m_room = nullptr;
+    QWidget* m_page = nullptr;
+    LoginForm* m_form = nullptr; ///< kept behind the other pages
+};
+
+} // namespace chiron::desktop

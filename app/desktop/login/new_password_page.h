@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+
+#include <QWidget>
+
+class QPushButton;
+
+namespace chiron::desktop {
+
+class NoticeArea;
+class PasswordFields;
+
+/// After a login with a password that somebody else has set: a new one of one's own before anything else. GUI thread.
+class NewPasswordPage final : public QWidget {
+    Q_OBJECT
+public:
+    NewPasswordPage(const Theme& theme, const QString& loginName, QWidget* parent = nullptr);
+    void focusFirst();
+    void setWorking(bool working);
+    void showProblem(const QString& text);
+
+signals:
+    void submitted(const QString& password);
+    void backAsked();
+
+private:
+    void renew();
+    void submit();
+
+    PasswordFields* m_passwords;
+    NoticeArea* m_notice;
+    QPushButton* m_save;
+    bool m_working = false;
+};
+
+} // namespace chiron::desktop

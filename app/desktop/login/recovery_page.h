@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/accounts/person.h"
+#include "desktop/theme/theme.h"
+
+#include <QWidget>
+
+class QLineEdit;
+class QPushButton;
+
+namespace chiron::desktop {
+
+class NoticeArea;
+class PasswordFields;
+class WaitCountdown;
+
+/// A forgotten password: who to ask, and for the administrator the recovery code. GUI thread.
+class RecoveryPage final : public QWidget {
+    Q_OBJECT
+public:
+    RecoveryPage(const Theme& theme, const QString& loginName, QWidget* parent = nullptr);
+    void focusFirst();
+    void setWorking(bool working);
+    void showRefusal(const database::Refusal& refusal);
+
+signals:
+    void submitted(const QString& name, const QString& code, const QString& newPassword);
+    void backAsked();
+
+private:
+    void renew();
+    void submit();
+
+    QLineEdit* m_name;
+    QLineEdit* m_code;
+    PasswordFields* m_passwords;
+    NoticeArea* m_notice;
+    QPushButton* m_save;
+    WaitCountdown* m_wait;
+    bool m_working = false;
+};
+
+} // namespace chiron::desktop
