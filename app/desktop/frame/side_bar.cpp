@@ -34,6 +34,7 @@ SideBar::SideBar(AppContext& context, QWidget* parent) : QWidget(parent), m_cont
 QPushButton* SideBar::entry(const QString& icon, const QString& text, const QString& name) {
     auto* button = kit::button(m_context.theme(), text);
     button->setIcon(m_context.theme().icon(icon, Colour::sidebarText));
+    button->setIconSize(QSize(m_context.theme().px(20), m_context.theme().px(20)));
     button->setObjectName(name);
     return button;
 }

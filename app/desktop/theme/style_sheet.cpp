@@ -63,15 +63,17 @@ QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QSpinBox:focus, QDoubleS
 QLineEdit:disabled, QPlainTextEdit:disabled, QComboBox:disabled { color: @muted; background: @raised; border-color: @border; }
 QLineEdit[kind="bad"] { border: 2px solid @bad; }
 QComboBox::drop-down { border: none; width: #24#; }
-QComboBox::down-arrow { width: #8#; height: #8#; border-left: 2px solid @text; border-bottom: 2px solid @text; margin-right: #8#; }
+QComboBox::down-arrow { image: url(:/theme/chevron_%INK%.svg); width: #14#; height: #14#; margin-right: #8#; }
 QComboBox QAbstractItemView { background: @surface; color: @text; border: 1px solid @borderStrong; selection-background-color: @accent;
     selection-color: @accentText; outline: none; }
 QCheckBox, QRadioButton { color: @text; spacing: #8#; background: transparent; padding: #3#; border: 2px solid transparent; border-radius: #6#; }
 QCheckBox:focus, QRadioButton:focus { border: 2px solid @focus; }
 QCheckBox::indicator, QRadioButton::indicator { width: #18#; height: #18#; border: 2px solid @borderStrong; background: @surface; }
 QCheckBox::indicator { border-radius: #4#; }
-QRadioButton::indicator { border-radius: #10#; }
-QCheckBox::indicator:checked, QRadioButton::indicator:checked { background: @accent; border-color: @accent; }
+QRadioButton::indicator { border-radius: #11#; }
+QCheckBox::indicator:checked { background: @accent; border-color: @accent; image: url(:/theme/check_%ONACCENT%.svg); }
+QRadioButton::indicator:checked { border-color: @accent; background: qradialgradient(cx: 0.5, cy: 0.5, radius: 0.5, fx: 0.5, fy: 0.5,
+    stop: 0 @accent, stop: 0.55 @accent, stop: 0.62 @surface, stop: 1 @surface); }
 QTableView, QListView, QTreeView, QTableWidget, QListWidget { background: @surface; color: @text; border: 1px solid @border;
     border-radius: #8#; gridline-color: @grid; alternate-background-color: @raised; outline: none; selection-background-color: @accentSoft;
     selection-color: @text; }
@@ -127,6 +129,9 @@ QString inScale(QString sheet, const Theme& theme) {
 
 QString Theme::styleSheet() const {
     QString sheet = inScale(QString::fromLatin1(kSheet), *this);
+    const auto drawing = [this](Colour ink) { return color(ink).lightness() > 128 ? QStringLiteral("light") : QStringLiteral("dark"); };
+    sheet.replace(QStringLiteral("%INK%"), drawing(Colour::text));
+    sheet.replace(QStringLiteral("%ONACCENT%"), drawing(Colour::accentText));
     // Longer names first, so that @accent does not eat the beginning of @accentSoft.
     std::vector<std::pair<QString, QColor>> names;
 #define CHIRON_COLOUR(role) names.emplace_back(QStringLiteral("@" #role), color(Colour::role));
