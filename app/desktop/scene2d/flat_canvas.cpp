@@ -1,19 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene2d/flat_canvas.h"
 
+#include "desktop/scene2d/flat_tools.h"
+#include "desktop/scene3d/gauge_painter.h"
+
 #include <QPainter>
 #include <QTimer>
+#include <algorithm>
 
 namespace chiron::scene3d {
 
+namespace {
+constexpr double kGap = 12.0; // logical pixels at scale 1
+}
+
 FlatCanvas::FlatCanvas(const SceneSetup& setup, const QString& why, QWidget* parent)
-    : QWidget(parent), m_setup(setup), m_why(why) {
+    : QWidget(parent), m_setup(setup), m_why(why), m_content(makeFlatContent(setup)) {
     setObjectName(QStringLiteral("scene.flat"));
     setAccessibleName(tr("Operating field from above and from the side"));
+    setAccessibleDescription(why);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
 }
+
+FlatCanvas::~FlatCanvas() = default;
 
 void FlatCanvas::setState(const SceneState& state) {
     m_state = state;
@@ -22,24 +33,136 @@ void FlatCanvas::setState(const SceneState& state) {
 
 void FlatCanvas::setSetup(const SceneSetup& setup) {
     m_setup = setup;
+    m_content = makeFlatContent(setup);
+    updateGeometry();
     update();
 }
 
 void FlatCanvas::onFirstFrame(std::function<void()> call) {
     m_firstFrame = std::move(call);
     if (m_frames > 0)
-        update();
+        QTimer::singleShot(0, this, std::exchange(m_firstFrame, nullptr));
 }
 
 QSize FlatCanvas::minimumSizeHint() const {
-    return QSize(320, 240) * m_setup.scale;
+    return {320, 240};
+}
+
+QSize FlatCanvas::sizeHint() const {
+    return QSize(800, 600) * m_setup.scale;
+}
+
+QRectF FlatCanvas::paintReason(QPainter& painter) const {
+    const double gap = kGap * m_setup.scale;
+    QRectF room = QRectF(rect()).adjusted(gap, gap, -gap, -gap);
+    if (m_why.isEmpty())
+        return room;
+    QFont font(m_setup.family);
+    font.setPixelSize(std::max(1, int(13.0 * m_setup.scale)));
+    painter.setFont(font);
+    painter.setPen(m_setup.colours.ink);
+    constexpr int kFlags = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
+    const QRectF line = painter.boundingRect(room, kFlags, m_why);
+    painter.drawText(room, kFlags, m_why);
+    room.setBottom(line.top() - 0.7 * gap);
+    return room;
+}
+
+QRectF FlatCanvas::paintBar(QPainter& painter, const QRectF& room) const {
+    if (!m_setup.cues.arrow)
+        return room;
+    const double unit = std::min(m_setup.scale, room.height() / GaugePainter::kHeight);
+    const double share = largestForce_N(m_state) / std::max(0.1, m_setup.forceLimit_N);
+    const QRectF hollow = GaugePainter::hollow();
+    painter.save();
+    painter.translate(room.right() - GaugePainter::kWidth * unit,
+                      room.center().y() - 0.5 * GaugePainter::kHeight * unit);
+    painter.scale(unit, unit);
+    painter.fillRect(hollow, m_setup.colours.background);
+    QRectF liquid = hollow;
+    liquid.setTop(hollow.bottom() - hollow.height() * std::min(1.0, share / GaugePainter::kRange));
+    painter.fillRect(liquid, share > 1.0 ? m_setup.colours.over : m_setup.colours.arrow);
+    if (share > 1.0)
+        painter.fillRect(liquid, QBrush(m_setup.colours.background, Qt::BDiagPattern));
+    GaugePainter(m_setup).paint(painter);
+    painter.restore();
+    return room.adjusted(0.0, 0.0, -(GaugePainter::kWidth * unit + kGap * m_setup.scale), 0.0);
+}
+
+void FlatCanvas::placePanels(FlatPanel& above, FlatPanel& side, const QRectF& room) const {
+    const double gap = kGap * m_setup.scale;
+    const QSizeF frameAbove = above.cardSize(0.0);
+    const QSizeF frameSide = side.cardSize(0.0);
+    const QRectF a = above.range_mm();
+    const QRectF s = side.range_mm();
+    // One under the other they share the x axis; side by side they suit a wide widget. The larger picture wins.
+    const double stacked = std::min((room.height() - gap - frameAbove.height() - frameSide.height()) / (a.height() + s.height()),
+                                    (room.width() - frameAbove.width()) / std::max(a.width(), s.width()));
+    const double beside = std::min((room.width() - gap - frameAbove.width() - frameSide.width()) / (a.width() + s.width()),
+                                   (room.height() - frameAbove.height()) / std::max(a.height(), s.height()));
+    const double scale = std::max(0.3, std::max(stacked, beside));
+    const QSizeF sizeAbove = above.cardSize(scale);
+    if (beside > stacked)
+        side.extendUp(sizeAbove.height(), scale);
+    const QSizeF sizeSide = side.cardSize(scale);
+    if (stacked >= beside) {
+        const double left = room.center().x() - 0.5 * sizeAbove.width();
+        const double top = room.center().y() - 0.5 * (sizeAbove.height() + gap + sizeSide.height());
+        above.place({left, top}, scale);
+        side.place({left, top + sizeAbove.height() + gap}, scale);
+        return;
+    }
+    const double left = room.center().x() - 0.5 * (sizeAbove.width() + gap + sizeSide.width());
+    const double top = room.center().y() - 0.5 * sizeAbove.height();
+    above.place({left, top}, scale);
+    side.place({left + sizeAbove.width() + gap, top}, scale);
+}
+
+void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel) {
+    const bool fromAbove = panel.side() == FlatPanel::Side::above;
+    panel.paintCard(painter, fromAbove ? tr("From above") : tr("From the side"), tr("x (mm)"),
+                    fromAbove ? tr("y (mm)") : tr("z (mm)"));
+    painter.save();
+    painter.setClipRect(panel.plot());
+    m_content->paint(painter, panel, m_setup, m_state);
+    FlatTools tools(painter, panel, m_setup);
+    if (m_state.marked) {
+        core::Vec3 p = m_state.p_WMark;
+        p.z() = std::max(p.z(), m_content->groundHeight_m(m_state, p.x(), p.y()));
+        tools.paintPin(p);
+    }
+    if (m_state.ghost.present)
+        tools.paintTool(m_state.ghost, m_ghostHeld.of(m_state.ghost, m_setup.leftHanded), true);
+    for (std::size_t i = 0; i < m_state.tool.size(); ++i) {
+        const ToolView& tool = m_state.tool[i];
+        if (!tool.present)
+            continue;
+        if (m_setup.cues.tool) {
+            const core::Vec3 tip = drawnTip(tool);
+            tools.paintDropLine(tool, m_content->groundHeight_m(m_state, tip.x(), tip.y()));
+            tools.paintTool(tool, m_held[i].of(tool, m_setup.leftHanded), false);
+        }
+        if (m_setup.cues.arrow)
+            tools.paintArrow(tool);
+    }
+    painter.restore();
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(m_setup.colours.ink, m_setup.scale));
+    painter.drawRect(panel.plot());
 }
 
 void FlatCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), m_setup.colours.background);
-    painter.setPen(m_setup.colours.ink);
-    painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignBottom | Qt::AlignHCenter | Qt::TextWordWrap, m_why);
+    const QRectF room = paintBar(painter, paintReason(painter));
+    if (m_content) {
+        FlatPanel above(FlatPanel::Side::above, m_content->rangeAbove_mm(), m_setup);
+        FlatPanel side(FlatPanel::Side::side, m_content->rangeSide_mm(), m_setup);
+        placePanels(above, side, room);
+        paintPanel(painter, above);
+        paintPanel(painter, side);
+    }
     ++m_frames;
     if (m_firstFrame)
         QTimer::singleShot(0, this, std::exchange(m_firstFrame, nullptr));

@@ -1,35 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/scene_setup.h"
-#include "desktop/scene3d/scene_state.h"
+#include "desktop/scene2d/flat_content.h"
+#include "desktop/scene3d/drawn_tool.h"
 
 #include <QCoreApplication>
 #include <QWidget>
+#include <array>
 #include <functional>
+#include <memory>
 
 namespace chiron::scene3d {
 
-/// The widget of FlatSceneView: lays out the two panels and the line that says why it is flat.
+/// The widget of FlatSceneView: lays out the two panels, the force bar and the line that says why it is flat.
 class FlatCanvas final : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(chiron::scene3d::FlatCanvas)
 
 public:
     FlatCanvas(const SceneSetup& setup, const QString& why, QWidget* parent);
+    ~FlatCanvas() override;
 
     void setState(const SceneState& state);
     void setSetup(const SceneSetup& setup);
     std::uint64_t framesDrawn() const { return m_frames; }
     void onFirstFrame(std::function<void()> call);
     QSize minimumSizeHint() const override;
+    QSize sizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    QRectF paintReason(QPainter& painter) const; ///< returns what is left of the widget
+    QRectF paintBar(QPainter& painter, const QRectF& room) const;
+    void placePanels(FlatPanel& above, FlatPanel& side, const QRectF& room) const;
+    void paintPanel(QPainter& painter, const FlatPanel& panel);
+
     SceneSetup m_setup;
     SceneState m_state;
     QString m_why;
+    std::unique_ptr<IFlatContent> m_content;
+    std::array<DrawnOrientation, core::kMaxTools> m_held;
+    DrawnOrientation m_ghostHeld;
     std::uint64_t m_frames = 0;
     std::function<void()> m_firstFrame;
 };

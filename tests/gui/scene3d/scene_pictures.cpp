@@ -37,7 +37,8 @@ std::map<QString, SceneState> states() {
     all["playback"].marked = true;
     all["playback"].p_WMark = {0.017, 0.003, 0.019};
     all["playback"].ghost = samples::inAir().tool[0];
-    all["playback"].ghost.p_WT = {0.035, 0.02, 0.022};
+    all["playback"].ghost.p_WT = {-0.022, -0.025, 0.012};
+    all["playback"].ghost.q_WT = chiron::core::Quat(Eigen::AngleAxisd(-0.25, chiron::core::Vec3::UnitY()));
     all["z_turned"] = samples::inAir();
     all["z_turned"].tool[0].q_WT = chiron::core::Quat(Eigen::AngleAxisd(0.3, chiron::core::Vec3::UnitX()));
     all["z_turned"].tool[0].jaw_rad = 0.6;

@@ -26,15 +26,17 @@ TriangleMesh headMesh() {
 
 } // namespace
 
-ForceArrow::ForceArrow(Qt3DCore::QNode* parent)
+ForceArrow::ForceArrow(SharedLight& light, Qt3DCore::QNode* parent)
     : QEntity(parent), m_pose(new Qt3DCore::QTransform(this)),
       m_tint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)),
       m_lineTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)) {
     addComponent(m_pose);
-    auto* material = makeMaterial("solid.vert", "signal.frag", {m_tint}, Blend::opaque, this);
-    auto* line = makeMaterial("solid.vert", "signal.frag", {m_lineTint}, Blend::opaque, this);
+    auto* material = light.effects.material("solid.vert", "signal.frag", {m_tint}, Blend::opaque, this);
+    auto* line = light.effects.material("solid.vert", "signal.frag", {m_lineTint}, Blend::opaque, this);
     m_stem = new Part(stemMesh(), material, this);
     m_head = new Part(headMesh(), material, this);
+    m_way = new Part(stemMesh(), line, this);
+    m_way->at().setScale3D({0.28F, 0.28F, float(kLimit_mm)});
     m_limit = new Part(ringMesh(5.2, 0.55), line, this);
     for (Part*& ring : m_rings)
         ring = new Part(ringMesh(3.2, 0.8), material, this);

@@ -2,16 +2,18 @@
 #pragma once
 
 #include "desktop/scene3d/plugin/qt3d_parts.h"
+#include "desktop/scene3d/plugin/shared_light.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
 
 namespace chiron::scene3d {
 
-/// The force on the tool as an arrow from its tip, 10 mm a quarter of the limit, with a ring where the limit lies. Over the limit
-/// it changes colour, grows thicker and wears rings: never colour alone. Drawn over the instrument.
+/// The force on the tool as an arrow from its tip, 10 mm a quarter of the limit, with a ring where the limit lies
+/// and a thin line to it. Over the limit it changes colour, grows thicker and wears rings: never colour alone.
+/// Drawn over the instrument.
 class ForceArrow final : public Qt3DCore::QEntity {
 public:
-    explicit ForceArrow(Qt3DCore::QNode* parent);
+    ForceArrow(SharedLight& light, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup);
     void show(const ToolView& tool);
@@ -27,6 +29,7 @@ private:
     Qt3DRender::QParameter* m_lineTint;
     Part* m_stem;
     Part* m_head;
+    Part* m_way; ///< thin, from the tip to the limit's ring
     Part* m_limit;
     Part* m_rings[3];
 };

@@ -20,7 +20,7 @@ TriangleMesh unitSquare() {
 
 } // namespace
 
-ForceGauge::ForceGauge(Qt3DCore::QNode* parent) : QEntity(parent) {
+ForceGauge::ForceGauge(SharedLight& light, Qt3DCore::QNode* parent) : QEntity(parent) {
     const auto parameter = [this](const char* name, const QVariant& value) {
         return new Qt3DRender::QParameter(QLatin1String(name), value, this);
     };
@@ -29,7 +29,7 @@ ForceGauge::ForceGauge(Qt3DCore::QNode* parent) : QEntity(parent) {
     texture->setMinificationFilter(Qt3DRender::QAbstractTexture::Linear);
     texture->setMagnificationFilter(Qt3DRender::QAbstractTexture::Linear);
     m_face = new GaugeFace(texture);
-    m_face->setSize(QSize(int(GaugeFace::kWidth), int(GaugeFace::kHeight)));
+    m_face->setSize(QSize(int(GaugePainter::kWidth), int(GaugePainter::kHeight)));
     texture->addTextureImage(m_face);
     m_spot = parameter("spot", QVector4D());
     m_column = parameter("column", QVector4D(0, 0, 1, 1));
@@ -37,7 +37,7 @@ ForceGauge::ForceGauge(Qt3DCore::QNode* parent) : QEntity(parent) {
     m_hollow = parameter("hollow", QVector3D());
     m_over = parameter("over", 0.0F);
     m_size = parameter("size_px", QVector2D(1, 1));
-    auto* material = makeMaterial("gauge.vert", "gauge.frag",
+    auto* material = light.effects.material("gauge.vert", "gauge.frag",
                                   {m_spot, m_column, m_fill, m_hollow, m_over, m_size,
                                    parameter("face", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(texture))},
                                   Blend::premultiplied, this);
@@ -61,15 +61,18 @@ void ForceGauge::place() {
     const double high = std::max(1, m_picture_px.height());
     const double margin = 12.0 * m_ratio;
     // On a small picture the bar shrinks with it.
-    const double unit = std::min(m_setup.scale * m_ratio, (high - 2.0 * margin) / GaugeFace::kHeight);
-    const double width_px = std::ceil(GaugeFace::kWidth * unit);
-    const double height_px = std::ceil(GaugeFace::kHeight * unit);
+    const double unit = std::min(m_setup.scale * m_ratio, (high - 2.0 * margin) / GaugePainter::kHeight);
+    const double width_px = std::ceil(GaugePainter::kWidth * unit);
+    const double height_px = std::ceil(GaugePainter::kHeight * unit);
     m_face->change(m_setup, std::max(0.2, unit));
     m_widthShare = m_setup.cues.arrow ? (width_px + margin) / wide : 0.0;
     m_spot->setValue(QVector4D(float(1.0 - 2.0 * (width_px + margin) / wide), float(-height_px / high),
                                float(2.0 * width_px / wide), float(2.0 * height_px / high)));
-    const QRectF hollow = m_face->hollow();
-    m_column->setValue(QVector4D(float(hollow.x()), float(hollow.y()), float(hollow.width()), float(hollow.height())));
+    const QRectF hollow = GaugePainter::hollow(); // from the top; the shader counts from the bottom
+    m_column->setValue(QVector4D(float(hollow.left() / GaugePainter::kWidth),
+                                 float(1.0 - hollow.bottom() / GaugePainter::kHeight),
+                                 float(hollow.width() / GaugePainter::kWidth),
+                                 float(hollow.height() / GaugePainter::kHeight)));
     m_hollow->setValue(toTint(m_setup.colours.background).toVector3D());
     m_size->setValue(QVector2D(float(width_px / unit), float(height_px / unit)));
 }
@@ -77,15 +80,12 @@ void ForceGauge::place() {
 void ForceGauge::show(const SceneState& state) {
     if (!m_setup.cues.arrow)
         return;
-    double force_N = 0.0; // the largest of all tools: the limit holds for each
-    for (const ToolView& tool : state.tool)
-        if (tool.present)
-            force_N = std::max(force_N, tool.force_N.norm());
+    const double force_N = largestForce_N(state);
     const double share = force_N / std::max(0.1, m_setup.forceLimit_N);
     const bool over = share > 1.0;
     m_over->setValue(over ? 1.0F : 0.0F);
     m_fill->setValue(toTint(over ? m_setup.colours.over : m_setup.colours.arrow,
-                            float(std::min(1.0, share / GaugeFace::kRange))));
+                            float(std::min(1.0, share / GaugePainter::kRange))));
 }
 
 } // namespace chiron::scene3d

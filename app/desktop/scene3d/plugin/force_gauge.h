@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/scene3d/plugin/qt3d_parts.h"
+#include "desktop/scene3d/plugin/shared_light.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
 
@@ -15,7 +16,7 @@ class GaugeFace;
 /// lies in the picture because no widget may lie over a native window. One draw call.
 class ForceGauge final : public Qt3DCore::QEntity {
 public:
-    explicit ForceGauge(Qt3DCore::QNode* parent);
+    ForceGauge(SharedLight& light, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup);
     /// The picture's size in device pixels, and device pixels a logical one.

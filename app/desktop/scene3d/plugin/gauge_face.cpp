@@ -1,93 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene3d/plugin/gauge_face.h"
 
-#include <QCoreApplication>
-#include <QFont>
-#include <QLocale>
 #include <QPainter>
 #include <cmath>
 
 namespace chiron::scene3d {
 
-namespace {
-constexpr QRectF kHollow(12.0, 36.0, 20.0, 248.0); // logical pixels, from the top
-}
-
 void GaugeFace::change(const SceneSetup& setup, double unit_px) {
     m_setup = setup;
     m_unit_px = unit_px;
-    setSize(QSize(int(std::ceil(kWidth * unit_px)), int(std::ceil(kHeight * unit_px))));
+    setSize(QSize(int(std::ceil(GaugePainter::kWidth * unit_px)), int(std::ceil(GaugePainter::kHeight * unit_px))));
     update();
-}
-
-QRectF GaugeFace::hollow() const {
-    return {kHollow.left() / kWidth, 1.0 - kHollow.bottom() / kHeight, kHollow.width() / kWidth,
-            kHollow.height() / kHeight};
-}
-
-double GaugeFace::heightOf(double force_N) const {
-    return kHollow.bottom() - kHollow.height() * force_N / (kRange * m_setup.forceLimit_N);
-}
-
-QFont GaugeFace::font(double size, bool bold) const {
-    QFont font(m_setup.family);
-    font.setPixelSize(std::max(1, int(size)));
-    font.setBold(bold);
-    return font;
 }
 
 void GaugeFace::paint(QPainter* painter) {
     painter->setCompositionMode(QPainter::CompositionMode_Source);
     painter->fillRect(QRect(QPoint(0, 0), size()), Qt::transparent);
     painter->setCompositionMode(QPainter::CompositionMode_SourceOver);
-    painter->setRenderHint(QPainter::Antialiasing);
     painter->scale(m_unit_px, m_unit_px);
-    QColor card = m_setup.colours.background;
-    card.setAlphaF(m_setup.colours.highContrast ? 1.0F : 0.86F);
-    painter->setPen(m_setup.colours.highContrast ? QPen(m_setup.colours.ink, 1.5) : QPen(Qt::NoPen));
-    painter->setBrush(card);
-    painter->drawRoundedRect(QRectF(1, 1, kWidth - 2, kHeight - 2), 8, 8);
-    painter->setPen(m_setup.colours.ink);
-    painter->setFont(font(12, true));
-    painter->drawText(QRectF(4, 6, kWidth - 8, 24), Qt::AlignCenter,
-                      QCoreApplication::translate("chiron::scene3d::ForceGauge", "Force (N)"));
-    painter->setCompositionMode(QPainter::CompositionMode_Source);
-    painter->setPen(Qt::NoPen);
-    painter->setBrush(Qt::transparent);
-    painter->drawRect(kHollow);
-    painter->setCompositionMode(QPainter::CompositionMode_SourceOver);
-    paintScale(*painter);
-    paintLimit(*painter);
-}
-
-void GaugeFace::paintScale(QPainter& painter) const {
-    painter.setPen(QPen(m_setup.colours.ink, 1.2));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(kHollow);
-    painter.setFont(font(12, false));
-    const double range_N = kRange * m_setup.forceLimit_N;
-    double step_N = 0.1;
-    for (double next : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0})
-        if (range_N / step_N > 7.0)
-            step_N = next;
-    for (int i = 0; i * step_N <= range_N + 1e-9; ++i) {
-        const double y = heightOf(i * step_N);
-        painter.drawLine(QPointF(kHollow.right(), y), QPointF(kHollow.right() + 4.0, y));
-        if (std::abs(y - heightOf(m_setup.forceLimit_N)) < 12.0)
-            continue; // the limit's own number stands there
-        painter.drawText(QRectF(kHollow.right() + 7.0, y - 9.0, kWidth - kHollow.right() - 9.0, 18.0),
-                         Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(i * step_N, 'f', step_N < 1.0 ? 1 : 0));
-    }
-}
-
-void GaugeFace::paintLimit(QPainter& painter) const {
-    const double y = heightOf(m_setup.forceLimit_N);
-    painter.setPen(QPen(m_setup.colours.ink, 3.0));
-    painter.drawLine(QPointF(kHollow.left() - 5.0, y), QPointF(kHollow.right() + 6.0, y));
-    painter.setFont(font(13, true));
-    const bool whole = std::abs(m_setup.forceLimit_N - std::round(m_setup.forceLimit_N)) < 0.005;
-    painter.drawText(QRectF(kHollow.right() + 8.0, y - 9.0, kWidth - kHollow.right() - 10.0, 18.0),
-                     Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(m_setup.forceLimit_N, 'f', whole ? 0 : 1));
+    GaugePainter(m_setup).paint(*painter);
 }
 
 } // namespace chiron::scene3d

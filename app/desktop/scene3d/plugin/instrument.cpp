@@ -10,7 +10,7 @@ namespace chiron::scene3d {
 Instrument::Instrument(SharedLight& light, bool ghost, Qt3DCore::QNode* parent)
     : QEntity(parent), m_ghost(ghost), m_pose(new Qt3DCore::QTransform(this)),
       m_tint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(1, 1, 1, 1), this)) {
-    auto* material = makeMaterial("solid.vert", "instrument.frag", {light.lamp, m_tint},
+    auto* material = light.effects.material("solid.vert", "instrument.frag", {light.lamp, light.outlined, m_tint},
                                   ghost ? Blend::translucent : Blend::opaque, this);
     addComponent(m_pose);
     new Part(instrumentBody(), material, this);

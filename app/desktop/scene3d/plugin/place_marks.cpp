@@ -27,12 +27,12 @@ TriangleMesh pinMesh() {
 
 } // namespace
 
-PlaceMarks::PlaceMarks(Qt3DCore::QNode* parent)
+PlaceMarks::PlaceMarks(SharedLight& light, Qt3DCore::QNode* parent)
     : QEntity(parent), m_lineTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)),
       m_pinTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)),
       m_pin(new Qt3DCore::QEntity(this)), m_pinAt(new Qt3DCore::QTransform(m_pin)) {
-    auto* line = makeMaterial("solid.vert", "signal.frag", {m_lineTint}, Blend::opaque, this);
-    auto* pin = makeMaterial("solid.vert", "signal.frag", {m_pinTint}, Blend::opaque, this);
+    auto* line = light.effects.material("solid.vert", "signal.frag", {m_lineTint}, Blend::opaque, this);
+    auto* pin = light.effects.material("solid.vert", "signal.frag", {m_pinTint}, Blend::opaque, this);
     for (int i = 0; i < core::kMaxTools; ++i) {
         m_line[i] = new Part(lineMesh(), line, this);
         m_foot[i] = new Part(ringMesh(2.2, 0.28), line, this);

@@ -10,7 +10,7 @@ namespace chiron::scene3d {
 /// playback, a pin where the person marked.
 class PlaceMarks final : public Qt3DCore::QEntity {
 public:
-    explicit PlaceMarks(Qt3DCore::QNode* parent);
+    PlaceMarks(SharedLight& light, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup);
     void show(const SceneState& state, const ISceneContent& content);

@@ -8,7 +8,6 @@
 #include <Qt3DRender/QBlendEquation>
 #include <Qt3DRender/QBlendEquationArguments>
 #include <Qt3DRender/QDepthTest>
-#include <Qt3DRender/QEffect>
 #include <Qt3DRender/QGraphicsApiFilter>
 #include <Qt3DRender/QNoDepthMask>
 #include <Qt3DRender/QRenderPass>
@@ -82,11 +81,12 @@ QByteArray source(const char* name) {
 
 } // namespace
 
-Qt3DRender::QMaterial* makeMaterial(const char* vertexShader, const char* fragmentShader,
-                                    const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
-                                    Qt3DCore::QNode* parent) {
-    auto* material = new Qt3DRender::QMaterial(parent);
-    auto* effect = new Qt3DRender::QEffect(material);
+Qt3DRender::QEffect* EffectShelf::effect(const char* vertexShader, const char* fragmentShader, Blend blend,
+                                         int tools) {
+    Qt3DRender::QEffect*& effect = m_effects[{vertexShader, fragmentShader, blend, tools}];
+    if (effect)
+        return effect;
+    effect = new Qt3DRender::QEffect(m_owner);
     auto* technique = new Qt3DRender::QTechnique(effect);
     technique->graphicsApiFilter()->setApi(Qt3DRender::QGraphicsApiFilter::OpenGL);
     technique->graphicsApiFilter()->setProfile(Qt3DRender::QGraphicsApiFilter::CoreProfile);
@@ -95,22 +95,41 @@ Qt3DRender::QMaterial* makeMaterial(const char* vertexShader, const char* fragme
     auto* pass = new Qt3DRender::QRenderPass(technique);
     auto* program = new Qt3DRender::QShaderProgram(pass);
     program->setVertexShaderCode(source(vertexShader));
-    program->setFragmentShaderCode(source(fragmentShader));
+    QByteArray fragment = source(fragmentShader);
+    if (tools >= 0)
+        fragment.insert(fragment.indexOf('\n') + 1, // after #version
+                        "#define TOOLS " + QByteArray::number(tools) + '\n' + source("shadow.glsl"));
+    program->setFragmentShaderCode(fragment);
     pass->setShaderProgram(program);
     addBlend(pass, blend);
     technique->addRenderPass(pass);
     effect->addTechnique(technique);
-    material->setEffect(effect);
+    return effect;
+}
+
+Qt3DRender::QMaterial* EffectShelf::material(const char* vertexShader, const char* fragmentShader,
+                                             const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
+                                             Qt3DCore::QNode* parent) {
+    auto* material = new Qt3DRender::QMaterial(parent);
+    material->setEffect(effect(vertexShader, fragmentShader, blend));
     for (Qt3DRender::QParameter* parameter : parameters)
         material->addParameter(parameter);
     return material;
 }
 
 Part::Part(const TriangleMesh& mesh, Qt3DRender::QMaterial* material, Qt3DCore::QNode* parent)
-    : QEntity(parent), m_mesh(new MeshRenderer(mesh, this)), m_transform(new Qt3DCore::QTransform(this)) {
+    : QEntity(parent), m_mesh(new MeshRenderer(mesh, this)), m_material(material),
+      m_transform(new Qt3DCore::QTransform(this)) {
     addComponent(m_mesh);
     addComponent(material);
     addComponent(m_transform);
+}
+
+bool Part::isShown() const {
+    for (const Qt3DCore::QNode* node = this; node; node = node->parentNode())
+        if (!node->isEnabled())
+            return false;
+    return true;
 }
 
 } // namespace chiron::scene3d

@@ -11,10 +11,14 @@
 #include <QVector4D>
 #include <Qt3DCore/QEntity>
 #include <Qt3DCore/QTransform>
+#include <Qt3DRender/QEffect>
 #include <Qt3DRender/QGeometryRenderer>
 #include <Qt3DRender/QMaterial>
 #include <Qt3DRender/QParameter>
 #include <Qt3DRender/QShaderProgram>
+#include <map>
+#include <string>
+#include <tuple>
 #include <vector>
 
 namespace chiron::scene3d {
@@ -34,10 +38,23 @@ private:
 
 enum class Blend { opaque, translucent, premultiplied };
 
-/// A material of the two shaders of these names (in shaders/), with its parameters.
-Qt3DRender::QMaterial* makeMaterial(const char* vertexShader, const char* fragmentShader,
+/// The effects of a scene: materials with the same shaders share one, so that each is compiled once and says when it is
+/// ready (a second node with the same source never does).
+class EffectShelf {
+public:
+    explicit EffectShelf(Qt3DCore::QNode* owner) : m_owner(owner) {}
+
+    /// A material of the two shaders of these names (in shaders/), with its own parameters.
+    Qt3DRender::QMaterial* material(const char* vertexShader, const char* fragmentShader,
                                     const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
                                     Qt3DCore::QNode* parent);
+    /// The effect alone. `tools` ≥ 0: a fragment shader of the field, which gets shadowOf() for that many tips.
+    Qt3DRender::QEffect* effect(const char* vertexShader, const char* fragmentShader, Blend blend, int tools = -1);
+
+private:
+    Qt3DCore::QNode* m_owner;
+    std::map<std::tuple<std::string, std::string, Blend, int>, Qt3DRender::QEffect*> m_effects;
+};
 
 /// An entity with these triangles, this material and a transform of its own.
 class Part final : public Qt3DCore::QEntity {
@@ -45,9 +62,12 @@ public:
     Part(const TriangleMesh& mesh, Qt3DRender::QMaterial* material, Qt3DCore::QNode* parent);
     Qt3DCore::QTransform& at() { return *m_transform; }
     MeshRenderer& mesh() { return *m_mesh; }
+    Qt3DRender::QMaterial* material() const { return m_material; }
+    bool isShown() const; ///< it and all above it are enabled
 
 private:
     MeshRenderer* m_mesh;
+    Qt3DRender::QMaterial* m_material;
     Qt3DCore::QTransform* m_transform;
 };
 

@@ -32,16 +32,16 @@ SceneStage::SceneStage(const SceneSetup& setup, QObject* surface)
     makeFrameGraph(surface);
     m_content = makeSceneContent(setup, m_light, m_root);
     makeDrape();
-    m_marks = new PlaceMarks(m_root);
+    m_marks = new PlaceMarks(m_light, m_root);
     for (Instrument*& instrument : m_instruments)
         instrument = new Instrument(m_light, false, m_root);
     m_ghost = new Instrument(m_light, true, m_root);
     m_ghost->addComponent(m_ghostLayer);
     for (ForceArrow*& arrow : m_arrows) {
-        arrow = new ForceArrow(m_root);
+        arrow = new ForceArrow(m_light, m_root);
         arrow->addComponent(m_overLayer);
     }
-    m_gauge = new ForceGauge(m_root);
+    m_gauge = new ForceGauge(m_light, m_root);
     m_gauge->addComponent(m_overLayer);
     change(setup);
     show(SceneState{});
@@ -76,7 +76,7 @@ void SceneStage::makeFrameGraph(QObject* surface) {
 }
 
 void SceneStage::makeDrape() {
-    auto* material = makeMaterial("drape.vert", "drape.frag", {m_light.lamp, m_light.lens, m_light.outlined, m_cloth},
+    auto* material = m_light.effects.material("drape.vert", "drape.frag", {m_light.lamp, m_light.lens, m_light.outlined, m_cloth},
                                   Blend::opaque, m_root);
     auto* drape = new Part(drapeMesh((m_content->fieldRadius_m() + kOpeningBeyond_m) * 1e3), material, m_root);
     drape->at().setTranslation({0.0F, 0.0F, float(m_content->planeHeight_m() * 1e3)});

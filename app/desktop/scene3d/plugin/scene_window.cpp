@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene3d/plugin/scene_window.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <Qt3DCore/QAspectEngine>
 #include <Qt3DCore/QCoreAspect>
 #include <Qt3DRender/QRenderAspect>
-#include <Qt3DRender/QShaderProgram>
 
 namespace chiron::scene3d {
 
 namespace {
 
-constexpr int kMostSettling = 60; // frames; a driver that refuses a shader must not keep the scene from being shown
+constexpr std::uint64_t kWholeFrame = 3;
 
 QSurfaceFormat sceneFormat() {
     QSurfaceFormat format;
@@ -58,8 +58,9 @@ void SceneWindow::start() {
 }
 
 void SceneWindow::requestFrame() {
-    if (isExposed())
-        requestUpdate();
+    // Not requestUpdate(), which waits some milliseconds to gather requests: callers come at most once a picture.
+    if (isExposed() && !std::exchange(m_asked, true))
+        QCoreApplication::postEvent(this, new QEvent(QEvent::UpdateRequest));
 }
 
 void SceneWindow::onFirstFrame(std::function<void()> call) {
@@ -78,7 +79,7 @@ void SceneWindow::exposeEvent(QExposeEvent*) {
         return;
     if (!m_engine)
         start();
-    requestUpdate();
+    requestFrame();
 }
 
 void SceneWindow::resizeEvent(QResizeEvent*) {
@@ -96,6 +97,7 @@ bool SceneWindow::event(QEvent* event) {
 }
 
 void SceneWindow::draw() {
+    m_asked = false;
     if (!m_engine || !isExposed() || m_drawing)
         return;
     m_drawing = true;
@@ -104,20 +106,13 @@ void SceneWindow::draw() {
     ++m_frames;
     if (m_whole)
         return;
-    // Buffers, textures and shaders arrive over the first few frames.
-    if (allShadersReady() || m_settling >= kMostSettling) {
+    // Qt3D loads over the first frames: in the first it starts, in the second it learns of shaders and buffers, in the third
+    // all is drawn. Its programs never report "ready" to an engine that is stepped by hand, so frames are counted.
+    if (m_frames >= kWholeFrame) {
         m_whole = true;
         tellFirstFrame();
     }
-    ++m_settling;
-    requestUpdate();
-}
-
-bool SceneWindow::allShadersReady() const {
-    const auto programs = m_root->findChildren<Qt3DRender::QShaderProgram*>();
-    return std::all_of(programs.begin(), programs.end(), [](const Qt3DRender::QShaderProgram* program) {
-        return program->status() != Qt3DRender::QShaderProgram::NotReady;
-    });
+    requestFrame();
 }
 
 } // namespace chiron::scene3d

@@ -39,7 +39,6 @@ protected:
 private:
     void start();
     void draw();
-    bool allShadersReady() const;
     void tellFirstFrame();
 
     Qt3DCore::QEntityPtr m_root;
@@ -47,7 +46,7 @@ private:
     std::function<void()> m_firstFrame;
     std::function<void()> m_resized;
     std::uint64_t m_frames = 0;
-    int m_settling = 0; ///< frames drawn until everything was loaded
+    bool m_asked = false;
     bool m_whole = false;
     bool m_drawing = false;
 };

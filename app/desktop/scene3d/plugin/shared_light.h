@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/scene3d/plugin/qt3d_parts.h"
 #include "desktop/scene3d/scene_setup.h"
 
 #include <QSize>
@@ -11,10 +12,11 @@
 
 namespace chiron::scene3d {
 
-/// Parameters that every material of the scene shares: the lamp, the picture's size, high contrast.
+/// What the materials of a scene share: effects, and the parameters for the lamp, the picture's size and high contrast.
 struct SharedLight {
     explicit SharedLight(Qt3DCore::QNode* parent)
-        : lamp(new Qt3DRender::QParameter(QStringLiteral("lamp"), QVector3D(-0.30F, 0.22F, 0.93F).normalized(), parent)),
+        : effects(parent),
+          lamp(new Qt3DRender::QParameter(QStringLiteral("lamp"), QVector3D(-0.30F, 0.22F, 0.93F).normalized(), parent)),
           lens(new Qt3DRender::QParameter(QStringLiteral("lens"), QVector4D(0, 0, 0, 0), parent)),
           outlined(new Qt3DRender::QParameter(QStringLiteral("outlined"), 0.0F, parent)) {}
 
@@ -30,6 +32,7 @@ struct SharedLight {
                                  m_vignette, 0.0F));
     }
 
+    EffectShelf effects;
     Qt3DRender::QParameter* lamp;
     Qt3DRender::QParameter* lens;
     Qt3DRender::QParameter* outlined;

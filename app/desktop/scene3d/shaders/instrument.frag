@@ -6,6 +6,7 @@ in float steel;
 
 uniform vec3 eyePosition;
 uniform vec3 lamp;
+uniform float outlined; // 1: high contrast, with a bright edge
 uniform vec4 tint; // rgb and opacity: a = 1 is the instrument itself, less is a ghost of this colour
 
 out vec4 colour;
@@ -22,6 +23,7 @@ void main()
     vec3 metal = vec3(0.40, 0.41, 0.43) + vec3(0.46, 0.48, 0.50) * ceiling + 0.35 * glint + 0.10 * edge;
     vec3 coat = vec3(0.085, 0.09, 0.10) + vec3(0.16, 0.17, 0.18) * ceiling + 0.22 * glint + 0.10 * edge * edge;
     vec3 own = mix(coat, metal, steel) * (0.55 + 0.45 * head);
+    own = mix(own, vec3(0.95), outlined * smoothstep(0.35, 0.62, edge));
     vec3 ghost = tint.rgb * (0.55 + 0.45 * head) + 0.25 * edge;
     colour = vec4(mix(ghost, own, step(0.999, tint.a)), min(1.0, tint.a + 0.45 * edge * edge));
 }

@@ -7,6 +7,7 @@
 
 #include <QMatrix4x4>
 #include <algorithm>
+#include <utility>
 
 namespace chiron::scene3d {
 
@@ -14,12 +15,10 @@ namespace {
 
 /// The cover: the drape's colour, a little lighter, so that field and cover are told apart.
 QVector4D coverColour(const SceneColours& colours) {
-    const QColor cloth = colours.highContrast ? colours.background : colours.field.lighter(108);
-    return toTint(cloth);
-}
-
-QVector4D tissueColour(const SceneColours& colours) {
-    return colours.highContrast ? QVector4D(0.93F, 0.70F, 0.66F, 0.0F) : QVector4D(0.0F, 0.0F, 0.0F, 0.0F);
+    if (!colours.highContrast)
+        return toTint(colours.field.lighter(108));
+    const QVector4D background = toTint(colours.background);
+    return background + 0.24F * (toTint(colours.ink) - background);
 }
 
 } // namespace
@@ -30,25 +29,32 @@ Qt3DRender::QParameter* ApexContent::parameter(const char* name, const QVariant&
 
 ApexContent::ApexContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent)
     : m_parameters(std::get<simulation::SphereApexParameters>(setup.parameters)), m_setup(setup),
-      m_surface(ApexSurface::of(m_parameters, SceneState{})) {
+      m_surface(ApexSurface::of(m_parameters, SceneState{})), m_light(light) {
     m_dentPlace = parameter("dentPlace", QMatrix4x4() * 0.0F, parent);
     m_dentNormal = parameter("dentNormal", QMatrix4x4(), parent);
     m_tips = parameter("tips", QMatrix4x4() * 0.0F, parent);
     m_presses = parameter("presses", QMatrix4x4() * 0.0F, parent);
-    m_tools = parameter("tools", 0, parent);
     m_plain = parameter("plain", coverColour(setup.colours), parent);
     auto* skin = parameter("skin", QVariant::fromValue(makeSkinTexture(parent)), parent);
-    auto* material = makeMaterial("tissue.vert", "tissue.frag",
-                                  {light.lamp, light.lens, light.outlined, m_dentPlace, m_dentNormal, m_tips, m_presses,
-                                   m_tools, m_plain, skin},
-                                  Blend::opaque, parent);
+    auto* material = new Qt3DRender::QMaterial(parent);
+    for (Qt3DRender::QParameter* p : {light.lamp, light.lens, m_dentPlace, m_dentNormal, m_tips, m_presses, m_plain, skin})
+        material->addParameter(p);
     m_part = new Part(apexMesh(m_surface), material, parent);
+    chooseLook();
+}
+
+void ApexContent::chooseLook() {
+    const char* look = !m_surface.shown ? "cover.frag" : m_setup.colours.highContrast ? "outlined.frag" : "tissue.frag";
+    Qt3DRender::QEffect* effect = m_light.effects.effect("tissue.vert", look, Blend::opaque, m_tools);
+    if (m_part->material()->effect() != effect)
+        m_part->material()->setEffect(effect);
+    m_plain->setValue(coverColour(m_setup.colours));
 }
 
 void ApexContent::change(const SceneSetup& setup) {
     m_setup = setup;
     m_parameters = std::get<simulation::SphereApexParameters>(setup.parameters);
-    m_plain->setValue(m_surface.shown ? tissueColour(setup.colours) : coverColour(setup.colours));
+    chooseLook();
 }
 
 void ApexContent::show(const SceneState& state) {
@@ -56,7 +62,7 @@ void ApexContent::show(const SceneState& state) {
     if (!(surface == m_surface)) {
         m_surface = surface;
         m_part->mesh().setMesh(apexMesh(surface));
-        m_plain->setValue(surface.shown ? tissueColour(m_setup.colours) : coverColour(m_setup.colours));
+        chooseLook();
     }
     showTips(state);
 }
@@ -89,7 +95,8 @@ void ApexContent::showTips(const SceneState& state) {
     m_dentNormal->setValue(normals);
     m_tips->setValue(tips);
     m_presses->setValue(presses);
-    m_tools->setValue(tools);
+    if (std::exchange(m_tools, tools) != tools)
+        chooseLook();
 }
 
 } // namespace chiron::scene3d

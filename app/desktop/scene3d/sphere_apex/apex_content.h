@@ -21,6 +21,7 @@ public:
     double roomAbove_m() const override { return m_parameters.radius_m + 0.022; }
 
 private:
+    void chooseLook();
     void showTips(const SceneState& state);
     Qt3DRender::QParameter* parameter(const char* name, const QVariant& value, Qt3DCore::QNode* parent);
 
@@ -31,8 +32,9 @@ private:
     Qt3DRender::QParameter* m_dentNormal;
     Qt3DRender::QParameter* m_tips;
     Qt3DRender::QParameter* m_presses;
-    Qt3DRender::QParameter* m_tools;
     Qt3DRender::QParameter* m_plain;
+    SharedLight& m_light;
+    int m_tools = 0; ///< tips that are drawn
     Part* m_part = nullptr;
 };
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene2d/flat_panel.h"
+#include "desktop/scene3d/scene_state.h"
+
+#include <memory>
+
+class QPainter;
+
+namespace chiron::scene3d {
+
+/// What lies in the field, in the two flat pictures: one a kind of exercise.
+class IFlatContent {
+public:
+    virtual ~IFlatContent() = default;
+    virtual QRectF rangeAbove_mm() const = 0; ///< x and y that must be seen
+    virtual QRectF rangeSide_mm() const = 0;  ///< x and z
+    virtual void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const = 0;
+    /// z of what lies under a place, as shown. Metres, W.
+    virtual double groundHeight_m(const SceneState& state, double x_m, double y_m) const = 0;
+};
+
+/// One catalogue line each; empty where the exercise is not known.
+std::unique_ptr<IFlatContent> makeFlatContent(const SceneSetup& setup);
+
+} // namespace chiron::scene3d

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene2d/flat_panel.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::scene3d {
+
+namespace {
+
+// Logical pixels at scale 1 between card and plot.
+constexpr double kLeft = 52.0;
+constexpr double kRight = 14.0;
+constexpr double kTop = 34.0;
+constexpr double kBottom = 40.0;
+constexpr double kTick_mm = 20.0;
+
+} // namespace
+
+FlatPanel::FlatPanel(Side side, const QRectF& range_mm, const SceneSetup& setup)
+    : m_side(side), m_range_mm(range_mm), m_setup(setup) {}
+
+QSizeF FlatPanel::cardSize(double pixelsPerMm) const {
+    return {m_range_mm.width() * pixelsPerMm + (kLeft + kRight) * unit(),
+            m_range_mm.height() * pixelsPerMm + (kTop + kBottom) * unit()};
+}
+
+void FlatPanel::extendUp(double cardHeight, double pixelsPerMm) {
+    m_range_mm.setHeight(std::max(m_range_mm.height(), (cardHeight - (kTop + kBottom) * unit()) / pixelsPerMm));
+}
+
+void FlatPanel::place(const QPointF& corner, double pixelsPerMm) {
+    m_scale = pixelsPerMm;
+    m_plot = QRectF(corner.x() + kLeft * unit(), corner.y() + kTop * unit(), m_range_mm.width() * pixelsPerMm,
+                    m_range_mm.height() * pixelsPerMm);
+}
+
+QPointF FlatPanel::at(double across_mm, double up_mm) const {
+    return {m_plot.left() + (across_mm - m_range_mm.left()) * m_scale,
+            m_plot.bottom() - (up_mm - m_range_mm.top()) * m_scale};
+}
+
+QPointF FlatPanel::project(const core::Vec3& p_m) const {
+    return at(p_m.x() * 1e3, (m_side == Side::above ? p_m.y() : p_m.z()) * 1e3);
+}
+
+QFont FlatPanel::font(double size, bool bold) const {
+    QFont font(m_setup.family);
+    font.setPixelSize(std::max(1, int(size * unit())));
+    font.setBold(bold);
+    return font;
+}
+
+void FlatPanel::paintCard(QPainter& painter, const QString& title, const QString& across, const QString& up) const {
+    const double u = unit();
+    const QRectF card = m_plot.adjusted(-kLeft * u, -kTop * u, kRight * u, kBottom * u);
+    painter.setPen(m_setup.colours.highContrast ? QPen(m_setup.colours.ink, 1.5 * u) : QPen(Qt::NoPen));
+    painter.setBrush(m_setup.colours.field);
+    painter.drawRoundedRect(card, 8.0 * u, 8.0 * u);
+    painter.setPen(m_setup.colours.ink);
+    painter.setFont(font(14, true));
+    painter.drawText(QRectF(card.left() + 12.0 * u, card.top(), card.width() - 24.0 * u, kTop * u),
+                     Qt::AlignLeft | Qt::AlignVCenter, title);
+    paintTicks(painter);
+    painter.setFont(font(12, false));
+    painter.drawText(QRectF(m_plot.left(), m_plot.bottom() + 20.0 * u, m_plot.width(), 18.0 * u), Qt::AlignCenter, across);
+    painter.save();
+    painter.translate(card.left() + 4.0 * u, m_plot.center().y());
+    painter.rotate(-90.0);
+    painter.drawText(QRectF(-m_plot.height() / 2.0, 0.0, m_plot.height(), 16.0 * u), Qt::AlignCenter, up);
+    painter.restore();
+}
+
+void FlatPanel::paintTicks(QPainter& painter) const {
+    const double u = unit();
+    painter.setFont(font(11, false));
+    QColor grid = m_setup.colours.ink;
+    grid.setAlphaF(0.14F);
+    for (double mm = std::ceil(m_range_mm.left() / kTick_mm) * kTick_mm; mm <= m_range_mm.right(); mm += kTick_mm) {
+        const double x = at(mm, 0.0).x();
+        painter.setPen(QPen(grid, u));
+        painter.drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
+        painter.setPen(m_setup.colours.ink);
+        painter.drawText(QRectF(x - 20.0 * u, m_plot.bottom() + 3.0 * u, 40.0 * u, 16.0 * u), Qt::AlignCenter,
+                         QLocale().toString(mm, 'f', 0));
+    }
+    for (double mm = std::ceil(m_range_mm.top() / kTick_mm) * kTick_mm; mm <= m_range_mm.bottom(); mm += kTick_mm) {
+        const double y = at(0.0, mm).y();
+        painter.setPen(QPen(grid, u));
+        painter.drawLine(QPointF(m_plot.left(), y), QPointF(m_plot.right(), y));
+        painter.setPen(m_setup.colours.ink);
+        painter.drawText(QRectF(m_plot.left() - 34.0 * u, y - 8.0 * u, 29.0 * u, 16.0 * u),
+                         Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(mm, 'f', 0));
+    }
+}
+
+} // namespace chiron::scene3d

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene2d/flat_tools.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::scene3d {
+
+namespace {
+
+constexpr double kArrow_mm = 40.0; // at the limit, as in 3D
+constexpr double kLongest = 1.75;
+constexpr double kLeast_N = 0.02;
+constexpr QColor kSteel(150, 156, 164);
+constexpr QColor kCoat(44, 48, 54);
+
+} // namespace
+
+void FlatTools::paintTool(const ToolView& tool, const core::Quat& q_W, bool ghost) {
+    const core::Vec3 tip = drawnTip(tool);
+    const core::Vec3 along = q_W * core::Vec3::UnitZ();
+    const QPointF from = m_panel.project(tip);
+    const QPointF neck = m_panel.project(tip + 0.022 * along);
+    const QPointF end = m_panel.project(tip + 0.30 * along);
+    QColor coat = ghost ? m_setup.colours.ghost : kCoat;
+    QColor steel = ghost ? m_setup.colours.ghost : kSteel;
+    if (ghost) {
+        coat.setAlphaF(0.45F);
+        steel.setAlphaF(0.45F);
+    }
+    const double shaft = std::max(3.0 * m_panel.unit(), m_panel.pixels(4.7));
+    QColor edge = m_setup.colours.ink; // so that the dark shaft shows on a dark field too
+    edge.setAlphaF(m_setup.colours.highContrast ? 1.0F : 0.45F);
+    if (!ghost) {
+        m_painter.setPen(QPen(edge, shaft + (m_setup.colours.highContrast ? 3.0 : 2.0) * m_panel.unit(), Qt::SolidLine, Qt::FlatCap));
+        m_painter.drawLine(neck, end);
+    }
+    m_painter.setPen(QPen(coat, shaft, Qt::SolidLine, Qt::FlatCap));
+    m_painter.drawLine(neck, end);
+    const QPointF way = neck - from;
+    const double length = std::hypot(way.x(), way.y());
+    if (length > 1.0) { // the jaws taper to the tip
+        const QPointF beside = QPointF(-way.y(), way.x()) / length;
+        QPolygonF jaws;
+        jaws << from + 0.16 * shaft * beside << neck + 0.46 * shaft * beside << neck - 0.46 * shaft * beside
+             << from - 0.16 * shaft * beside;
+        m_painter.setPen(QPen(ghost ? coat : edge, m_panel.unit()));
+        m_painter.setBrush(steel);
+        m_painter.drawPolygon(jaws);
+    }
+    m_painter.setPen(QPen(m_setup.colours.ink, 1.5 * m_panel.unit(), ghost ? Qt::DotLine : Qt::SolidLine));
+    m_painter.setBrush(steel);
+    const double dot = 3.2 * m_panel.unit();
+    m_painter.drawEllipse(from, dot, dot);
+}
+
+void FlatTools::paintAcross(const core::Vec3& p_W, const QPointF& along, double half_mm, double wide) {
+    const double length = std::hypot(along.x(), along.y());
+    const QPointF beside = length > 1e-6 ? QPointF(-along.y(), along.x()) / length : QPointF(1.0, 0.0);
+    const QPointF middle = m_panel.project(p_W);
+    m_painter.setPen(QPen(m_painter.pen().color(), wide * m_panel.unit()));
+    m_painter.drawLine(middle - m_panel.pixels(half_mm) * beside, middle + m_panel.pixels(half_mm) * beside);
+}
+
+void FlatTools::paintArrow(const ToolView& tool) {
+    const double force_N = tool.force_N.norm();
+    if (force_N <= kLeast_N)
+        return;
+    const double share = force_N / std::max(0.1, m_setup.forceLimit_N);
+    const bool over = share > 1.0;
+    const core::Vec3 tip = drawnTip(tool);
+    const core::Vec3 direction = tool.force_N / force_N;
+    const core::Vec3 full = kArrow_mm * 1e-3 * direction;
+    const QPointF from = m_panel.project(tip);
+    const QPointF to = m_panel.project(tip + std::min(share, kLongest) * full);
+    const QPointF along = to - from;
+    const double length = std::hypot(along.x(), along.y());
+    m_painter.setPen(QPen(m_setup.colours.ink, m_panel.unit(), Qt::DotLine));
+    m_painter.drawLine(from, m_panel.project(tip + full));
+    m_painter.setPen(m_setup.colours.ink);
+    paintAcross(tip + full, along, 5.0, 2.5); // the limit
+    const QColor colour = over ? m_setup.colours.over : m_setup.colours.arrow;
+    const double wide = over ? 6.0 : 3.5;
+    const double head = std::min(length, (over ? 17.0 : 13.0) * m_panel.unit());
+    if (length < 1.0)
+        return;
+    const QPointF unit = along / length;
+    const QPointF beside(-unit.y(), unit.x());
+    m_painter.setPen(QPen(colour, wide * m_panel.unit(), Qt::SolidLine, Qt::FlatCap));
+    m_painter.drawLine(from, to - 0.9 * head * unit);
+    m_painter.setPen(Qt::NoPen);
+    m_painter.setBrush(colour);
+    QPolygonF point;
+    point << to << to - head * unit + 0.5 * head * beside << to - head * unit - 0.5 * head * beside;
+    m_painter.drawPolygon(point);
+    for (int i = 0; over && i < 3; ++i) {
+        m_painter.setPen(colour);
+        paintAcross(tip + (0.25 + 0.18 * i) * share * full, along, 2.8, 2.5);
+    }
+}
+
+void FlatTools::paintDropLine(const ToolView& tool, double ground_m) {
+    const core::Vec3 tip = drawnTip(tool);
+    if (m_panel.side() != FlatPanel::Side::side || tip.z() - ground_m < 0.0015)
+        return;
+    const QPointF foot = m_panel.project({tip.x(), tip.y(), ground_m});
+    m_painter.setPen(QPen(m_setup.colours.ink, 1.2 * m_panel.unit(), Qt::DashLine));
+    m_painter.drawLine(m_panel.project(tip), foot);
+    m_painter.setPen(QPen(m_setup.colours.ink, 2.0 * m_panel.unit()));
+    m_painter.drawLine(foot - QPointF(m_panel.pixels(3.0), 0.0), foot + QPointF(m_panel.pixels(3.0), 0.0));
+}
+
+void FlatTools::paintPin(const core::Vec3& p_W) {
+    const QPointF foot = m_panel.project(p_W);
+    const double u = m_panel.unit();
+    m_painter.setPen(QPen(m_setup.colours.ink, 2.0 * u));
+    m_painter.setBrush(m_setup.colours.arrow);
+    if (m_panel.side() == FlatPanel::Side::above) { // a diamond: another shape than every tip
+        QPolygonF diamond;
+        diamond << foot + QPointF(0, -8 * u) << foot + QPointF(8 * u, 0) << foot + QPointF(0, 8 * u) << foot + QPointF(-8 * u, 0);
+        m_painter.drawPolygon(diamond);
+        return;
+    }
+    m_painter.drawLine(foot, foot - QPointF(0, 20 * u));
+    m_painter.drawEllipse(foot - QPointF(0, 24 * u), 5.5 * u, 5.5 * u);
+}
+
+} // namespace chiron::scene3d

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene2d/flat_panel.h"
+#include "desktop/scene3d/drawn_tool.h"
+
+class QPainter;
+
+namespace chiron::scene3d {
+
+/// Instrument, ghost, force arrow, drop line and pin in one of the flat pictures.
+class FlatTools {
+public:
+    FlatTools(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup)
+        : m_painter(painter), m_panel(panel), m_setup(setup) {}
+
+    void paintTool(const ToolView& tool, const core::Quat& q_W, bool ghost);
+    /// The same arrow as in 3D, seen from here: 40 mm long at the limit, a bar where the limit lies; over it thicker, with rungs.
+    void paintArrow(const ToolView& tool);
+    void paintDropLine(const ToolView& tool, double ground_m);
+    void paintPin(const core::Vec3& p_W);
+
+private:
+    void paintAcross(const core::Vec3& p_W, const QPointF& along, double half_mm, double wide);
+
+    QPainter& m_painter;
+    const FlatPanel& m_panel;
+    const SceneSetup& m_setup;
+};
+
+} // namespace chiron::scene3d

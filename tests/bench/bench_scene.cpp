@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// First frame of the 3D scene against a bare Qt3D window (one process each, alternating), and its frames a second with a
+// moving tip at 1024x768. Needs a display: xvfb-run -a -s "-screen 0 1280x1024x24" bench_scene
+#include "bench/alternating.h"
+#include "desktop/scene3d/scene_loader.h"
+#include "gui/scene3d/scene_samples.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QPainter>
+#include <QProcess>
+#include <QScreen>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <QWidget>
+#include <cmath>
+#include <cstdio>
+
+using namespace chiron;
+
+namespace {
+
+constexpr int kRepeats = 9;
+
+class Window final : public QWidget {
+public:
+    std::function<void()> painted;
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter(this).fillRect(rect(), Qt::white);
+        if (painted)
+            QTimer::singleShot(0, this, std::exchange(painted, nullptr));
+    }
+};
+
+/// Shows an empty window, then the scene in it once the window was painted.
+struct Shown {
+    Window window;
+    scene3d::LoadedScene scene;
+    double begun_s = 0.0;
+
+    explicit Shown(std::function<void()> then) {
+        window.resize(1024, 768);
+        window.move(0, 0);
+        auto* layout = new QVBoxLayout(&window);
+        layout->setContentsMargins(0, 0, 0, 0);
+        window.painted = [this, layout, then] {
+            begun_s = bench::seconds(CLOCK_MONOTONIC);
+            scene = scene3d::makeSceneView(scene3d::samples::setup(), &window);
+            layout->addWidget(scene.view->widget());
+            scene.view->show(scene3d::samples::pressed(2.0));
+            then();
+        };
+        window.show();
+    }
+};
+
+/// Prints three times: the scene's load began, its first frame was reported, it could be seen.
+int firstFrame(QApplication& app) {
+    double told_s = 0.0;
+    QTimer timer;
+    Shown* shown = nullptr;
+    Shown holder([&] {
+        if (!shown->scene.whyFlat.isEmpty()) {
+            std::printf("flat: %s\n", qPrintable(shown->scene.whyFlat));
+            std::fflush(stdout);
+            std::_Exit(1);
+        }
+        shown->scene.view->onFirstFrame([&] { told_s = bench::seconds(CLOCK_MONOTONIC); });
+        timer.start(1);
+    });
+    shown = &holder;
+    QObject::connect(&timer, &QTimer::timeout, &timer, [&] {
+        if (told_s == 0.0)
+            return;
+        const QImage seen = holder.window.screen()->grabWindow(holder.window.winId(), 400, 600, 1, 1).toImage();
+        if (seen.isNull() || seen.pixelColor(0, 0).red() < 90 || seen.pixelColor(0, 0).blue() > 150)
+            return; // not yet tissue
+        std::printf("%.6f %.6f %.6f\n", holder.begun_s, told_s, bench::seconds(CLOCK_MONOTONIC));
+        std::fflush(stdout);
+        std::_Exit(0);
+    });
+    return app.exec();
+}
+
+/// Prints frames a second and processor milliseconds a frame (all threads) with a tip that presses and wanders.
+int frames(QApplication& app) {
+    QElapsedTimer clock;
+    QTimer timer;
+    Shown* shown = nullptr;
+    std::uint64_t before = 0;
+    double cpu_s = 0.0;
+    Shown holder([&] {
+        shown->scene.view->onFirstFrame([&] {
+            clock.start();
+            cpu_s = bench::seconds(CLOCK_PROCESS_CPUTIME_ID);
+            before = shown->scene.view->framesDrawn();
+            timer.start(0);
+        });
+    });
+    shown = &holder;
+    std::uint64_t last = 0;
+    QObject::connect(&timer, &QTimer::timeout, &timer, [&] {
+        if (clock.elapsed() > 5000) {
+            const double drawn = double(holder.scene.view->framesDrawn() - before);
+            std::printf("%.1f %.2f\n", drawn * 1000.0 / double(clock.elapsed()),
+                        (bench::seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu_s) * 1e3 / drawn);
+            std::fflush(stdout);
+            std::_Exit(0);
+        }
+        if (holder.scene.view->framesDrawn() == last)
+            return; // the frame before has not been drawn
+        last = holder.scene.view->framesDrawn();
+        scene3d::SceneState state = scene3d::samples::pressed(2.5 + 2.0 * std::sin(0.003 * double(clock.elapsed())));
+        state.tool[0].p_WT.x() += 0.006 * std::sin(0.002 * double(clock.elapsed()));
+        holder.scene.view->show(state);
+    });
+    return app.exec();
+}
+
+std::vector<double> child(const QString& program, const QStringList& arguments) {
+    QProcess process;
+    process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    process.start(program, arguments);
+    process.waitForFinished(60000);
+    std::vector<double> numbers;
+    for (const QByteArray& word : process.readAllStandardOutput().simplified().split(' ')) {
+        bool number = false;
+        const double value = word.toDouble(&number);
+        if (number)
+            numbers.push_back(value);
+    }
+    return numbers;
+}
+
+int measure(const QString& self) {
+    qputenv("QT3D_RENDERER", "opengl"); // the same back end for both
+    const QString bare = QFileInfo(self).dir().filePath(QStringLiteral("bench_scene_bare"));
+    std::vector<double> peer_s, exec_s, load_s;
+    for (int i = 0; i < kRepeats; ++i) {
+        double start_s = bench::seconds(CLOCK_MONOTONIC);
+        const auto a = child(bare, {});
+        if (a.size() == 1)
+            peer_s.push_back(a[0] - start_s);
+        start_s = bench::seconds(CLOCK_MONOTONIC);
+        const auto b = child(self, {QStringLiteral("--first")});
+        if (b.size() == 3) {
+            exec_s.push_back(b[2] - start_s);
+            load_s.push_back(b[2] - b[0]);
+        }
+    }
+    if (peer_s.empty() || exec_s.empty()) {
+        std::printf("not measured: no display, no OpenGL, or chiron_scene3d.so is not where CHIRON_PLUGINS says\n");
+        return 1;
+    }
+    std::vector<double> rates, cpu_ms;
+    for (int i = 0; i < 5; ++i) {
+        const auto c = child(self, {QStringLiteral("--frames")});
+        if (c.size() == 2) {
+            rates.push_back(c[0]);
+            cpu_ms.push_back(c[1]);
+        }
+    }
+    std::printf("first frame, exec to seen, medians of %zu\n", exec_s.size());
+    std::printf("  bare Qt3D window              %7.1f ms\n", bench::median(peer_s) * 1e3);
+    std::printf("  scene after its window        %7.1f ms  ratio %.2f (goal 1.2)\n", bench::median(exec_s) * 1e3,
+                bench::median(exec_s) / bench::median(peer_s));
+    std::printf("  of which making the scene     %7.1f ms\n", bench::median(load_s) * 1e3);
+    std::printf("frames a second, 1024x768, moving tip: median %.1f of %zu runs (goal 40); %.1f ms of processor time a frame\n",
+                bench::median(rates), rates.size(), bench::median(cpu_ms));
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const QString mode = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QString();
+    if (mode.isEmpty()) {
+        QCoreApplication app(argc, argv);
+        return measure(QCoreApplication::applicationFilePath());
+    }
+    QApplication app(argc, argv);
+    return mode == QStringLiteral("--frames") ? frames(app) : firstFrame(app);
+}
