@@ -876,7 +876,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation>Tempo</translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Force (N)</source>
@@ -884,7 +884,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Speed (mm/s)</source>
-        <translation>Tempo (mm/s)</translation>
+        <translation>Geschwindigkeit (mm/s)</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -1739,15 +1739,15 @@ Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
     </message>
     <message>
         <source>Speed of the tool tip</source>
-        <translation>Tempo der Instrumentenspitze</translation>
+        <translation>Geschwindigkeit der Instrumentenspitze</translation>
     </message>
     <message>
         <source>Speed (mm/s)</source>
-        <translation>Tempo (mm/s)</translation>
+        <translation>Geschwindigkeit (mm/s)</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation>Tempo</translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Where the marks lie on the sphere</source>
