@@ -31,9 +31,9 @@ QWidget[kind="banner"] { background: @warningSoft; border-bottom: 1px solid @war
 QWidget[kind="banner"] QLabel { color: @warning; }
 QLabel { color: @text; background: transparent; }
 QLabel[kind="muted"] { color: @muted; }
-QLabel[kind="good"] { color: @good; }
-QLabel[kind="warning"] { color: @warning; }
-QLabel[kind="bad"] { color: @bad; }
+QLabel[kind="good"] { color: @good; background: transparent; border: none; }
+QLabel[kind="warning"] { color: @warning; background: transparent; border: none; }
+QLabel[kind="bad"] { color: @bad; background: transparent; border: none; }
 QLabel[kind="accent"] { color: @accent; }
 QPushButton { background: @surface; color: @text; border: 1px solid @borderStrong; border-radius: #8#; padding: #6# #14#;
     min-height: #22#; }
@@ -77,9 +77,10 @@ QRadioButton::indicator:checked { border-color: @accent; background: qradialgrad
 QTableView, QListView, QTreeView, QTableWidget, QListWidget { background: @surface; color: @text; border: 1px solid @border;
     border-radius: #8#; gridline-color: @grid; alternate-background-color: @raised; outline: none; selection-background-color: @accentSoft;
     selection-color: @text; }
-QTableView::item, QListView::item { padding: #4# #8#; }
+QTableView::item, QListView::item { padding: #4# #8#; border: none; }
 QTableView:focus, QListView:focus { border: 2px solid @focus; }
-QTableView::item:selected, QListView::item:selected { background: @accentSoft; color: @text; border-left: #3# solid @accent; }
+QTableView::item:selected, QListView::item:selected { background: @accentSoft; color: @text; }
+QListView::item:selected { border-left: #3# solid @accent; }
 QHeaderView { background: @raised; border: none; }
 QHeaderView::section { background: @raised; color: @text; border: none; border-bottom: 1px solid @borderStrong; padding: #6# #8#; font-weight: 600; }
 QTableCornerButton::section { background: @raised; border: none; }
