@@ -26,6 +26,9 @@ void PlotView::resizeEvent(QResizeEvent* event) {
 
 void PlotView::setTitle(const QString& title) {
     m_impl->title->setText(title);
+    m_impl->title->setVisible(!title.isEmpty());
+    m_impl->title->setMaximumSize(QWIDGETSIZE_MAX, title.isEmpty() ? 0 : QWIDGETSIZE_MAX); // no title, no room
+    m_impl->title->setMargins(title.isEmpty() ? QMargins() : QMargins(2, 0, 0, 2));
     setAccessibleName(title);
 }
 
