@@ -20,18 +20,20 @@ constexpr double kArmingAllowance_s = 20.0;
 
 class SphereApexSurfaces final : public TrialSurfaces {
 public:
-    SphereApexSurfaces(const simulation::SphereApexParameters& p, std::uint64_t seed)
-        : m_radius_m(p.radius_m), m_planeHeight_m(p.planeHeight_m) {
+    SphereApexSurfaces(const simulation::SphereApexParameters& p, std::uint64_t seed) {
         for (const simulation::SphereApexTrial& trial : simulation::planSphereApexTrials(p, seed)) {
-            m_centres.push_back({trial.centre_m.x(), trial.centre_m.y(), m_planeHeight_m});
+            TrialObject object{{trial.centre_m.x(), trial.centre_m.y(), p.planeHeight_m}, p.radius_m, {}};
+            if (p.dimpleDepth_m > 0.0)
+                object.dimpleCentre_m = trial.dimpleCentre_m;
+            m_objects.push_back(object);
             m_contacts.emplace_back(simulation::sphereApexContact(p, trial));
         }
     }
     std::optional<TrialObject> object(int trial) const override {
         const auto index = static_cast<std::size_t>(trial);
-        if (trial < 0 || index >= m_centres.size())
+        if (trial < 0 || index >= m_objects.size())
             return std::nullopt;
-        return TrialObject{m_centres[index], m_radius_m};
+        return m_objects[index];
     }
     core::Vec3 surfacePoint(int trial, const core::Vec3& p_WT) const override {
         const auto index = static_cast<std::size_t>(trial);
@@ -41,9 +43,7 @@ public:
     }
 
 private:
-    double m_radius_m;
-    double m_planeHeight_m;
-    std::vector<core::Vec3> m_centres;
+    std::vector<TrialObject> m_objects;
     std::vector<simulation::HemisphereContact> m_contacts;
 };
 

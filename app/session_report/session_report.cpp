@@ -18,16 +18,7 @@ namespace {
 
 constexpr std::size_t kHeadlines = 3;
 
-/// P2, "Preliminary Validation": 14.2 % mean, SD 11.3, five subjects with ten hemispheres each.
-void addPublishedBand(MetricRow& row) {
-    if (row.id != QLatin1String("apex_error_mean"))
-        return;
-    row.bandLow = 14.2 - 11.3;
-    row.bandHigh = 14.2 + 11.3;
-    row.bandSource = QStringLiteral("published, 5 subjects × 10");
-}
-
-std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::ExerciseLevel& level) {
+std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::ExerciseLevel& level, bool felt) {
     std::vector<MetricRow> rows;
     std::size_t headlines = 0;
     for (const scoring::MetricValue& metric : card.metrics) {
@@ -45,7 +36,8 @@ std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::E
             row.gateMaximum = gate.maximum;
             row.headline = headlines++ < kHeadlines;
         }
-        addPublishedBand(row);
+        if (felt) // a band is of one device class: these people felt the force
+            addPublishedBand(row);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -82,9 +74,9 @@ LoopFacts loopFactsOf(const std::string& text) {
     return facts;
 }
 
-void addFacts(ReportData& data, session::StoredSession& session, const std::string& language) {
-    const database::SessionRecord& record = session.record();
-    const catalogue::ExerciseLevel& level = session.setup().level;
+void addFacts(ReportData& data, const database::SessionRecord& record, const session::SessionSetup& setup,
+              const std::string& language) {
+    const catalogue::ExerciseLevel& level = setup.level;
     data.simulated = !record.setup.operatorName.empty();
     data.person = QString::fromStdString(record.summary.personName);
     if (data.simulated)
@@ -98,7 +90,7 @@ void addFacts(ReportData& data, session::StoredSession& session, const std::stri
     data.level = level.number;
     data.startedUtc = QDateTime::fromString(QString::fromStdString(record.summary.startedUtc), Qt::ISODateWithMs);
     data.offsetMinutes = record.summary.utcOffset_min;
-    data.device = QString::fromStdString(session.setup().devices.front().model);
+    data.device = QString::fromStdString(setup.devices.front().model);
     data.felt = record.setup.felt;
     data.state = QString::fromUtf8(database::token(record.summary.state).data());
     data.forceLimit_N = record.setup.forceLimit_N;
@@ -112,6 +104,15 @@ void addFacts(ReportData& data, session::StoredSession& session, const std::stri
 }
 
 } // namespace
+
+/// P2, "Preliminary Validation": 14.2 % mean, SD 11.3, five subjects with ten hemispheres each.
+void addPublishedBand(MetricRow& row) {
+    if (row.id != QLatin1String("apex_error_mean"))
+        return;
+    row.bandLow = 14.2 - 11.3;
+    row.bandHigh = 14.2 + 11.3;
+    row.bandSource = QStringLiteral("published, 5 subjects × 10");
+}
 
 QString metricName(const std::string& id) {
     static const std::map<std::string, const char*> names{
@@ -138,14 +139,15 @@ QString metricName(const std::string& id) {
                                 : QString::fromStdString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
-core::Result<ReportData> reportHeadOf(session::StoredSession& session, database::Connection& connection,
-                                      const database::Actor& actor, const std::string& language) {
+core::Result<ReportData> reportHeadOf(const database::SessionRecord& record, const session::SessionSetup& setup,
+                                      database::Connection& connection, const database::Actor& actor,
+                                      const std::string& language) {
     ReportData data;
-    addFacts(data, session, language);
-    auto card = database::ScoreRepository(connection, actor).scores(session.record().summary.id);
+    addFacts(data, record, setup, language);
+    auto card = database::ScoreRepository(connection, actor).scores(record.summary.id);
     if (card) {
-        data.metrics = rowsOf(*card, session.setup().level);
-        if (!session.setup().level.gates.empty())
+        data.metrics = rowsOf(*card, setup.level, record.setup.felt);
+        if (!setup.level.gates.empty())
             data.passed = card->passed;
     } else if (card.error().code != core::ErrorCode::notFound) {
         return tl::unexpected(card.error());
@@ -155,7 +157,7 @@ core::Result<ReportData> reportHeadOf(session::StoredSession& session, database:
 
 core::Result<ReportData> reportDataOf(session::StoredSession& session, database::Connection& connection,
                                       const database::Actor& actor, const std::string& language) {
-    auto head = reportHeadOf(session, connection, actor, language);
+    auto head = reportHeadOf(session.record(), session.setup(), connection, actor, language);
     if (!head)
         return head;
     ReportData data = std::move(*head);

@@ -12,10 +12,14 @@ namespace chiron::session_report {
 core::Result<report::ReportData> reportDataOf(session::StoredSession& session, database::Connection& connection,
                                       const database::Actor& actor, const std::string& language);
 
-/// The same without what has to be read from the recording (samples, answers, duration): for a debrief that must not wait. Failure:
-/// the scores'.
-core::Result<report::ReportData> reportHeadOf(session::StoredSession& session, database::Connection& connection,
-                                              const database::Actor& actor, const std::string& language);
+/// The same without what has to be read from the recording (samples, answers, duration): for a debrief that must not wait, and
+/// for a session whose recording was erased. Failure: the scores'.
+core::Result<report::ReportData> reportHeadOf(const database::SessionRecord& record, const session::SessionSetup& setup,
+                                              database::Connection& connection, const database::Actor& actor,
+                                              const std::string& language);
+
+/// Adds the published benchmark of a metric where there is one; of sessions whose force was felt. Pure.
+void addPublishedBand(report::MetricRow& row);
 
 /// What a metric is called on screen and paper, in English; the id with spaces where it has no name of its own.
 QString metricName(const std::string& id);
