@@ -16,8 +16,6 @@
 
 #include <optional>
 
-class QLabel;
-
 namespace chiron::desktop {
 
 class ForceNotice;
@@ -87,7 +85,6 @@ private:
     ControlBar* m_controls = nullptr;
     KeyFilter* m_keys = nullptr;
     QWidget* m_side = nullptr;
-    QLabel* m_keysText = nullptr;
 
     bool m_painted = false;
     bool m_over = false;    ///< stored or failed: nothing keeps anybody here

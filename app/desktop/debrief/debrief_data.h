@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "database/connection.h"
+#include "database/repositories/session_types.h"
+#include "report/report_data.h"
+#include "session/session_setup.h"
+#include "session/worst_moment.h"
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chiron::desktop {
+
+/// What a debrief shows at once: stored rows alone, no recording is read for it.
+struct DebriefHead {
+    database::SessionRecord record;
+    session::SessionSetup setup;
+    report::ReportData report; ///< facts and metrics; no samples
+    int trialsDone = 0;        ///< trials that came to a mark or a time-out
+};
+
+/// What has to be read from the recording, some tenths of a second later.
+struct DebriefDetails {
+    std::vector<report::ApexError> answers;
+    std::optional<session::WorstMoment> worst;
+    double duration_s = 0.0;
+};
+
+/// Worker. Failure: the repositories'.
+core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, const database::Actor& actor,
+                                          database::SessionId session, const std::string& language);
+/// Worker. Failure: the reader's, doesNotHold naming a damaged chunk; cancelled.
+core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection, const database::Actor& actor,
+                                                database::SessionId session, const std::atomic<bool>& cancelled);
+/// Worker: everything that the printed report needs. Failure: as above.
+core::Result<report::ReportData> loadReport(database::Connection& connection, const database::Actor& actor,
+                                            database::SessionId session, const std::string& language);
+
+} // namespace chiron::desktop

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/debrief/debrief_screen.h"
+#include "desktop/debrief/headline_card.h"
+#include "desktop/debrief/verdict.h"
+#include "desktop/frame/app_context.h"
+#include "desktop/plots/responsive_row.h"
+#include "desktop/plots/session_words.h"
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QHBoxLayout>
+
+// The parts that a debrief is put together from.
+namespace chiron::desktop {
+
+QWidget* DebriefScreen::headBox() {
+    const Theme& theme = context().theme();
+    const database::SessionSummary& summary = m_head->record.summary;
+    auto* box = new QWidget;
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(2));
+    const QString exercise = exerciseTitle(context().site().catalogue(), summary.exercise, context().language());
+    const QString level = QString::fromStdString(catalogue::textIn(m_head->setup.level.title, context().language().toStdString()));
+    column->addWidget(kit::label(theme, tr("%1, level %2: %3").arg(exercise, context().locale().toString(summary.level), level), TextStyle::heading));
+    const QString device = QString::fromStdString(m_head->setup.devices.front().model);
+    auto* facts = kit::label(theme, tr("%1 · %2 · %3 · %4").arg(whoText(summary), whenText(summary, context().locale()), device, forceText(summary.felt)),
+                             TextStyle::body, "muted");
+    facts->setObjectName(QStringLiteral("debrief.facts"));
+    column->addWidget(facts);
+    if (!summary.felt)
+        column->addWidget(kit::label(theme, tr("Force was shown, not felt: these scores form a series of their own and are not compared with felt ones."),
+                                     TextStyle::small, "muted"));
+    return box;
+}
+
+QWidget* DebriefScreen::verdictBox() {
+    const Theme& theme = context().theme();
+    const Verdict verdict = verdictOf(*m_head, context().locale());
+    const kit::Box box = kit::box(theme, verdict.kind);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(theme.px(14));
+    auto* sign = new QLabel;
+    const Colour ink = qstrcmp(verdict.kind, "good") == 0      ? Colour::good
+                       : qstrcmp(verdict.kind, "warning") == 0 ? Colour::warning
+                       : qstrcmp(verdict.kind, "bad") == 0     ? Colour::bad
+                                                               : Colour::accent;
+    sign->setPixmap(theme.icon(verdict.icon, ink).pixmap(theme.px(40), theme.px(40)));
+    row->addWidget(sign, 0, Qt::AlignTop);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(theme.px(4));
+    auto* heading = kit::label(theme, verdict.title, TextStyle::heading);
+    heading->setObjectName(QStringLiteral("debrief.verdict"));
+    words->addWidget(heading);
+    auto* text = kit::label(theme, verdict.text);
+    text->setObjectName(QStringLiteral("debrief.verdict_text"));
+    words->addWidget(text);
+    for (const QString& reason : verdict.reasons) {
+        auto* line = kit::label(theme, QStringLiteral("•  %1").arg(reason), TextStyle::strong);
+        line->setObjectName(QStringLiteral("debrief.reason"));
+        words->addWidget(line);
+    }
+    row->addLayout(words, 1);
+    box.layout->addLayout(row);
+    box.layout->addWidget(actionRow());
+    return box.frame;
+}
+
+QWidget* DebriefScreen::actionRow() {
+    const Theme& theme = context().theme();
+    auto* row = new ResponsiveRow(theme.px(620), theme.px(8));
+    const bool passed = m_head->report.passed.value_or(false) && m_head->record.summary.state == database::SessionState::completed;
+    const int level = m_head->record.summary.level;
+    if (isMine() && passed && hasNextLevel()) {
+        auto* next = kit::button(theme, tr("Next level"), "primary", QStringLiteral("go-next"));
+        next->setObjectName(QStringLiteral("debrief.next"));
+        connect(next, &QPushButton::clicked, this, [this, level] { openSetup(level + 1); });
+        row->add(next, 0);
+    }
+    if (isMine()) {
+        auto* again = kit::button(theme, tr("Try again"), passed ? "" : "primary", QStringLiteral("view-refresh"));
+        again->setObjectName(QStringLiteral("debrief.again"));
+        connect(again, &QPushButton::clicked, this, [this, level] { openSetup(level); });
+        row->add(again, 0);
+    }
+    const bool erased = m_head->record.summary.recordingErased;
+    m_worst = kit::button(theme, tr("Worst moment"), "", QStringLiteral("go-jump"));
+    m_worst->setObjectName(QStringLiteral("debrief.worst"));
+    m_worst->setEnabled(false); // until the recording was looked through
+    connect(m_worst, &QPushButton::clicked, this, [this] {
+        if (m_worstMoment)
+            openPlayback(m_worstMoment->t_s);
+    });
+    row->add(m_worst, 0);
+    auto* playback = kit::button(theme, tr("Playback"), "", QStringLiteral("media-playback-start"));
+    playback->setObjectName(QStringLiteral("debrief.playback"));
+    playback->setEnabled(!erased);
+    connect(playback, &QPushButton::clicked, this, [this] { openPlayback({}); });
+    row->add(playback, 0);
+    m_report = kit::button(theme, tr("Report (PDF)"), "", QStringLiteral("document-save"));
+    m_report->setObjectName(QStringLiteral("debrief.report"));
+    m_report->setEnabled(!erased);
+    connect(m_report, &QPushButton::clicked, this, &DebriefScreen::askReport);
+    row->add(m_report, 0);
+    row->add(new QWidget, 1); // takes what is left
+    return row;
+}
+
+QWidget* DebriefScreen::headlineRow() {
+    const Theme& theme = context().theme();
+    auto* row = new ResponsiveRow(theme.px(660), theme.px(12));
+    int shown = 0;
+    for (const report::MetricRow& metric : m_head->report.metrics) {
+        if (metric.headline && shown++ < 3)
+            row->add(new HeadlineCard(theme, metric, context().locale()));
+    }
+    for (std::size_t i = 0; shown == 0 && i < std::min<std::size_t>(3, m_head->report.metrics.size()); ++i)
+        row->add(new HeadlineCard(theme, m_head->report.metrics[i], context().locale()));
+    return row;
+}
+
+QWidget* DebriefScreen::answersBox() {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("The answers, seen from above"), TextStyle::title));
+    m_answers = new StatePanel(theme);
+    m_answers->setMinimumHeight(theme.px(290));
+    box.layout->addWidget(m_answers);
+    return box.frame;
+}
+
+} // namespace chiron::desktop

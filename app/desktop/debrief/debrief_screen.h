@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/debrief/debrief_data.h"
+#include "desktop/frame/screen.h"
+
+#include <memory>
+#include <optional>
+
+class QPushButton;
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+class StatePanel;
+class WorkToken;
+
+/// What a session came to: passed or not and why, at most three numbers, the worst moment one click away, every metric below.
+/// Place: {session}. The scores are shown as soon as they are read; what needs the recording follows. GUI thread.
+class DebriefScreen final : public Screen {
+    Q_OBJECT
+public:
+    DebriefScreen(AppContext& context, const Place& place);
+    ~DebriefScreen() override;
+
+    QString title() const override;
+    QString help() const override;
+    void enter() override;
+    std::vector<ScreenCommand> commands() override;
+
+    /// Writes the printable report; tells where it is, or why not.
+    void writeReport(const QString& path);
+
+private:
+    database::SessionId sessionId() const;
+    void load();
+    void showHead(DebriefHead head);
+    void loadDetails();
+    void showDetails(const DebriefDetails& details);
+    void showNoDetails(const core::Error& error);
+    QWidget* headBox();
+    QWidget* verdictBox();
+    QWidget* actionRow();
+    QWidget* headlineRow();
+    QWidget* answersBox();
+    void askReport();
+    void openPlayback(std::optional<double> at_s);
+    void openSetup(int level);
+    bool isMine() const;
+    bool hasNextLevel() const;
+
+    StatePanel* m_panel = nullptr;
+    QVBoxLayout* m_column = nullptr; ///< of the page inside m_panel
+    StatePanel* m_answers = nullptr;
+    QPushButton* m_worst = nullptr;
+    QPushButton* m_report = nullptr;
+    std::optional<DebriefHead> m_head;
+    std::optional<session::WorstMoment> m_worstMoment;
+    std::shared_ptr<WorkToken> m_work;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/debrief/verdict.h"
+
+#include "desktop/plots/metric_words.h"
+#include "desktop/plots/session_words.h"
+#include "report/report_text.h"
+
+#include <QCoreApplication>
+
+namespace chiron::desktop {
+
+using database::SessionState;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(Verdict)
+};
+
+Verdict ofCompleted(const DebriefHead& head, const QLocale& locale) {
+    if (!head.report.passed)
+        return {"info", QStringLiteral("dialog-ok-apply"), Words::tr("Completed"),
+                Words::tr("This level has no pass mark. Everything below is for you to compare."), {}};
+    if (*head.report.passed)
+        return {"good", QStringLiteral("dialog-ok-apply"), Words::tr("Passed"),
+                Words::tr("Every pass mark of this level was met."), {}};
+    Verdict verdict{"warning", QStringLiteral("dialog-warning"), Words::tr("Not passed yet"), {}, {}};
+    for (const report::MetricRow& row : head.report.metrics)
+        if (row.passed == std::optional<bool>(false))
+            verdict.reasons << missedGateText(row, locale);
+    verdict.text = Words::tr("%n pass mark(s) of this level were not met:", nullptr, static_cast<int>(verdict.reasons.size()));
+    return verdict;
+}
+
+/// How far the person came, as a half sentence that every unfinished state shares.
+QString reached(const DebriefHead& head) {
+    return Words::tr("%1 of %2 trials were done.").arg(QLocale().toString(head.trialsDone), QLocale().toString(head.record.setup.plannedTrials));
+}
+
+Verdict ofUnfinished(const DebriefHead& head, SessionState state) {
+    Verdict verdict{"warning", stateIcon(state), {}, {}, {}};
+    switch (state) {
+    case SessionState::stopped:
+        verdict.title = Words::tr("Stopped before the end");
+        verdict.text = Words::tr("%1 What was recorded is kept and can be played back. It does not count towards passing; try "
+                                 "again when you are ready.").arg(reached(head));
+        break;
+    case SessionState::interrupted:
+        verdict.title = Words::tr("Interrupted");
+        verdict.text = Words::tr("The program ended during this session. %1 Everything recorded until then was saved and can be "
+                                 "played back. It does not count towards passing.").arg(reached(head));
+        break;
+    case SessionState::incomplete:
+        verdict.title = Words::tr("Incomplete recording");
+        verdict.text = Words::tr("The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played "
+                                 "back. It does not count towards passing; close other programs before the next attempt.",
+                                 nullptr, static_cast<int>(head.record.summary.dropped));
+        break;
+    case SessionState::faulted:
+        verdict.kind = "bad";
+        verdict.title = Words::tr("Ended by a fault");
+        verdict.text = Words::tr("The device or the force supervisor stopped this session to keep it safe. %1 What was recorded "
+                                 "is kept. It does not count towards passing; check the device before the next attempt.").arg(reached(head));
+        break;
+    case SessionState::running:
+        verdict.kind = "info";
+        verdict.title = Words::tr("Still running");
+        verdict.text = Words::tr("This session has not ended yet. Its result is here as soon as it has.");
+        break;
+    case SessionState::completed:
+    case SessionState::voided:
+        break;
+    }
+    return verdict;
+}
+
+Verdict ofVoided(const DebriefHead& head) {
+    const QString reason = QString::fromStdString(head.record.voidReason);
+    Verdict verdict{"warning", stateIcon(SessionState::voided), Words::tr("Voided"), {}, {}};
+    verdict.text = reason.isEmpty()
+                       ? Words::tr("A trainer declared this session void. Recording and scores are kept; they count for nothing.")
+                       : Words::tr("A trainer declared this session void: %1\nRecording and scores are kept; they count for nothing.").arg(reason);
+    return verdict;
+}
+
+double overBy(const report::MetricRow& row) {
+    if (row.gateMaximum && *row.value > *row.gateMaximum)
+        return *row.value - *row.gateMaximum;
+    return row.gateMinimum ? *row.gateMinimum - *row.value : 0.0;
+}
+
+} // namespace
+
+QString missedGateText(const report::MetricRow& row, const QLocale& locale) {
+    const QString name = metricTitle(row.id);
+    const QString gate = report::formatGate(row, locale);
+    if (!row.value)
+        return Words::tr("%1: no value (%2), but the pass mark is %3").arg(name, metricReason(row.reason), gate);
+    const QString value = report::formatValue(row.value, row.unit, locale);
+    const QString by = report::formatValue(overBy(row), row.unit, locale);
+    const bool above = row.gateMaximum && *row.value > *row.gateMaximum;
+    return above ? Words::tr("%1: %2, but the pass mark is %3 (%4 too much)").arg(name, value, gate, by)
+                 : Words::tr("%1: %2, but the pass mark is %3 (%4 too little)").arg(name, value, gate, by);
+}
+
+Verdict verdictOf(const DebriefHead& head, const QLocale& locale) {
+    const SessionState state = head.record.summary.state;
+    Verdict verdict = state == SessionState::completed ? ofCompleted(head, locale)
+                      : state == SessionState::voided  ? ofVoided(head)
+                                                       : ofUnfinished(head, state);
+    if (head.record.summary.familiarisation) {
+        verdict.kind = "info";
+        verdict.text = Words::tr("Familiarisation: recorded, never counted. %1").arg(verdict.text);
+    }
+    return verdict;
+}
+
+} // namespace chiron::desktop

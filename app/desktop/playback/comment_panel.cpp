@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/playback/comment_panel.h"
+
+#include "desktop/plots/session_words.h"
+#include "desktop/widgets/kit.h"
+
+#include <QDateTime>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <algorithm>
+
+namespace chiron::desktop {
+
+CommentPanel::CommentPanel(const Theme& theme, const QLocale& locale, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_list(new QListWidget) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, theme.px(8), 0, 0);
+    column->setSpacing(theme.px(6));
+    m_list->setObjectName(QStringLiteral("playback.comments"));
+    m_list->setAccessibleName(tr("Comments"));
+    m_list->setWordWrap(true);
+    m_list->setTextElideMode(Qt::ElideNone);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setIconSize(QSize(theme.px(18), theme.px(18)));
+    m_none = kit::label(theme, tr("No comments yet."), TextStyle::body, "muted");
+    column->addWidget(m_none);
+    column->addWidget(m_list, 1);
+    buildDraft(*column);
+    const auto jump = [this](const QListWidgetItem* item) {
+        if (item && item->data(Qt::UserRole).isValid())
+            emit seekAsked(item->data(Qt::UserRole).toDouble());
+    };
+    connect(m_list, &QListWidget::itemClicked, this, jump);
+    connect(m_list, &QListWidget::currentItemChanged, this, jump);
+}
+
+void CommentPanel::buildDraft(QVBoxLayout& column) {
+    m_draft = new QWidget;
+    auto* inner = new QVBoxLayout(m_draft);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(m_theme.px(6));
+    m_text = new QPlainTextEdit;
+    m_text->setObjectName(QStringLiteral("playback.comment_text"));
+    m_text->setAccessibleName(tr("New comment"));
+    m_text->setPlaceholderText(tr("What is to be seen here?"));
+    m_text->setTabChangesFocus(true);
+    m_text->setFixedHeight(m_theme.px(72));
+    m_add = kit::button(m_theme, {}, "", QStringLiteral("edit-comment"));
+    m_add->setObjectName(QStringLiteral("playback.comment_add"));
+    m_add->setEnabled(false);
+    inner->addWidget(m_text);
+    inner->addWidget(m_add);
+    column.addWidget(m_draft);
+    connect(m_text, &QPlainTextEdit::textChanged, this, [this] { m_add->setEnabled(!draft().isEmpty()); });
+    connect(m_add, &QPushButton::clicked, this, [this] { emit addAsked(draft()); });
+    setMoment(0.0);
+}
+
+QString CommentPanel::draft() const {
+    return m_text->toPlainText().trimmed();
+}
+
+void CommentPanel::clearDraft() {
+    m_text->clear();
+}
+
+void CommentPanel::setMoment(double t_s) {
+    m_add->setText(tr("Comment at %1").arg(clockText(t_s, m_locale)));
+}
+
+void CommentPanel::setMayAdd(bool may) {
+    m_draft->setVisible(may);
+}
+
+QString CommentPanel::headOf(const NamedComment& comment, database::PersonId reader, double t_s) const {
+    const QString author = comment.comment.author == reader ? tr("You")
+                           : comment.author.empty()         ? tr("Somebody else")
+                                                            : QString::fromStdString(comment.author);
+    const QDateTime utc = QDateTime::fromString(QString::fromStdString(comment.comment.utc), Qt::ISODateWithMs);
+    const QString when = m_locale.toString(utc.toLocalTime().date(), QLocale::ShortFormat);
+    return comment.comment.tick ? tr("%1 · %2 · %3").arg(clockText(t_s, m_locale), author, when)
+                                : tr("Whole session · %1 · %2").arg(author, when);
+}
+
+void CommentPanel::show(std::vector<NamedComment> comments, database::PersonId reader,
+                        const std::function<double(std::uint64_t)>& timeOf) {
+    std::stable_sort(comments.begin(), comments.end(),
+                     [](const NamedComment& a, const NamedComment& b) { return a.comment.tick < b.comment.tick; });
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    for (const NamedComment& named : comments) {
+        const double t_s = named.comment.tick ? timeOf(*named.comment.tick) : 0.0;
+        const QString text = named.comment.text.empty() ? tr("(erased)") : QString::fromStdString(named.comment.text);
+        auto* item = new QListWidgetItem(m_theme.icon(QStringLiteral("edit-comment"), Colour::warning),
+                                         QStringLiteral("%1\n%2").arg(headOf(named, reader, t_s), text));
+        if (named.comment.tick)
+            item->setData(Qt::UserRole, t_s);
+        m_list->addItem(item);
+    }
+    m_none->setVisible(m_list->count() == 0);
+}
+
+} // namespace chiron::desktop

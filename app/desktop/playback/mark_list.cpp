@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/playback/mark_list.h"
+
+#include "desktop/playback/mark_words.h"
+#include "desktop/plots/session_words.h"
+#include "desktop/widgets/kit.h"
+
+#include <QCheckBox>
+#include <QListWidget>
+
+namespace chiron::desktop {
+
+MarkList::MarkList(const Theme& theme, const QLocale& locale, std::vector<session::PlaybackMark> marks, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_marks(std::move(marks)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, theme.px(8), 0, 0);
+    column->setSpacing(theme.px(6));
+    m_penaltiesOnly = new QCheckBox(tr("Penalties only"));
+    m_penaltiesOnly->setObjectName(QStringLiteral("playback.penalties_only"));
+    m_list = new QListWidget;
+    m_list->setObjectName(QStringLiteral("playback.marks"));
+    m_list->setAccessibleName(tr("Events"));
+    m_list->setWordWrap(true);
+    m_list->setTextElideMode(Qt::ElideNone);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setIconSize(QSize(theme.px(18), theme.px(18)));
+    m_none = kit::label(theme, tr("Nothing of this kind happened."), TextStyle::body, "muted");
+    column->addWidget(m_penaltiesOnly);
+    column->addWidget(m_none);
+    column->addWidget(m_list, 1);
+    connect(m_penaltiesOnly, &QCheckBox::toggled, this, &MarkList::fill);
+    const auto jump = [this](const QListWidgetItem* item) {
+        if (item)
+            emit seekAsked(item->data(Qt::UserRole).toDouble());
+    };
+    connect(m_list, &QListWidget::itemClicked, this, jump);
+    connect(m_list, &QListWidget::currentItemChanged, this, jump);
+    connect(m_list, &QListWidget::itemActivated, this, jump);
+    fill();
+}
+
+void MarkList::fill() {
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    for (const session::PlaybackMark& mark : m_marks) {
+        if (m_penaltiesOnly->isChecked() && !session::isPenalty(mark.kind))
+            continue;
+        auto* item = new QListWidgetItem(m_theme.icon(markIcon(mark.kind), markColour(mark.kind)),
+                                         tr("%1  %2").arg(clockText(mark.t_s, m_locale), markText(mark, m_locale)));
+        item->setData(Qt::UserRole, mark.t_s);
+        m_list->addItem(item);
+    }
+    m_none->setVisible(m_list->count() == 0);
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "session/playback_mark.h"
+
+#include <QLocale>
+#include <QWidget>
+#include <vector>
+
+class QCheckBox;
+class QListWidget;
+
+namespace chiron::desktop {
+
+/// What happened, by time, each a step away: choosing one seeks. Can be narrowed to what cost something. GUI thread.
+class MarkList : public QWidget {
+    Q_OBJECT
+public:
+    MarkList(const Theme& theme, const QLocale& locale, std::vector<session::PlaybackMark> marks, QWidget* parent = nullptr);
+
+signals:
+    void seekAsked(double t_s);
+
+private:
+    void fill();
+
+    const Theme& m_theme;
+    QLocale m_locale;
+    std::vector<session::PlaybackMark> m_marks;
+    QCheckBox* m_penaltiesOnly;
+    QListWidget* m_list;
+    class QLabel* m_none;
+};
+
+} // namespace chiron::desktop

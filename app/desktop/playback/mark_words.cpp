@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/playback/mark_words.h"
+
+#include "report/report_text.h"
+
+#include <QCoreApplication>
+#include <array>
+#include <utility>
+
+namespace chiron::desktop {
+
+using session::PlaybackMarkKind;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(PlaybackMarks)
+};
+
+// clang-format off
+constexpr std::array<std::pair<const char*, const char*>, 8> kGuards{{
+    {"over_velocity", QT_TRANSLATE_NOOP("PlaybackMarks", "Force held: the tool moved too fast")},
+    {"bad_sample", QT_TRANSLATE_NOOP("PlaybackMarks", "A sample of the device was not usable")},
+    {"sample_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: too many samples of the device were not usable")},
+    {"watchdog", QT_TRANSLATE_NOOP("PlaybackMarks", "Force held: samples of the device came late")},
+    {"watchdog_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: the device went silent")},
+    {"window_frozen", QT_TRANSLATE_NOOP("PlaybackMarks", "Force held: the window did not answer")},
+    {"passivity", QT_TRANSLATE_NOOP("PlaybackMarks", "Force damped to keep it stable")},
+    {"device_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: the device reported one")},
+}};
+// clang-format on
+
+QString guardText(const std::string& detail) {
+    for (const auto& [token, text] : kGuards)
+        if (detail == token)
+            return QCoreApplication::translate("PlaybackMarks", text);
+    return Words::tr("The force supervisor stepped in");
+}
+
+QString seconds(double span_s, const QLocale& locale) {
+    return report::formatValue(span_s, QStringLiteral("s"), locale);
+}
+
+} // namespace
+
+QString markText(const session::PlaybackMark& mark, const QLocale& locale) {
+    const double span_s = mark.end_s - mark.t_s;
+    switch (mark.kind) {
+    case PlaybackMarkKind::trialStarted: return Words::tr("Trial %1 begins").arg(locale.toString(mark.trial + 1));
+    case PlaybackMarkKind::marked: return Words::tr("Marked the highest point");
+    case PlaybackMarkKind::timedOut: return Words::tr("Time was up without a mark");
+    case PlaybackMarkKind::traceEnded: return Words::tr("The trace ended without a mark");
+    case PlaybackMarkKind::contact: return Words::tr("In contact for %1").arg(seconds(span_s, locale));
+    case PlaybackMarkKind::overLimit:
+        return Words::tr("Over the limit for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
+    case PlaybackMarkKind::paused: return Words::tr("Paused for %1").arg(seconds(span_s, locale));
+    case PlaybackMarkKind::forceStopped: return Words::tr("Force stopped");
+    case PlaybackMarkKind::rearmed: return Words::tr("Force armed again");
+    case PlaybackMarkKind::guard:
+    case PlaybackMarkKind::fault: return guardText(mark.detail);
+    case PlaybackMarkKind::ended: return Words::tr("The person ended the session");
+    }
+    return {};
+}
+
+QString markIcon(PlaybackMarkKind kind) {
+    switch (kind) {
+    case PlaybackMarkKind::trialStarted: return QStringLiteral("go-next");
+    case PlaybackMarkKind::marked: return QStringLiteral("flag");
+    case PlaybackMarkKind::timedOut: return QStringLiteral("chronometer");
+    case PlaybackMarkKind::traceEnded: return QStringLiteral("media-playback-stop");
+    case PlaybackMarkKind::contact: return QStringLiteral("draw-circle");
+    case PlaybackMarkKind::overLimit: return QStringLiteral("dialog-warning");
+    case PlaybackMarkKind::paused: return QStringLiteral("media-playback-pause");
+    case PlaybackMarkKind::forceStopped: return QStringLiteral("process-stop");
+    case PlaybackMarkKind::rearmed: return QStringLiteral("media-playback-start");
+    case PlaybackMarkKind::guard: return QStringLiteral("security-medium");
+    case PlaybackMarkKind::fault: return QStringLiteral("dialog-error");
+    case PlaybackMarkKind::ended: return QStringLiteral("media-playback-stop");
+    }
+    return {};
+}
+
+Colour markColour(PlaybackMarkKind kind) {
+    if (session::isPenalty(kind))
+        return Colour::bad;
+    if (kind == PlaybackMarkKind::marked)
+        return Colour::accent;
+    return kind == PlaybackMarkKind::guard ? Colour::warning : Colour::muted;
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/playback/playback_data.h"
+
+#include "database/repositories/account_repository.h"
+#include "database/repositories/score_repository.h"
+#include "session/playback_builder.h"
+
+#include <algorithm>
+#include <map>
+
+namespace chiron::desktop {
+
+namespace {
+
+constexpr std::size_t kMostGhosts = 40;
+
+std::optional<double> metricOf(database::Connection& connection, const database::Actor& actor, database::SessionId session,
+                               const std::string& metric) {
+    const auto card = database::ScoreRepository(connection, actor).scores(session);
+    if (!card)
+        return std::nullopt; // without a score it is no candidate for the best
+    for (const scoring::MetricValue& value : card->metrics)
+        if (value.id == metric)
+            return value.value;
+    return std::nullopt;
+}
+
+GhostCandidate* bestOf(std::vector<GhostCandidate>& own, database::Connection& connection, const database::Actor& actor,
+                       const std::string& metric, bool lowerIsBetter) {
+    GhostCandidate* best = nullptr;
+    double bestValue = 0.0;
+    for (GhostCandidate& candidate : own) {
+        const auto value = metricOf(connection, actor, candidate.summary.id, metric);
+        if (value && (!best || (lowerIsBetter ? *value < bestValue : *value > bestValue))) {
+            best = &candidate;
+            bestValue = *value;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+core::Result<PlaybackData> loadPlayback(database::Connection& connection, const database::Actor& actor,
+                                        database::SessionId session, const std::function<bool(double)>& progress) {
+    PlaybackData data;
+    auto record = database::SessionReader(connection, actor).session(session);
+    if (!record)
+        return tl::unexpected(record.error());
+    data.record = std::move(*record);
+    auto setup = session::setupFromStored(data.record.setup);
+    if (!setup)
+        return tl::unexpected(setup.error());
+    data.setup = std::move(*setup);
+    if (data.record.summary.recordingErased)
+        return data;
+    auto stored = session::StoredSession::open(connection, actor, session);
+    if (!stored)
+        return tl::unexpected(stored.error());
+    auto track = session::buildPlaybackTrack(**stored, progress);
+    if (!track)
+        return tl::unexpected(track.error());
+    data.track = std::move(*track);
+    return data;
+}
+
+core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& connection, const database::Actor& actor,
+                                                     const database::SessionRecord& record, const std::string& mainMetric,
+                                                     bool lowerIsBetter) {
+    database::SessionFilter filter;
+    filter.exercise = record.summary.exercise;
+    filter.level = record.summary.level;
+    filter.state = database::SessionState::completed;
+    auto sessions = database::SessionReader(connection, actor).listSessions(filter);
+    if (!sessions)
+        return tl::unexpected(sessions.error());
+    std::vector<GhostCandidate> own;
+    std::vector<GhostCandidate> scripted;
+    std::vector<GhostCandidate> others;
+    for (const database::SessionSummary& summary : *sessions) {
+        if (summary.id == record.summary.id || summary.recordingErased || summary.felt != record.summary.felt)
+            continue;
+        if (!summary.operatorName.empty())
+            scripted.push_back({summary, GhostRole::scripted});
+        else if (summary.person == record.summary.person)
+            own.push_back({summary, GhostRole::other});
+        else
+            others.push_back({summary, GhostRole::other});
+    }
+    if (!own.empty()) {
+        if (GhostCandidate* best = bestOf(own, connection, actor, mainMetric, lowerIsBetter))
+            best->role = GhostRole::ownBest;
+        own.front().role = GhostRole::ownFirst; // sessions come in the order of their numbers
+    }
+    std::stable_sort(own.begin(), own.end(), [](const GhostCandidate& a, const GhostCandidate& b) { return a.role < b.role; });
+    std::reverse(others.begin(), others.end());
+    own.insert(own.end(), scripted.begin(), scripted.end());
+    own.insert(own.end(), others.begin(), others.end());
+    if (own.size() > kMostGhosts)
+        own.resize(kMostGhosts);
+    return own;
+}
+
+core::Result<std::vector<NamedComment>> loadComments(database::Connection& connection, const database::Actor& actor,
+                                                     database::SessionId session) {
+    auto comments = database::SessionReader(connection, actor).comments(session);
+    if (!comments)
+        return tl::unexpected(comments.error());
+    // Names as the login screen of this site shows them: nothing that is not seen there anyway.
+    std::map<database::PersonId, std::string> names;
+    if (auto people = database::AccountRepository(connection, database::Actor::anonymous()).listLoginNames())
+        for (const database::LoginName& person : *people)
+            names[person.id] = person.displayName.empty() ? person.name : person.displayName;
+    std::vector<NamedComment> named;
+    for (const database::SessionComment& comment : *comments)
+        named.push_back({comment, names.count(comment.author) ? names[comment.author] : std::string()});
+    return named;
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/frame/app_context.h"
+#include "desktop/playback/comment_panel.h"
+#include "desktop/playback/mark_list.h"
+#include "desktop/playback/playback_plots.h"
+#include "desktop/playback/playback_screen.h"
+#include "desktop/playback/scrubber.h"
+#include "desktop/playback/transport_bar.h"
+#include "desktop/plots/responsive_row.h"
+#include "desktop/plots/session_words.h"
+#include "desktop/scene3d/scene_view.h"
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/scroll_page.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QComboBox>
+#include <QTabWidget>
+
+// The parts that a playback is put together from.
+namespace chiron::desktop {
+
+void PlaybackScreen::build() {
+    const Theme& theme = context().theme();
+    auto* page = new ScrollPage(theme, 0);
+    page->column()->setSpacing(theme.px(10));
+    page->column()->addWidget(headBox());
+    const database::SessionRecord& record = m_data->record;
+    if (record.summary.state == database::SessionState::voided)
+        page->column()->addWidget(kit::notice(theme, "warning", tr("Declared void: %1").arg(QString::fromStdString(record.voidReason))));
+    auto* row = new ResponsiveRow(theme.px(820), theme.px(14));
+    row->add(stageColumn(), 3);
+    row->add(sideColumn(), 2);
+    page->column()->addWidget(row, 1);
+    page->installEventFilter(this);
+    m_panel->setContent(page);
+}
+
+QWidget* PlaybackScreen::headBox() {
+    const Theme& theme = context().theme();
+    const database::SessionSummary& summary = m_data->record.summary;
+    auto* row = new ResponsiveRow(theme.px(700), theme.px(8));
+    auto* words = new QWidget;
+    auto* column = new QVBoxLayout(words);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    const QString language = context().language();
+    const QString level = QString::fromStdString(catalogue::textIn(m_data->setup.level.title, language.toStdString()));
+    column->addWidget(kit::label(theme, tr("%1, level %2: %3").arg(exerciseTitle(context().site().catalogue(), summary.exercise, language),
+                                                                   context().locale().toString(summary.level), level),
+                                 TextStyle::title));
+    column->addWidget(kit::label(theme, tr("%1 · %2 · %3 · %4").arg(whoText(summary), whenText(summary, context().locale()), outcomeText(summary), forceText(summary.felt)),
+                                 TextStyle::small, "muted"));
+    row->add(words, 1);
+    auto* debrief = kit::button(theme, tr("Debrief"), "", QStringLiteral("view-statistics"));
+    debrief->setObjectName(QStringLiteral("playback.debrief"));
+    connect(debrief, &QPushButton::clicked, this, [this] {
+        context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(sessionId())}});
+    });
+    row->add(debrief, 0);
+    const bool offers = context().has(database::Role::trainer) || context().has(database::Role::admin);
+    const bool voidable = summary.state != database::SessionState::voided && summary.state != database::SessionState::running;
+    if (offers && voidable) {
+        auto* button = kit::button(theme, tr("Declare void …"), "", QStringLiteral("dialog-cancel"));
+        button->setObjectName(QStringLiteral("playback.void"));
+        connect(button, &QPushButton::clicked, this, &PlaybackScreen::askVoid);
+        row->add(button, 0);
+    }
+    return row;
+}
+
+QWidget* PlaybackScreen::stageColumn() {
+    const Theme& theme = context().theme();
+    const QLocale locale = context().locale();
+    auto* stage = new QWidget;
+    auto* column = new QVBoxLayout(stage);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(4));
+    auto* holder = new QFrame;
+    holder->setProperty("kind", QStringLiteral("raised"));
+    holder->setMinimumHeight(theme.px(220));
+    m_sceneHolder = new QVBoxLayout(holder);
+    m_sceneHolder->setContentsMargins(theme.px(1), theme.px(1), theme.px(1), theme.px(1));
+    column->addWidget(holder, 1);
+    m_readout = kit::label(theme, {}, TextStyle::mono);
+    m_readout->setObjectName(QStringLiteral("playback.readout"));
+    column->addWidget(m_readout);
+    m_scrubber = new Scrubber(theme);
+    m_scrubber->setObjectName(QStringLiteral("playback.scrubber"));
+    m_scrubber->setLocale(locale);
+    m_scrubber->setTrack(m_data->track);
+    connect(m_scrubber, &Scrubber::seekAsked, &m_clock, &PlaybackClock::seek);
+    column->addWidget(m_scrubber);
+    column->addWidget(new TransportBar(theme, locale, m_clock));
+    m_plots = new PlaybackPlots(theme, locale, m_data->track);
+    connect(m_plots, &PlaybackPlots::seekAsked, &m_clock, &PlaybackClock::seek);
+    column->addWidget(m_plots);
+    return stage;
+}
+
+QWidget* PlaybackScreen::sideColumn() {
+    const Theme& theme = context().theme();
+    auto* side = new QWidget;
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(8));
+    column->addWidget(ghostBox());
+    auto* tabs = new QTabWidget;
+    tabs->setObjectName(QStringLiteral("playback.tabs"));
+    tabs->setMinimumHeight(theme.px(300));
+    auto* marks = new MarkList(theme, context().locale(), m_data->track.marks);
+    connect(marks, &MarkList::seekAsked, &m_clock, &PlaybackClock::seek);
+    tabs->addTab(marks, tr("Events"));
+    m_comments = new CommentPanel(theme, context().locale());
+    connect(m_comments, &CommentPanel::seekAsked, &m_clock, &PlaybackClock::seek);
+    connect(m_comments, &CommentPanel::addAsked, this, &PlaybackScreen::addComment);
+    tabs->addTab(m_comments, tr("Comments"));
+    column->addWidget(tabs, 1);
+    return side;
+}
+
+QWidget* PlaybackScreen::ghostBox() {
+    const Theme& theme = context().theme();
+    auto* box = new QWidget;
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(2));
+    auto* label = kit::label(theme, tr("Second session beside it"), TextStyle::label);
+    m_ghostChoice = new QComboBox;
+    m_ghostChoice->setObjectName(QStringLiteral("playback.ghost"));
+    m_ghostChoice->setAccessibleName(tr("Second session beside it"));
+    m_ghostChoice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_ghostChoice->addItem(tr("None"), qlonglong(0));
+    label->setBuddy(m_ghostChoice);
+    column->addWidget(label);
+    column->addWidget(m_ghostChoice);
+    connect(m_ghostChoice, &QComboBox::activated, this, &PlaybackScreen::chooseGhost);
+    return box;
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "report/plot_view.h"
+#include "session/playback_ghost.h"
+#include "session/playback_track.h"
+
+#include <QLocale>
+#include <QWidget>
+#include <optional>
+
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+/// Force and speed over the whole recording, one above the other, under one cursor; a click seeks. Pauses are hatched, the
+/// limit is a line, a second session is a dash-dotted line. GUI thread.
+class PlaybackPlots : public QWidget {
+    Q_OBJECT
+public:
+    PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, QWidget* parent = nullptr);
+
+    /// Draws both again, with the second session's lines or without; `name` is in the legend.
+    void setGhost(const std::optional<session::GhostSeries>& ghost, const QString& name);
+    void showCursor(double t_s);
+    const report::PlotView& force() const { return *m_force; }
+    const report::PlotView& speed() const { return *m_speed; }
+
+signals:
+    void seekAsked(double t_s);
+
+private:
+    void put(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, int height_px);
+
+    const Theme& m_theme;
+    QLocale m_locale;
+    report::SampleSeries m_series;
+    double m_limit_N;
+    double m_cursor_s = 0.0;
+    QVBoxLayout* m_column;
+    report::PlotView* m_force = nullptr;
+    report::PlotView* m_speed = nullptr;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/playback/playback_screen.h"
+
+#include "database/repositories/session_repository.h"
+#include "desktop/frame/app_context.h"
+#include "desktop/playback/comment_panel.h"
+#include "desktop/playback/playback_plots.h"
+#include "desktop/playback/playback_scene.h"
+#include "desktop/playback/scrubber.h"
+#include "desktop/playback/void_dialog.h"
+#include "desktop/scene3d/scene_loader.h"
+#include "desktop/widgets/state_panel.h"
+#include "report/report_text.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace chiron::desktop {
+
+PlaybackScreen::PlaybackScreen(AppContext& context, const Place& place) : Screen(context, place) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_panel = new StatePanel(context.theme());
+    column->addWidget(m_panel);
+    connect(&m_clock, &PlaybackClock::moved, this, &PlaybackScreen::showMoment);
+    connect(&m_clock, &PlaybackClock::playingChanged, this, [this] { notePlace(); });
+}
+
+PlaybackScreen::~PlaybackScreen() {
+    for (const auto& work : {m_work, m_ghostWork})
+        if (work)
+            work->cancel();
+}
+
+QString PlaybackScreen::title() const {
+    return tr("Playback");
+}
+
+QString PlaybackScreen::help() const {
+    return tr("A session as it was recorded.\n\nSpace plays and pauses. The arrow keys go one picture on or back, with Shift one "
+              "second, with Ctrl to the next or last event; Home and End go to the ends. A click in a plot goes there too.\n\nPauses are hatched. "
+              "Triangles on the time bar are penalties, flags are answers, squares below it are comments.\n\nChoose a second session "
+              "to see it beside this one: each of its trials starts when the trial here starts, and it is drawn over the same sphere.");
+}
+
+std::vector<ScreenCommand> PlaybackScreen::commands() {
+    return {{tr("Play or pause"), QKeySequence(Qt::Key_Space), [this] { m_clock.toggle(); }, false},
+            {tr("One picture on"), QKeySequence(Qt::Key_Right), [this] { m_clock.step(1); }, false},
+            {tr("One picture back"), QKeySequence(Qt::Key_Left), [this] { m_clock.step(-1); }, false},
+            {tr("Next event"), QKeySequence(Qt::CTRL | Qt::Key_Right), [this] { seekMark(1); }, false},
+            {tr("Last event"), QKeySequence(Qt::CTRL | Qt::Key_Left), [this] { seekMark(-1); }, false},
+            {tr("To the beginning"), QKeySequence(Qt::Key_Home), [this] { m_clock.seek(0.0); }, false},
+            {tr("To the end"), QKeySequence(Qt::Key_End), [this] { m_clock.seek(m_clock.duration_s()); }, false}};
+}
+
+database::SessionId PlaybackScreen::sessionId() const {
+    return place().parameters.value(QStringLiteral("session")).toLongLong();
+}
+
+void PlaybackScreen::enter() {
+    load();
+}
+
+void PlaybackScreen::load() {
+    database::Database& database = context().site().database();
+    m_work = context().background().run(
+        this,
+        [&database, actor = context().actor(), id = sessionId()](WorkToken& token) -> core::Result<PlaybackData> {
+            scene3d::findWhyFlat(); // loads what the scene needs, so that the window does not wait for it later
+            auto connection = database.openReader();
+            if (!connection)
+                return tl::unexpected(connection.error());
+            return loadPlayback(**connection, actor, id, [&token](double part) {
+                token.setProgress(static_cast<int>(100 * part), 100);
+                return !token.cancelled();
+            });
+        },
+        [this](core::Result<PlaybackData> loaded) {
+            if (loaded)
+                return showData(std::move(*loaded));
+            const bool damaged = loaded.error().code == core::ErrorCode::doesNotHold;
+            m_panel->showError(damaged ? tr("This recording is damaged and cannot be played back. Its scores are kept.")
+                                       : tr("This session could not be opened"),
+                               loaded.error(), [this] { load(); });
+        });
+    m_panel->showLoading(tr("Reading the recording …"), m_work);
+}
+
+void PlaybackScreen::showData(PlaybackData loaded) {
+    const auto toDebrief = [this] { context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(sessionId())}}); };
+    if (loaded.record.summary.recordingErased)
+        return m_panel->showEmpty(tr("The recording was erased"), tr("It was withdrawn at the person's wish. The scores are kept."), tr("Open the debrief"), toDebrief);
+    if (loaded.track.empty())
+        return m_panel->showEmpty(tr("Nothing was recorded"), tr("This session ended before its first sample. It is kept and listed."), tr("Open the debrief"), toDebrief);
+    m_data = std::move(loaded);
+    build();
+    m_panel->showContent();
+    m_clock.setDuration(m_data->track.duration_s);
+    m_clock.seek(place().parameters.value(QStringLiteral("at_s"), 0.0).toDouble());
+    m_scrubber->setFocus();
+    QMetaObject::invokeMethod(this, &PlaybackScreen::makeScene, Qt::QueuedConnection); // after this page is painted
+    loadComments();
+    loadGhosts();
+}
+
+void PlaybackScreen::makeScene() {
+    scene3d::LoadedScene loaded = scene3d::makeSceneView(sceneSetupOf(m_data->setup, m_data->track.forceLimit_N, context().theme()), this);
+    m_scene = std::move(loaded.view);
+    m_sceneHolder->addWidget(m_scene->widget());
+    m_scene->widget()->setObjectName(QStringLiteral("playback.scene"));
+    m_scene->widget()->setAccessibleName(tr("The scene at this moment"));
+    m_scene->inputSource()->installEventFilter(this);
+    showMoment(m_clock.position_s());
+}
+
+void PlaybackScreen::showMoment(double t_s) {
+    if (!m_data)
+        return;
+    m_scrubber->setPosition(t_s);
+    m_plots->showCursor(t_s);
+    m_comments->setMoment(t_s);
+    if (m_scene)
+        m_scene->show(sceneStateAt(m_data->track, m_ghost ? &*m_ghost : nullptr, t_s));
+    const session::PlaybackView view = m_data->track.at(t_s);
+    const QLocale locale = context().locale();
+    const session::PlaybackTool& tool = view.tools.front();
+    const QString force = report::formatValue(tool.tissue_N.norm(), QStringLiteral("N"), locale);
+    const QString speed = report::formatValue(1e3 * tool.speed_m_per_s, QStringLiteral("mm/s"), locale);
+    const QString trial = locale.toString(view.moment.trial + 1);
+    m_readout->setText(view.moment.paused ? tr("Trial %1 · paused · force %2 · speed %3").arg(trial, force, speed)
+                                          : tr("Trial %1 · force %2 · speed %3").arg(trial, force, speed));
+    if (!m_clock.playing())
+        notePlace();
+}
+
+void PlaybackScreen::notePlace() {
+    QVariantMap parameters = context().navigator().current().parameters;
+    if (parameters.value(QStringLiteral("session")).toLongLong() != sessionId())
+        return; // somebody is on their way to another screen
+    parameters.insert(QStringLiteral("at_s"), m_clock.position_s());
+    context().navigator().note(parameters);
+}
+
+bool PlaybackScreen::handleKey(QKeyEvent* event) {
+    if (!m_data)
+        return false;
+    const bool second = (event->modifiers() & Qt::ShiftModifier) != 0;
+    const bool mark = (event->modifiers() & Qt::ControlModifier) != 0;
+    const int direction = event->key() == Qt::Key_Left ? -1 : 1;
+    switch (event->key()) {
+    case Qt::Key_Space:
+        m_clock.toggle();
+        return true;
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+        if (mark)
+            seekMark(direction);
+        else if (second)
+            m_clock.seek(m_clock.position_s() + direction);
+        else
+            m_clock.step(direction);
+        return true;
+    case Qt::Key_Home:
+        m_clock.seek(0.0);
+        return true;
+    case Qt::Key_End:
+        m_clock.seek(m_clock.duration_s());
+        return true;
+    default:
+        return false;
+    }
+}
+
+void PlaybackScreen::keyPressEvent(QKeyEvent* event) {
+    if (!handleKey(event))
+        Screen::keyPressEvent(event);
+}
+
+bool PlaybackScreen::eventFilter(QObject* watched, QEvent* event) {
+    // The 3D scene is a window of its own, whose keys never come up to this widget by themselves; and the page would scroll at
+    // the arrows, which here are the recording's.
+    if (event->type() == QEvent::KeyPress && handleKey(static_cast<QKeyEvent*>(event)))
+        return true;
+    return Screen::eventFilter(watched, event);
+}
+
+void PlaybackScreen::seekMark(int direction) {
+    if (!m_data)
+        return;
+    constexpr double kHere_s = 0.5 * PlaybackClock::kStep_s;
+    const double now_s = m_clock.position_s();
+    std::optional<double> target_s;
+    for (const session::PlaybackMark& mark : m_data->track.marks) {
+        if (mark.kind == session::PlaybackMarkKind::contact)
+            continue;
+        if (direction > 0 && mark.t_s > now_s + kHere_s && !target_s)
+            target_s = mark.t_s;
+        if (direction < 0 && mark.t_s < now_s - kHere_s)
+            target_s = mark.t_s;
+    }
+    if (target_s)
+        m_clock.seek(*target_s);
+}
+
+void PlaybackScreen::loadComments() {
+    database::Database& database = context().site().database();
+    context().background().run(
+        this,
+        [&database, actor = context().actor(), id = sessionId()](WorkToken&) -> core::Result<std::vector<NamedComment>> {
+            auto connection = database.openReader();
+            return connection ? desktop::loadComments(**connection, actor, id) : tl::unexpected(connection.error());
+        },
+        [this](core::Result<std::vector<NamedComment>> comments) {
+            if (!comments)
+                return context().messages().error(tr("The comments could not be read."), comments.error());
+            std::vector<double> moments_s;
+            for (const NamedComment& named : *comments)
+                if (named.comment.tick)
+                    moments_s.push_back(m_data->track.timeOfTick(*named.comment.tick));
+            m_scrubber->setComments(std::move(moments_s));
+            m_comments->show(std::move(*comments), context().actor().personId(),
+                             [this](std::uint64_t tick) { return m_data->track.timeOfTick(tick); });
+        });
+}
+
+void PlaybackScreen::addComment(const QString& text) {
+    database::Database& database = context().site().database();
+    const std::uint64_t tick = m_data->track.tickAt(m_clock.position_s());
+    context().background().run(
+        this,
+        [&database, actor = context().actor(), id = sessionId(), words = text.toStdString(), tick](WorkToken&) {
+            return database.write([&](database::WriteContext& write) {
+                return database::SessionRepository(write.connection(), actor).addComment(id, words, tick);
+            });
+        },
+        [this](core::Result<std::int64_t> added) {
+            if (!added)
+                return context().messages().error(tr("The comment was not stored. Its text is still there."), added.error());
+            m_comments->clearDraft();
+            loadComments();
+        });
+}
+
+void PlaybackScreen::askVoid() {
+    m_clock.pause();
+    auto* dialog = new VoidDialog(context().theme(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { declareVoid(dialog->reason()); });
+    dialog->open();
+}
+
+void PlaybackScreen::declareVoid(const QString& reason) {
+    database::Database& database = context().site().database();
+    context().background().run(
+        this,
+        [&database, actor = context().actor(), id = sessionId(), words = reason.toStdString()](WorkToken&) {
+            return database.write([&](database::WriteContext& write) {
+                return database::SessionRepository(write.connection(), actor).voidSession(id, words);
+            });
+        },
+        [this](core::Result<void> stored) {
+            if (!stored)
+                return context().messages().error(tr("The session was not declared void; nothing was changed."), stored.error());
+            context().messages().done(tr("The session is void. Recording and scores are kept."));
+            m_clock.pause();
+            context().navigator().replace(context().navigator().current()); // shown anew, as it is now
+        });
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/frame/screen.h"
+#include "desktop/playback/playback_clock.h"
+#include "desktop/playback/playback_data.h"
+
+#include <memory>
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QVBoxLayout;
+
+namespace chiron::scene3d {
+class ISceneView;
+}
+
+namespace chiron::desktop {
+
+class CommentPanel;
+class PlaybackPlots;
+class Scrubber;
+class StatePanel;
+class WorkToken;
+
+/// A stored session played back: scene, scrubber, force and speed under one cursor, what happened, comments at a moment, a second
+/// session as a ghost. Trainers declare a session void here. Place: {session, at_s, ghost}. GUI thread.
+class PlaybackScreen final : public Screen {
+    Q_OBJECT
+public:
+    PlaybackScreen(AppContext& context, const Place& place);
+    ~PlaybackScreen() override;
+
+    QString title() const override;
+    QString help() const override;
+    void enter() override;
+    std::vector<ScreenCommand> commands() override;
+
+    PlaybackClock& clock() noexcept { return m_clock; }
+    /// Stores the session as void; what is permitted is decided there. Tells how it went.
+    void declareVoid(const QString& reason);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    database::SessionId sessionId() const;
+    void load();
+    void showData(PlaybackData loaded);
+    void build();
+    QWidget* headBox();
+    QWidget* stageColumn();
+    QWidget* sideColumn();
+    QWidget* ghostBox();
+    void makeScene();
+    void showMoment(double t_s);
+    void notePlace();
+    bool handleKey(QKeyEvent* event);
+    void seekMark(int direction);
+
+    void loadGhosts();
+    void showGhosts(const std::vector<GhostCandidate>& candidates);
+    void chooseGhost();
+    void showGhost(PlaybackData ghost);
+
+    void loadComments();
+    void addComment(const QString& text);
+    void askVoid();
+
+    PlaybackClock m_clock;
+    StatePanel* m_panel = nullptr;
+    std::optional<PlaybackData> m_data;
+    std::optional<session::PlaybackTrack> m_ghost;
+    std::shared_ptr<WorkToken> m_work;
+    std::shared_ptr<WorkToken> m_ghostWork;
+    QVBoxLayout* m_sceneHolder = nullptr;
+    std::unique_ptr<scene3d::ISceneView> m_scene;
+    QLabel* m_readout = nullptr;
+    Scrubber* m_scrubber = nullptr;
+    PlaybackPlots* m_plots = nullptr;
+    CommentPanel* m_comments = nullptr;
+    QComboBox* m_ghostChoice = nullptr;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "session/playback_track.h"
+
+#include <QAbstractSlider>
+#include <vector>
+
+namespace chiron::desktop {
+
+/// The recording's time as a bar: a handle, trials, pauses hatched, marks and comments as ticks (penalties as triangles, answers
+/// as flags, comments as squares below). A slider for keyboard and screen reader: arrows step a picture, Page keys a
+/// second, Home and End. Values in milliseconds. GUI thread.
+class Scrubber : public QAbstractSlider {
+    Q_OBJECT
+public:
+    explicit Scrubber(const Theme& theme, QWidget* parent = nullptr);
+
+    void setTrack(const session::PlaybackTrack& track); ///< copies what it draws
+    void setComments(std::vector<double> moments_s);
+    void setPosition(double t_s);
+    QSize sizeHint() const override;
+    /// Where a time lies, logical pixels.
+    double xOf(double t_s) const;
+
+signals:
+    void seekAsked(double t_s);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    QRectF groove() const;
+    double timeAt(double x) const;
+    void paintTrials(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+    void paintHandle(QPainter& painter) const;
+
+    const Theme& m_theme;
+    double m_duration_s = 0.0;
+    double m_position_s = 0.0;
+    std::vector<session::PlaybackTrial> m_trials;
+    std::vector<session::PlaybackSpan> m_paused;
+    std::vector<session::PlaybackMark> m_marks; ///< without contacts: those are too many to tell apart
+    std::vector<double> m_comments_s;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/playback/transport_bar.h"
+
+#include "desktop/plots/responsive_row.h"
+#include "desktop/plots/session_words.h"
+#include "desktop/widgets/kit.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <array>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
+}
+
+TransportBar::TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_clock(clock) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* parts = new ResponsiveRow(theme.px(480), theme.px(6));
+    column->addWidget(parts);
+    auto* controls = new QWidget;
+    auto* row = new QHBoxLayout(controls);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(theme.px(4));
+    buildButtons(*row);
+    buildSpeed(*row);
+    row->addStretch();
+    parts->add(controls, 1);
+    m_time = kit::line(theme, {}, TextStyle::mono);
+    m_time->setObjectName(QStringLiteral("playback.time"));
+    parts->add(m_time, 0);
+    connect(&clock, &PlaybackClock::playingChanged, this, &TransportBar::showPlaying);
+    connect(&clock, &PlaybackClock::moved, this, &TransportBar::showTime);
+    connect(&clock, &PlaybackClock::durationChanged, this, &TransportBar::showTime);
+    showPlaying(clock.playing());
+    showTime();
+}
+
+void TransportBar::buildButtons(QHBoxLayout& row) {
+    const auto add = [&](const char* name, const char* icon, const QString& text, auto act) {
+        QPushButton* button = kit::iconButton(m_theme, QLatin1String(icon), text);
+        button->setObjectName(QLatin1String(name));
+        connect(button, &QPushButton::clicked, this, act);
+        row.addWidget(button);
+        return button;
+    };
+    add("playback.begin", "media-skip-backward", tr("To the beginning (Home)"), [this] { m_clock.seek(0.0); });
+    add("playback.back", "media-seek-backward", tr("One picture back (Left)"), [this] { m_clock.step(-1); });
+    m_play = kit::button(m_theme, tr("Play"), "primary", QStringLiteral("media-playback-start"));
+    m_play->setObjectName(QStringLiteral("playback.play"));
+    connect(m_play, &QPushButton::clicked, this, [this] { m_clock.toggle(); });
+    row.addWidget(m_play);
+    add("playback.on", "media-seek-forward", tr("One picture on (Right)"), [this] { m_clock.step(1); });
+    add("playback.end", "media-skip-forward", tr("To the end (End)"), [this] { m_clock.seek(m_clock.duration_s()); });
+}
+
+void TransportBar::buildSpeed(QHBoxLayout& row) {
+    m_speed = new QComboBox;
+    m_speed->setObjectName(QStringLiteral("playback.speed"));
+    m_speed->setAccessibleName(tr("Speed"));
+    m_speed->setToolTip(tr("Speed"));
+    for (const double speed : kSpeeds) {
+        m_speed->addItem(tr("%1×").arg(m_locale.toString(speed)), speed);
+        if (speed == 1.0)
+            m_speed->setCurrentIndex(m_speed->count() - 1);
+    }
+    connect(m_speed, &QComboBox::currentIndexChanged, this, [this] { m_clock.setSpeed(m_speed->currentData().toDouble()); });
+    row.addWidget(m_speed);
+}
+
+void TransportBar::showPlaying(bool playing) {
+    m_play->setText(playing ? tr("Pause") : tr("Play"));
+    m_play->setIcon(m_theme.icon(playing ? QStringLiteral("media-playback-pause") : QStringLiteral("media-playback-start"), Colour::accentText));
+}
+
+void TransportBar::showTime() {
+    m_time->setText(tr("%1 of %2").arg(clockText(m_clock.position_s(), m_locale), clockText(m_clock.duration_s(), m_locale)));
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/playback/playback_clock.h"
+#include "desktop/theme/theme.h"
+
+#include <QLocale>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace chiron::desktop {
+
+/// Play and pause, picture by picture, speed, and what the time is. GUI thread.
+class TransportBar : public QWidget {
+    Q_OBJECT
+public:
+    TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, QWidget* parent = nullptr);
+
+private:
+    void buildButtons(class QHBoxLayout& row);
+    void buildSpeed(class QHBoxLayout& row);
+    void showPlaying(bool playing);
+    void showTime();
+
+    const Theme& m_theme;
+    QLocale m_locale;
+    PlaybackClock& m_clock;
+    QPushButton* m_play = nullptr;
+    QComboBox* m_speed = nullptr;
+    QLabel* m_time = nullptr;
+};
+
+} // namespace chiron::desktop

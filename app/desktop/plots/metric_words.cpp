@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/plots/metric_words.h"
+
+#include <QCoreApplication>
+#include <array>
+
+namespace chiron::desktop {
+
+namespace {
+
+struct MetricWords {
+    const char* id;
+    const char* title;
+    const char* meaning;
+};
+
+// clang-format off
+constexpr std::array<MetricWords, 17> kMetrics{{
+    {"time", QT_TRANSLATE_NOOP("Metrics", "Time"),
+     QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count.")},
+    {"path_length", QT_TRANSLATE_NOOP("Metrics", "Path length"),
+     QT_TRANSLATE_NOOP("Metrics", "How far the tip of the tool travelled in all trials together.")},
+    {"path_inefficiency", QT_TRANSLATE_NOOP("Metrics", "Path inefficiency"),
+     QT_TRANSLATE_NOOP("Metrics", "How much longer the path was than the straight line between its ends; the mean over the trials.")},
+    {"sparc", QT_TRANSLATE_NOOP("Metrics", "Smoothness (SPARC)"),
+     QT_TRANSLATE_NOOP("Metrics", "How even the speed of each movement was, from its spectrum. Nearer to zero is smoother.")},
+    {"ldlj", QT_TRANSLATE_NOOP("Metrics", "Smoothness (LDLJ)"),
+     QT_TRANSLATE_NOOP("Metrics", "How little the speed of each movement jerked. Nearer to zero is smoother.")},
+    {"force_max", QT_TRANSLATE_NOOP("Metrics", "Largest force"),
+     QT_TRANSLATE_NOOP("Metrics", "The largest force on the tissue at any moment.")},
+    {"force_mean", QT_TRANSLATE_NOOP("Metrics", "Mean force in contact"),
+     QT_TRANSLATE_NOOP("Metrics", "The mean force on the tissue while the tool touched it.")},
+    {"force_rms", QT_TRANSLATE_NOOP("Metrics", "Force, root mean square"),
+     QT_TRANSLATE_NOOP("Metrics", "The root of the mean squared force on the tissue: high forces weigh more than in the mean.")},
+    {"force_p95", QT_TRANSLATE_NOOP("Metrics", "Force, 95th percentile"),
+     QT_TRANSLATE_NOOP("Metrics", "The force on the tissue was below this for 95 % of the time.")},
+    {"force_peak_rate", QT_TRANSLATE_NOOP("Metrics", "Peak force rate"),
+     QT_TRANSLATE_NOOP("Metrics", "How fast the force on the tissue rose or fell at most.")},
+    {"force_impulse_over_limit", QT_TRANSLATE_NOOP("Metrics", "Impulse over the limit"),
+     QT_TRANSLATE_NOOP("Metrics", "Force times time while the force was over the limit of this level.")},
+    {"force_time_over_limit", QT_TRANSLATE_NOOP("Metrics", "Time over the limit"),
+     QT_TRANSLATE_NOOP("Metrics", "How long the force on the tissue was over the limit of this level.")},
+    {"apex_error_mean", QT_TRANSLATE_NOOP("Metrics", "Apex error, mean"),
+     QT_TRANSLATE_NOOP("Metrics", "How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses included.")},
+    {"apex_error_sd", QT_TRANSLATE_NOOP("Metrics", "Apex error, standard deviation"),
+     QT_TRANSLATE_NOOP("Metrics", "How much the error differed from mark to mark.")},
+    {"apex_bias_x", QT_TRANSLATE_NOOP("Metrics", "Apex bias, left to right"),
+     QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error to the right (positive) or left (negative).")},
+    {"apex_bias_y", QT_TRANSLATE_NOOP("Metrics", "Apex bias, front to back"),
+     QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person.")},
+    {"apex_misses", QT_TRANSLATE_NOOP("Metrics", "Misses"),
+     QT_TRANSLATE_NOOP("Metrics", "Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same.")},
+}};
+
+constexpr std::array<const char*, 14> kReasons{{
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no forces"),
+    QT_TRANSLATE_NOOP("Metrics", "no trials"),
+    QT_TRANSLATE_NOOP("Metrics", "start and end are less than 5 mm apart"),
+    QT_TRANSLATE_NOOP("Metrics", "fewer than two samples"),
+    QT_TRANSLATE_NOOP("Metrics", "fewer than two positions"),
+    QT_TRANSLATE_NOOP("Metrics", "no contact"),
+    QT_TRANSLATE_NOOP("Metrics", "no samples"),
+    QT_TRANSLATE_NOOP("Metrics", "needs two trials or more"),
+    QT_TRANSLATE_NOOP("Metrics", "neither movement nor contact"),
+    QT_TRANSLATE_NOOP("Metrics", "no sub-movement of 100 ms"),
+    QT_TRANSLATE_NOOP("Metrics", "no movement"),
+    QT_TRANSLATE_NOOP("Metrics", "speed has no spectrum up to 10 Hz"),
+    QT_TRANSLATE_NOOP("Metrics", "fewer than three speed samples"),
+    QT_TRANSLATE_NOOP("Metrics", "no jerk: speed changes evenly"),
+}};
+
+constexpr std::array<const char*, 1> kBandSources{{
+    QT_TRANSLATE_NOOP("Metrics", "published, 5 subjects × 10"),
+}};
+// clang-format on
+
+QString inLanguage(const QString& text, const char* source) {
+    return text == QString::fromUtf8(source) ? QCoreApplication::translate("Metrics", source) : QString();
+}
+
+const MetricWords* wordsOf(const QString& id) {
+    for (const MetricWords& words : kMetrics)
+        if (id == QLatin1String(words.id))
+            return &words;
+    return nullptr;
+}
+
+} // namespace
+
+QString metricTitle(const QString& id) {
+    const MetricWords* words = wordsOf(id);
+    return words ? QCoreApplication::translate("Metrics", words->title) : QString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
+QString metricMeaning(const QString& id) {
+    const MetricWords* words = wordsOf(id);
+    return words ? QCoreApplication::translate("Metrics", words->meaning) : QString();
+}
+
+QString metricReason(const QString& reason) {
+    for (const char* known : kReasons)
+        if (const QString text = inLanguage(reason, known); !text.isEmpty())
+            return text;
+    return reason;
+}
+
+QString bandSourceText(const QString& source) {
+    for (const char* known : kBandSources)
+        if (const QString text = inLanguage(source, known); !text.isEmpty())
+            return text;
+    return source;
+}
+
+} // namespace chiron::desktop

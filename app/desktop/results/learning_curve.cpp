@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/results/learning_curve.h"
+
+#include "desktop/plots/metric_words.h"
+#include "report/report_text.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace chiron::desktop {
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(LearningCurve)
+};
+
+constexpr std::size_t kMostNames = 25; // more attempts than this are numbered by the axis itself
+
+struct Curve {
+    std::vector<double> x;
+    std::vector<double> y;
+};
+
+Curve curveOf(const std::vector<Attempt>& attempts, const std::string& metric, bool felt) {
+    Curve curve;
+    double number = 0.0;
+    for (const Attempt& attempt : attempts) {
+        if (!attempt.onCurve() || attempt.summary.felt != felt)
+            continue;
+        const scoring::MetricValue* value = attempt.metric(metric);
+        if (value && value->value) {
+            curve.x.push_back(number);
+            curve.y.push_back(*value->value);
+        }
+        number += 1.0; // an attempt without a value still is one
+    }
+    return curve;
+}
+
+void draw(report::PlotView& view, const QString& name, const Curve& curve, report::PlotStyle style) {
+    if (curve.x.empty())
+        return;
+    std::vector<report::PlotPoint> points;
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+        points.push_back({curve.x[i], curve.y[i]});
+    if (curve.x.size() > 1)
+        view.addLine({}, curve.x, curve.y, style);
+    view.addMarkers(name, points, style);
+}
+
+} // namespace
+
+std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& attempts, const report::MetricRow& row,
+                                                const report::PlotTheme& theme) {
+    auto view = std::make_unique<report::PlotView>(theme);
+    const QString title = metricTitle(row.id);
+    view->setTitle(Words::tr("%1 over the attempts").arg(title));
+    const bool bare = row.unit.isEmpty() || row.unit == QLatin1String("count");
+    view->setYAxis({bare ? title : Words::tr("%1 (%2)").arg(title, row.unit), {}, {}});
+    const Curve felt = curveOf(attempts, row.id.toStdString(), true);
+    const Curve shown = curveOf(attempts, row.id.toStdString(), false);
+    if (row.bandLow && row.bandHigh && !felt.x.empty())
+        view->addBand(Words::tr("benchmark, felt (%1)").arg(bandSourceText(row.bandSource)), *row.bandLow, *row.bandHigh);
+    draw(*view, Words::tr("felt"), felt, report::PlotStyle::solidA);
+    draw(*view, Words::tr("shown, not felt"), shown, report::PlotStyle::dashedB);
+    for (const auto& gate : {row.gateMinimum, row.gateMaximum})
+        if (gate)
+            view->addLimit(Words::tr("pass mark %1").arg(report::formatGate(row, theme.locale)), *gate);
+    double last = 0.0;
+    for (const Curve* curve : {&felt, &shown})
+        if (!curve->x.empty())
+            last = std::max(last, curve->x.back());
+    std::vector<QString> names;
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(last); ++i)
+        names.push_back(theme.locale.toString(static_cast<int>(i) + 1));
+    view->setXAxis({Words::tr("Attempt"), {}, {}});
+    if (names.size() <= kMostNames)
+        view->setXCategories(names);
+    if (felt.x.empty() && shown.x.empty())
+        view->setNote(Words::tr("No completed attempt yet"));
+    return view;
+}
+
+} // namespace chiron::desktop

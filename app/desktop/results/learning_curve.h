@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/results/results_data.h"
+#include "report/plot_view.h"
+#include "report/report_data.h"
+
+#include <memory>
+#include <vector>
+
+namespace chiron::desktop {
+
+/// A metric over the attempts at one level: felt and shown are lines of their own, each counted from its first attempt; pass
+/// mark and benchmark band behind. `row` gives the metric's id, unit, gate and band. GUI thread.
+std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& attempts, const report::MetricRow& row,
+                                                const report::PlotTheme& theme);
+
+} // namespace chiron::desktop

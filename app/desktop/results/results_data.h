@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "database/connection.h"
+#include "database/repositories/session_types.h"
+#include "scoring/score_card.h"
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chiron::desktop {
+
+/// One of a person's sessions with its latest stored scores.
+struct Attempt {
+    database::SessionSummary summary;
+    std::vector<scoring::MetricValue> metrics; ///< empty where it was never scored
+
+    const scoring::MetricValue* metric(const std::string& id) const;
+    /// Whether it is a point of a learning curve: completed, and not a familiarisation.
+    bool onCurve() const;
+};
+
+/// Worker: a person's sessions in the order of their numbers. `progress` hears 0..1; false stops. Failure: the repositories';
+/// cancelled.
+core::Result<std::vector<Attempt>> loadAttempts(database::Connection& connection, const database::Actor& actor,
+                                                database::PersonId person, const std::function<bool(double)>& progress);
+
+/// Worker: writes everything held about the actor's own person into a new folder inside `parent`: person.json and the samples of
+/// each session as CSV. Returns the folder. Failure: the repositories', storage; cancelled (what was written stays).
+core::Result<std::string> exportOwnData(database::Connection& connection, const database::Actor& actor, const std::string& parent,
+                                        const std::function<bool(double)>& progress);
+
+} // namespace chiron::desktop

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/frame/screen.h"
+#include "desktop/results/results_data.h"
+#include "report/report_data.h"
+
+#include <memory>
+#include <vector>
+
+class QComboBox;
+class QVBoxLayout;
+
+namespace chiron::report {
+class PlotView;
+}
+
+namespace chiron::desktop {
+
+class AttemptsTable;
+class ResponsiveRow;
+class StatePanel;
+class WorkToken;
+
+/// A person's own sessions: by exercise and level, a learning curve, every attempt a step away, and a copy of all their data. Place: {exercise,
+/// level, metric}. GUI thread.
+class ResultsScreen final : public Screen {
+    Q_OBJECT
+public:
+    ResultsScreen(AppContext& context, const Place& place);
+    ~ResultsScreen() override;
+
+    QString title() const override;
+    QString help() const override;
+    void enter() override;
+    std::vector<ScreenCommand> commands() override;
+
+    /// Writes everything held about the person into a new folder there; tells where it is, or why not.
+    void exportTo(const QString& parent);
+
+private:
+    void load();
+    void showAttempts(std::vector<Attempt> attempts);
+    void build();
+    QWidget* filterRow();
+    QComboBox* choice(const char* name, const QString& label, ResponsiveRow& row);
+    void fillLevels();
+    void fillMetrics();
+    void showSelection();
+    std::vector<Attempt> selected() const;
+    report::MetricRow metricRow(const std::vector<Attempt>& attempts) const;
+    void askExport();
+    void openSession(database::SessionId session);
+
+    StatePanel* m_panel = nullptr;
+    std::vector<Attempt> m_attempts;
+    QComboBox* m_exercise = nullptr;
+    QComboBox* m_level = nullptr;
+    QComboBox* m_metric = nullptr;
+    QVBoxLayout* m_curveHolder = nullptr;
+    report::PlotView* m_curve = nullptr;
+    AttemptsTable* m_table = nullptr;
+    std::shared_ptr<WorkToken> m_work;
+    std::shared_ptr<WorkToken> m_export;
+};
+
+} // namespace chiron::desktop

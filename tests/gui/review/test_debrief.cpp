@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a debrief says of a session that passed, failed, or did not come to its end.
+#include "desktop/debrief/band_bar.h"
+#include "desktop/debrief/debrief_screen.h"
+#include "database/repositories/score_repository.h"
+#include "database/repositories/session_repository.h"
+#include "report/plot_view.h"
+#include "review_sessions.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+
+using namespace chiron;
+using tests::DesktopFixture;
+using tests::MadeSession;
+
+class TestDebrief : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void passed();
+    void failedSaysWhichMarkAndByHowMuch();
+    void worstMomentIsOneClickAway();
+    void unfinished_data();
+    void unfinished();
+    void familiarisationNeverCounts();
+    void voidedGivesTheReason();
+    void shownIsSaidAndHasNoFeltBand();
+    void erasedRecordingKeepsTheScores();
+    void notMine();
+    void metricsSayWhatTheyMean();
+    void writesTheReport();
+    void unknownSession();
+    void nothingClippedOrUnnamed();
+
+private:
+    void open(database::SessionId id, bool details = true);
+    QString text(const char* name) { return m_site->find<QLabel>(QLatin1String(name))->text(); }
+    QStringList texts(const char* name) {
+        QStringList found;
+        for (const QLabel* label : m_site->window->screen()->findChildren<QLabel*>(QLatin1String(name)))
+            found << label->text();
+        return found;
+    }
+
+    std::unique_ptr<DesktopFixture> m_site;
+    std::unique_ptr<tests::ReviewSessions> m_made;
+    std::optional<database::Actor> m_tina;
+    database::SessionId m_good = 0;
+    database::SessionId m_bad = 0;
+};
+
+void TestDebrief::initTestCase() {
+    m_site = std::make_unique<DesktopFixture>();
+    m_made = std::make_unique<tests::ReviewSessions>(m_site->database());
+    m_tina = m_site->actor("tina");
+    m_good = tests::store(m_site->database(), *m_tina, m_made->good);
+    m_bad = tests::store(m_site->database(), *m_tina, m_made->bad);
+    m_site->context.logIn(*m_tina);
+}
+
+void TestDebrief::open(database::SessionId id, bool details) {
+    m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(id)}});
+    QTRY_VERIFY(tests::isLoaded(*m_site));
+    if (details)
+        QTRY_VERIFY(m_site->window->screen()->findChild<QWidget*>(QStringLiteral("debrief.scatter")));
+}
+
+void TestDebrief::passed() {
+    open(m_good);
+    QCOMPARE(text("debrief.verdict"), QStringLiteral("Passed"));
+    QVERIFY(texts("debrief.reason").isEmpty());
+    QVERIFY(m_site->find<QPushButton>(QStringLiteral("debrief.next")));
+    QCOMPARE(m_site->window->screen()->findChildren<desktop::BandBar*>().size(), 3);
+    for (const QString& verdict : texts("headline.verdict"))
+        QVERIFY2(verdict.startsWith(QStringLiteral("Met")), qPrintable(verdict));
+    QVERIFY(text("debrief.facts").contains(QStringLiteral("Force felt")));
+    tests::takePictures(*m_site, QStringLiteral("debrief_passed"), [this] { open(m_good); });
+}
+
+void TestDebrief::failedSaysWhichMarkAndByHowMuch() {
+    open(m_bad);
+    QCOMPARE(text("debrief.verdict"), QStringLiteral("Not passed yet"));
+    const QStringList reasons = texts("debrief.reason");
+    QVERIFY(!reasons.isEmpty());
+    auto connection = m_site->database().openReader();
+    const auto card = database::ScoreRepository(**connection, *m_tina).scores(m_bad);
+    double over_s = 0.0;
+    for (const scoring::MetricValue& metric : card->metrics)
+        if (metric.id == "force_time_over_limit")
+            over_s = *metric.value - 2.0;
+    QVERIFY(over_s > 0.0);
+    const QString by = QLocale(QLocale::English, QLocale::UnitedKingdom).toString(over_s, 'f', over_s >= 1.0 ? 2 : 3);
+    QVERIFY2(reasons.join(QLatin1Char('|')).contains(by), qPrintable(reasons.join(QLatin1Char('|')) + by));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("debrief.next")));
+    QVERIFY(m_site->find<QPushButton>(QStringLiteral("debrief.again")));
+    tests::takePictures(*m_site, QStringLiteral("debrief_failed"), [this] { open(m_bad); });
+}
+
+void TestDebrief::worstMomentIsOneClickAway() {
+    open(m_bad);
+    auto* worst = m_site->find<QPushButton>(QStringLiteral("debrief.worst"));
+    QVERIFY(worst->isEnabled());
+    QVERIFY(!worst->toolTip().isEmpty());
+    worst->click();
+    const desktop::Place place = m_site->context.navigator().current();
+    QCOMPARE(place.screen, QStringLiteral("playback"));
+    QCOMPARE(place.parameters.value(QStringLiteral("session")).toLongLong(), m_bad);
+    QVERIFY(place.parameters.value(QStringLiteral("at_s")).toDouble() > 0.0);
+}
+
+void TestDebrief::unfinished_data() {
+    QTest::addColumn<int>("state");
+    QTest::addColumn<QString>("title");
+    using database::SessionState;
+    QTest::newRow("stopped") << static_cast<int>(SessionState::stopped) << "Stopped before the end";
+    QTest::newRow("interrupted") << static_cast<int>(SessionState::interrupted) << "Interrupted";
+    QTest::newRow("incomplete") << static_cast<int>(SessionState::incomplete) << "Incomplete recording";
+    QTest::newRow("faulted") << static_cast<int>(SessionState::faulted) << "Ended by a fault";
+}
+
+void TestDebrief::unfinished() {
+    QFETCH(int, state);
+    QFETCH(QString, title);
+    const auto wanted = static_cast<database::SessionState>(state);
+    MadeSession made = m_made->good;
+    if (wanted == database::SessionState::incomplete)
+        made.ending.dropped = 3;
+    else
+        tests::cutFrames(made.frames, made.frames.size() / 2);
+    made.ending.stopped = wanted == database::SessionState::stopped;
+    made.ending.interrupted = wanted == database::SessionState::interrupted;
+    if (wanted == database::SessionState::faulted)
+        made.frames.back().header.force = core::ForceState::fault;
+    const auto id = tests::store(m_site->database(), *m_tina, made);
+    open(id);
+    QCOMPARE(text("debrief.verdict"), title);
+    QVERIFY(text("debrief.verdict_text").contains(QStringLiteral("kept")) || text("debrief.verdict_text").contains(QStringLiteral("saved")));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("debrief.next")));
+    QVERIFY(m_site->find<QPushButton>(QStringLiteral("debrief.playback"))->isEnabled());
+    if (wanted == database::SessionState::interrupted)
+        tests::takePictures(*m_site, QStringLiteral("debrief_interrupted"), [this, id] { open(id); });
+}
+
+void TestDebrief::familiarisationNeverCounts() {
+    MadeSession made = m_made->good;
+    made.familiarisation = true;
+    open(tests::store(m_site->database(), *m_tina, made));
+    QVERIFY(text("debrief.verdict_text").startsWith(QStringLiteral("Familiarisation")));
+}
+
+void TestDebrief::voidedGivesTheReason() {
+    const auto id = tests::store(m_site->database(), *m_tina, m_made->good);
+    const auto tom = m_site->actor("tom");
+    const auto voided = m_site->database().write([&](database::WriteContext& write) {
+        return database::SessionRepository(write.connection(), tom).voidSession(id, "the table shook");
+    });
+    QVERIFY(voided);
+    open(id);
+    QCOMPARE(text("debrief.verdict"), QStringLiteral("Voided"));
+    QVERIFY(text("debrief.verdict_text").contains(QStringLiteral("the table shook")));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("debrief.next")));
+}
+
+void TestDebrief::shownIsSaidAndHasNoFeltBand() {
+    open(m_good);
+    auto* table = m_site->find<QTableWidget>(QStringLiteral("debrief.metrics"));
+    QVERIFY(!table->item(0, 3)->text().isEmpty()); // the published band, of people who felt the force
+    open(tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(m_made->good)));
+    QVERIFY(text("debrief.facts").contains(QStringLiteral("Force shown, not felt")));
+    table = m_site->find<QTableWidget>(QStringLiteral("debrief.metrics"));
+    QCOMPARE(table->item(0, 3)->text(), QString());
+}
+
+void TestDebrief::erasedRecordingKeepsTheScores() {
+    const auto theo = m_site->actor("theo");
+    const auto id = tests::store(m_site->database(), theo, m_made->good);
+    const auto ada = m_site->actor("ada");
+    auto erased = database::AccountService(m_site->database()).erasePerson(ada, tests::kTestPassword, theo.personId(), "withdrew", true);
+    QVERIFY2(erased, erased ? "" : erased.error().message.c_str());
+    m_site->context.logIn(ada);
+    open(id, false);
+    QCOMPARE(text("debrief.verdict"), QStringLiteral("Passed"));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("debrief.playback"))->isEnabled());
+    bool said = false;
+    for (const QString& title : texts("state.title"))
+        said = said || title == QStringLiteral("The recording was erased");
+    QVERIFY(said);
+    m_site->context.logIn(*m_tina);
+}
+
+void TestDebrief::notMine() {
+    m_site->logIn("tom");
+    open(m_good);
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("debrief.again")));
+    QVERIFY(m_site->find<QPushButton>(QStringLiteral("debrief.playback")));
+    m_site->context.logIn(*m_tina);
+}
+
+void TestDebrief::metricsSayWhatTheyMean() {
+    open(m_good);
+    auto* table = m_site->find<QTableWidget>(QStringLiteral("debrief.metrics"));
+    QCOMPARE(table->rowCount(), 17);
+    for (int row = 0; row < table->rowCount(); ++row) {
+        QVERIFY2(!table->item(row, 0)->toolTip().isEmpty(), qPrintable(table->item(row, 0)->text()));
+        table->setCurrentCell(row, 0);
+        QVERIFY(text("debrief.meaning").contains(table->item(row, 0)->toolTip()));
+    }
+}
+
+void TestDebrief::writesTheReport() {
+    open(m_good);
+    const QString path = QDir(m_site->folder()).filePath(QStringLiteral("report.pdf"));
+    m_site->screen<desktop::DebriefScreen>()->writeReport(path);
+    QTRY_VERIFY(QFile::exists(path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.read(4) == "%PDF");
+}
+
+void TestDebrief::unknownSession() {
+    m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(9999)}});
+    QTRY_COMPARE(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::error);
+    QVERIFY(!texts("state.text").isEmpty());
+}
+
+void TestDebrief::nothingClippedOrUnnamed() {
+    const QStringList findings = tests::findingsOn(*m_site, [this] { open(m_bad); });
+    QVERIFY2(findings.isEmpty(), qPrintable(findings.join(QLatin1Char('\n'))));
+}
+
+QTEST_MAIN(TestDebrief)
+#include "test_debrief.moc"

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A stored session on the screen: what is shown is what was recorded, at the same moment everywhere.
+#include "desktop/playback/playback_plots.h"
+#include "desktop/playback/playback_scene.h"
+#include "desktop/playback/playback_screen.h"
+#include "desktop/playback/scrubber.h"
+#include "review_sessions.h"
+#include "session/playback_builder.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTabWidget>
+#include <sqlite3.h>
+
+using namespace chiron;
+using tests::DesktopFixture;
+using tests::MadeSession;
+
+class TestPlayback : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void opensAtAMoment();
+    void cursorsAndScrubberAgree();
+    void keysStepAndSeek();
+    void playsAndStopsAtTheEnd();
+    void marksJump();
+    void ghostBesideIt();
+    void commentAtAMoment();
+    void voidNeedsAReasonAndATrainer();
+    void nothingRecorded();
+    void damagedIsNamed();
+    void sceneStateIsTheRecording();
+    void nothingClippedOrUnnamed();
+
+private:
+    void open(database::SessionId id, QVariantMap more = {});
+    desktop::PlaybackScreen* screen() { return m_site->screen<desktop::PlaybackScreen>(); }
+    template <class W> W* find(const char* name) { return screen()->findChild<W*>(QLatin1String(name)); }
+
+    std::unique_ptr<DesktopFixture> m_site;
+    std::unique_ptr<tests::ReviewSessions> m_made;
+    std::optional<database::Actor> m_tina;
+    database::SessionId m_good = 0;
+    database::SessionId m_bad = 0;
+};
+
+void TestPlayback::initTestCase() {
+    m_site = std::make_unique<DesktopFixture>();
+    m_made = std::make_unique<tests::ReviewSessions>(m_site->database());
+    m_tina = m_site->actor("tina");
+    MadeSession paused = m_made->bad;
+    tests::pauseFrames(paused.frames, 5000, 6500);
+    m_good = tests::store(m_site->database(), *m_tina, m_made->good);
+    m_bad = tests::store(m_site->database(), *m_tina, paused);
+    m_site->context.logIn(*m_tina);
+}
+
+void TestPlayback::open(database::SessionId id, QVariantMap more) {
+    more.insert(QStringLiteral("session"), qlonglong(id));
+    m_site->go(QStringLiteral("playback"), more);
+    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QTRY_VERIFY(find<QWidget>("playback.scene"));
+}
+
+void TestPlayback::opensAtAMoment() {
+    open(m_bad, {{QStringLiteral("at_s"), 7.25}});
+    QCOMPARE(screen()->clock().position_s(), 7.25);
+    QCOMPARE(find<desktop::Scrubber>("playback.scrubber")->value(), 7250);
+    QVERIFY(find<QLabel>("playback.time")->text().startsWith(QStringLiteral("0:07.2")));
+    QVERIFY(find<QLabel>("playback.readout")->text().contains(QStringLiteral("Trial")));
+    QVERIFY(!screen()->clock().playing());
+    tests::takePictures(*m_site, QStringLiteral("playback"), [this] {
+        open(m_bad, {{QStringLiteral("at_s"), 12.0}});
+    });
+}
+
+void TestPlayback::cursorsAndScrubberAgree() {
+    open(m_bad);
+    auto* plots = screen()->findChild<desktop::PlaybackPlots*>();
+    for (const double t_s : {0.0, 3.3, 8.004, screen()->clock().duration_s()}) {
+        screen()->clock().seek(t_s);
+        QCOMPARE(plots->force().cursorX(), t_s);
+        QCOMPARE(plots->speed().cursorX(), t_s);
+        QVERIFY(std::abs(plots->force().pixelOf(t_s) - plots->speed().pixelOf(t_s)) < 0.75); // one column
+    }
+    // A click in either plot goes there, in both and on the bar.
+    for (const char* name : {"playback.force", "playback.speed_plot"}) {
+        auto* plot = find<QWidget>(name);
+        const double x = dynamic_cast<report::PlotView*>(plot)->pixelOf(5.5);
+        QWidget* canvas = plot->findChild<QWidget*>();
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(qRound(x), canvas->height() / 2));
+        QVERIFY(std::abs(screen()->clock().position_s() - 5.5) < 0.2);
+        QCOMPARE(plots->force().cursorX(), plots->speed().cursorX());
+        screen()->clock().seek(1.0);
+    }
+    auto* scrubber = find<desktop::Scrubber>("playback.scrubber");
+    QTest::mouseClick(scrubber, Qt::LeftButton, {}, QPoint(qRound(scrubber->xOf(9.0)), scrubber->height() / 2));
+    QVERIFY(std::abs(screen()->clock().position_s() - 9.0) < 0.1);
+    screen()->clock().seek(5.9);
+    QVERIFY(find<QLabel>("playback.readout")->text().contains(QStringLiteral("paused")));
+}
+
+void TestPlayback::keysStepAndSeek() {
+    open(m_bad, {{QStringLiteral("at_s"), 4.0}});
+    auto* scrubber = find<desktop::Scrubber>("playback.scrubber");
+    QTRY_VERIFY(scrubber->hasFocus());
+    QTest::keyClick(scrubber, Qt::Key_Right);
+    QCOMPARE(screen()->clock().position_s(), 4.004);
+    QTest::keyClick(scrubber, Qt::Key_Left);
+    QCOMPARE(screen()->clock().position_s(), 4.0);
+    QTest::keyClick(scrubber, Qt::Key_Right, Qt::ShiftModifier);
+    QCOMPARE(screen()->clock().position_s(), 5.0);
+    QTest::keyClick(scrubber, Qt::Key_End);
+    QCOMPARE(screen()->clock().position_s(), screen()->clock().duration_s());
+    QTest::keyClick(scrubber, Qt::Key_Home);
+    QCOMPARE(screen()->clock().position_s(), 0.0);
+    QTest::keyClick(scrubber, Qt::Key_Right, Qt::ControlModifier);
+    QVERIFY(screen()->clock().position_s() > 0.0);
+    QTest::keyClick(scrubber, Qt::Key_Space);
+    QVERIFY(screen()->clock().playing());
+    QTest::keyClick(scrubber, Qt::Key_Space);
+    QVERIFY(!screen()->clock().playing());
+}
+
+void TestPlayback::playsAndStopsAtTheEnd() {
+    desktop::PlaybackClock clock;
+    clock.setDuration(2.0);
+    clock.setSpeed(0.5);
+    clock.play();
+    clock.advance(0.2);
+    QCOMPARE(clock.position_s(), 0.1);
+    clock.advance(60.0); // the window stood still: no leap
+    QVERIFY(clock.position_s() < 0.5);
+    clock.setSpeed(9.0);
+    QCOMPARE(clock.speed(), 4.0);
+    for (int i = 0; i < 40 && clock.playing(); ++i)
+        clock.advance(0.1);
+    QCOMPARE(clock.position_s(), 2.0);
+    QVERIFY(!clock.playing());
+    clock.play(); // from the beginning
+    QCOMPARE(clock.position_s(), 0.0);
+    clock.seek(-5.0);
+    QCOMPARE(clock.position_s(), 0.0);
+}
+
+void TestPlayback::marksJump() {
+    open(m_bad);
+    auto* list = find<QListWidget>("playback.marks");
+    QVERIFY(list->count() > 5);
+    const int all = list->count();
+    find<QCheckBox>("playback.penalties_only")->setChecked(true);
+    QVERIFY(list->count() > 0 && list->count() < all);
+    list->setCurrentRow(list->count() - 1);
+    QCOMPARE(screen()->clock().position_s(), list->currentItem()->data(Qt::UserRole).toDouble());
+    QVERIFY(list->currentItem()->text().contains(QStringLiteral("Over the limit")));
+}
+
+void TestPlayback::ghostBesideIt() {
+    open(m_bad);
+    auto* choice = find<QComboBox>("playback.ghost");
+    QTRY_VERIFY(choice->count() > 1);
+    const int mine = choice->findData(qlonglong(m_good));
+    QVERIFY(mine > 0);
+    QVERIFY2(choice->itemText(mine).startsWith(QStringLiteral("My ")), qPrintable(choice->itemText(mine)));
+    QCOMPARE(choice->findData(qlonglong(m_bad)), -1); // not beside itself
+    choice->setCurrentIndex(mine);
+    emit choice->activated(mine);
+    QTRY_COMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("ghost")).toLongLong(), m_good);
+    tests::takePictures(*m_site, QStringLiteral("playback_ghost"), [this] {
+        open(m_bad, {{QStringLiteral("at_s"), 4.5}, {QStringLiteral("ghost"), qlonglong(m_good)}});
+        QTest::qWait(800);
+    });
+}
+
+void TestPlayback::sceneStateIsTheRecording() {
+    tests::OpenStored stored(m_site->database(), 1); // a scripted one: everybody may read it
+    auto track = session::buildPlaybackTrack(*stored.session);
+    QVERIFY(track);
+    const session::PlaybackTrial& trial = track->trials.at(1);
+    const double t_s = 0.5 * (trial.start_s + trial.end_s);
+    const scene3d::SceneState state = desktop::sceneStateAt(*track, &*track, t_s);
+    const session::PlaybackView view = track->at(t_s);
+    QVERIFY(state.tool[0].present && !state.tool[1].present);
+    QVERIFY(state.tool[0].p_WT == view.tools[0].p_WT);
+    QVERIFY(state.tool[0].force_N == view.tools[0].tissue_N);
+    QVERIFY(state.objectShown && state.p_WObject == trial.object->p_WObject);
+    QVERIFY(!state.marked);
+    QVERIFY(state.ghost.present); // itself: the same place
+    QVERIFY((state.ghost.p_WT - state.tool[0].p_WT).norm() < 1e-9);
+    QVERIFY(desktop::sceneStateAt(*track, nullptr, trial.end_s).marked);
+}
+
+void TestPlayback::commentAtAMoment() {
+    open(m_bad, {{QStringLiteral("at_s"), 6.0}});
+    find<QTabWidget>("playback.tabs")->setCurrentIndex(1);
+    auto* add = find<QPushButton>("playback.comment_add");
+    QVERIFY(!add->isEnabled());
+    find<QPlainTextEdit>("playback.comment_text")->setPlainText(QStringLiteral("Here I pressed too hard"));
+    QVERIFY(add->isEnabled());
+    add->click();
+    auto* list = find<QListWidget>("playback.comments");
+    QTRY_COMPARE(list->count(), 1);
+    QVERIFY(list->item(0)->text().contains(QStringLiteral("Here I pressed too hard")));
+    QVERIFY(list->item(0)->text().contains(QStringLiteral("You")));
+    QVERIFY(find<QPlainTextEdit>("playback.comment_text")->toPlainText().isEmpty());
+    auto connection = m_site->database().openReader();
+    const auto stored = database::SessionReader(**connection, *m_tina).comments(m_bad);
+    QVERIFY(stored && stored->size() == 1 && stored->front().tick);
+    QCOMPARE(*stored->front().tick, std::uint64_t{6000});
+    screen()->clock().seek(0.0);
+    list->setCurrentRow(0);
+    QVERIFY(std::abs(screen()->clock().position_s() - 6.0) <= 0.004);
+    tests::takePictures(*m_site, QStringLiteral("playback_comments"), [this] {
+        open(m_bad, {{QStringLiteral("at_s"), 6.0}});
+        find<QTabWidget>("playback.tabs")->setCurrentIndex(1);
+    });
+}
+
+void TestPlayback::voidNeedsAReasonAndATrainer() {
+    const auto id = tests::store(m_site->database(), *m_tina, m_made->good);
+    open(id);
+    QVERIFY(!find<QPushButton>("playback.void")); // a trainee is not offered it ...
+    screen()->declareVoid(QStringLiteral("I would rather not have done this"));
+    auto connection = m_site->database().openReader();
+    database::SessionReader reader(**connection, *m_tina);
+    QTRY_VERIFY(m_site->context.background().idle()); // ... and the data layer refuses it
+    QTest::qWait(50);
+    QCOMPARE(reader.session(id)->summary.state, database::SessionState::completed);
+
+    m_site->logIn("tom");
+    open(id);
+    find<QPushButton>("playback.void")->click();
+    auto* confirm = m_site->find<QPushButton>(QStringLiteral("void.confirm"));
+    QVERIFY(confirm && !confirm->isEnabled());
+    m_site->find<QPlainTextEdit>(QStringLiteral("void.reason"))->setPlainText(QStringLiteral("  "));
+    QVERIFY(!confirm->isEnabled());
+    m_site->find<QPlainTextEdit>(QStringLiteral("void.reason"))->setPlainText(QStringLiteral("wrong person at the device"));
+    if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
+        m_site->find<QWidget>(QStringLiteral("void_dialog"))->grab().save(QDir(folder).filePath(QStringLiteral("void_dialog.png")));
+    confirm->click();
+    QTRY_COMPARE(reader.session(id)->summary.state, database::SessionState::voided);
+    QCOMPARE(reader.session(id)->voidReason, std::string("wrong person at the device"));
+    QTRY_VERIFY(tests::isLoaded(*m_site) && !find<QPushButton>("playback.void"));
+    m_site->context.logIn(*m_tina);
+}
+
+void TestPlayback::nothingRecorded() {
+    MadeSession made = m_made->good;
+    made.frames.clear();
+    const auto id = tests::store(m_site->database(), *m_tina, made);
+    m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
+    QTRY_COMPARE(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::empty);
+    QCOMPARE(find<QLabel>("state.title")->text(), QStringLiteral("Nothing was recorded"));
+    if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
+        m_site->window->grab().save(QDir(folder).filePath(QStringLiteral("playback_empty.png")));
+}
+
+void TestPlayback::damagedIsNamed() {
+    const auto id = tests::store(m_site->database(), *m_tina, m_made->good);
+    sqlite3* raw = nullptr; // past everything that keeps a database whole
+    QCOMPARE(sqlite3_open(m_site->file().toUtf8().constData(), &raw), SQLITE_OK);
+    const std::string flip = "UPDATE chunk SET payload = zeroblob(length(payload)) WHERE sequence = 2 AND session_id = " + std::to_string(id);
+    QCOMPARE(sqlite3_exec(raw, flip.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(raw);
+    m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
+    QTRY_COMPARE(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::error);
+    QVERIFY(find<QLabel>("state.title")->text().contains(QStringLiteral("damaged")));
+    QVERIFY(find<QLabel>("state.text")->text().contains(QStringLiteral("chunk 2")));
+    if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
+        m_site->window->grab().save(QDir(folder).filePath(QStringLiteral("playback_error.png")));
+}
+
+void TestPlayback::nothingClippedOrUnnamed() {
+    const QStringList findings = tests::findingsOn(*m_site, [this] { open(m_bad); });
+    QVERIFY2(findings.isEmpty(), qPrintable(findings.join(QLatin1Char('\n'))));
+}
+
+QTEST_MAIN(TestPlayback)
+#include "test_playback.moc"

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A person's own results: the curve, the attempts, a copy of their data.
+#include "desktop/plots/plot_theme_of.h"
+#include "desktop/results/learning_curve.h"
+#include "desktop/results/results_screen.h"
+#include "review_sessions.h"
+
+#include <QComboBox>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+
+using namespace chiron;
+using tests::DesktopFixture;
+using tests::MadeSession;
+
+class TestResults : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void emptyLeadsToExercises();
+    void attemptsAndCurve();
+    void onlyMyOwn();
+    void openLeadsToTheDebrief();
+    void exportsEverything();
+    void nothingClippedOrUnnamed();
+
+private:
+    void open();
+    template <class W> W* find(const char* name) { return m_site->window->screen()->findChild<W*>(QLatin1String(name)); }
+
+    std::unique_ptr<DesktopFixture> m_site;
+    std::optional<database::Actor> m_tina;
+    database::SessionId m_last = 0;
+};
+
+void TestResults::initTestCase() {
+    m_site = std::make_unique<DesktopFixture>();
+    tests::ReviewSessions made(m_site->database());
+    m_tina = m_site->actor("tina");
+    for (const MadeSession* session : {&made.bad, &made.bad, &made.good})
+        tests::store(m_site->database(), *m_tina, *session);
+    MadeSession stopped = made.good;
+    tests::cutFrames(stopped.frames, 4000);
+    stopped.ending.stopped = true;
+    tests::store(m_site->database(), *m_tina, stopped);
+    tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(made.bad));
+    MadeSession familiarisation = made.good;
+    familiarisation.familiarisation = true;
+    tests::store(m_site->database(), *m_tina, familiarisation);
+    m_last = tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(made.good));
+}
+
+void TestResults::open() {
+    m_site->go(QStringLiteral("results"));
+    QTRY_VERIFY(tests::isLoaded(*m_site));
+}
+
+void TestResults::emptyLeadsToExercises() {
+    m_site->logIn("theo");
+    m_site->go(QStringLiteral("results"));
+    QTRY_COMPARE(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::empty);
+    if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
+        m_site->window->grab().save(QDir(folder).filePath(QStringLiteral("results_empty.png")));
+    find<QPushButton>("state.action")->click();
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("home"));
+}
+
+void TestResults::attemptsAndCurve() {
+    m_site->context.logIn(*m_tina);
+    open();
+    QCOMPARE(find<QTableWidget>("results.attempts")->rowCount(), 7);
+    QCOMPARE(find<QComboBox>("results.metric")->currentData().toString(), QStringLiteral("apex_error_mean"));
+    QVERIFY(find<QWidget>("results.curve"));
+    auto connection = m_site->database().openReader();
+    const auto attempts = desktop::loadAttempts(**connection, *m_tina, m_tina->personId(), [](double) { return true; });
+    QVERIFY(attempts && attempts->size() == 7);
+    int felt = 0;
+    int shown = 0;
+    for (const desktop::Attempt& attempt : *attempts)
+        if (attempt.onCurve())
+            ++(attempt.summary.felt ? felt : shown);
+    QCOMPARE(felt, 3); // the stopped and the familiarisation session are no points
+    QCOMPARE(shown, 2);
+    auto* metric = find<QComboBox>("results.metric");
+    const int force = metric->findData(QStringLiteral("force_max"));
+    metric->setCurrentIndex(force);
+    emit metric->activated(force);
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("metric")).toString(), QStringLiteral("force_max"));
+    QCOMPARE(find<QTableWidget>("results.attempts")->horizontalHeaderItem(3)->text(), QStringLiteral("Largest force"));
+    tests::takePictures(*m_site, QStringLiteral("results"), [this] { open(); });
+}
+
+void TestResults::onlyMyOwn() {
+    const auto theo = m_site->actor("theo");
+    auto connection = m_site->database().openReader();
+    const auto others = desktop::loadAttempts(**connection, theo, m_tina->personId(), [](double) { return true; });
+    QVERIFY(!others || others->empty()); // the data layer gives nobody else's
+}
+
+void TestResults::openLeadsToTheDebrief() {
+    open();
+    auto* table = find<QTableWidget>("results.attempts");
+    table->setFocus();
+    table->setCurrentCell(0, 0);
+    QTest::keyClick(table, Qt::Key_Return);
+    const desktop::Place place = m_site->context.navigator().current();
+    QCOMPARE(place.screen, QStringLiteral("debrief"));
+    QCOMPARE(place.parameters.value(QStringLiteral("session")).toLongLong(), m_last); // the newest is on top
+}
+
+void TestResults::exportsEverything() {
+    open();
+    QTemporaryDir target;
+    m_site->screen<desktop::ResultsScreen>()->exportTo(target.path());
+    QTRY_COMPARE(QDir(target.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
+    QDir folder(target.path());
+    QVERIFY(folder.cd(folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot).first()));
+    QTRY_COMPARE(folder.entryList({QStringLiteral("session_*.csv")}).size(), 7);
+    QTRY_VERIFY(m_site->context.background().idle());
+    QFile json(folder.filePath(QStringLiteral("person.json")));
+    QVERIFY(json.open(QIODevice::ReadOnly));
+    const QJsonObject everything = QJsonDocument::fromJson(json.readAll()).object();
+    QCOMPARE(everything["sessions"].toArray().size(), 7);
+}
+
+void TestResults::nothingClippedOrUnnamed() {
+    const QStringList findings = tests::findingsOn(*m_site, [this] { open(); });
+    QVERIFY2(findings.isEmpty(), qPrintable(findings.join(QLatin1Char('\n'))));
+}
+
+QTEST_MAIN(TestResults)
+#include "test_results.moc"
