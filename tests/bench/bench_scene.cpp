@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// First frame of the 3D scene against a bare Qt3D window (one process each, alternating), and its frames a second with a
-// moving tip at 1024x768. Needs a display: xvfb-run -a -s "-screen 0 1280x1024x24" bench_scene
+// First frame of the 3D scene against a bare Qt3D window (one process each, alternating), and its frames a
+// second with a moving tip at 1024x768. Needs a display: xvfb-run -a -s "-screen 0 1280x1024x24" bench_scene
 #include "bench/alternating.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/scene_samples.h"
@@ -75,7 +75,8 @@ int firstFrame(QApplication& app) {
     QObject::connect(&timer, &QTimer::timeout, &timer, [&] {
         if (told_s == 0.0)
             return;
-        const QImage seen = holder.window.screen()->grabWindow(holder.window.winId(), 400, 600, 1, 1).toImage();
+        const QImage seen =
+            holder.window.screen()->grabWindow(holder.window.winId(), 400, 600, 1, 1).toImage();
         if (seen.isNull() || seen.pixelColor(0, 0).red() < 90 || seen.pixelColor(0, 0).blue() > 150)
             return; // not yet tissue
         std::printf("%.6f %.6f %.6f\n", holder.begun_s, told_s, bench::seconds(CLOCK_MONOTONIC));
@@ -85,7 +86,8 @@ int firstFrame(QApplication& app) {
     return app.exec();
 }
 
-/// Prints frames a second and processor milliseconds a frame (all threads) with a tip that presses and wanders.
+/// Prints frames a second and processor milliseconds a frame (all threads) with a tip that presses and
+/// wanders.
 int frames(QApplication& app) {
     QElapsedTimer clock;
     QTimer timer;
@@ -113,7 +115,8 @@ int frames(QApplication& app) {
         if (holder.scene.view->framesDrawn() == last)
             return; // the frame before has not been drawn
         last = holder.scene.view->framesDrawn();
-        scene3d::SceneState state = scene3d::samples::pressed(2.5 + 2.0 * std::sin(0.003 * double(clock.elapsed())));
+        scene3d::SceneState state =
+            scene3d::samples::pressed(2.5 + 2.0 * std::sin(0.003 * double(clock.elapsed())));
         state.tool[0].p_WT.x() += 0.006 * std::sin(0.002 * double(clock.elapsed()));
         holder.scene.view->show(state);
     });
@@ -152,7 +155,8 @@ int measure(const QString& self) {
         }
     }
     if (peer_s.empty() || exec_s.empty()) {
-        std::printf("not measured: no display, no OpenGL, or chiron_scene3d.so is not where CHIRON_PLUGINS says\n");
+        std::printf(
+            "not measured: no display, no OpenGL, or chiron_scene3d.so is not where CHIRON_PLUGINS says\n");
         return 1;
     }
     std::vector<double> rates, cpu_ms;
@@ -165,10 +169,11 @@ int measure(const QString& self) {
     }
     std::printf("first frame, exec to seen, medians of %zu\n", exec_s.size());
     std::printf("  bare Qt3D window              %7.1f ms\n", bench::median(peer_s) * 1e3);
-    std::printf("  scene after its window        %7.1f ms  ratio %.2f (goal 1.2)\n", bench::median(exec_s) * 1e3,
-                bench::median(exec_s) / bench::median(peer_s));
+    std::printf("  scene after its window        %7.1f ms  ratio %.2f (goal 1.2)\n",
+                bench::median(exec_s) * 1e3, bench::median(exec_s) / bench::median(peer_s));
     std::printf("  of which making the scene     %7.1f ms\n", bench::median(load_s) * 1e3);
-    std::printf("frames a second, 1024x768, moving tip: median %.1f of %zu runs (goal 40); %.1f ms of processor time a frame\n",
+    std::printf("frames a second, 1024x768, moving tip: median %.1f of %zu runs (goal 40); %.1f ms of "
+                "processor time a frame\n",
                 bench::median(rates), rates.size(), bench::median(cpu_ms));
     return 0;
 }

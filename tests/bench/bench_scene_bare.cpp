@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bare Qt3D window, the peer of bench_scene: prints the monotonic time at which its first frame can be seen.
+// A bare Qt3D window, the peer of bench_scene: prints the monotonic time at which its first frame can be
+// seen.
 #include "bench/alternating.h"
 
 #include <QGuiApplication>

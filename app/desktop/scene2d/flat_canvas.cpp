@@ -95,11 +95,14 @@ void FlatCanvas::placePanels(FlatPanel& above, FlatPanel& side, const QRectF& ro
     const QSizeF frameSide = side.cardSize(0.0);
     const QRectF a = above.range_mm();
     const QRectF s = side.range_mm();
-    // One under the other they share the x axis; side by side they suit a wide widget. The larger picture wins.
-    const double stacked = std::min((room.height() - gap - frameAbove.height() - frameSide.height()) / (a.height() + s.height()),
-                                    (room.width() - frameAbove.width()) / std::max(a.width(), s.width()));
-    const double beside = std::min((room.width() - gap - frameAbove.width() - frameSide.width()) / (a.width() + s.width()),
-                                   (room.height() - frameAbove.height()) / std::max(a.height(), s.height()));
+    // One under the other they share the x axis; side by side they suit a wide widget. The larger picture
+    // wins.
+    const double stacked =
+        std::min((room.height() - gap - frameAbove.height() - frameSide.height()) / (a.height() + s.height()),
+                 (room.width() - frameAbove.width()) / std::max(a.width(), s.width()));
+    const double beside =
+        std::min((room.width() - gap - frameAbove.width() - frameSide.width()) / (a.width() + s.width()),
+                 (room.height() - frameAbove.height()) / std::max(a.height(), s.height()));
     const double scale = std::max(0.3, std::max(stacked, beside));
     const QSizeF sizeAbove = above.cardSize(scale);
     if (beside > stacked)

@@ -16,7 +16,8 @@ public:
     virtual ~IFlatContent() = default;
     virtual QRectF rangeAbove_mm() const = 0; ///< x and y that must be seen
     virtual QRectF rangeSide_mm() const = 0;  ///< x and z
-    virtual void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const = 0;
+    virtual void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                       const SceneState& state) const = 0;
     /// z of what lies under a place, as shown. Metres, W.
     virtual double groundHeight_m(const SceneState& state, double x_m, double y_m) const = 0;
 };

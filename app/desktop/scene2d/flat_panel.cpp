@@ -28,7 +28,8 @@ QSizeF FlatPanel::cardSize(double pixelsPerMm) const {
 }
 
 void FlatPanel::extendUp(double cardHeight, double pixelsPerMm) {
-    m_range_mm.setHeight(std::max(m_range_mm.height(), (cardHeight - (kTop + kBottom) * unit()) / pixelsPerMm));
+    m_range_mm.setHeight(
+        std::max(m_range_mm.height(), (cardHeight - (kTop + kBottom) * unit()) / pixelsPerMm));
 }
 
 void FlatPanel::place(const QPointF& corner, double pixelsPerMm) {
@@ -53,7 +54,8 @@ QFont FlatPanel::font(double size, bool bold) const {
     return font;
 }
 
-void FlatPanel::paintCard(QPainter& painter, const QString& title, const QString& across, const QString& up) const {
+void FlatPanel::paintCard(QPainter& painter, const QString& title, const QString& across,
+                          const QString& up) const {
     const double u = unit();
     const QRectF card = m_plot.adjusted(-kLeft * u, -kTop * u, kRight * u, kBottom * u);
     painter.setPen(m_setup.colours.highContrast ? QPen(m_setup.colours.ink, 1.5 * u) : QPen(Qt::NoPen));
@@ -65,7 +67,8 @@ void FlatPanel::paintCard(QPainter& painter, const QString& title, const QString
                      Qt::AlignLeft | Qt::AlignVCenter, title);
     paintTicks(painter);
     painter.setFont(font(12, false));
-    painter.drawText(QRectF(m_plot.left(), m_plot.bottom() + 20.0 * u, m_plot.width(), 18.0 * u), Qt::AlignCenter, across);
+    painter.drawText(QRectF(m_plot.left(), m_plot.bottom() + 20.0 * u, m_plot.width(), 18.0 * u),
+                     Qt::AlignCenter, across);
     painter.save();
     painter.translate(card.left() + 4.0 * u, m_plot.center().y());
     painter.rotate(-90.0);
@@ -78,7 +81,8 @@ void FlatPanel::paintTicks(QPainter& painter) const {
     painter.setFont(font(11, false));
     QColor grid = m_setup.colours.ink;
     grid.setAlphaF(0.14F);
-    for (double mm = std::ceil(m_range_mm.left() / kTick_mm) * kTick_mm; mm <= m_range_mm.right(); mm += kTick_mm) {
+    for (double mm = std::ceil(m_range_mm.left() / kTick_mm) * kTick_mm; mm <= m_range_mm.right();
+         mm += kTick_mm) {
         const double x = at(mm, 0.0).x();
         painter.setPen(QPen(grid, u));
         painter.drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
@@ -86,7 +90,8 @@ void FlatPanel::paintTicks(QPainter& painter) const {
         painter.drawText(QRectF(x - 20.0 * u, m_plot.bottom() + 3.0 * u, 40.0 * u, 16.0 * u), Qt::AlignCenter,
                          QLocale().toString(mm, 'f', 0));
     }
-    for (double mm = std::ceil(m_range_mm.top() / kTick_mm) * kTick_mm; mm <= m_range_mm.bottom(); mm += kTick_mm) {
+    for (double mm = std::ceil(m_range_mm.top() / kTick_mm) * kTick_mm; mm <= m_range_mm.bottom();
+         mm += kTick_mm) {
         const double y = at(0.0, mm).y();
         painter.setPen(QPen(grid, u));
         painter.drawLine(QPointF(m_plot.left(), y), QPointF(m_plot.right(), y));

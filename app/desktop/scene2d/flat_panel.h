@@ -13,8 +13,8 @@ class QPainter;
 
 namespace chiron::scene3d {
 
-/// One of the two pictures: a card with a title, and a plot whose two axes have the same scale in millimetres. From above:
-/// x and y; from the side: x and z.
+/// One of the two pictures: a card with a title, and a plot whose two axes have the same scale in
+/// millimetres. From above: x and y; from the side: x and z.
 class FlatPanel {
 public:
     enum class Side { above, side };

@@ -10,7 +10,8 @@ namespace chiron::scene3d {
 
 class FlatCanvas;
 
-/// The scene from above and from the side, painted by QPainter: where there is no OpenGL. Same geometry, same cues.
+/// The scene from above and from the side, painted by QPainter: where there is no OpenGL. Same geometry, same
+/// cues.
 class FlatSceneView final : public ISceneView {
 public:
     FlatSceneView(const SceneSetup& setup, const QString& why, QWidget* parent);

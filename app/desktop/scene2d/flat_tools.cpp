@@ -34,7 +34,8 @@ void FlatTools::paintTool(const ToolView& tool, const core::Quat& q_W, bool ghos
     QColor edge = m_setup.colours.ink; // so that the dark shaft shows on a dark field too
     edge.setAlphaF(m_setup.colours.highContrast ? 1.0F : 0.45F);
     if (!ghost) {
-        m_painter.setPen(QPen(edge, shaft + (m_setup.colours.highContrast ? 3.0 : 2.0) * m_panel.unit(), Qt::SolidLine, Qt::FlatCap));
+        m_painter.setPen(QPen(edge, shaft + (m_setup.colours.highContrast ? 3.0 : 2.0) * m_panel.unit(),
+                              Qt::SolidLine, Qt::FlatCap));
         m_painter.drawLine(neck, end);
     }
     m_painter.setPen(QPen(coat, shaft, Qt::SolidLine, Qt::FlatCap));
@@ -119,7 +120,8 @@ void FlatTools::paintPin(const core::Vec3& p_W) {
     m_painter.setBrush(m_setup.colours.arrow);
     if (m_panel.side() == FlatPanel::Side::above) { // a diamond: another shape than every tip
         QPolygonF diamond;
-        diamond << foot + QPointF(0, -8 * u) << foot + QPointF(8 * u, 0) << foot + QPointF(0, 8 * u) << foot + QPointF(-8 * u, 0);
+        diamond << foot + QPointF(0, -8 * u) << foot + QPointF(8 * u, 0) << foot + QPointF(0, 8 * u)
+                << foot + QPointF(-8 * u, 0);
         m_painter.drawPolygon(diamond);
         return;
     }

@@ -15,7 +15,8 @@ public:
         : m_painter(painter), m_panel(panel), m_setup(setup) {}
 
     void paintTool(const ToolView& tool, const core::Quat& q_W, bool ghost);
-    /// The same arrow as in 3D, seen from here: 40 mm long at the limit, a bar where the limit lies; over it thicker, with rungs.
+    /// The same arrow as in 3D, seen from here: 40 mm long at the limit, a bar where the limit lies; over it
+    /// thicker, with rungs.
     void paintArrow(const ToolView& tool);
     void paintDropLine(const ToolView& tool, double ground_m);
     void paintPin(const core::Vec3& p_W);

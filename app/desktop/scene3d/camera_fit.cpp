@@ -33,7 +33,8 @@ bool sees(const CameraFit& camera, const Opening& opening, const core::Vec3& p_W
     return x <= opening.right && x >= -opening.left && std::abs(y) <= opening.up;
 }
 
-bool seesAll(const CameraFit& camera, const Opening& opening, double radius_m, double planeHeight_m, double room_m) {
+bool seesAll(const CameraFit& camera, const Opening& opening, double radius_m, double planeHeight_m,
+             double room_m) {
     for (int i = 0; i < 36; ++i) {
         const double angle = 2.0 * core::kPi * i / 36;
         const core::Vec3 edge(radius_m * std::cos(angle), radius_m * std::sin(angle), planeHeight_m);

@@ -10,8 +10,8 @@ inline core::Vec3 drawnTip(const ToolView& tool) {
     return tool.drawnAtSurface ? tool.p_WProxy : tool.p_WT;
 }
 
-/// How one tool is held in the picture. A tool that has only ever shown the identity has no orientation to show: its
-/// shaft goes through a fixed entry point, as through a trocar.
+/// How one tool is held in the picture. A tool that has only ever shown the identity has no orientation to
+/// show: its shaft goes through a fixed entry point, as through a trocar.
 class DrawnOrientation {
 public:
     /// Once a picture; the shaft leaves the tip along +z of what comes back.

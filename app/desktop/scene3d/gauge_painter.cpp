@@ -73,7 +73,8 @@ void GaugePainter::paintScale(QPainter& painter) const {
         if (std::abs(y - heightOf(m_setup.forceLimit_N)) < 12.0)
             continue; // the limit's own number stands there
         painter.drawText(QRectF(kHollow.right() + 7.0, y - 9.0, kWidth - kHollow.right() - 9.0, 18.0),
-                         Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(i * step_N, 'f', step_N < 1.0 ? 1 : 0));
+                         Qt::AlignLeft | Qt::AlignVCenter,
+                         QLocale().toString(i * step_N, 'f', step_N < 1.0 ? 1 : 0));
     }
 }
 
@@ -84,7 +85,8 @@ void GaugePainter::paintLimit(QPainter& painter) const {
     painter.setFont(font(13, true));
     const bool whole = std::abs(m_setup.forceLimit_N - std::round(m_setup.forceLimit_N)) < 0.005;
     painter.drawText(QRectF(kHollow.right() + 8.0, y - 9.0, kWidth - kHollow.right() - 10.0, 18.0),
-                     Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(m_setup.forceLimit_N, 'f', whole ? 0 : 1));
+                     Qt::AlignLeft | Qt::AlignVCenter,
+                     QLocale().toString(m_setup.forceLimit_N, 'f', whole ? 0 : 1));
 }
 
 } // namespace chiron::scene3d

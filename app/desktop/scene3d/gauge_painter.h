@@ -11,8 +11,8 @@ class QPainter;
 
 namespace chiron::scene3d {
 
-/// Paints frame, scale, limit line and words of the force bar; its hollow stays empty, and what fills it lies under this.
-/// In a face of kWidth × kHeight logical pixels at scale 1, from the upper left corner.
+/// Paints frame, scale, limit line and words of the force bar; its hollow stays empty, and what fills it lies
+/// under this. In a face of kWidth × kHeight logical pixels at scale 1, from the upper left corner.
 class GaugePainter {
 public:
     explicit GaugePainter(const SceneSetup& setup) : m_setup(setup) {}

@@ -19,35 +19,6 @@ QString words(const char* text) {
     return QCoreApplication::translate("chiron::scene3d::SceneLoader", text);
 }
 
-/// The functions of the plugin, or why there are none. A loaded plugin stays: Qt3D cannot be unloaded safely.
-struct Plugin {
-    SceneMakeFunction make = nullptr;
-    QString why;
-};
-
-Plugin loadPlugin() {
-    const QString named = qEnvironmentVariable("CHIRON_PLUGINS");
-    const QDir folder(named.isEmpty() ? QCoreApplication::applicationDirPath() : named);
-    const QString file = folder.filePath(QLatin1String(kScenePluginFile));
-    if (!QFile::exists(file))
-        return {nullptr, words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
-                                                 "Drawn in two dimensions: the 3D part of Chiron is not installed."))};
-    QLibrary library(file);
-    library.setLoadHints(QLibrary::PreventUnloadHint);
-    if (!library.load())
-        return {nullptr, words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
-                                                 "Drawn in two dimensions: the 3D part of Chiron could not be loaded (%1)."))
-                             .arg(library.errorString())};
-    const auto abi = reinterpret_cast<SceneAbiFunction>(library.resolve(kSceneAbiSymbol));
-    const auto make = reinterpret_cast<SceneMakeFunction>(library.resolve(kSceneMakeSymbol));
-    if (!abi || !make || sceneAbi() != abi())
-        return {nullptr,
-                words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
-                                        "Drawn in two dimensions: the 3D part belongs to another version of Chiron. "
-                                        "Installing Chiron again repairs this."))};
-    return {make, {}};
-}
-
 bool hasOpenGl() {
     QSurfaceFormat format;
     format.setVersion(3, 2);
@@ -57,25 +28,51 @@ bool hasOpenGl() {
     return context.create() && !context.isOpenGLES() && context.format().version() >= qMakePair(3, 2);
 }
 
-Plugin findPlugin() {
+ScenePlugin findPlugin() {
     if (qEnvironmentVariableIsSet("CHIRON_NO_3D"))
-        return {nullptr, words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
-                                                 "Drawn in two dimensions: 3D is switched off on this station."))};
+        return {nullptr,
+                words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
+                                        "Drawn in two dimensions: 3D is switched off on this station."))};
     const QString platform = QGuiApplication::platformName();
     if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal") || !hasOpenGl())
         return {nullptr, words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
                                                  "Drawn in two dimensions: OpenGL is not available here."))};
-    return loadPlugin();
+    const QString named = qEnvironmentVariable("CHIRON_PLUGINS");
+    return loadScenePlugin(named.isEmpty() ? QCoreApplication::applicationDirPath() : named);
 }
 
 } // namespace
+
+ScenePlugin loadScenePlugin(const QString& folder) {
+    const QString file = QDir(folder).filePath(QLatin1String(kScenePluginFile));
+    if (!QFile::exists(file))
+        return {nullptr,
+                words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
+                                        "Drawn in two dimensions: the 3D part of Chiron is not installed."))};
+    QLibrary library(file);
+    library.setLoadHints(QLibrary::PreventUnloadHint); // Qt3D cannot be unloaded safely
+    if (!library.load())
+        return {nullptr,
+                words(QT_TRANSLATE_NOOP(
+                          "chiron::scene3d::SceneLoader",
+                          "Drawn in two dimensions: the 3D part of Chiron could not be loaded (%1)."))
+                    .arg(library.errorString())};
+    const auto abi = reinterpret_cast<SceneAbiFunction>(library.resolve(kSceneAbiSymbol));
+    const auto make = reinterpret_cast<SceneMakeFunction>(library.resolve(kSceneMakeSymbol));
+    if (!abi || !make || sceneAbi() != abi())
+        return {nullptr, words(QT_TRANSLATE_NOOP(
+                             "chiron::scene3d::SceneLoader",
+                             "Drawn in two dimensions: the 3D part belongs to another version of Chiron. "
+                             "Installing Chiron again repairs this."))};
+    return {make, {}};
+}
 
 QString findWhyFlat() {
     return findPlugin().why;
 }
 
 LoadedScene makeSceneView(const SceneSetup& setup, QWidget* parent) {
-    Plugin plugin = findPlugin();
+    ScenePlugin plugin = findPlugin();
     if (plugin.make) {
         if (std::unique_ptr<ISceneView> view{plugin.make(&setup, parent)})
             return {std::move(view), {}};

@@ -7,11 +7,13 @@
 
 namespace chiron::scene3d {
 
-/// The face between the program and the plugin that links Qt3D. Program and plugin are built together; this text says
-/// so: face number, Qt version, and the sizes of what is handed over. Another text means another build.
+/// The face between the program and the plugin that links Qt3D. Program and plugin are built together; this
+/// text says so: face number, Qt version, and the sizes of what is handed over. Another text means another
+/// build.
 inline QByteArray sceneAbi() {
-    return QByteArrayLiteral("chiron-scene 1 Qt " QT_VERSION_STR " ") + QByteArray::number(qulonglong(sizeof(SceneSetup))) +
-           ' ' + QByteArray::number(qulonglong(sizeof(SceneState)));
+    return QByteArrayLiteral("chiron-scene 1 Qt " QT_VERSION_STR " ") +
+           QByteArray::number(qulonglong(sizeof(SceneSetup))) + ' ' +
+           QByteArray::number(qulonglong(sizeof(SceneState)));
 }
 
 inline constexpr const char* kScenePluginFile = "chiron_scene3d.so"; ///< in the folder of the program

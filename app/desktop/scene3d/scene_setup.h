@@ -19,16 +19,16 @@ struct SceneCues {
 /// Colours of the theme that the scene uses; tissue and instrument keep their own, believable ones.
 struct SceneColours {
     QColor background{232, 237, 242};
-    QColor field{205, 214, 222};   ///< operating field (drape)
-    QColor ink{27, 38, 49};        ///< lines and words
-    QColor arrow{0, 95, 135};      ///< force under the limit
-    QColor over{176, 32, 36};      ///< force over the limit
+    QColor field{205, 214, 222}; ///< operating field (drape)
+    QColor ink{27, 38, 49};      ///< lines and words
+    QColor arrow{0, 95, 135};    ///< force under the limit
+    QColor over{176, 32, 36};    ///< force over the limit
     QColor ghost{120, 90, 160};
     bool highContrast = false;
 };
 
-/// What does not change while a scene is on the screen. The parameters are the level's own: the drawn surface is
-/// computed from the same geometry as the force.
+/// What does not change while a scene is on the screen. The parameters are the level's own: the drawn surface
+/// is computed from the same geometry as the force.
 struct SceneSetup {
     std::string exercise; ///< id of the exercise: which geometry is drawn
     std::variant<simulation::SphereApexParameters> parameters;
@@ -36,8 +36,8 @@ struct SceneSetup {
     SceneCues cues;
     SceneColours colours;
     bool leftHanded = false; ///< the entry point of a tool without orientation lies on the left
-    double scale = 1.0; ///< of lines and words: 1..2
-    QString family;     ///< font
+    double scale = 1.0;      ///< of lines and words: 1..2
+    QString family;          ///< font
 };
 
 } // namespace chiron::scene3d

@@ -11,25 +11,30 @@ namespace chiron::scene3d {
 /// One tool as it is drawn. Everything in W; metres, newtons.
 struct ToolView {
     bool present = false;
-    core::Vec3 p_WT = core::Vec3::Zero();     ///< the tip, where the hand is
-    core::Vec3 p_WProxy = core::Vec3::Zero(); ///< where the scene wants it drawn: at the surface while in contact
-    /// Orientation; the shaft leaves the tip along +z of T. While a tool has shown the identity alone (a mouse has no
-    /// orientation) its shaft is drawn through a fixed entry point instead.
+    core::Vec3 p_WT = core::Vec3::Zero(); ///< the tip, where the hand is
+    core::Vec3 p_WProxy =
+        core::Vec3::Zero(); ///< where the scene wants it drawn: at the surface while in contact
+    /// Orientation; the shaft leaves the tip along +z of T. While a tool has shown the identity alone (a
+    /// mouse has no orientation) its shaft is drawn through a fixed entry point instead.
     core::Quat q_WT = core::Quat::Identity();
     core::Vec3 force_N = core::Vec3::Zero(); ///< *tissue* force on the tool: every cue uses this one
     double jaw_rad = 0.0;
-    bool drawnAtSurface = false; ///< pseudo-haptics: the device renders no force, the drawn tool stays at the surface
+    bool drawnAtSurface =
+        false; ///< pseudo-haptics: the device renders no force, the drawn tool stays at the surface
 };
 
-/// What changes from picture to picture: made from haptics::DisplayState while training, from a recording in playback.
+/// What changes from picture to picture: made from haptics::DisplayState while training, from a recording in
+/// playback.
 struct SceneState {
     std::array<ToolView, core::kMaxTools> tool{};
-    ToolView ghost{};              ///< a second session's tool 0, drawn translucent
-    bool objectShown = false;      ///< the level lets it be seen (or the trial is over and this is playback)
-    core::Vec3 p_WObject = core::Vec3::Zero(); ///< sphere_apex: centre of the ball, in the plane; the apex is above it
-    bool dimpleShown = false;      ///< playback of a level with a decoy: where it lies (depth and width: SceneSetup)
+    ToolView ghost{};         ///< a second session's tool 0, drawn translucent
+    bool objectShown = false; ///< the level lets it be seen (or the trial is over and this is playback)
+    core::Vec3 p_WObject =
+        core::Vec3::Zero(); ///< sphere_apex: centre of the ball, in the plane; the apex is above it
+    bool dimpleShown =
+        false; ///< playback of a level with a decoy: where it lies (depth and width: SceneSetup)
     core::Vec2 dimpleCentre_m = core::Vec2::Zero(); ///< x, y in W
-    bool marked = false;           ///< playback: the place where the person marked
+    bool marked = false;                            ///< playback: the place where the person marked
     core::Vec3 p_WMark = core::Vec3::Zero();
     double time_s = 0.0;
 };

@@ -6,7 +6,8 @@
 
 namespace chiron::scene3d {
 
-/// A vertex as it is handed to the graphics driver. Millimetres, so that floats keep about 10 nm; frame W or the part's own.
+/// A vertex as it is handed to the graphics driver. Millimetres, so that floats keep about 10 nm; frame W or
+/// the part's own.
 struct MeshVertex {
     float position_mm[3] = {0.0F, 0.0F, 0.0F};
     float normal[3] = {0.0F, 0.0F, 1.0F};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// scene_pictures FOLDER [WIDTH HEIGHT]: what the scene looks like, one PNG a state and theme. Under Xvfb or on a screen.
+// scene_pictures FOLDER [WIDTH HEIGHT]: what the scene looks like, one PNG a state and theme. Under Xvfb or
+// on a screen.
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/scene_samples.h"
 
@@ -58,20 +59,28 @@ int main(int argc, char** argv) {
         {"light", {}}, {"dark", samples::dark()}, {"contrast", samples::highContrast()}};
     for (bool flat : {false, true})
         for (const auto& [theme, colours] : themes) {
-        QWidget window;
-        window.resize(size);
-        window.move(0, 0);
-        auto* layout = new QVBoxLayout(&window);
-        layout->setContentsMargins(0, 0, 0, 0);
-        LoadedScene scene = flat ? LoadedScene{makeFlatSceneView(samples::setup(), QStringLiteral("Drawn in two dimensions: OpenGL is not available here."), &window), {}}
-                                 : makeSceneView(samples::setup(), &window);
-        std::printf("%s\n", scene.whyFlat.isEmpty() ? "drawn" : qPrintable(scene.whyFlat));
-        layout->addWidget(scene.view->widget());
-        window.show();
-        pass(1200);
+            QWidget window;
+            window.resize(size);
+            window.move(0, 0);
+            auto* layout = new QVBoxLayout(&window);
+            layout->setContentsMargins(0, 0, 0, 0);
+            LoadedScene scene =
+                flat ? LoadedScene{makeFlatSceneView(
+                                       samples::setup(),
+                                       QStringLiteral(
+                                           "Drawn in two dimensions: OpenGL is not available here."),
+                                       &window),
+                                   {}}
+                     : makeSceneView(samples::setup(), &window);
+            std::printf("%s\n", scene.whyFlat.isEmpty() ? "drawn" : qPrintable(scene.whyFlat));
+            layout->addWidget(scene.view->widget());
+            window.show();
+            pass(1200);
             SceneSetup setup = samples::setup();
             setup.colours = colours;
-            setup.scale = qEnvironmentVariableIsSet("SCENE_SCALE") ? qEnvironmentVariable("SCENE_SCALE").toDouble() : 1.0;
+            setup.scale = qEnvironmentVariableIsSet("SCENE_SCALE")
+                              ? qEnvironmentVariable("SCENE_SCALE").toDouble()
+                              : 1.0;
             scene.view->change(setup);
             for (const auto& [name, state] : states()) {
                 scene.view->show(state);
@@ -81,7 +90,7 @@ int main(int argc, char** argv) {
                 const QPixmap picture = flat ? window.grab() : window.screen()->grabWindow(window.winId());
                 picture.save(folder.filePath((flat ? "flat_" : "scene_") + theme + "_" + name + ".png"));
             }
-        std::printf("%llu frames\n", static_cast<unsigned long long>(scene.view->framesDrawn()));
-    }
+            std::printf("%llu frames\n", static_cast<unsigned long long>(scene.view->framesDrawn()));
+        }
     return 0;
 }

@@ -18,13 +18,23 @@ inline SceneSetup setup() {
 }
 
 inline SceneColours dark() {
-    return {QColor(24, 29, 35), QColor(38, 62, 74), QColor(230, 236, 242), QColor(90, 190, 240), QColor(255, 110, 100),
-            QColor(190, 160, 240), false};
+    return {QColor(24, 29, 35),
+            QColor(38, 62, 74),
+            QColor(230, 236, 242),
+            QColor(90, 190, 240),
+            QColor(255, 110, 100),
+            QColor(190, 160, 240),
+            false};
 }
 
 inline SceneColours highContrast() {
-    return {QColor(0, 0, 0), QColor(20, 20, 20), QColor(255, 255, 255), QColor(255, 255, 0), QColor(255, 80, 255),
-            QColor(0, 255, 255), true};
+    return {QColor(0, 0, 0),
+            QColor(20, 20, 20),
+            QColor(255, 255, 255),
+            QColor(255, 255, 0),
+            QColor(255, 80, 255),
+            QColor(0, 255, 255),
+            true};
 }
 
 /// The ball a little right of the middle, tool 0 above it in the air.

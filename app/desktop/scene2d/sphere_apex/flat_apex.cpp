@@ -46,7 +46,8 @@ double FlatApex::groundHeight_m(const SceneState& state, double x_m, double y_m)
     return ApexSurface::of(m_parameters, state).height_m(x_m, y_m);
 }
 
-void FlatApex::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
+void FlatApex::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                     const SceneState& state) const {
     const ApexSurface surface = ApexSurface::of(m_parameters, state);
     if (panel.side() == FlatPanel::Side::above)
         paintAbove(painter, panel, setup, state, surface);
@@ -54,8 +55,8 @@ void FlatApex::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup
         paintSide(painter, panel, setup, state, surface);
 }
 
-void FlatApex::paintAbove(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state,
-                          const ApexSurface& surface) const {
+void FlatApex::paintAbove(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                          const SceneState& state, const ApexSurface& surface) const {
     const double field = panel.pixels(m_parameters.workspaceRadius_m * 1e3 + 5.0);
     const QPointF middle = panel.at(0.0, 0.0);
     painter.setPen(QPen(setup.colours.ink, 1.5 * panel.unit()));
@@ -103,7 +104,8 @@ std::vector<core::Vec2> FlatApex::profile(const ApexSurface& surface, const Tool
     for (double x = -surface.fieldRadius_m; x <= surface.fieldRadius_m; x += kStep_m)
         across.push_back(x);
     if (dent.depth_m > 0.0) // the touched point itself, wherever the steps fall
-        across.insert(std::upper_bound(across.begin(), across.end(), dent.p_WSurface.x()), dent.p_WSurface.x());
+        across.insert(std::upper_bound(across.begin(), across.end(), dent.p_WSurface.x()),
+                      dent.p_WSurface.x());
     std::vector<core::Vec2> points;
     for (double x : across) {
         const bool touched = dent.depth_m > 0.0 && x == dent.p_WSurface.x();
@@ -114,8 +116,8 @@ std::vector<core::Vec2> FlatApex::profile(const ApexSurface& surface, const Tool
     return points;
 }
 
-void FlatApex::paintSide(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state,
-                         const ApexSurface& surface) const {
+void FlatApex::paintSide(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                         const SceneState& state, const ApexSurface& surface) const {
     const double plane = surface.ball.planeHeight_m * 1e3;
     if (surface.shown) { // the whole ball, behind the cut
         const QPointF centre = panel.at(surface.ball.centre_m.x() * 1e3, plane);
@@ -124,7 +126,8 @@ void FlatApex::paintSide(QPainter& painter, const FlatPanel& panel, const SceneS
         behind.setAlphaF(0.45F);
         painter.setPen(QPen(kTissueEdge, panel.unit(), Qt::DashLine));
         painter.setBrush(behind);
-        painter.drawPie(QRectF(centre.x() - radius, centre.y() - radius, 2.0 * radius, 2.0 * radius), 0, 180 * 16);
+        painter.drawPie(QRectF(centre.x() - radius, centre.y() - radius, 2.0 * radius, 2.0 * radius), 0,
+                        180 * 16);
     }
     ToolView cutter = state.tool[0];
     cutter.present = cutter.present && setup.cues.tool;
@@ -136,7 +139,8 @@ void FlatApex::paintSide(QPainter& painter, const FlatPanel& panel, const SceneS
     body.lineTo(edge.last().x(), panel.plot().bottom());
     body.lineTo(edge.first().x(), panel.plot().bottom());
     body.closeSubpath();
-    QLinearGradient depth(panel.at(0.0, plane + surface.ball.radius_m * 1e3), QPointF(panel.at(0.0, 0.0).x(), panel.plot().bottom()));
+    QLinearGradient depth(panel.at(0.0, plane + surface.ball.radius_m * 1e3),
+                          QPointF(panel.at(0.0, 0.0).x(), panel.plot().bottom()));
     depth.setColorAt(0.0, kTissueLight);
     depth.setColorAt(1.0, kTissueDeep);
     painter.fillPath(body, surface.shown ? QBrush(depth) : QBrush(coverOf(setup.colours)));
@@ -145,7 +149,8 @@ void FlatApex::paintSide(QPainter& painter, const FlatPanel& panel, const SceneS
     painter.drawPolyline(edge);
     const double press = surface.shown ? pressOf(setup, surface, state.tool[0]) : 0.0;
     if (press > 0.0) {
-        const QPointF touched = panel.project(state.tool[0].drawnAtSurface ? state.tool[0].p_WProxy : state.tool[0].p_WT);
+        const QPointF touched =
+            panel.project(state.tool[0].drawnAtSurface ? state.tool[0].p_WProxy : state.tool[0].p_WT);
         QColor pale = kBlanched;
         pale.setAlphaF(float(0.35 + 0.65 * press));
         painter.save();

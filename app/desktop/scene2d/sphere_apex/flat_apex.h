@@ -13,17 +13,19 @@ public:
 
     QRectF rangeAbove_mm() const override;
     QRectF rangeSide_mm() const override;
-    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
+    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+               const SceneState& state) const override;
     double groundHeight_m(const SceneState& state, double x_m, double y_m) const override;
 
-    /// The drawn outline of the cut, left to right: x, z in metres. It goes through the tip while the tip presses.
+    /// The drawn outline of the cut, left to right: x, z in metres. It goes through the tip while the tip
+    /// presses.
     static std::vector<core::Vec2> profile(const ApexSurface& surface, const ToolView& tool);
 
 private:
-    void paintAbove(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state,
-                    const ApexSurface& surface) const;
-    void paintSide(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state,
-                   const ApexSurface& surface) const;
+    void paintAbove(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                    const SceneState& state, const ApexSurface& surface) const;
+    void paintSide(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                   const SceneState& state, const ApexSurface& surface) const;
 
     simulation::SphereApexParameters m_parameters;
 };

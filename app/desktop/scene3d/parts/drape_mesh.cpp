@@ -31,7 +31,8 @@ std::vector<Outline> outline() {
     }
     for (int i = 1; i <= 18; ++i) {
         const double t = i / 18.0;
-        rows.push_back({2.0 * kEdge_mm + (kEnd_mm - 2.0 * kEdge_mm) * t * t, 0.4 - 26.0 * t, 0.75 + 0.25 * std::min(1.0, 8.0 * t)});
+        rows.push_back({2.0 * kEdge_mm + (kEnd_mm - 2.0 * kEdge_mm) * t * t, 0.4 - 26.0 * t,
+                        0.75 + 0.25 * std::min(1.0, 8.0 * t)});
     }
     return rows;
 }
@@ -59,7 +60,8 @@ TriangleMesh drapeMesh(double opening_mm) {
             const double angle = 2.0 * core::kPi * i / kSpokes;
             const double step = 2.0 * core::kPi / kSpokes;
             const core::Vec3 p = place(rows[r], angle, opening_mm);
-            const core::Vec3 around = place(rows[r], angle + step, opening_mm) - place(rows[r], angle - step, opening_mm);
+            const core::Vec3 around =
+                place(rows[r], angle + step, opening_mm) - place(rows[r], angle - step, opening_mm);
             const core::Vec3 out = place(rows[std::min(r + 1, rows.size() - 1)], angle, opening_mm) -
                                    place(rows[r == 0 ? 0 : r - 1], angle, opening_mm);
             const core::Vec3 normal = out.cross(around).normalized();

@@ -11,19 +11,27 @@ namespace chiron::scene3d {
 namespace {
 constexpr double kShaftRadius_mm = 2.5;
 constexpr double kShaftEnd_mm = 340.0; // beyond the picture
-}
+} // namespace
 
 TriangleMesh instrumentBody() {
     TriangleMesh mesh;
-    addTurned(mesh, {{kHinge_mm - 2.2, 0.9}, {kHinge_mm - 1.6, 1.7}, {kHinge_mm + 1.0, 2.15}, {kHinge_mm + 7.0, 2.2}}, 1.0);
-    addTurned(mesh, {{kHinge_mm + 7.0, 2.2}, {kHinge_mm + 7.6, kShaftRadius_mm}, {kHinge_mm + 9.0, kShaftRadius_mm}}, 0.7);
+    addTurned(
+        mesh,
+        {{kHinge_mm - 2.2, 0.9}, {kHinge_mm - 1.6, 1.7}, {kHinge_mm + 1.0, 2.15}, {kHinge_mm + 7.0, 2.2}},
+        1.0);
+    addTurned(
+        mesh,
+        {{kHinge_mm + 7.0, 2.2}, {kHinge_mm + 7.6, kShaftRadius_mm}, {kHinge_mm + 9.0, kShaftRadius_mm}},
+        0.7);
     addTurned(mesh, {{kHinge_mm + 9.0, 2.35}, {60.0, 2.35}, {140.0, 2.35}, {kShaftEnd_mm, 2.35}}, 0.0);
     // the pin that holds the jaws, across y
     TriangleMesh pin;
     addTurned(pin, {{-2.45, 0.9}, {2.45, 0.9}}, 0.85, 12);
     for (MeshVertex& v : pin.vertices) {
         v = {{v.position_mm[2], v.position_mm[0], v.position_mm[1] + static_cast<float>(kHinge_mm)},
-             {v.normal[2], v.normal[0], v.normal[1]}, {v.texture[0], v.texture[1]}, v.light};
+             {v.normal[2], v.normal[0], v.normal[1]},
+             {v.texture[0], v.texture[1]},
+             v.light};
     }
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), pin.vertices.begin(), pin.vertices.end());

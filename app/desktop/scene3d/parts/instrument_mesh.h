@@ -5,8 +5,8 @@
 
 namespace chiron::scene3d {
 
-/// A 5 mm laparoscopic grasper in its own frame T: closed, its blunt tip is the origin; the shaft runs along +z; the jaws
-/// open about x. Millimetres. Dimensions are ours, after common 5 mm instruments.
+/// A 5 mm laparoscopic grasper in its own frame T: closed, its blunt tip is the origin; the shaft runs along
+/// +z; the jaws open about x. Millimetres. Dimensions are ours, after common 5 mm instruments.
 inline constexpr double kHinge_mm = 15.0;
 
 /// Clevis, coated shaft.

@@ -31,10 +31,12 @@ core::Vec3 normalOf(const std::vector<Section>& sections, std::size_t row, std::
     const std::size_t sides = sections.front().size();
     const std::size_t below = row == 0 ? 0 : row - 1;
     const std::size_t above = std::min(row + 1, sections.size() - 1);
-    core::Vec3 around = vec(sections[row][(column + 1) % sides]) - vec(sections[row][(column + sides - 1) % sides]);
+    core::Vec3 around =
+        vec(sections[row][(column + 1) % sides]) - vec(sections[row][(column + sides - 1) % sides]);
     if (around.norm() < 1e-6) { // a tip: the outline is one point, so take its neighbour's
         const std::size_t other = row == 0 ? above : below;
-        around = vec(sections[other][(column + 1) % sides]) - vec(sections[other][(column + sides - 1) % sides]);
+        around =
+            vec(sections[other][(column + 1) % sides]) - vec(sections[other][(column + sides - 1) % sides]);
     }
     const core::Vec3 up = vec(sections[above][column]) - vec(sections[below][column]);
     const core::Vec3 normal = around.cross(up);
@@ -81,7 +83,8 @@ void addLoft(TriangleMesh& mesh, const std::vector<Section>& sections, double st
     addLid(mesh, sections.back(), core::Vec3::UnitZ(), steel);
 }
 
-void addTurned(TriangleMesh& mesh, const std::vector<std::array<double, 2>>& profile_mm, double steel, int sides) {
+void addTurned(TriangleMesh& mesh, const std::vector<std::array<double, 2>>& profile_mm, double steel,
+               int sides) {
     std::vector<Section> sections;
     for (const auto& [z, radius] : profile_mm)
         sections.push_back(circle(radius, z, sides));
@@ -98,7 +101,8 @@ TriangleMesh ringMesh(double radius_mm, double thickness_mm) {
             const double b = 2.0 * core::kPi * k / kSides;
             const core::Vec3 normal(std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b));
             const double away = radius_mm + thickness_mm * std::cos(b);
-            addVertex(mesh, {away * std::cos(a), away * std::sin(a), thickness_mm * std::sin(b)}, normal, 0.0);
+            addVertex(mesh, {away * std::cos(a), away * std::sin(a), thickness_mm * std::sin(b)}, normal,
+                      0.0);
         }
     }
     for (std::uint32_t i = 0; i < kAround; ++i) {

@@ -57,7 +57,8 @@ void addNoise(Sheet& sheet, int cells, float weight, std::uint32_t seed) {
             const int cx = x / step;
             const int cy = y / step;
             const float low = coarse.at(cx, cy) + su * (coarse.at(cx + 1, cy) - coarse.at(cx, cy));
-            const float high = coarse.at(cx, cy + 1) + su * (coarse.at(cx + 1, cy + 1) - coarse.at(cx, cy + 1));
+            const float high =
+                coarse.at(cx, cy + 1) + su * (coarse.at(cx + 1, cy + 1) - coarse.at(cx, cy + 1));
             sheet.at(x, y) += weight * (low + sv * (high - low));
         }
     }
@@ -98,9 +99,9 @@ void grow(Sheet& sheet, Dice& dice, Vessel vessel) {
         if (vessel.generation < 3 && dice.next() < 0.03F) {
             const float side = dice.next() < 0.5F ? -1.0F : 1.0F;
             grow(sheet, dice,
-                 {vessel.x, vessel.y, vessel.heading + side * (0.5F + 0.5F * dice.next()), vessel.radius * 0.66F,
-                  vessel.strength * 0.80F, int(float(vessel.left) * (0.35F + 0.4F * dice.next())) + 12,
-                  vessel.generation + 1});
+                 {vessel.x, vessel.y, vessel.heading + side * (0.5F + 0.5F * dice.next()),
+                  vessel.radius * 0.66F, vessel.strength * 0.80F,
+                  int(float(vessel.left) * (0.35F + 0.4F * dice.next())) + 12, vessel.generation + 1});
         }
     }
 }

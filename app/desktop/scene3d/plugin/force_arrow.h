@@ -8,9 +8,9 @@
 
 namespace chiron::scene3d {
 
-/// The force on the tool as an arrow from its tip, 10 mm a quarter of the limit, with a ring where the limit lies
-/// and a thin line to it. Over the limit it changes colour, grows thicker and wears rings: never colour alone.
-/// Drawn over the instrument.
+/// The force on the tool as an arrow from its tip, 10 mm a quarter of the limit, with a ring where the limit
+/// lies and a thin line to it. Over the limit it changes colour, grows thicker and wears rings: never colour
+/// alone. Drawn over the instrument.
 class ForceArrow final : public Qt3DCore::QEntity {
 public:
     ForceArrow(SharedLight& light, Qt3DCore::QNode* parent);
@@ -18,9 +18,9 @@ public:
     void change(const SceneSetup& setup);
     void show(const ToolView& tool);
 
-    static constexpr double kLimit_mm = 40.0;  ///< length at the limit
-    static constexpr double kLongest = 1.75;   ///< of the limit's length; beyond, the bar tells
-    static constexpr double kLeast_N = 0.02;   ///< below, no arrow
+    static constexpr double kLimit_mm = 40.0; ///< length at the limit
+    static constexpr double kLongest = 1.75;  ///< of the limit's length; beyond, the bar tells
+    static constexpr double kLeast_N = 0.02;  ///< below, no arrow
 
 private:
     SceneSetup m_setup;

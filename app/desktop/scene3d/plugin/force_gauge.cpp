@@ -37,10 +37,11 @@ ForceGauge::ForceGauge(SharedLight& light, Qt3DCore::QNode* parent) : QEntity(pa
     m_hollow = parameter("hollow", QVector3D());
     m_over = parameter("over", 0.0F);
     m_size = parameter("size_px", QVector2D(1, 1));
-    auto* material = light.effects.material("gauge.vert", "gauge.frag",
-                                  {m_spot, m_column, m_fill, m_hollow, m_over, m_size,
-                                   parameter("face", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(texture))},
-                                  Blend::premultiplied, this);
+    auto* material = light.effects.material(
+        "gauge.vert", "gauge.frag",
+        {m_spot, m_column, m_fill, m_hollow, m_over, m_size,
+         parameter("face", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(texture))},
+        Blend::premultiplied, this);
     new Part(unitSquare(), material, this);
 }
 
@@ -69,10 +70,9 @@ void ForceGauge::place() {
     m_spot->setValue(QVector4D(float(1.0 - 2.0 * (width_px + margin) / wide), float(-height_px / high),
                                float(2.0 * width_px / wide), float(2.0 * height_px / high)));
     const QRectF hollow = GaugePainter::hollow(); // from the top; the shader counts from the bottom
-    m_column->setValue(QVector4D(float(hollow.left() / GaugePainter::kWidth),
-                                 float(1.0 - hollow.bottom() / GaugePainter::kHeight),
-                                 float(hollow.width() / GaugePainter::kWidth),
-                                 float(hollow.height() / GaugePainter::kHeight)));
+    m_column->setValue(QVector4D(
+        float(hollow.left() / GaugePainter::kWidth), float(1.0 - hollow.bottom() / GaugePainter::kHeight),
+        float(hollow.width() / GaugePainter::kWidth), float(hollow.height() / GaugePainter::kHeight)));
     m_hollow->setValue(toTint(m_setup.colours.background).toVector3D());
     m_size->setValue(QVector2D(float(width_px / unit), float(height_px / unit)));
 }

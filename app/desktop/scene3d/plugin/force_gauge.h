@@ -12,8 +12,8 @@ namespace chiron::scene3d {
 
 class GaugeFace;
 
-/// The force bar at the right edge of the picture: a scale in newtons with the limit line; striped over the limit. It
-/// lies in the picture because no widget may lie over a native window. One draw call.
+/// The force bar at the right edge of the picture: a scale in newtons with the limit line; striped over the
+/// limit. It lies in the picture because no widget may lie over a native window. One draw call.
 class ForceGauge final : public Qt3DCore::QEntity {
 public:
     ForceGauge(SharedLight& light, Qt3DCore::QNode* parent);

@@ -9,7 +9,8 @@ namespace chiron::scene3d {
 void GaugeFace::change(const SceneSetup& setup, double unit_px) {
     m_setup = setup;
     m_unit_px = unit_px;
-    setSize(QSize(int(std::ceil(GaugePainter::kWidth * unit_px)), int(std::ceil(GaugePainter::kHeight * unit_px))));
+    setSize(QSize(int(std::ceil(GaugePainter::kWidth * unit_px)),
+                  int(std::ceil(GaugePainter::kHeight * unit_px))));
     update();
 }
 

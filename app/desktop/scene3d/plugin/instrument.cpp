@@ -10,8 +10,9 @@ namespace chiron::scene3d {
 Instrument::Instrument(SharedLight& light, bool ghost, Qt3DCore::QNode* parent)
     : QEntity(parent), m_ghost(ghost), m_pose(new Qt3DCore::QTransform(this)),
       m_tint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(1, 1, 1, 1), this)) {
-    auto* material = light.effects.material("solid.vert", "instrument.frag", {light.lamp, light.outlined, m_tint},
-                                  ghost ? Blend::translucent : Blend::opaque, this);
+    auto* material =
+        light.effects.material("solid.vert", "instrument.frag", {light.lamp, light.outlined, m_tint},
+                               ghost ? Blend::translucent : Blend::opaque, this);
     addComponent(m_pose);
     new Part(instrumentBody(), material, this);
     for (Part*& jaw : m_jaw)
@@ -35,7 +36,8 @@ void Instrument::show(const ToolView& tool, bool leftHanded) {
         QMatrix4x4 matrix;
         matrix.rotate(180.0F * float(side), 0.0F, 0.0F, 1.0F);
         matrix.translate(0.0F, 0.0F, float(kHinge_mm));
-        matrix.rotate(half_deg, 1.0F, 0.0F, 0.0F); // the tip lies on −z of the hinge: this turns it towards +y
+        matrix.rotate(half_deg, 1.0F, 0.0F,
+                      0.0F); // the tip lies on −z of the hinge: this turns it towards +y
         matrix.translate(0.0F, 0.0F, -float(kHinge_mm));
         m_jaw[side]->at().setMatrix(matrix);
     }

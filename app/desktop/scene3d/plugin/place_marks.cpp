@@ -21,14 +21,17 @@ TriangleMesh lineMesh() {
 TriangleMesh pinMesh() {
     TriangleMesh mesh;
     addTurned(mesh, {{0.0, 0.05}, {2.0, 0.5}, {15.0, 0.5}}, 0.0, 12);
-    addTurned(mesh, {{14.0, 0.0}, {14.5, 1.9}, {16.0, 3.0}, {18.0, 3.4}, {20.0, 3.0}, {21.5, 1.9}, {22.0, 0.0}}, 0.0, 20);
+    addTurned(mesh,
+              {{14.0, 0.0}, {14.5, 1.9}, {16.0, 3.0}, {18.0, 3.4}, {20.0, 3.0}, {21.5, 1.9}, {22.0, 0.0}},
+              0.0, 20);
     return mesh;
 }
 
 } // namespace
 
 PlaceMarks::PlaceMarks(SharedLight& light, Qt3DCore::QNode* parent)
-    : QEntity(parent), m_lineTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)),
+    : QEntity(parent),
+      m_lineTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)),
       m_pinTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)),
       m_pin(new Qt3DCore::QEntity(this)), m_pinAt(new Qt3DCore::QTransform(m_pin)) {
     auto* line = light.effects.material("solid.vert", "signal.frag", {m_lineTint}, Blend::opaque, this);

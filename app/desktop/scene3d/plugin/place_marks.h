@@ -6,8 +6,8 @@
 
 namespace chiron::scene3d {
 
-/// What shows where things are: a thin line from the tip straight down to what lies under it, with a foot there; and, in
-/// playback, a pin where the person marked.
+/// What shows where things are: a thin line from the tip straight down to what lies under it, with a foot
+/// there; and, in playback, a pin where the person marked.
 class PlaceMarks final : public Qt3DCore::QEntity {
 public:
     PlaceMarks(SharedLight& light, Qt3DCore::QNode* parent);

@@ -30,8 +30,8 @@ MeshRenderer::MeshRenderer(const TriangleMesh& mesh, Qt3DCore::QNode* parent) : 
                     {"vertexTexCoord", 2, offsetof(MeshVertex, texture)},
                     {"vertexLight", 1, offsetof(MeshVertex, light)}};
     for (int i = 0; i < 4; ++i) {
-        m_places[i] = new QAttribute(m_vertices, QLatin1String(kFields[i].name), QAttribute::Float, kFields[i].size, 0,
-                                     kFields[i].offset, sizeof(MeshVertex), geometry);
+        m_places[i] = new QAttribute(m_vertices, QLatin1String(kFields[i].name), QAttribute::Float,
+                                     kFields[i].size, 0, kFields[i].offset, sizeof(MeshVertex), geometry);
         geometry->addAttribute(m_places[i]);
     }
     m_order = new QAttribute(m_indices, QAttribute::UnsignedInt, 1, 0, 0, 0, geometry);
@@ -44,7 +44,8 @@ MeshRenderer::MeshRenderer(const TriangleMesh& mesh, Qt3DCore::QNode* parent) : 
 
 void MeshRenderer::setMesh(const TriangleMesh& mesh) {
     const auto bytes = [](const auto& values) {
-        return QByteArray(reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(values[0])));
+        return QByteArray(reinterpret_cast<const char*>(values.data()),
+                          qsizetype(values.size() * sizeof(values[0])));
     };
     m_vertices->setData(bytes(mesh.vertices));
     m_indices->setData(bytes(mesh.indices));
@@ -76,7 +77,8 @@ void addBlend(Qt3DRender::QRenderPass* pass, Blend blend) {
 }
 
 QByteArray source(const char* name) {
-    return Qt3DRender::QShaderProgram::loadSource(QUrl(QStringLiteral("qrc:/chiron/scene3d/") + QLatin1String(name)));
+    return Qt3DRender::QShaderProgram::loadSource(
+        QUrl(QStringLiteral("qrc:/chiron/scene3d/") + QLatin1String(name)));
 }
 
 } // namespace
@@ -108,8 +110,8 @@ Qt3DRender::QEffect* EffectShelf::effect(const char* vertexShader, const char* f
 }
 
 Qt3DRender::QMaterial* EffectShelf::material(const char* vertexShader, const char* fragmentShader,
-                                             const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
-                                             Qt3DCore::QNode* parent) {
+                                             const std::vector<Qt3DRender::QParameter*>& parameters,
+                                             Blend blend, Qt3DCore::QNode* parent) {
     auto* material = new Qt3DRender::QMaterial(parent);
     material->setEffect(effect(vertexShader, fragmentShader, blend));
     for (Qt3DRender::QParameter* parameter : parameters)

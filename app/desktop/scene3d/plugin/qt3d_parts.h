@@ -38,8 +38,8 @@ private:
 
 enum class Blend { opaque, translucent, premultiplied };
 
-/// The effects of a scene: materials with the same shaders share one, so that each is compiled once and says when it is
-/// ready (a second node with the same source never does).
+/// The effects of a scene: materials with the same shaders share one, so that each is compiled once and says
+/// when it is ready (a second node with the same source never does).
 class EffectShelf {
 public:
     explicit EffectShelf(Qt3DCore::QNode* owner) : m_owner(owner) {}
@@ -48,8 +48,10 @@ public:
     Qt3DRender::QMaterial* material(const char* vertexShader, const char* fragmentShader,
                                     const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
                                     Qt3DCore::QNode* parent);
-    /// The effect alone. `tools` ≥ 0: a fragment shader of the field, which gets shadowOf() for that many tips.
-    Qt3DRender::QEffect* effect(const char* vertexShader, const char* fragmentShader, Blend blend, int tools = -1);
+    /// The effect alone. `tools` ≥ 0: a fragment shader of the field, which gets shadowOf() for that many
+    /// tips.
+    Qt3DRender::QEffect* effect(const char* vertexShader, const char* fragmentShader, Blend blend,
+                                int tools = -1);
 
 private:
     Qt3DCore::QNode* m_owner;

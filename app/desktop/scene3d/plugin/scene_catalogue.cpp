@@ -37,7 +37,8 @@ bool hasSceneContent(const SceneSetup& setup) {
     return find(setup.exercise) != nullptr;
 }
 
-std::unique_ptr<ISceneContent> makeSceneContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent) {
+std::unique_ptr<ISceneContent> makeSceneContent(const SceneSetup& setup, SharedLight& light,
+                                                Qt3DCore::QEntity* parent) {
     const Make maker = find(setup.exercise);
     return maker ? maker(setup, light, parent) : nullptr;
 }

@@ -11,7 +11,8 @@ Q_DECL_EXPORT const char* chironSceneAbi() {
     return text.constData();
 }
 
-Q_DECL_EXPORT chiron::scene3d::ISceneView* chironMakeScene(const chiron::scene3d::SceneSetup* setup, QWidget* parent) {
+Q_DECL_EXPORT chiron::scene3d::ISceneView* chironMakeScene(const chiron::scene3d::SceneSetup* setup,
+                                                           QWidget* parent) {
     if (!chiron::scene3d::hasSceneContent(*setup))
         return nullptr;
     // Faster on a software rasteriser than the other back end; read when the first render aspect is made.

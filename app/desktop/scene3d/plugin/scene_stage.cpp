@@ -26,8 +26,9 @@ Qt3DRender::QLayer* makeLayer(Qt3DCore::QNode* parent) {
 } // namespace
 
 SceneStage::SceneStage(const SceneSetup& setup, QObject* surface)
-    : m_setup(setup), m_root(new Qt3DCore::QEntity), m_light(m_root), m_camera(new Qt3DRender::QCamera(m_root)),
-      m_ghostLayer(makeLayer(m_root)), m_overLayer(makeLayer(m_root)),
+    : m_setup(setup), m_root(new Qt3DCore::QEntity), m_light(m_root),
+      m_camera(new Qt3DRender::QCamera(m_root)), m_ghostLayer(makeLayer(m_root)),
+      m_overLayer(makeLayer(m_root)),
       m_cloth(new Qt3DRender::QParameter(QStringLiteral("cloth"), QVector3D(), m_root)) {
     makeFrameGraph(surface);
     m_content = makeSceneContent(setup, m_light, m_root);
@@ -76,9 +77,11 @@ void SceneStage::makeFrameGraph(QObject* surface) {
 }
 
 void SceneStage::makeDrape() {
-    auto* material = m_light.effects.material("drape.vert", "drape.frag", {m_light.lamp, m_light.lens, m_light.outlined, m_cloth},
-                                  Blend::opaque, m_root);
-    auto* drape = new Part(drapeMesh((m_content->fieldRadius_m() + kOpeningBeyond_m) * 1e3), material, m_root);
+    auto* material = m_light.effects.material("drape.vert", "drape.frag",
+                                              {m_light.lamp, m_light.lens, m_light.outlined, m_cloth},
+                                              Blend::opaque, m_root);
+    auto* drape =
+        new Part(drapeMesh((m_content->fieldRadius_m() + kOpeningBeyond_m) * 1e3), material, m_root);
     drape->at().setTranslation({0.0F, 0.0F, float(m_content->planeHeight_m() * 1e3)});
 }
 
@@ -118,8 +121,9 @@ void SceneStage::setPicture(const QSize& size_px, double ratio) {
 
 void SceneStage::aim() {
     const double aspect = double(std::max(1, m_size_px.width())) / std::max(1, m_size_px.height());
-    const CameraFit fit = fitCamera(m_content->fieldRadius_m() + 1.2 * kOpeningBeyond_m, m_content->planeHeight_m(), m_content->roomAbove_m(),
-                                    aspect, m_gauge->widthShare());
+    const CameraFit fit =
+        fitCamera(m_content->fieldRadius_m() + 1.2 * kOpeningBeyond_m, m_content->planeHeight_m(),
+                  m_content->roomAbove_m(), aspect, m_gauge->widthShare());
     m_camera->lens()->setPerspectiveProjection(float(fit.fieldOfView_deg), float(aspect), 20.0F, 2500.0F);
     m_camera->setPosition(toMillimetres(fit.p_WEye));
     m_camera->setViewCenter(toMillimetres(fit.p_WTarget));

@@ -16,8 +16,8 @@
 
 namespace chiron::scene3d {
 
-/// Everything that is drawn, with the order in which it is: field and instruments, then the ghost, then (over all) the
-/// arrow and the bar. Owned by the engine through root().
+/// Everything that is drawn, with the order in which it is: field and instruments, then the ghost, then (over
+/// all) the arrow and the bar. Owned by the engine through root().
 class SceneStage {
 public:
     SceneStage(const SceneSetup& setup, QObject* surface);

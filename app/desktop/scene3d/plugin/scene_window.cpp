@@ -58,7 +58,8 @@ void SceneWindow::start() {
 }
 
 void SceneWindow::requestFrame() {
-    // Not requestUpdate(), which waits some milliseconds to gather requests: callers come at most once a picture.
+    // Not requestUpdate(), which waits some milliseconds to gather requests: callers come at most once a
+    // picture.
     if (isExposed() && !std::exchange(m_asked, true))
         QCoreApplication::postEvent(this, new QEvent(QEvent::UpdateRequest));
 }
@@ -106,8 +107,9 @@ void SceneWindow::draw() {
     ++m_frames;
     if (m_whole)
         return;
-    // Qt3D loads over the first frames: in the first it starts, in the second it learns of shaders and buffers, in the third
-    // all is drawn. Its programs never report "ready" to an engine that is stepped by hand, so frames are counted.
+    // Qt3D loads over the first frames: in the first it starts, in the second it learns of shaders and
+    // buffers, in the third all is drawn. Its programs never report "ready" to an engine that is stepped by
+    // hand, so frames are counted.
     if (m_frames >= kWholeFrame) {
         m_whole = true;
         tellFirstFrame();

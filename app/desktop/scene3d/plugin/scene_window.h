@@ -14,9 +14,9 @@ class QAspectEngine;
 
 namespace chiron::scene3d {
 
-/// The native window into which Qt3D draws, with an engine that is stepped by hand: one frame a request and none
-/// between, so that an idle scene costs nothing and every frame is counted. Only the render aspect is loaded (Qt3DWindow
-/// brings input and logic too). GUI thread.
+/// The native window into which Qt3D draws, with an engine that is stepped by hand: one frame a request and
+/// none between, so that an idle scene costs nothing and every frame is counted. Only the render aspect is
+/// loaded (Qt3DWindow brings input and logic too). GUI thread.
 class SceneWindow final : public QWindow {
 public:
     SceneWindow();

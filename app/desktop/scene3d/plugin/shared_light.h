@@ -12,11 +12,12 @@
 
 namespace chiron::scene3d {
 
-/// What the materials of a scene share: effects, and the parameters for the lamp, the picture's size and high contrast.
+/// What the materials of a scene share: effects, and the parameters for the lamp, the picture's size and high
+/// contrast.
 struct SharedLight {
     explicit SharedLight(Qt3DCore::QNode* parent)
-        : effects(parent),
-          lamp(new Qt3DRender::QParameter(QStringLiteral("lamp"), QVector3D(-0.30F, 0.22F, 0.93F).normalized(), parent)),
+        : effects(parent), lamp(new Qt3DRender::QParameter(
+                               QStringLiteral("lamp"), QVector3D(-0.30F, 0.22F, 0.93F).normalized(), parent)),
           lens(new Qt3DRender::QParameter(QStringLiteral("lens"), QVector4D(0, 0, 0, 0), parent)),
           outlined(new Qt3DRender::QParameter(QStringLiteral("outlined"), 0.0F, parent)) {}
 
@@ -28,8 +29,8 @@ struct SharedLight {
     /// In device pixels.
     void setSize_px(const QSize& size) {
         m_size_px = size;
-        lens->setValue(QVector4D(2.0F / float(std::max(1, size.width())), 2.0F / float(std::max(1, size.height())),
-                                 m_vignette, 0.0F));
+        lens->setValue(QVector4D(2.0F / float(std::max(1, size.width())),
+                                 2.0F / float(std::max(1, size.height())), m_vignette, 0.0F));
     }
 
     EffectShelf effects;

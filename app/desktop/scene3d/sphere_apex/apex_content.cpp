@@ -23,7 +23,8 @@ QVector4D coverColour(const SceneColours& colours) {
 
 } // namespace
 
-Qt3DRender::QParameter* ApexContent::parameter(const char* name, const QVariant& value, Qt3DCore::QNode* parent) {
+Qt3DRender::QParameter* ApexContent::parameter(const char* name, const QVariant& value,
+                                               Qt3DCore::QNode* parent) {
     return new Qt3DRender::QParameter(QLatin1String(name), value, parent);
 }
 
@@ -37,14 +38,17 @@ ApexContent::ApexContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::
     m_plain = parameter("plain", coverColour(setup.colours), parent);
     auto* skin = parameter("skin", QVariant::fromValue(makeSkinTexture(parent)), parent);
     auto* material = new Qt3DRender::QMaterial(parent);
-    for (Qt3DRender::QParameter* p : {light.lamp, light.lens, m_dentPlace, m_dentNormal, m_tips, m_presses, m_plain, skin})
+    for (Qt3DRender::QParameter* p :
+         {light.lamp, light.lens, m_dentPlace, m_dentNormal, m_tips, m_presses, m_plain, skin})
         material->addParameter(p);
     m_part = new Part(apexMesh(m_surface), material, parent);
     chooseLook();
 }
 
 void ApexContent::chooseLook() {
-    const char* look = !m_surface.shown ? "cover.frag" : m_setup.colours.highContrast ? "outlined.frag" : "tissue.frag";
+    const char* look = !m_surface.shown               ? "cover.frag"
+                       : m_setup.colours.highContrast ? "outlined.frag"
+                                                      : "tissue.frag";
     Qt3DRender::QEffect* effect = m_light.effects.effect("tissue.vert", look, Blend::opaque, m_tools);
     if (m_part->material()->effect() != effect)
         m_part->material()->setEffect(effect);
@@ -79,15 +83,17 @@ void ApexContent::showTips(const SceneState& state) {
             continue;
         const int column = tools++;
         tips.setColumn(column, QVector4D(toMillimetres(drawnTip(tool)), 1.0F));
-        // The surface gives way to the hand; where nothing is felt the tip stays on it and presses the blood away.
+        // The surface gives way to the hand; where nothing is felt the tip stays on it and presses the blood
+        // away.
         const Dent dent = m_surface.dentUnder(tool.p_WT);
         if (!tool.drawnAtSurface) {
             places.setColumn(column, QVector4D(toMillimetres(dent.p_WSurface), float(dent.depth_m * 1e3)));
             normals.setColumn(column, QVector4D(toVector(dent.normal), float(dent.reach_m * 1e3)));
         }
-        const double press = m_surface.shown && dent.depth_m > 0.0
-                                 ? std::clamp(tool.force_N.norm() / std::max(0.1, m_setup.forceLimit_N), 0.0, 1.0)
-                                 : 0.0;
+        const double press =
+            m_surface.shown && dent.depth_m > 0.0
+                ? std::clamp(tool.force_N.norm() / std::max(0.1, m_setup.forceLimit_N), 0.0, 1.0)
+                : 0.0;
         presses.setColumn(column, QVector4D(toMillimetres(drawnTip(tool)),
                                             float(tool.drawnAtSurface ? press : 0.45 * press)));
     }

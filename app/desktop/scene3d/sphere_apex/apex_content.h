@@ -7,8 +7,8 @@
 
 namespace chiron::scene3d {
 
-/// The hemisphere on its plane, or the cover over it: one entity, whose triangles change with the trial only; the tips move
-/// it in the vertex shader.
+/// The hemisphere on its plane, or the cover over it: one entity, whose triangles change with the trial only;
+/// the tips move it in the vertex shader.
 class ApexContent final : public ISceneContent {
 public:
     ApexContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent);

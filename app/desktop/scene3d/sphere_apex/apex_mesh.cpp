@@ -14,7 +14,6 @@ constexpr int kBallRings = 24;
 constexpr int kPlaneRings = 26;
 constexpr double kCreaseShade_m = 0.009; // how far the corner between ball and plane keeps light away
 
-
 class MeshMaker {
 public:
     explicit MeshMaker(const ApexSurface& surface) : m_surface(surface) {}
@@ -48,7 +47,8 @@ private:
     void join(std::uint32_t inner, std::uint32_t outer) {
         for (std::uint32_t i = 0; i < kSpokes; ++i) {
             const std::uint32_t next = (i + 1) % kSpokes;
-            for (std::uint32_t index : {inner + i, outer + i, outer + next, inner + i, outer + next, inner + next})
+            for (std::uint32_t index :
+                 {inner + i, outer + i, outer + next, inner + i, outer + next, inner + next})
                 m_mesh.indices.push_back(index);
         }
     }

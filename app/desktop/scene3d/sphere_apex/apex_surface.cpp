@@ -45,7 +45,8 @@ core::Vec3 ApexSurface::pointOfBall(const core::Vec3& u) const {
     if (dimple.depth_m == 0.0)
         return centre + reach * u;
     for (int i = 0; i < 24; ++i) // a contraction: the dimple is shallow
-        reach = ball.radius_m + dimple.sample(centre.x() + reach * u.x(), centre.y() + reach * u.y()).height_m;
+        reach =
+            ball.radius_m + dimple.sample(centre.x() + reach * u.x(), centre.y() + reach * u.y()).height_m;
     return centre + reach * u;
 }
 
@@ -76,10 +77,10 @@ Dent ApexSurface::dentUnder(const core::Vec3& p_WT) const {
 }
 
 bool ApexSurface::operator==(const ApexSurface& other) const {
-    return shown == other.shown && fieldRadius_m == other.fieldRadius_m && ball.radius_m == other.ball.radius_m &&
-           ball.planeHeight_m == other.ball.planeHeight_m && ball.centre_m == other.ball.centre_m &&
-           dimple.depth_m == other.dimple.depth_m && dimple.halfWidth_m == other.dimple.halfWidth_m &&
-           dimple.centre_m == other.dimple.centre_m;
+    return shown == other.shown && fieldRadius_m == other.fieldRadius_m &&
+           ball.radius_m == other.ball.radius_m && ball.planeHeight_m == other.ball.planeHeight_m &&
+           ball.centre_m == other.ball.centre_m && dimple.depth_m == other.dimple.depth_m &&
+           dimple.halfWidth_m == other.dimple.halfWidth_m && dimple.centre_m == other.dimple.centre_m;
 }
 
 } // namespace chiron::scene3d

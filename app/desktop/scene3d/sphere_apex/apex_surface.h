@@ -9,10 +9,12 @@
 
 namespace chiron::scene3d {
 
-/// The surface of sphere_apex as it is drawn: the felt one (HemisphereOnPlane with the level's dimple) where the level
-/// lets it be seen, else the bare plane, which tells nothing. Frame W, metres. Pure values, any thread.
+/// The surface of sphere_apex as it is drawn: the felt one (HemisphereOnPlane with the level's dimple) where
+/// the level lets it be seen, else the bare plane, which tells nothing. Frame W, metres. Pure values, any
+/// thread.
 struct ApexSurface {
-    bool shown = false; ///< false: a flat cover; ball and dimple then keep fixed values, whatever the state says
+    bool shown =
+        false; ///< false: a flat cover; ball and dimple then keep fixed values, whatever the state says
     simulation::HemisphereOnPlane ball;
     simulation::Dimple dimple;
     double fieldRadius_m = 0.080; ///< the surface is drawn in this disc round W's origin
@@ -25,7 +27,8 @@ struct ApexSurface {
     core::Vec3 pointOfBall(const core::Vec3& u) const;
     /// Outward unit normal of the drawn surface at a point of it.
     core::Vec3 normalAt(const core::Vec3& p_W) const;
-    /// How the surface gives way to a tip at this place, by the contact that is felt. No contact under a cover.
+    /// How the surface gives way to a tip at this place, by the contact that is felt. No contact under a
+    /// cover.
     Dent dentUnder(const core::Vec3& p_WT) const;
 
     bool operator==(const ApexSurface& other) const;

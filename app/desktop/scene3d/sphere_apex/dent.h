@@ -9,16 +9,18 @@ namespace chiron::scene3d {
 
 /// How a drawn surface gives way under one tip: every point x near the touched point s moves by
 ///   u(x) = −depth · n · (1 − |x − s|²/reach²)³   for |x − s| < reach, 0 beyond,
-/// so that s itself comes to lie on the tip, and position and slope are continuous everywhere. The force law has a depth
-/// and no profile: the profile is our choice. shaders/tissue.vert computes the same. Frame W, metres. Pure.
+/// so that s itself comes to lie on the tip, and position and slope are continuous everywhere. The force law
+/// has a depth and no profile: the profile is our choice. shaders/tissue.vert computes the same. Frame W,
+/// metres. Pure.
 struct Dent {
     core::Vec3 p_WSurface = core::Vec3::Zero(); ///< s
     core::Vec3 normal = core::Vec3::UnitZ();    ///< n, unit, outward: from the tip to s
     double depth_m = 0.0;                       ///< ≥ 0; 0 = no contact
     double reach_m = kBaseReach_m;
 
-    static constexpr double kBaseReach_m = 0.005;    ///< a light touch moves tissue about twice a 2.5 mm shaft's radius away
-    static constexpr double kReachPerDepth = 1.6;    ///< keeps the steepest slope, 1.72 depth/reach, near 1
+    static constexpr double kBaseReach_m =
+        0.005; ///< a light touch moves tissue about twice a 2.5 mm shaft's radius away
+    static constexpr double kReachPerDepth = 1.6; ///< keeps the steepest slope, 1.72 depth/reach, near 1
 
     core::Vec3 displaced(const core::Vec3& p_W) const noexcept {
         const double rest = 1.0 - (p_W - p_WSurface).squaredNorm() / (reach_m * reach_m);

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene3d/scene_loader.h"
+#include "desktop/scene3d/scene_plugin.h"
+#include "gui/scene3d/scene_samples.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QPointer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWidget>
+
+using namespace chiron;
+using namespace chiron::scene3d;
+
+namespace {
+
+QImage picture(const SceneSetup& setup, const SceneState& state, const QString& why = {}) {
+    const auto view = makeFlatSceneView(setup, why, nullptr);
+    view->widget()->resize(900, 600);
+    view->show(state);
+    return view->widget()->grab().toImage();
+}
+
+SceneState hidden(double x_m, double y_m) {
+    SceneState state = samples::pressed(2.0);
+    state.objectShown = false;
+    state.p_WObject = {x_m, y_m, 0.0};
+    state.dimpleCentre_m = {y_m, x_m};
+    state.dimpleShown = x_m > 0.0;
+    return state;
+}
+
+} // namespace
+
+/// The scene where there is no OpenGL, and the words that say so.
+class TestFlatScene : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cleanup() { qunsetenv("CHIRON_NO_3D"); }
+
+    void offscreenGetsTheFlatSceneWithTheReason() {
+        const LoadedScene scene = makeSceneView(samples::setup(), nullptr);
+        QVERIFY(scene.view);
+        QVERIFY(scene.view->widget());
+        QCOMPARE(scene.whyFlat, QStringLiteral("Drawn in two dimensions: OpenGL is not available here."));
+        QCOMPARE(findWhyFlat(), scene.whyFlat);
+        QCOMPARE(scene.view->widget()->accessibleDescription(), scene.whyFlat);
+    }
+
+    void switchedOffSaysSo() {
+        qputenv("CHIRON_NO_3D", "1");
+        const LoadedScene scene = makeSceneView(samples::setup(), nullptr);
+        QVERIFY(scene.view);
+        QVERIFY2(scene.whyFlat.contains("switched off"), qPrintable(scene.whyFlat));
+    }
+
+    void anUnknownExerciseHasAWidgetAllTheSame() {
+        SceneSetup setup = samples::setup();
+        setup.exercise = "no_such_exercise";
+        QVERIFY(!picture(setup, samples::inAir()).isNull());
+    }
+
+    void theReasonIsDrawn() {
+        const QImage silent = picture(samples::setup(), samples::inAir());
+        const QImage spoken =
+            picture(samples::setup(), samples::inAir(), QStringLiteral("Because of this and that."));
+        const QRect bottom(0, silent.height() - 40, silent.width(), 40);
+        QVERIFY(silent.copy(bottom) != spoken.copy(bottom));
+    }
+
+    void missingPluginIsRefusedWithWords() {
+        const QTemporaryDir folder;
+        const ScenePlugin plugin = loadScenePlugin(folder.path());
+        QVERIFY(!plugin.make);
+        QVERIFY2(plugin.why.contains("not installed"), qPrintable(plugin.why));
+    }
+
+    void damagedPluginIsRefusedWithWords() {
+        const QTemporaryDir folder;
+        QFile file(QDir(folder.path()).filePath(QLatin1String(kScenePluginFile)));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("not a library");
+        file.close();
+        const ScenePlugin plugin = loadScenePlugin(folder.path());
+        QVERIFY(!plugin.make);
+        QVERIFY2(plugin.why.contains("could not be loaded"), qPrintable(plugin.why));
+    }
+
+    void pluginOfAnotherBuildIsRefusedWithWords() {
+        const ScenePlugin plugin = loadScenePlugin(QStringLiteral(CHIRON_OTHER_PLUGINS));
+        QVERIFY(!plugin.make);
+        QVERIFY2(plugin.why.contains("another version"), qPrintable(plugin.why));
+    }
+
+    void ownPluginIsAccepted() {
+        const ScenePlugin plugin = loadScenePlugin(QStringLiteral(CHIRON_BINARY_DIR "/app/desktop"));
+        QVERIFY2(plugin.make, qPrintable(plugin.why));
+        QCOMPARE(plugin.why, QString());
+    }
+
+    void everyCueIsVisibleAndOnlyWhenAllowed() {
+        SceneSetup all = samples::setup();
+        const SceneState state = samples::pressed(2.0);
+        const QImage whole = picture(all, state);
+        for (int cue = 0; cue < 2; ++cue) {
+            SceneSetup less = all;
+            (cue == 0 ? less.cues.tool : less.cues.arrow) = false;
+            QVERIFY(picture(less, state) != whole);
+        }
+        SceneSetup none = all;
+        none.cues = {false, false};
+        SceneState noObject = state;
+        noObject.objectShown = false;
+        QVERIFY(picture(none, state) != picture(none, noObject));
+        // With nothing allowed the hand leaves no trace, wherever it is and however hard it presses.
+        SceneState elsewhere = samples::pressed(5.5);
+        elsewhere.tool[0].p_WT.x() += 0.02;
+        QCOMPARE(picture(none, state), picture(none, elsewhere));
+    }
+
+    void hiddenObjectLeavesNoTrace() {
+        const QImage one = picture(samples::setup(), hidden(0.0, 0.0));
+        QCOMPARE(picture(samples::setup(), hidden(0.03, -0.02)), one);
+        QCOMPARE(picture(samples::setup(), hidden(-0.04, 0.0)), one);
+        SceneState shown = hidden(0.03, -0.02);
+        shown.objectShown = true;
+        QVERIFY(picture(samples::setup(), shown) != one); // the comparison can fail
+    }
+
+    void overTheLimitDiffersInShape() {
+        // The same picture in one colour for both: what remains is shape.
+        SceneSetup setup = samples::setup();
+        setup.colours.over = setup.colours.arrow;
+        setup.forceLimit_N = 2.0;
+        SceneState under = samples::pressed(1.999);
+        SceneState over = under;
+        over.tool[0].force_N *= 1.001;
+        int different = 0;
+        const QRect views(0, 0, 800, 600); // without the bar, which is striped over the limit
+        const QImage a = picture(setup, under).copy(views);
+        const QImage b = picture(setup, over).copy(views);
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x)
+                different += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 20;
+        QVERIFY2(different > 60, qPrintable(QString::number(different)));
+    }
+
+    void ghostAndMarkAreDrawn() {
+        SceneState state = samples::inAir();
+        const QImage plain = picture(samples::setup(), state);
+        state.ghost = state.tool[0];
+        state.ghost.p_WT.x() += 0.03;
+        const QImage ghost = picture(samples::setup(), state);
+        QVERIFY(ghost != plain);
+        state.marked = true;
+        state.p_WMark = {0.01, 0.01, 0.019};
+        QVERIFY(picture(samples::setup(), state) != ghost);
+    }
+
+    void theFirstFrameIsToldOnce() {
+        const auto view = makeFlatSceneView(samples::setup(), {}, nullptr);
+        int told = 0;
+        view->onFirstFrame([&] { ++told; });
+        view->widget()->show();
+        QTRY_COMPARE(told, 1);
+        QVERIFY(view->framesDrawn() >= 1);
+        view->show(samples::inAir());
+        QTRY_VERIFY(view->framesDrawn() >= 2);
+        QCOMPARE(told, 1);
+        view->onFirstFrame([&] { ++told; }); // afterwards it comes from the event loop
+        QTRY_COMPARE(told, 2);
+    }
+
+    void widgetAndViewMayGoInEitherOrder() {
+        auto parent = std::make_unique<QWidget>();
+        auto view = makeFlatSceneView(samples::setup(), {}, parent.get());
+        parent.reset();
+        QVERIFY(!view->widget());
+        view->show(samples::inAir());
+        view->change(samples::setup());
+        QCOMPARE(view->framesDrawn(), std::uint64_t(0));
+        view.reset();
+
+        QWidget other;
+        view = makeFlatSceneView(samples::setup(), {}, &other);
+        QPointer<QWidget> widget = view->widget();
+        view.reset();
+        QVERIFY(!widget);
+    }
+
+    void allSizesAndScalesArePainted() {
+        for (const QSize& size : {QSize(320, 240), QSize(500, 900), QSize(1600, 400)}) {
+            for (double scale : {1.0, 2.0}) {
+                SceneSetup setup = samples::setup();
+                setup.scale = scale;
+                const auto view = makeFlatSceneView(setup, QStringLiteral("Why."), nullptr);
+                view->widget()->resize(size);
+                view->show(samples::pressed(2.0));
+                QVERIFY(!view->widget()->grab().isNull());
+            }
+        }
+    }
+};
+
+QTEST_MAIN(TestFlatScene)
+#include "test_flat_scene.moc"
