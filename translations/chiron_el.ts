@@ -1,4 +1,2948 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="el" sourcelanguage="en">
+<context>
+    <name>AccountForm</name>
+    <message>
+        <source>Language</source>
+        <translation>Γλώσσα</translation>
+    </message>
+</context>
+<context>
+    <name>AccountWords</name>
+    <message>
+        <source>There were several wrong attempts, so this account has to rest for a moment. Nothing is lost.</source>
+        <translation>Έγιναν αρκετές λανθασμένες προσπάθειες και ο λογαριασμός πρέπει να περιμένει λίγο. Δεν χάνεται τίποτα.</translation>
+    </message>
+    <message>
+        <source>This account is disabled. What was recorded is kept; an administrator can enable the account again.</source>
+        <translation>Αυτός ο λογαριασμός είναι απενεργοποιημένος. Όσα έχουν καταγραφεί διατηρούνται· ένας διαχειριστής μπορεί να τον ενεργοποιήσει ξανά.</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>Εκπαιδευόμενος/-η</translation>
+    </message>
+    <message>
+        <source>Trainer</source>
+        <translation>Εκπαιδευτής/-τρια</translation>
+    </message>
+    <message>
+        <source>Researcher</source>
+        <translation>Ερευνητής/-τρια</translation>
+    </message>
+    <message>
+        <source>Administrator</source>
+        <translation>Διαχειριστής/-τρια</translation>
+    </message>
+    <message>
+        <source>Name and password do not belong together. Capital and small letters differ; is Caps Lock on?</source>
+        <translation>Το όνομα και ο κωδικός πρόσβασης δεν ταιριάζουν. Τα κεφαλαία διαφέρουν από τα πεζά· μήπως είναι ενεργό το Caps Lock;</translation>
+    </message>
+    <message>
+        <source>Name and recovery code do not belong together. The code has five groups of five letters and digits.</source>
+        <translation>Το όνομα και ο κωδικός ανάκτησης δεν ταιριάζουν. Ο κωδικός έχει πέντε ομάδες των πέντε γραμμάτων και ψηφίων.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Try again in %n second(s)</source>
+        <translation>
+            <numerusform>Νέα προσπάθεια σε %n δευτερόλεπτο</numerusform>
+            <numerusform>Νέα προσπάθεια σε %n δευτερόλεπτα</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Commands</name>
+    <message>
+        <source>Go to: %1</source>
+        <translation>Μετάβαση: %1</translation>
+    </message>
+    <message>
+        <source>Colours: light</source>
+        <translation>Χρώματα: ανοιχτά</translation>
+    </message>
+    <message>
+        <source>Colours: dark</source>
+        <translation>Χρώματα: σκούρα</translation>
+    </message>
+    <message>
+        <source>Colours: high contrast</source>
+        <translation>Χρώματα: υψηλή αντίθεση</translation>
+    </message>
+    <message>
+        <source>Larger text and controls</source>
+        <translation>Μεγαλύτερο κείμενο και κουμπιά</translation>
+    </message>
+    <message>
+        <source>Smaller text and controls</source>
+        <translation>Μικρότερο κείμενο και κουμπιά</translation>
+    </message>
+    <message>
+        <source>Language: %1</source>
+        <translation>Γλώσσα: %1</translation>
+    </message>
+    <message>
+        <source>Find a command</source>
+        <translation>Εύρεση εντολής</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Συντομεύσεις πληκτρολογίου</translation>
+    </message>
+    <message>
+        <source>Help for this screen</source>
+        <translation>Βοήθεια για αυτή την οθόνη</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Πίσω</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Κλείδωμα</translation>
+    </message>
+    <message>
+        <source>Switch user</source>
+        <translation>Αλλαγή χρήστη</translation>
+    </message>
+    <message>
+        <source>Close Chiron</source>
+        <translation>Κλείσιμο του Chiron</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Οθόνες</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Πρόγραμμα</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorWords</name>
+    <message>
+        <source>%1
+Details: %2</source>
+        <translation>%1
+Λεπτομέρειες: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ForceWords</name>
+    <message>
+        <source>Force is stopped</source>
+        <translation>Η δύναμη σταμάτησε</translation>
+    </message>
+    <message>
+        <source>The clock stands still and everything so far is kept. Press Re-arm (or R) to go on, or End.</source>
+        <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε «Ενεργοποίηση» (ή R) για να συνεχίσετε, ή «Τέλος».</translation>
+    </message>
+    <message>
+        <source>The safety supervisor took force away.</source>
+        <translation>Ο επόπτης ασφαλείας διέκοψε τη δύναμη.</translation>
+    </message>
+    <message>
+        <source>The tool moved faster than is safe, so force was taken away.</source>
+        <translation>Το εργαλείο κινήθηκε ταχύτερα από όσο είναι ασφαλές και η δύναμη διακόπηκε.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s data came too late, so force was taken away.</source>
+        <translation>Τα δεδομένα της συσκευής καθυστέρησαν πολύ και η δύναμη διακόπηκε.</translation>
+    </message>
+    <message>
+        <source>The device sent positions that cannot be right, so force was taken away.</source>
+        <translation>Η συσκευή έστειλε θέσεις που δεν μπορεί να είναι σωστές και η δύναμη διακόπηκε.</translation>
+    </message>
+    <message>
+        <source>The device reports a fault, so force was taken away.</source>
+        <translation>Η συσκευή αναφέρει βλάβη και η δύναμη διακόπηκε.</translation>
+    </message>
+    <message>
+        <source>The calculated force was not a number, so force was taken away. Please report this.</source>
+        <translation>Η υπολογισμένη δύναμη δεν ήταν αριθμός και η δύναμη διακόπηκε. Παρακαλούμε αναφέρετέ το.</translation>
+    </message>
+    <message>
+        <source>The clock stands still and everything so far is kept. Hold the tool safely, then press Re-arm (or R).</source>
+        <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Κρατήστε το εργαλείο με ασφάλεια και πατήστε «Ενεργοποίηση» (ή R).</translation>
+    </message>
+    <message>
+        <source>Waiting for the device</source>
+        <translation>Αναμονή για τη συσκευή</translation>
+    </message>
+    <message>
+        <source>No usable position has come yet. Check that it is on.</source>
+        <translation>Δεν έχει έρθει ακόμη έγκυρη θέση. Ελέγξτε αν είναι ανοιχτή.</translation>
+    </message>
+    <message>
+        <source>Hold still</source>
+        <translation>Μείνετε ακίνητοι</translation>
+    </message>
+    <message>
+        <source>Hold the tool still for half a second; force then rises slowly.</source>
+        <translation>Κρατήστε το εργαλείο ακίνητο για μισό δευτερόλεπτο· η δύναμη αυξάνεται μετά αργά.</translation>
+    </message>
+    <message>
+        <source>Force is held</source>
+        <translation>Η δύναμη συγκρατείται</translation>
+    </message>
+    <message>
+        <source>The window did not answer for a moment. Force comes back by itself.</source>
+        <translation>Το παράθυρο δεν ανταποκρίθηκε για λίγο. Η δύναμη επανέρχεται μόνη της.</translation>
+    </message>
+    <message>
+        <source>Force is waiting</source>
+        <translation>Η δύναμη περιμένει</translation>
+    </message>
+    <message>
+        <source>Move the tool out of contact, or hold it still and press Resume here.</source>
+        <translation>Απομακρύνετε το εργαλείο από την επαφή, ή κρατήστε το ακίνητο και πατήστε «Συνέχεια εδώ».</translation>
+    </message>
+    <message>
+        <source>You are watching</source>
+        <translation>Παρακολουθείτε</translation>
+    </message>
+    <message>
+        <source>Force is shown, not felt.</source>
+        <translation>Η δύναμη προβάλλεται, δεν γίνεται αισθητή.</translation>
+    </message>
+    <message>
+        <source>No movement</source>
+        <translation>Καμία κίνηση</translation>
+    </message>
+    <message>
+        <source>Nothing has moved for two seconds. Move the mouse over the scene or press an arrow key.</source>
+        <translation>Τίποτα δεν κινήθηκε για δύο δευτερόλεπτα. Μετακινήστε το ποντίκι πάνω στη σκηνή ή πατήστε ένα βέλος.</translation>
+    </message>
+    <message>
+        <source>Shown, not felt</source>
+        <translation>Μόνο προβολή δύναμης</translation>
+    </message>
+    <message>
+        <source>This device renders no force. The tool stays at the surface and moves more slowly the harder you press.</source>
+        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη. Το εργαλείο μένει στην επιφάνεια και κινείται τόσο πιο αργά όσο πιο δυνατά πιέζετε.</translation>
+    </message>
+    <message>
+        <source>Getting ready</source>
+        <translation>Προετοιμασία</translation>
+    </message>
+    <message>
+        <source>The first trial begins as soon as the scene is drawn.</source>
+        <translation>Η πρώτη δοκιμή αρχίζει μόλις σχεδιαστεί η σκηνή.</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Σε παύση</translation>
+    </message>
+    <message>
+        <source>The clock stands still. Press Resume or Space to go on.</source>
+        <translation>Ο χρόνος έχει σταματήσει. Πατήστε «Συνέχεια» ή Διάστημα για να συνεχίσετε.</translation>
+    </message>
+    <message>
+        <source>Force is coming</source>
+        <translation>Η δύναμη έρχεται</translation>
+    </message>
+    <message>
+        <source>It rises slowly; the clock starts at full strength (%1 %).</source>
+        <translation>Αυξάνεται αργά· ο χρόνος ξεκινά στην πλήρη ένταση (%1 %).</translation>
+    </message>
+    <message>
+        <source>Force is on</source>
+        <translation>Η δύναμη είναι ενεργή</translation>
+    </message>
+    <message>
+        <source>Esc stops it at once.</source>
+        <translation>Το Esc τη σταματά αμέσως.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s data come late. Force comes back when they are on time.</source>
+        <translation>Τα δεδομένα της συσκευής καθυστερούν. Η δύναμη επανέρχεται όταν έρχονται εγκαίρως.</translation>
+    </message>
+</context>
+<context>
+    <name>HelpDialogs</name>
+    <message>
+        <source>Close</source>
+        <translation>Κλείσιμο</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Συντομεύσεις πληκτρολογίου</translation>
+    </message>
+    <message>
+        <source>Help: %1</source>
+        <translation>Βοήθεια: %1</translation>
+    </message>
+    <message>
+        <source>Keys on this screen</source>
+        <translation>Πλήκτρα σε αυτή την οθόνη</translation>
+    </message>
+</context>
+<context>
+    <name>LearningCurve</name>
+    <message>
+        <source>%1 over the attempts</source>
+        <translation>%1 ανά προσπάθεια</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>benchmark, felt (%1)</source>
+        <translation>τιμή αναφοράς, αισθητή (%1)</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>αισθητή</translation>
+    </message>
+    <message>
+        <source>shown, not felt</source>
+        <translation>μόνο προβολή</translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation>όριο επιτυχίας %1</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Προσπάθεια</translation>
+    </message>
+    <message>
+        <source>No completed attempt yet</source>
+        <translation>Δεν υπάρχει ακόμη ολοκληρωμένη προσπάθεια</translation>
+    </message>
+</context>
+<context>
+    <name>Metrics</name>
+    <message>
+        <source>Time</source>
+        <translation>Χρόνος</translation>
+    </message>
+    <message>
+        <source>From the first movement or touch of each trial to its end, added up; pauses do not count.</source>
+        <translation>Από την πρώτη κίνηση ή επαφή κάθε δοκιμής ως το τέλος της, αθροιστικά· οι παύσεις δεν μετράνε.</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>Μήκος διαδρομής</translation>
+    </message>
+    <message>
+        <source>How far the tip of the tool travelled in all trials together.</source>
+        <translation>Πόση απόσταση διένυσε η άκρη του εργαλείου σε όλες τις δοκιμές μαζί.</translation>
+    </message>
+    <message>
+        <source>Path inefficiency</source>
+        <translation>Πλεονάζουσα διαδρομή</translation>
+    </message>
+    <message>
+        <source>How much longer the path was than the straight line between its ends; the mean over the trials.</source>
+        <translation>Πόσο μεγαλύτερη ήταν η διαδρομή από την ευθεία ανάμεσα στα άκρα της· μέσος όρος των δοκιμών.</translation>
+    </message>
+    <message>
+        <source>Smoothness (SPARC)</source>
+        <translation>Ομαλότητα (SPARC)</translation>
+    </message>
+    <message>
+        <source>How even the speed of each movement was, from its spectrum. Nearer to zero is smoother.</source>
+        <translation>Πόσο ομοιόμορφη ήταν η ταχύτητα κάθε κίνησης, από το φάσμα της. Πιο κοντά στο μηδέν σημαίνει πιο ομαλή.</translation>
+    </message>
+    <message>
+        <source>Smoothness (LDLJ)</source>
+        <translation>Ομαλότητα (LDLJ)</translation>
+    </message>
+    <message>
+        <source>How little the speed of each movement jerked. Nearer to zero is smoother.</source>
+        <translation>Πόσο λίγο απότομη ήταν η ταχύτητα κάθε κίνησης. Πιο κοντά στο μηδέν σημαίνει πιο ομαλή.</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Μέγιστη δύναμη</translation>
+    </message>
+    <message>
+        <source>The largest force on the tissue at any moment.</source>
+        <translation>Η μεγαλύτερη δύναμη στον ιστό σε οποιαδήποτε στιγμή.</translation>
+    </message>
+    <message>
+        <source>Mean force in contact</source>
+        <translation>Μέση δύναμη στην επαφή</translation>
+    </message>
+    <message>
+        <source>The mean force on the tissue while the tool touched it.</source>
+        <translation>Η μέση δύναμη στον ιστό όσο τον άγγιζε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>Force, root mean square</source>
+        <translation>Δύναμη, ενεργός τιμή (RMS)</translation>
+    </message>
+    <message>
+        <source>The root of the mean squared force on the tissue: high forces weigh more than in the mean.</source>
+        <translation>Η ρίζα της μέσης τετραγωνικής δύναμης στον ιστό: οι μεγάλες δυνάμεις βαραίνουν περισσότερο από ό,τι στον μέσο όρο.</translation>
+    </message>
+    <message>
+        <source>Force, 95th percentile</source>
+        <translation>Δύναμη, 95ο εκατοστημόριο</translation>
+    </message>
+    <message>
+        <source>The force on the tissue was below this for 95 % of the time.</source>
+        <translation>Η δύναμη στον ιστό ήταν κάτω από αυτή την τιμή στο 95 % του χρόνου.</translation>
+    </message>
+    <message>
+        <source>Peak force rate</source>
+        <translation>Μέγιστη μεταβολή δύναμης</translation>
+    </message>
+    <message>
+        <source>How fast the force on the tissue rose or fell at most.</source>
+        <translation>Πόσο γρήγορα το πολύ αυξήθηκε ή μειώθηκε η δύναμη στον ιστό.</translation>
+    </message>
+    <message>
+        <source>Impulse over the limit</source>
+        <translation>Ώθηση πάνω από το όριο</translation>
+    </message>
+    <message>
+        <source>Force times time while the force was over the limit of this level.</source>
+        <translation>Δύναμη επί χρόνο όσο η δύναμη ήταν πάνω από το όριο αυτού του επιπέδου.</translation>
+    </message>
+    <message>
+        <source>Time over the limit</source>
+        <translation>Χρόνος πάνω από το όριο</translation>
+    </message>
+    <message>
+        <source>How long the force on the tissue was over the limit of this level.</source>
+        <translation>Πόσο χρόνο η δύναμη στον ιστό ήταν πάνω από το όριο αυτού του επιπέδου.</translation>
+    </message>
+    <message>
+        <source>Apex error, mean</source>
+        <translation>Σφάλμα κορυφής, μέσος όρος</translation>
+    </message>
+    <message>
+        <source>How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses included.</source>
+        <translation>Πόσο μακριά ήταν τα σημεία από το ψηλότερο σημείο, σε % της ακτίνας· μέσος όρος των δύο αξόνων και όλων των δοκιμών, μαζί με τις αστοχίες.</translation>
+    </message>
+    <message>
+        <source>Apex error, standard deviation</source>
+        <translation>Σφάλμα κορυφής, τυπική απόκλιση</translation>
+    </message>
+    <message>
+        <source>How much the error differed from mark to mark.</source>
+        <translation>Πόσο διέφερε το σφάλμα από σημείο σε σημείο.</translation>
+    </message>
+    <message>
+        <source>Apex bias, left to right</source>
+        <translation>Μετατόπιση κορυφής, αριστερά-δεξιά</translation>
+    </message>
+    <message>
+        <source>Whether the marks lay to one side: the mean error to the right (positive) or left (negative).</source>
+        <translation>Αν τα σημεία ήταν προς τη μία πλευρά: το μέσο σφάλμα δεξιά (θετικό) ή αριστερά (αρνητικό).</translation>
+    </message>
+    <message>
+        <source>Apex bias, front to back</source>
+        <translation>Μετατόπιση κορυφής, εμπρός-πίσω</translation>
+    </message>
+    <message>
+        <source>Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person.</source>
+        <translation>Αν τα σημεία ήταν προς τη μία πλευρά: το μέσο σφάλμα μακριά από το άτομο (θετικό) ή προς αυτό (αρνητικό).</translation>
+    </message>
+    <message>
+        <source>Misses</source>
+        <translation>Αστοχίες</translation>
+    </message>
+    <message>
+        <source>Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same.</source>
+        <translation>Δοκιμές που σημειώθηκαν χωρίς επαφή, έξω από τη σφαίρα ή δεν σημειώθηκαν εγκαίρως. Τα σφάλματά τους μετράνε κανονικά.</translation>
+    </message>
+    <message>
+        <source>the trace has no forces</source>
+        <translation>η καταγραφή δεν έχει δυνάμεις</translation>
+    </message>
+    <message>
+        <source>no trials</source>
+        <translation>καμία δοκιμή</translation>
+    </message>
+    <message>
+        <source>start and end are less than 5 mm apart</source>
+        <translation>αρχή και τέλος απέχουν λιγότερο από 5 mm</translation>
+    </message>
+    <message>
+        <source>fewer than two samples</source>
+        <translation>λιγότερα από δύο δείγματα</translation>
+    </message>
+    <message>
+        <source>fewer than two positions</source>
+        <translation>λιγότερες από δύο θέσεις</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translation>καμία επαφή</translation>
+    </message>
+    <message>
+        <source>no samples</source>
+        <translation>κανένα δείγμα</translation>
+    </message>
+    <message>
+        <source>needs two trials or more</source>
+        <translation>χρειάζονται δύο ή περισσότερες δοκιμές</translation>
+    </message>
+    <message>
+        <source>neither movement nor contact</source>
+        <translation>ούτε κίνηση ούτε επαφή</translation>
+    </message>
+    <message>
+        <source>no sub-movement of 100 ms</source>
+        <translation>καμία επιμέρους κίνηση 100 ms</translation>
+    </message>
+    <message>
+        <source>no movement</source>
+        <translation>καμία κίνηση</translation>
+    </message>
+    <message>
+        <source>speed has no spectrum up to 10 Hz</source>
+        <translation>η ταχύτητα δεν έχει φάσμα έως 10 Hz</translation>
+    </message>
+    <message>
+        <source>fewer than three speed samples</source>
+        <translation>λιγότερα από τρία δείγματα ταχύτητας</translation>
+    </message>
+    <message>
+        <source>no jerk: speed changes evenly</source>
+        <translation>χωρίς τίναγμα: η ταχύτητα αλλάζει ομοιόμορφα</translation>
+    </message>
+    <message>
+        <source>published, 5 subjects × 10</source>
+        <translation>δημοσιευμένη, 5 άτομα × 10</translation>
+    </message>
+</context>
+<context>
+    <name>PlaybackMarks</name>
+    <message>
+        <source>Force held: the tool moved too fast</source>
+        <translation>Συγκράτηση δύναμης: το εργαλείο κινήθηκε πολύ γρήγορα</translation>
+    </message>
+    <message>
+        <source>A sample of the device was not usable</source>
+        <translation>Ένα δείγμα της συσκευής δεν ήταν έγκυρο</translation>
+    </message>
+    <message>
+        <source>Fault: too many samples of the device were not usable</source>
+        <translation>Βλάβη: πάρα πολλά δείγματα της συσκευής δεν ήταν έγκυρα</translation>
+    </message>
+    <message>
+        <source>Force held: samples of the device came late</source>
+        <translation>Συγκράτηση δύναμης: τα δείγματα της συσκευής καθυστέρησαν</translation>
+    </message>
+    <message>
+        <source>Fault: the device went silent</source>
+        <translation>Βλάβη: η συσκευή σταμάτησε να στέλνει</translation>
+    </message>
+    <message>
+        <source>Force held: the window did not answer</source>
+        <translation>Συγκράτηση δύναμης: το παράθυρο δεν ανταποκρίθηκε</translation>
+    </message>
+    <message>
+        <source>Force damped to keep it stable</source>
+        <translation>Απόσβεση δύναμης για σταθερότητα</translation>
+    </message>
+    <message>
+        <source>Fault: the device reported one</source>
+        <translation>Βλάβη: την ανέφερε η συσκευή</translation>
+    </message>
+    <message>
+        <source>The force supervisor stepped in</source>
+        <translation>Επενέβη ο επόπτης δύναμης</translation>
+    </message>
+    <message>
+        <source>Trial %1 begins</source>
+        <translation>Αρχίζει η δοκιμή %1</translation>
+    </message>
+    <message>
+        <source>Marked the highest point</source>
+        <translation>Σημειώθηκε το ψηλότερο σημείο</translation>
+    </message>
+    <message>
+        <source>Time was up without a mark</source>
+        <translation>Έληξε ο χρόνος χωρίς σημείο</translation>
+    </message>
+    <message>
+        <source>The trace ended without a mark</source>
+        <translation>Η καταγραφή τελείωσε χωρίς σημείο</translation>
+    </message>
+    <message>
+        <source>In contact for %1</source>
+        <translation>Σε επαφή για %1</translation>
+    </message>
+    <message>
+        <source>Over the limit for %1, up to %2</source>
+        <translation>Πάνω από το όριο για %1, έως %2</translation>
+    </message>
+    <message>
+        <source>Paused for %1</source>
+        <translation>Σε παύση για %1</translation>
+    </message>
+    <message>
+        <source>Force stopped</source>
+        <translation>Διακοπή δύναμης</translation>
+    </message>
+    <message>
+        <source>Force armed again</source>
+        <translation>Επανενεργοποίηση δύναμης</translation>
+    </message>
+    <message>
+        <source>The person ended the session</source>
+        <translation>Το άτομο τερμάτισε τη συνεδρία</translation>
+    </message>
+</context>
+<context>
+    <name>QDialogButtonBox</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Αναζήτηση σε:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>Ό&amp;νομα αρχείου:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Τύπος αρχείων:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Φάκελος:</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Άν&amp;οιγμα</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Αποθήκευση</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Επιλογή</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Πίσω</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Μπροστά</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Γονικός φάκελος</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Νέος φάκελος</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Προβολή λίστας</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Προβολή λεπτομερειών</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>Το %1 υπάρχει ήδη.
+Θέλετε να το αντικαταστήσετε;</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Όνομα</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Μέγεθος</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Τροποποιήθηκε</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>Αναί&amp;ρεση</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Επανάληψη</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Αποκο&amp;πή</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Αντιγραφή</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Επικό&amp;λληση</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Διαγραφή</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Επιλογή όλων</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Άκυρο</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Κλείσιμο</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ναι</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>Ό&amp;χι</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Αποθήκευση</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Άνοιγμα</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Απόρριψη</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Επανάληψη</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Εφαρμογή</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Βοήθεια</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Αριστερά</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Δεξιά</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Πάνω</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Κάτω</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Διάστημα</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Return</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>PgUp</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>PgDown</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Del</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>Αναί&amp;ρεση</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Επανάληψη</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Αποκο&amp;πή</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Αντιγραφή</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Επικό&amp;λληση</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Διαγραφή</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Επιλογή όλων</translation>
+    </message>
+</context>
+<context>
+    <name>Screens</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Καλωσορίσατε</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Σύνδεση</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Εκπαίδευση</translation>
+    </message>
+    <message>
+        <source>My results</source>
+        <translation>Τα αποτελέσματά μου</translation>
+    </message>
+    <message>
+        <source>Debrief</source>
+        <translation>Απολογισμός</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>Αναπαραγωγή</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ρυθμίσεις</translation>
+    </message>
+</context>
+<context>
+    <name>Sessions</name>
+    <message>
+        <source>Running</source>
+        <translation>Σε εξέλιξη</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Σταμάτησε</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Διακόπηκε</translation>
+    </message>
+    <message>
+        <source>Incomplete</source>
+        <translation>Ελλιπής</translation>
+    </message>
+    <message>
+        <source>Faulted</source>
+        <translation>Βλάβη</translation>
+    </message>
+    <message>
+        <source>Voided</source>
+        <translation>Ακυρώθηκε</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Επιτυχία</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>Αποτυχία</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Αισθητή</translation>
+    </message>
+    <message>
+        <source>Shown, not felt</source>
+        <translation>Μόνο προβολή</translation>
+    </message>
+    <message>
+        <source>Force felt</source>
+        <translation>Αισθητή δύναμη</translation>
+    </message>
+    <message>
+        <source>Force shown, not felt</source>
+        <translation>Μόνο προβολή δύναμης</translation>
+    </message>
+    <message>
+        <source>%1 (scripted)</source>
+        <translation>%1 (προγραμματισμένο)</translation>
+    </message>
+    <message>
+        <source>Level %1</source>
+        <translation>Επίπεδο %1</translation>
+    </message>
+    <message>
+        <source>Level %1: %2</source>
+        <translation>Επίπεδο %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>SoundLoader</name>
+    <message>
+        <source>Sound is switched off on this station. Everything that can be heard is also shown.</source>
+        <translation>Ο ήχος είναι απενεργοποιημένος σε αυτόν τον σταθμό. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
+    </message>
+    <message>
+        <source>The sound part of Chiron is not installed. Everything that can be heard is also shown.</source>
+        <translation>Το τμήμα ήχου του Chiron δεν είναι εγκατεστημένο. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
+    </message>
+    <message>
+        <source>The sound part belongs to another version of Chiron. Everything that can be heard is also shown.</source>
+        <translation>Το τμήμα ήχου ανήκει σε άλλη έκδοση του Chiron. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
+    </message>
+    <message>
+        <source>This station has no sound output. Everything that can be heard is also shown.</source>
+        <translation>Αυτός ο σταθμός δεν έχει έξοδο ήχου. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
+    </message>
+</context>
+<context>
+    <name>TrainingWords</name>
+    <message>
+        <source>Expert</source>
+        <translation>Ειδικός</translation>
+    </message>
+    <message>
+        <source>Intermediate</source>
+        <translation>Μέσης εμπειρίας</translation>
+    </message>
+    <message>
+        <source>Novice</source>
+        <translation>Χωρίς εμπειρία</translation>
+    </message>
+    <message>
+        <source>Unsafe (presses too hard)</source>
+        <translation>Μη ασφαλής (πιέζει υπερβολικά)</translation>
+    </message>
+    <message>
+        <source>Demonstration on the simulated gimbal (%1): shown, not felt</source>
+        <translation>Επίδειξη με την προσομοιωμένη καρδανική συσκευή (%1): μόνο προβολή δύναμης</translation>
+    </message>
+    <message>
+        <source>Replayed file %1: shown, not felt</source>
+        <translation>Αναπαραγωγή αρχείου %1: μόνο προβολή δύναμης</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard: shown, not felt</source>
+        <translation>Ποντίκι και πληκτρολόγιο: μόνο προβολή δύναμης</translation>
+    </message>
+    <message>
+        <source>You are watching. Space: pause or go on. Esc: stop.</source>
+        <translation>Παρακολουθείτε. Διάστημα: παύση ή συνέχεια. Esc: διακοπή.</translation>
+    </message>
+    <message>
+        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force.</source>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σημείωση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης.</translation>
+    </message>
+</context>
+<context>
+    <name>Verdict</name>
+    <message>
+        <source>Completed</source>
+        <translation>Ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>This level has no pass mark. Everything below is for you to compare.</source>
+        <translation>Αυτό το επίπεδο δεν έχει όριο επιτυχίας. Όλα τα παρακάτω είναι για δική σας σύγκριση.</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Επιτυχία</translation>
+    </message>
+    <message>
+        <source>Every pass mark of this level was met.</source>
+        <translation>Επετεύχθησαν όλα τα όρια επιτυχίας αυτού του επιπέδου.</translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation>Όχι ακόμη επιτυχία</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass mark(s) of this level were not met:</source>
+        <translation>
+            <numerusform>%n όριο επιτυχίας αυτού του επιπέδου δεν επετεύχθη:</numerusform>
+            <numerusform>%n όρια επιτυχίας αυτού του επιπέδου δεν επετεύχθησαν:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 trials were done.</source>
+        <translation>Έγιναν %1 από %2 δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Stopped before the end</source>
+        <translation>Σταμάτησε πριν από το τέλος</translation>
+    </message>
+    <message>
+        <source>%1 What was recorded is kept and can be played back. It does not count towards passing; try again when you are ready.</source>
+        <translation>%1 Όσα καταγράφηκαν διατηρούνται και αναπαράγονται. Η συνεδρία δεν μετράει για την επιτυχία· δοκιμάστε ξανά όταν είστε έτοιμοι.</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Διακόπηκε</translation>
+    </message>
+    <message>
+        <source>The program ended during this session. %1 Everything recorded until then was saved and can be played back. It does not count towards passing.</source>
+        <translation>Το πρόγραμμα τερματίστηκε κατά τη συνεδρία. %1 Όσα καταγράφηκαν ως τότε αποθηκεύτηκαν και αναπαράγονται. Η συνεδρία δεν μετράει για την επιτυχία.</translation>
+    </message>
+    <message>
+        <source>Incomplete recording</source>
+        <translation>Ελλιπής καταγραφή</translation>
+    </message>
+    <message numerus="yes">
+        <source>The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played back. It does not count towards passing; close other programs before the next attempt.</source>
+        <translation>
+            <numerusform>Ο υπολογιστής δεν πρόλαβε και χάθηκε %n δείγμα. Τα υπόλοιπα διατηρούνται και αναπαράγονται. Η συνεδρία δεν μετράει για την επιτυχία· κλείστε άλλα προγράμματα πριν από την επόμενη προσπάθεια.</numerusform>
+            <numerusform>Ο υπολογιστής δεν πρόλαβε και χάθηκαν %n δείγματα. Τα υπόλοιπα διατηρούνται και αναπαράγονται. Η συνεδρία δεν μετράει για την επιτυχία· κλείστε άλλα προγράμματα πριν από την επόμενη προσπάθεια.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ended by a fault</source>
+        <translation>Τερματίστηκε λόγω βλάβης</translation>
+    </message>
+    <message>
+        <source>The device or the force supervisor stopped this session to keep it safe. %1 What was recorded is kept. It does not count towards passing; check the device before the next attempt.</source>
+        <translation>Η συσκευή ή ο επόπτης δύναμης σταμάτησε τη συνεδρία για λόγους ασφαλείας. %1 Όσα καταγράφηκαν διατηρούνται. Η συνεδρία δεν μετράει για την επιτυχία· ελέγξτε τη συσκευή πριν από την επόμενη προσπάθεια.</translation>
+    </message>
+    <message>
+        <source>Still running</source>
+        <translation>Ακόμη σε εξέλιξη</translation>
+    </message>
+    <message>
+        <source>This session has not ended yet. Its result is here as soon as it has.</source>
+        <translation>Αυτή η συνεδρία δεν έχει τελειώσει. Το αποτέλεσμα θα εμφανιστεί εδώ μόλις τελειώσει.</translation>
+    </message>
+    <message>
+        <source>Voided</source>
+        <translation>Ακυρώθηκε</translation>
+    </message>
+    <message>
+        <source>A trainer declared this session void. Recording and scores are kept; they count for nothing.</source>
+        <translation>Η συνεδρία ακυρώθηκε από εκπαιδευτή/-τρια. Καταγραφή και βαθμολογίες διατηρούνται· δεν μετράνε πουθενά.</translation>
+    </message>
+    <message>
+        <source>A trainer declared this session void: %1
+Recording and scores are kept; they count for nothing.</source>
+        <translation>Η συνεδρία ακυρώθηκε από εκπαιδευτή/-τρια: %1
+Καταγραφή και βαθμολογίες διατηρούνται· δεν μετράνε πουθενά.</translation>
+    </message>
+    <message>
+        <source>%1: no value (%2), but the pass mark is %3</source>
+        <translation>%1: χωρίς τιμή (%2), ενώ το όριο επιτυχίας είναι %3</translation>
+    </message>
+    <message>
+        <source>%1: %2, but the pass mark is %3 (%4 too much)</source>
+        <translation>%1: %2, ενώ το όριο επιτυχίας είναι %3 (%4 παραπάνω)</translation>
+    </message>
+    <message>
+        <source>%1: %2, but the pass mark is %3 (%4 too little)</source>
+        <translation>%1: %2, ενώ το όριο επιτυχίας είναι %3 (%4 λιγότερο)</translation>
+    </message>
+    <message>
+        <source>Familiarisation: recorded, never counted. %1</source>
+        <translation>Εξοικείωση: καταγράφεται, δεν μετράει ποτέ. %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::AdministratorPage</name>
+    <message>
+        <source>Who looks after this site?</source>
+        <translation>Ποιος φροντίζει αυτό το κέντρο;</translation>
+    </message>
+    <message>
+        <source>The first person is an administrator: adds people, makes backups, may train as well.</source>
+        <translation>Το πρώτο άτομο είναι διαχειριστής: προσθέτει άτομα, δημιουργεί αντίγραφα ασφαλείας και μπορεί και να εκπαιδεύεται.</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>A short name without commas, such as &quot;ada&quot;. It cannot be changed later.</source>
+        <translation>Ένα σύντομο όνομα χωρίς κόμματα, π.χ. «eleni». Δεν αλλάζει αργότερα.</translation>
+    </message>
+    <message>
+        <source>Full name (may be left empty)</source>
+        <translation>Πλήρες όνομα (προαιρετικό)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Πίσω</translation>
+    </message>
+    <message>
+        <source>Set up the site</source>
+        <translation>Δημιουργία κέντρου</translation>
+    </message>
+    <message>
+        <source>This name cannot be used: no commas, no spaces at the ends, at most %1 characters, and not a name that the program keeps for itself.</source>
+        <translation>Αυτό το όνομα δεν επιτρέπεται: χωρίς κόμματα, χωρίς κενά στα άκρα, το πολύ %1 χαρακτήρες και όχι όνομα που κρατά το πρόγραμμα για δική του χρήση.</translation>
+    </message>
+    <message>
+        <source>Making the site …</source>
+        <translation>Δημιουργία του κέντρου …</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::AttemptsTable</name>
+    <message>
+        <source>My attempts</source>
+        <translation>Οι προσπάθειές μου</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Πότε</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Επίπεδο</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Δύναμη</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Τιμή</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Αποτέλεσμα</translation>
+    </message>
+    <message>
+        <source>Level %1, familiarisation</source>
+        <translation>Επίπεδο %1, εξοικείωση</translation>
+    </message>
+    <message>
+        <source>Level %1</source>
+        <translation>Επίπεδο %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Εύρεση εντολής</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Εντολή</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Πληκτρολογήστε τι θέλετε να κάνετε</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Εντολές που βρέθηκαν</translation>
+    </message>
+    <message>
+        <source>No command has these letters. Try fewer, or another word.</source>
+        <translation>Καμία εντολή δεν έχει αυτά τα γράμματα. Δοκιμάστε λιγότερα ή άλλη λέξη.</translation>
+    </message>
+    <message>
+        <source>%1   (%2)</source>
+        <translation>%1   (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::CommentPanel</name>
+    <message>
+        <source>Comments</source>
+        <translation>Σχόλια</translation>
+    </message>
+    <message>
+        <source>No comments yet.</source>
+        <translation>Δεν υπάρχουν ακόμη σχόλια.</translation>
+    </message>
+    <message>
+        <source>New comment</source>
+        <translation>Νέο σχόλιο</translation>
+    </message>
+    <message>
+        <source>What is to be seen here?</source>
+        <translation>Τι φαίνεται εδώ;</translation>
+    </message>
+    <message>
+        <source>Comment at %1</source>
+        <translation>Σχόλιο στο %1</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>Εσείς</translation>
+    </message>
+    <message>
+        <source>Somebody else</source>
+        <translation>Άλλο άτομο</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>Whole session · %1 · %2</source>
+        <translation>Όλη η συνεδρία · %1 · %2</translation>
+    </message>
+    <message>
+        <source>(erased)</source>
+        <translation>(διαγράφηκε)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ControlBar</name>
+    <message>
+        <source>Stop force (Esc)</source>
+        <translation>Διακοπή δύναμης (Esc)</translation>
+    </message>
+    <message>
+        <source>Resume here</source>
+        <translation>Συνέχεια εδώ</translation>
+    </message>
+    <message>
+        <source>End session …</source>
+        <translation>Τέλος συνεδρίας …</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Παύση (Διάστημα)</translation>
+    </message>
+    <message>
+        <source>Resume (Space)</source>
+        <translation>Συνέχεια (Διάστημα)</translation>
+    </message>
+    <message>
+        <source>Re-arm (R)</source>
+        <translation>Ενεργοποίηση (R)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::DebriefScreen</name>
+    <message>
+        <source>%1, level %2: %3</source>
+        <translation>%1, επίπεδο %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 · %4</source>
+        <translation>%1 · %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>Force was shown, not felt: these scores form a series of their own and are not compared with felt ones.</source>
+        <translation>Η δύναμη προβαλλόταν, δεν γινόταν αισθητή: αυτές οι βαθμολογίες αποτελούν ξεχωριστή σειρά και δεν συγκρίνονται με εκείνες της αισθητής δύναμης.</translation>
+    </message>
+    <message>
+        <source>Next level</source>
+        <translation>Επόμενο επίπεδο</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Νέα προσπάθεια</translation>
+    </message>
+    <message>
+        <source>Worst moment</source>
+        <translation>Χειρότερη στιγμή</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>Αναπαραγωγή</translation>
+    </message>
+    <message>
+        <source>Report (PDF)</source>
+        <translation>Αναφορά (PDF)</translation>
+    </message>
+    <message>
+        <source>The answers, seen from above</source>
+        <translation>Οι απαντήσεις, από πάνω</translation>
+    </message>
+    <message>
+        <source>Debrief</source>
+        <translation>Απολογισμός</translation>
+    </message>
+    <message>
+        <source>What this session came to.
+
+At the top: whether it passed, and if not, which pass mark was missed and by how much. Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what others reached.
+
+&quot;Worst moment&quot; opens the playback where it went wrong most. &quot;Report&quot; writes a printable PDF. The table holds every metric; choose a row to read what it means.</source>
+        <translation>Το αποτέλεσμα αυτής της συνεδρίας.
+
+Πάνω: αν υπήρξε επιτυχία και, αν όχι, ποιο όριο επιτυχίας δεν επετεύχθη και για πόσο. Από κάτω, οι σημαντικότεροι αριθμοί στην κλίμακά τους: ο δείκτης είναι η τιμή, η γραμμή το όριο επιτυχίας, η ζώνη όσα πέτυχαν άλλοι.
+
+Η «Χειρότερη στιγμή» ανοίγει την αναπαραγωγή εκεί όπου έγινε το μεγαλύτερο λάθος. Η «Αναφορά» γράφει ένα εκτυπώσιμο PDF. Ο πίνακας έχει όλες τις μετρήσεις· επιλέξτε μια γραμμή για να διαβάσετε τι σημαίνει.</translation>
+    </message>
+    <message>
+        <source>Open the playback</source>
+        <translation>Άνοιγμα αναπαραγωγής</translation>
+    </message>
+    <message>
+        <source>Write the report (PDF)</source>
+        <translation>Δημιουργία αναφοράς (PDF)</translation>
+    </message>
+    <message>
+        <source>Reading the scores …</source>
+        <translation>Ανάγνωση βαθμολογιών …</translation>
+    </message>
+    <message>
+        <source>This session could not be opened</source>
+        <translation>Αυτή η συνεδρία δεν ήταν δυνατό να ανοίξει</translation>
+    </message>
+    <message>
+        <source>All metrics</source>
+        <translation>Όλες οι μετρήσεις</translation>
+    </message>
+    <message>
+        <source>The recording was erased</source>
+        <translation>Η καταγραφή διαγράφηκε</translation>
+    </message>
+    <message>
+        <source>It was withdrawn at the person&apos;s wish. The scores above are kept; there is nothing to play back.</source>
+        <translation>Αποσύρθηκε κατ’ επιθυμία του ατόμου. Οι βαθμολογίες παραπάνω διατηρούνται· δεν υπάρχει τίποτα για αναπαραγωγή.</translation>
+    </message>
+    <message>
+        <source>Reading the recording …</source>
+        <translation>Ανάγνωση της καταγραφής …</translation>
+    </message>
+    <message>
+        <source>The recording could not be read. The scores above are as they were stored.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση της καταγραφής. Οι βαθμολογίες παραπάνω είναι όπως αποθηκεύτηκαν.</translation>
+    </message>
+    <message>
+        <source>%1: %2 in trial %3, at %4</source>
+        <translation>%1: %2 στη δοκιμή %3, στο %4</translation>
+    </message>
+    <message>
+        <source>No trial was begun</source>
+        <translation>Δεν άρχισε καμία δοκιμή</translation>
+    </message>
+    <message>
+        <source>There is no answer to show. The session is kept and listed.</source>
+        <translation>Δεν υπάρχει απάντηση για προβολή. Η συνεδρία διατηρείται και υπάρχει στη λίστα.</translation>
+    </message>
+    <message>
+        <source>Chiron session %1.pdf</source>
+        <translation>Chiron συνεδρία %1.pdf</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Δημιουργία αναφοράς</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Έγγραφα PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Writing the report …</source>
+        <translation>Δημιουργία της αναφοράς …</translation>
+    </message>
+    <message>
+        <source>The report was written to %1.</source>
+        <translation>Η αναφορά γράφτηκε στο %1.</translation>
+    </message>
+    <message>
+        <source>The report could not be written.</source>
+        <translation>Δεν ήταν δυνατή η εγγραφή της αναφοράς.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::FirstStartScreen</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Καλωσορίσατε</translation>
+    </message>
+    <message>
+        <source>Chiron is a training suite for the sense of touch in minimally invasive surgery.
+
+&quot;Set up this site&quot; makes an empty site on this computer and its first administrator, who can add the others. It takes about a minute.
+
+&quot;Open the demonstration site&quot; makes a separate site with invented people and scripted sessions, to look around. It does not touch a site that is set up later; this choice comes back at the next start until one is.</source>
+        <translation>Το Chiron είναι ένα σύστημα εκπαίδευσης της αίσθησης της αφής στην ελάχιστα επεμβατική χειρουργική.
+
+Η «Δημιουργία κέντρου» φτιάχνει ένα κενό κέντρο σε αυτόν τον υπολογιστή και τον πρώτο διαχειριστή του, που μπορεί να προσθέσει τους υπόλοιπους. Διαρκεί περίπου ένα λεπτό.
+
+Το «Άνοιγμα κέντρου επίδειξης» φτιάχνει ένα ξεχωριστό κέντρο με επινοημένα άτομα και προγραμματισμένες συνεδρίες, για να δείτε το πρόγραμμα. Δεν επηρεάζει κέντρο που θα δημιουργηθεί αργότερα· η επιλογή αυτή εμφανίζεται σε κάθε εκκίνηση μέχρι τότε.</translation>
+    </message>
+    <message>
+        <source>The recovery code is not shown again. Write it down and tick the box first.</source>
+        <translation>Ο κωδικός ανάκτησης δεν εμφανίζεται ξανά. Πρώτα σημειώστε τον και επιλέξτε το πλαίσιο.</translation>
+    </message>
+    <message>
+        <source>Welcome to Chiron</source>
+        <translation>Καλωσορίσατε στο Chiron</translation>
+    </message>
+    <message>
+        <source>Learn by touch: practise, see what your hand did, and know when you are ready.</source>
+        <translation>Μάθετε με την αφή: εξασκηθείτε, δείτε τι έκανε το χέρι σας και μάθετε πότε είστε έτοιμοι.</translation>
+    </message>
+    <message>
+        <source>Set up this site</source>
+        <translation>Δημιουργία κέντρου</translation>
+    </message>
+    <message>
+        <source>Start a site of your own</source>
+        <translation>Ξεκινήστε το δικό σας κέντρο</translation>
+    </message>
+    <message>
+        <source>You become its administrator. People, sessions and scores stay on this computer.</source>
+        <translation>Γίνεστε διαχειριστής του. Τα άτομα, οι συνεδρίες και οι βαθμολογίες μένουν σε αυτόν τον υπολογιστή.</translation>
+    </message>
+    <message>
+        <source>Open the demonstration site</source>
+        <translation>Άνοιγμα κέντρου επίδειξης</translation>
+    </message>
+    <message>
+        <source>Look around first</source>
+        <translation>Δείτε πρώτα το πρόγραμμα</translation>
+    </message>
+    <message>
+        <source>Invented people and scripted sessions at every level. Making it takes about a minute, once.</source>
+        <translation>Επινοημένα άτομα και προγραμματισμένες συνεδρίες σε κάθε επίπεδο. Η δημιουργία διαρκεί περίπου ένα λεπτό, μία φορά.</translation>
+    </message>
+    <message>
+        <source>The site was not made.
+%1</source>
+        <translation>Το κέντρο δεν δημιουργήθηκε.
+%1</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Πίσω</translation>
+    </message>
+    <message>
+        <source>Opening the demonstration site …</source>
+        <translation>Άνοιγμα του κέντρου επίδειξης …</translation>
+    </message>
+    <message>
+        <source>Making the demonstration site: people, and scripted sessions at every level …</source>
+        <translation>Δημιουργία του κέντρου επίδειξης: άτομα και προγραμματισμένες συνεδρίες σε κάθε επίπεδο …</translation>
+    </message>
+    <message>
+        <source>The demonstration was stopped; what had been made of it is removed.</source>
+        <translation>Η επίδειξη σταμάτησε· ό,τι είχε δημιουργηθεί αφαιρέθηκε.</translation>
+    </message>
+    <message>
+        <source>The demonstration site could not be opened.</source>
+        <translation>Το κέντρο επίδειξης δεν ήταν δυνατό να ανοίξει.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ForceBar</name>
+    <message>
+        <source>over the limit</source>
+        <translation>πάνω από το όριο</translation>
+    </message>
+    <message>
+        <source>%1 %2, over the limit</source>
+        <translation>%1 %2, πάνω από το όριο</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::HeaderBar</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 · familiarisation, not counted</source>
+        <translation>%1 · εξοικείωση, δεν μετράει</translation>
+    </message>
+    <message>
+        <source>Sound off</source>
+        <translation>Σίγαση ήχου</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <translation>Δοκιμή %1 από %2</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>απομένουν %1 s</translation>
+    </message>
+    <message>
+        <source>Sound on</source>
+        <translation>Ενεργοποίηση ήχου</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::HeadlineCard</name>
+    <message>
+        <source>No pass mark</source>
+        <translation>Χωρίς όριο επιτυχίας</translation>
+    </message>
+    <message>
+        <source>Pass mark %1</source>
+        <translation>Όριο επιτυχίας %1</translation>
+    </message>
+    <message>
+        <source>Met: pass mark %1</source>
+        <translation>Επετεύχθη: όριο επιτυχίας %1</translation>
+    </message>
+    <message>
+        <source>Not met: pass mark %1</source>
+        <translation>Δεν επετεύχθη: όριο επιτυχίας %1</translation>
+    </message>
+    <message>
+        <source>Benchmark %1 (%2)</source>
+        <translation>Τιμή αναφοράς %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::InfoPanel</name>
+    <message>
+        <source>Elapsed: %1</source>
+        <translation>Διάρκεια: %1</translation>
+    </message>
+    <message>
+        <source>This level shows no measurements: work by what you feel. Everything is recorded and in the results.</source>
+        <translation>Αυτό το επίπεδο δεν δείχνει μετρήσεις: εργαστείτε με την αφή. Όλα καταγράφονται και υπάρχουν στα αποτελέσματα.</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Δύναμη</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Ροπή</translation>
+    </message>
+    <message>
+        <source>mN·m</source>
+        <translation>mN·m</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Άκρη</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>δεξιά</translation>
+    </message>
+    <message>
+        <source>away from you</source>
+        <translation>εμπρός</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>πάνω</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>ταχύτητα</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Δύναμη (N)</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Ταχύτητα (mm/s)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples could not be recorded: this session will be incomplete.</source>
+        <translation>
+            <numerusform>%n δείγμα δεν καταγράφηκε: αυτή η συνεδρία θα είναι ελλιπής.</numerusform>
+            <numerusform>%n δείγματα δεν καταγράφηκαν: αυτή η συνεδρία θα είναι ελλιπής.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording complete; %n ticks late</source>
+        <translation>
+            <numerusform>Πλήρης καταγραφή· καθυστέρησε %n κύκλος</numerusform>
+            <numerusform>Πλήρης καταγραφή· καθυστέρησαν %n κύκλοι</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recording complete; every tick on time</source>
+        <translation>Πλήρης καταγραφή· κανένας κύκλος με καθυστέρηση</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LivePlot</name>
+    <message>
+        <source>The last %1 seconds</source>
+        <translation>Τα τελευταία %1 δευτερόλεπτα</translation>
+    </message>
+    <message>
+        <source>-%1 s</source>
+        <translation>-%1 s</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>τώρα</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>όριο</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LockController</name>
+    <message>
+        <source>Locked - Chiron</source>
+        <translation>Κλειδωμένο - Chiron</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LockCover</name>
+    <message>
+        <source>Locked</source>
+        <translation>Κλειδωμένο</translation>
+    </message>
+    <message>
+        <source>%1 is logged in. Everything goes on and is kept; it is only covered.</source>
+        <translation>Σε σύνδεση: %1. Όλα συνεχίζονται και διατηρούνται· η οθόνη απλώς καλύφθηκε.</translation>
+    </message>
+    <message>
+        <source>Password of %1</source>
+        <translation>Κωδικός πρόσβασης για %1</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Ξεκλείδωμα</translation>
+    </message>
+    <message>
+        <source>Switch user</source>
+        <translation>Αλλαγή χρήστη</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Έλεγχος …</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LoginForm</name>
+    <message>
+        <source>Password</source>
+        <translation>Κωδικός πρόσβασης</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Σύνδεση</translation>
+    </message>
+    <message>
+        <source>Forgot your password?</source>
+        <translation>Ξεχάσατε τον κωδικό;</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Έλεγχος …</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LoginScreen</name>
+    <message>
+        <source>Opening the site …</source>
+        <translation>Άνοιγμα του κέντρου …</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Σύνδεση</translation>
+    </message>
+    <message>
+        <source>Type a few letters of your name, or choose it in the list, then enter your password.
+
+After three wrong passwords the account rests for a moment before the next attempt; the button counts the seconds. Nothing is lost by it.
+
+Forgot your password? An administrator can give you a new one. The first administrator has a recovery code.</source>
+        <translation>Πληκτρολογήστε μερικά γράμματα του ονόματός σας ή επιλέξτε το στη λίστα και δώστε τον κωδικό πρόσβασης.
+
+Μετά από τρεις λανθασμένους κωδικούς ο λογαριασμός περιμένει λίγο πριν από την επόμενη προσπάθεια· το κουμπί μετρά τα δευτερόλεπτα. Δεν χάνεται τίποτα.
+
+Ξεχάσατε τον κωδικό; Ένας διαχειριστής μπορεί να σας δώσει νέο. Ο πρώτος διαχειριστής έχει κωδικό ανάκτησης.</translation>
+    </message>
+    <message>
+        <source>The site could not be opened.</source>
+        <translation>Το κέντρο δεν ήταν δυνατό να ανοίξει.</translation>
+    </message>
+    <message>
+        <source>The names could not be read.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση των ονομάτων.</translation>
+    </message>
+    <message>
+        <source>This is a demonstration: choose anybody. The password of all of them is %1</source>
+        <translation>Αυτή είναι επίδειξη: επιλέξτε οποιονδήποτε. Ο κωδικός πρόσβασης όλων είναι %1</translation>
+    </message>
+    <message>
+        <source>This is the password that you were given. Choose another one.</source>
+        <translation>Αυτός είναι ο κωδικός που σας δόθηκε. Επιλέξτε άλλον.</translation>
+    </message>
+    <message>
+        <source>The password was not changed.
+%1</source>
+        <translation>Ο κωδικός πρόσβασης δεν άλλαξε.
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::MainWindow</name>
+    <message>
+        <source>Demonstration site: invented people and scripted sessions. Do not record real training here.</source>
+        <translation>Κέντρο επίδειξης: επινοημένα άτομα και προγραμματισμένες συνεδρίες. Μην καταγράφετε εδώ πραγματική εκπαίδευση.</translation>
+    </message>
+    <message>
+        <source>%1 - Chiron</source>
+        <translation>%1 - Chiron</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::MarkList</name>
+    <message>
+        <source>Penalties only</source>
+        <translation>Μόνο ποινές</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Συμβάντα</translation>
+    </message>
+    <message>
+        <source>Nothing of this kind happened.</source>
+        <translation>Δεν συνέβη τίποτα τέτοιο.</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Κλείσιμο του μηνύματος</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::MetricsTable</name>
+    <message>
+        <source>All metrics</source>
+        <translation>Όλες οι μετρήσεις</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Μέτρηση</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Τιμή</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Όριο επιτυχίας</translation>
+    </message>
+    <message>
+        <source>Benchmark</source>
+        <translation>Τιμή αναφοράς</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Αποτέλεσμα</translation>
+    </message>
+    <message>
+        <source>Choose a row to read what it means.</source>
+        <translation>Επιλέξτε μια γραμμή για να διαβάσετε τι σημαίνει.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Met</source>
+        <translation>Επετεύχθη</translation>
+    </message>
+    <message>
+        <source>Not met</source>
+        <translation>Δεν επετεύχθη</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::NameList</name>
+    <message>
+        <source>Name</source>
+        <translation>Όνομα</translation>
+    </message>
+    <message>
+        <source>Type your name, or choose it below</source>
+        <translation>Πληκτρολογήστε ή επιλέξτε το όνομά σας</translation>
+    </message>
+    <message>
+        <source>People who can log in</source>
+        <translation>Άτομα που μπορούν να συνδεθούν</translation>
+    </message>
+    <message>
+        <source>Nobody of this name can log in here. Ask an administrator to add you.</source>
+        <translation>Κανείς με αυτό το όνομα δεν μπορεί να συνδεθεί εδώ. Ζητήστε από έναν διαχειριστή να σας προσθέσει.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::NewPasswordPage</name>
+    <message>
+        <source>Choose a password of your own</source>
+        <translation>Επιλέξτε δικό σας κωδικό πρόσβασης</translation>
+    </message>
+    <message>
+        <source>Your present password was set by somebody else. From the next login on, only the new one counts.</source>
+        <translation>Ο τωρινός κωδικός ορίστηκε από άλλο άτομο. Από την επόμενη σύνδεση ισχύει μόνο ο νέος.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Πίσω</translation>
+    </message>
+    <message>
+        <source>Save and log in</source>
+        <translation>Αποθήκευση και σύνδεση</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation>Αποθήκευση …</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PasswordFields</name>
+    <message>
+        <source>New password</source>
+        <translation>Νέος κωδικός πρόσβασης</translation>
+    </message>
+    <message>
+        <source>The same password again</source>
+        <translation>Ο ίδιος κωδικός ξανά</translation>
+    </message>
+    <message>
+        <source>Show the password</source>
+        <translation>Εμφάνιση κωδικού</translation>
+    </message>
+    <message>
+        <source>Length: %1 characters or more</source>
+        <translation>Μήκος: τουλάχιστον %1 χαρακτήρες</translation>
+    </message>
+    <message>
+        <source>Variety: %1 different characters or more</source>
+        <translation>Ποικιλία: τουλάχιστον %1 διαφορετικοί χαρακτήρες</translation>
+    </message>
+    <message>
+        <source>Not the login name</source>
+        <translation>Όχι το όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>Both fields are the same</source>
+        <translation>Τα δύο πεδία είναι ίδια</translation>
+    </message>
+    <message>
+        <source>Done: %1</source>
+        <translation>Εντάξει: %1</translation>
+    </message>
+    <message>
+        <source>Still missing: %1</source>
+        <translation>Λείπει ακόμη: %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PlaybackPlots</name>
+    <message>
+        <source>Time (s)</source>
+        <translation>Χρόνος (s)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PlaybackScreen</name>
+    <message>
+        <source>Sessions to compare with could not be listed.</source>
+        <translation>Δεν ήταν δυνατή η φόρτωση συνεδριών για σύγκριση.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>My first attempt, %1</source>
+        <translation>Η πρώτη μου προσπάθεια, %1</translation>
+    </message>
+    <message>
+        <source>First attempt of %1, %2</source>
+        <translation>Πρώτη προσπάθεια: %1, %2</translation>
+    </message>
+    <message>
+        <source>My best attempt, %1</source>
+        <translation>Η καλύτερή μου προσπάθεια, %1</translation>
+    </message>
+    <message>
+        <source>Best attempt of %1, %2</source>
+        <translation>Καλύτερη προσπάθεια: %1, %2</translation>
+    </message>
+    <message>
+        <source>No other completed session of this level</source>
+        <translation>Καμία άλλη ολοκληρωμένη συνεδρία αυτού του επιπέδου</translation>
+    </message>
+    <message>
+        <source>The second session could not be read. This one is shown alone.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση της δεύτερης συνεδρίας. Προβάλλεται μόνο αυτή.</translation>
+    </message>
+    <message>
+        <source>Declared void: %1</source>
+        <translation>Ακυρώθηκε: %1</translation>
+    </message>
+    <message>
+        <source>%1, level %2: %3</source>
+        <translation>%1, επίπεδο %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 · %4</source>
+        <translation>%1 · %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>Debrief</source>
+        <translation>Απολογισμός</translation>
+    </message>
+    <message>
+        <source>Declare void …</source>
+        <translation>Ακύρωση συνεδρίας …</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Συμβάντα</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Σχόλια</translation>
+    </message>
+    <message>
+        <source>Second session beside it</source>
+        <translation>Δεύτερη συνεδρία δίπλα</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Καμία</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>Αναπαραγωγή</translation>
+    </message>
+    <message>
+        <source>A session as it was recorded.
+
+Space plays and pauses. The arrow keys go one picture on or back, with Shift one second, with Ctrl to the next or last event; Home and End go to the ends. A click in a plot goes there too.
+
+Pauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
+
+Choose a second session to see it beside this one: each of its trials starts when the trial here starts, and it is drawn over the same sphere.</source>
+        <translation>Μια συνεδρία όπως καταγράφηκε.
+
+Το Διάστημα αναπαράγει και σταματά. Τα βέλη πηγαίνουν ένα καρέ εμπρός ή πίσω, με Shift ένα δευτερόλεπτο, με Ctrl στο επόμενο ή το προηγούμενο συμβάν· τα Home και End στα άκρα. Ένα κλικ σε διάγραμμα πηγαίνει επίσης εκεί.
+
+Οι παύσεις είναι διαγραμμισμένες. Τα τρίγωνα στη γραμμή χρόνου είναι ποινές, οι σημαίες απαντήσεις, τα τετράγωνα από κάτω σχόλια.
+
+Επιλέξτε δεύτερη συνεδρία για να τη δείτε δίπλα σε αυτήν: κάθε δοκιμή της αρχίζει όταν αρχίζει η εδώ δοκιμή και σχεδιάζεται πάνω στην ίδια σφαίρα.</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Αναπαραγωγή ή παύση</translation>
+    </message>
+    <message>
+        <source>One picture on</source>
+        <translation>Ένα καρέ εμπρός</translation>
+    </message>
+    <message>
+        <source>One picture back</source>
+        <translation>Ένα καρέ πίσω</translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation>Επόμενο συμβάν</translation>
+    </message>
+    <message>
+        <source>Last event</source>
+        <translation>Προηγούμενο συμβάν</translation>
+    </message>
+    <message>
+        <source>To the beginning</source>
+        <translation>Στην αρχή</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>Στο τέλος</translation>
+    </message>
+    <message>
+        <source>This recording is damaged and cannot be played back. Its scores are kept.</source>
+        <translation>Αυτή η καταγραφή έχει υποστεί βλάβη και δεν αναπαράγεται. Οι βαθμολογίες της διατηρούνται.</translation>
+    </message>
+    <message>
+        <source>This session could not be opened</source>
+        <translation>Αυτή η συνεδρία δεν ήταν δυνατό να ανοίξει</translation>
+    </message>
+    <message>
+        <source>Reading the recording …</source>
+        <translation>Ανάγνωση της καταγραφής …</translation>
+    </message>
+    <message>
+        <source>The recording was erased</source>
+        <translation>Η καταγραφή διαγράφηκε</translation>
+    </message>
+    <message>
+        <source>It was withdrawn at the person&apos;s wish. The scores are kept.</source>
+        <translation>Αποσύρθηκε κατ’ επιθυμία του ατόμου. Οι βαθμολογίες διατηρούνται.</translation>
+    </message>
+    <message>
+        <source>Open the debrief</source>
+        <translation>Άνοιγμα απολογισμού</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded</source>
+        <translation>Δεν καταγράφηκε τίποτα</translation>
+    </message>
+    <message>
+        <source>This session ended before its first sample. It is kept and listed.</source>
+        <translation>Αυτή η συνεδρία τελείωσε πριν από το πρώτο δείγμα. Διατηρείται και υπάρχει στη λίστα.</translation>
+    </message>
+    <message>
+        <source>The scene at this moment</source>
+        <translation>Η σκηνή αυτή τη στιγμή</translation>
+    </message>
+    <message>
+        <source>Trial %1 · paused · force %2 · speed %3</source>
+        <translation>Δοκιμή %1 · σε παύση · δύναμη %2 · ταχύτητα %3</translation>
+    </message>
+    <message>
+        <source>Trial %1 · force %2 · speed %3</source>
+        <translation>Δοκιμή %1 · δύναμη %2 · ταχύτητα %3</translation>
+    </message>
+    <message>
+        <source>The comments could not be read.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση των σχολίων.</translation>
+    </message>
+    <message>
+        <source>The comment was not stored. Its text is still there.</source>
+        <translation>Το σχόλιο δεν αποθηκεύτηκε. Το κείμενο υπάρχει ακόμη.</translation>
+    </message>
+    <message>
+        <source>The session was not declared void; nothing was changed.</source>
+        <translation>Η συνεδρία δεν ακυρώθηκε· τίποτα δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>The session is void. Recording and scores are kept.</source>
+        <translation>Η συνεδρία ακυρώθηκε. Καταγραφή και βαθμολογίες διατηρούνται.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RecoveryCodePanel</name>
+    <message>
+        <source>Your recovery code</source>
+        <translation>Ο κωδικός ανάκτησής σας</translation>
+    </message>
+    <message>
+        <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy, and nobody else can let the first administrator in again. Keep it where you keep keys.</source>
+        <translation>Με αυτόν ορίζετε νέο κωδικό πρόσβασης αν ξεχάσετε τον δικό σας. Εμφανίζεται μόνο τώρα: το πρόγραμμα δεν κρατά αναγνώσιμο αντίγραφο και κανείς άλλος δεν μπορεί να ξαναδώσει πρόσβαση στον πρώτο διαχειριστή. Φυλάξτε τον εκεί όπου φυλάτε κλειδιά.</translation>
+    </message>
+    <message>
+        <source>Recovery code: %1</source>
+        <translation>Κωδικός ανάκτησης: %1</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Αντιγραφή</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Αντιγράφηκε</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Εκτύπωση</translation>
+    </message>
+    <message>
+        <source>I have written the code down</source>
+        <translation>Έχω σημειώσει τον κωδικό</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Συνέχεια</translation>
+    </message>
+    <message>
+        <source>Chiron: recovery code of %1
+
+%2
+
+Keep it where you keep keys.</source>
+        <translation>Chiron: κωδικός ανάκτησης για %1
+
+%2
+
+Φυλάξτε τον εκεί όπου φυλάτε κλειδιά.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RecoveryPage</name>
+    <message>
+        <source>Forgot your password?</source>
+        <translation>Ξεχάσατε τον κωδικό;</translation>
+    </message>
+    <message>
+        <source>Ask an administrator of this site: under People, &quot;Reset password&quot; gives you a new one to log in with. Your sessions and scores are kept.</source>
+        <translation>Απευθυνθείτε σε διαχειριστή του κέντρου: στα «Άτομα», η «Επαναφορά κωδικού» σας δίνει νέο για να συνδεθείτε. Οι συνεδρίες και οι βαθμολογίες σας διατηρούνται.</translation>
+    </message>
+    <message>
+        <source>The first administrator can use the recovery code that was shown when the site was set up.</source>
+        <translation>Ο πρώτος διαχειριστής μπορεί να χρησιμοποιήσει τον κωδικό ανάκτησης που εμφανίστηκε κατά τη δημιουργία του κέντρου.</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>Recovery code</source>
+        <translation>Κωδικός ανάκτησης</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Πίσω</translation>
+    </message>
+    <message>
+        <source>Set the password</source>
+        <translation>Ορισμός κωδικού</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Έλεγχος …</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ResultsScreen</name>
+    <message>
+        <source>My results</source>
+        <translation>Τα αποτελέσματά μου</translation>
+    </message>
+    <message>
+        <source>Every session you did, and how you are getting on.
+
+Choose an exercise, a level and what is to be drawn. The curve has a point for each completed attempt; force that was felt and force that was only shown are lines of their own and are never compared. The line across is the pass mark, the band what others reached.
+
+Return or a double click opens an attempt. &quot;Export my data&quot; writes everything that is held about you into a folder of your choice.</source>
+        <translation>Όλες οι συνεδρίες σας και η πρόοδός σας.
+
+Επιλέξτε άσκηση, επίπεδο και τι θα σχεδιαστεί. Η καμπύλη έχει ένα σημείο για κάθε ολοκληρωμένη προσπάθεια· η αισθητή δύναμη και η δύναμη που μόνο προβάλλεται είναι ξεχωριστές γραμμές και δεν συγκρίνονται ποτέ. Η οριζόντια γραμμή είναι το όριο επιτυχίας, η ζώνη όσα πέτυχαν άλλοι.
+
+Το Enter ή το διπλό κλικ ανοίγει μια προσπάθεια. Η «Εξαγωγή δεδομένων μου» γράφει όλα τα στοιχεία που υπάρχουν για εσάς σε φάκελο της επιλογής σας.</translation>
+    </message>
+    <message>
+        <source>Export my data</source>
+        <translation>Εξαγωγή δεδομένων μου</translation>
+    </message>
+    <message>
+        <source>Your results could not be read</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση των αποτελεσμάτων σας</translation>
+    </message>
+    <message>
+        <source>Reading your results …</source>
+        <translation>Ανάγνωση των αποτελεσμάτων σας …</translation>
+    </message>
+    <message>
+        <source>No results yet</source>
+        <translation>Δεν υπάρχουν ακόμη αποτελέσματα</translation>
+    </message>
+    <message>
+        <source>Your first session will be here, with its scores and its playback.</source>
+        <translation>Η πρώτη σας συνεδρία θα εμφανιστεί εδώ, με τις βαθμολογίες και την αναπαραγωγή της.</translation>
+    </message>
+    <message>
+        <source>Choose an exercise</source>
+        <translation>Επιλογή άσκησης</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Προσπάθειες</translation>
+    </message>
+    <message>
+        <source>Open the attempt</source>
+        <translation>Άνοιγμα προσπάθειας</translation>
+    </message>
+    <message>
+        <source>Your data</source>
+        <translation>Τα δεδομένα σας</translation>
+    </message>
+    <message>
+        <source>A copy of everything that is held about you: your account, sessions, scores, comments and samples. It is yours to keep; nothing is removed here.</source>
+        <translation>Αντίγραφο όλων των στοιχείων που υπάρχουν για εσάς: λογαριασμός, συνεδρίες, βαθμολογίες, σχόλια και δείγματα. Είναι δικό σας· τίποτα δεν αφαιρείται από εδώ.</translation>
+    </message>
+    <message>
+        <source>Export my data …</source>
+        <translation>Εξαγωγή δεδομένων μου …</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Άσκηση</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Επίπεδο</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Μέτρηση</translation>
+    </message>
+    <message>
+        <source>Where should your data go?</source>
+        <translation>Πού να γραφτούν τα δεδομένα σας;</translation>
+    </message>
+    <message>
+        <source>Writing your data …</source>
+        <translation>Εγγραφή των δεδομένων σας …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Άκυρο</translation>
+    </message>
+    <message>
+        <source>Your data was written to %1.</source>
+        <translation>Τα δεδομένα σας γράφτηκαν στο %1.</translation>
+    </message>
+    <message>
+        <source>Your data could not be written completely.</source>
+        <translation>Τα δεδομένα σας δεν γράφτηκαν ολόκληρα.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::Scrubber</name>
+    <message>
+        <source>Position in the recording</source>
+        <translation>Θέση στην καταγραφή</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SettingsScreen</name>
+    <message>
+        <source>Settings</source>
+        <translation>Ρυθμίσεις</translation>
+    </message>
+    <message>
+        <source>How the program looks and sounds on this station.
+
+Every choice takes effect at once and is remembered on this computer. Nothing here changes what is recorded or how it is scored.</source>
+        <translation>Η εμφάνιση και ο ήχος του προγράμματος σε αυτόν τον σταθμό.
+
+Κάθε επιλογή ισχύει αμέσως και μένει σε αυτόν τον υπολογιστή. Τίποτα εδώ δεν αλλάζει όσα καταγράφονται ή τη βαθμολόγησή τους.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Γλώσσα</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Ανοιχτά</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Σκούρα</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Υψηλή αντίθεση</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Χρώματα</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Size of text and controls</source>
+        <translation>Μέγεθος κειμένου και κουμπιών</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ήχος</translation>
+    </message>
+    <message>
+        <source>Play contact and limit sounds while training</source>
+        <translation>Ήχοι επαφής και ορίου στην εκπαίδευση</translation>
+    </message>
+    <message>
+        <source>Everything that can be heard is also shown.</source>
+        <translation>Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SideBar</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Εύρεση εντολής</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Βοήθεια</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Κλείδωμα</translation>
+    </message>
+    <message>
+        <source>Switch user</source>
+        <translation>Αλλαγή χρήστη</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StatePanel</name>
+    <message>
+        <source>Progress</source>
+        <translation>Πρόοδος</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Άκυρο</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Νέα προσπάθεια</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TrainingScreen</name>
+    <message>
+        <source>Scene</source>
+        <translation>Σκηνή</translation>
+    </message>
+    <message>
+        <source>Storing and scoring the session …</source>
+        <translation>Αποθήκευση και βαθμολόγηση της συνεδρίας …</translation>
+    </message>
+    <message>
+        <source>The session could not be run</source>
+        <translation>Η συνεδρία δεν εκτελέστηκε</translation>
+    </message>
+    <message>
+        <source>End the session now?</source>
+        <translation>Τέλος της συνεδρίας τώρα;</translation>
+    </message>
+    <message>
+        <source>End the session</source>
+        <translation>Τέλος συνεδρίας</translation>
+    </message>
+    <message>
+        <source>A session is running. End it and leave?</source>
+        <translation>Μια συνεδρία είναι σε εξέλιξη. Τερματισμός και έξοδος;</translation>
+    </message>
+    <message>
+        <source>End and leave</source>
+        <translation>Τερματισμός και έξοδος</translation>
+    </message>
+    <message>
+        <source>Preparing the scene …</source>
+        <translation>Προετοιμασία της σκηνής …</translation>
+    </message>
+    <message>
+        <source>What is recorded is kept. The session counts as stopped, not as completed.</source>
+        <translation>Όσα καταγράφηκαν διατηρούνται. Η συνεδρία θεωρείται ότι σταμάτησε, όχι ότι ολοκληρώθηκε.</translation>
+    </message>
+    <message>
+        <source>Keep training</source>
+        <translation>Συνέχεια εκπαίδευσης</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Εκπαίδευση</translation>
+    </message>
+    <message>
+        <source>Here you work. On the left you see the scene, on the right what is measured, below the controls. A level shows only what belongs to it; what is hidden is still recorded.
+
+%1
+
+Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it is.
+
+After the last trial the debrief opens by itself.</source>
+        <translation>Εδώ εργάζεστε. Αριστερά βλέπετε τη σκηνή, δεξιά όσα μετρώνται, κάτω τα κουμπιά. Κάθε επίπεδο δείχνει μόνο όσα του ανήκουν· όσα κρύβονται καταγράφονται και αυτά.
+
+%1
+
+Η «Διακοπή δύναμης» αφαιρεί αμέσως τη δύναμη και ο χρόνος σταματά. Η «Ενεργοποίηση» την επαναφέρει αργά. Η «Παύση» κρατά τα πάντα όπως είναι.
+
+Μετά την τελευταία δοκιμή ο απολογισμός ανοίγει μόνος του.</translation>
+    </message>
+    <message>
+        <source>Stop force</source>
+        <translation>Διακοπή δύναμης</translation>
+    </message>
+    <message>
+        <source>Pause or go on</source>
+        <translation>Παύση ή συνέχεια</translation>
+    </message>
+    <message>
+        <source>Re-arm force</source>
+        <translation>Ενεργοποίηση δύναμης</translation>
+    </message>
+    <message>
+        <source>Mark this place</source>
+        <translation>Σημείωση αυτής της θέσης</translation>
+    </message>
+    <message>
+        <source>Sound on or off</source>
+        <translation>Ήχος ναι ή όχι</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TransportBar</name>
+    <message>
+        <source>To the beginning (Home)</source>
+        <translation>Στην αρχή (Home)</translation>
+    </message>
+    <message>
+        <source>One picture back (Left)</source>
+        <translation>Ένα καρέ πίσω (Αριστερά)</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Αναπαραγωγή</translation>
+    </message>
+    <message>
+        <source>One picture on (Right)</source>
+        <translation>Ένα καρέ εμπρός (Δεξιά)</translation>
+    </message>
+    <message>
+        <source>To the end (End)</source>
+        <translation>Στο τέλος (End)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Ταχύτητα</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Παύση</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 από %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::VoidDialog</name>
+    <message>
+        <source>Declare this session void</source>
+        <translation>Ακύρωση αυτής της συνεδρίας</translation>
+    </message>
+    <message>
+        <source>Declare this session void?</source>
+        <translation>Ακύρωση αυτής της συνεδρίας;</translation>
+    </message>
+    <message>
+        <source>Recording, scores and comments stay and can still be looked at. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are kept with it, and it cannot be taken back.</source>
+        <translation>Καταγραφή, βαθμολογίες και σχόλια μένουν και μπορούν να προβληθούν. Η συνεδρία δεν μετράει πλέον πουθενά: ούτε σε πύλη, ούτε σε καμπύλη, ούτε σε πιστοποιητικό. Το όνομά σας και η αιτιολογία διατηρούνται μαζί της και η ακύρωση δεν αναιρείται.</translation>
+    </message>
+    <message>
+        <source>Reason (the trainee can read it)</source>
+        <translation>Αιτιολογία (τη βλέπει το άτομο που εκπαιδεύεται)</translation>
+    </message>
+    <message>
+        <source>Keep it as it is</source>
+        <translation>Να μείνει ως έχει</translation>
+    </message>
+    <message>
+        <source>Declare void</source>
+        <translation>Ακύρωση συνεδρίας</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::FlatCanvas</name>
+    <message>
+        <source>Operating field from above and from the side</source>
+        <translation>Χειρουργικό πεδίο από πάνω και από το πλάι</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Από πάνω</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>Από το πλάι</translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation>x (mm)</translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation>y (mm)</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::ForceGauge</name>
+    <message>
+        <source>Force (N)</source>
+        <translation>Δύναμη (N)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::Qt3DSceneView</name>
+    <message>
+        <source>Operating field in three dimensions</source>
+        <translation>Χειρουργικό πεδίο σε τρεις διαστάσεις</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::SceneLoader</name>
+    <message>
+        <source>Drawn in two dimensions: 3D is switched off on this station.</source>
+        <translation>Δισδιάστατη προβολή: η τρισδιάστατη είναι απενεργοποιημένη σε αυτόν τον σταθμό.</translation>
+    </message>
+    <message>
+        <source>Drawn in two dimensions: OpenGL is not available here.</source>
+        <translation>Δισδιάστατη προβολή: το OpenGL δεν είναι διαθέσιμο εδώ.</translation>
+    </message>
+    <message>
+        <source>Drawn in two dimensions: the 3D part of Chiron is not installed.</source>
+        <translation>Δισδιάστατη προβολή: το τρισδιάστατο τμήμα του Chiron δεν είναι εγκατεστημένο.</translation>
+    </message>
+    <message>
+        <source>Drawn in two dimensions: the 3D part of Chiron could not be loaded (%1).</source>
+        <translation>Δισδιάστατη προβολή: το τρισδιάστατο τμήμα του Chiron δεν φορτώθηκε (%1).</translation>
+    </message>
+    <message>
+        <source>Drawn in two dimensions: the 3D part belongs to another version of Chiron. Installing Chiron again repairs this.</source>
+        <translation>Δισδιάστατη προβολή: το τρισδιάστατο τμήμα ανήκει σε άλλη έκδοση του Chiron. Η εκ νέου εγκατάσταση του Chiron το διορθώνει.</translation>
+    </message>
+    <message>
+        <source>Drawn in two dimensions: this exercise has no 3D scene.</source>
+        <translation>Δισδιάστατη προβολή: αυτή η άσκηση δεν έχει τρισδιάστατη σκηνή.</translation>
+    </message>
+</context>
+<context>
+    <name>report</name>
+    <message>
+        <source>no pass mark</source>
+        <translation>χωρίς όριο επιτυχίας</translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation>όριο επιτυχίας %1</translation>
+    </message>
+    <message>
+        <source>✓ met: %1</source>
+        <translation>✓ επετεύχθη: %1</translation>
+    </message>
+    <message>
+        <source>✗ not met: %1</source>
+        <translation>✗ δεν επετεύχθη: %1</translation>
+    </message>
+    <message>
+        <source>Benchmark %1</source>
+        <translation>Τιμή αναφοράς %1</translation>
+    </message>
+    <message>
+        <source>Benchmark %1, %2</source>
+        <translation>Τιμή αναφοράς %1, %2</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION: invented people and results, not for assessment</source>
+        <translation>ΕΠΙΔΕΙΞΗ: επινοημένα άτομα και αποτελέσματα, όχι για αξιολόγηση</translation>
+    </message>
+    <message>
+        <source>SIMULATED OPERATOR: a scripted hand, not a person</source>
+        <translation>ΠΡΟΣΟΜΟΙΩΜΕΝΟΣ ΧΕΙΡΙΣΤΗΣ: προγραμματισμένο χέρι, όχι άνθρωπος</translation>
+    </message>
+    <message>
+        <source>Unnamed person</source>
+        <translation>Άτομο χωρίς όνομα</translation>
+    </message>
+    <message>
+        <source>%1 · level %2: %3</source>
+        <translation>%1 · επίπεδο %2: %3</translation>
+    </message>
+    <message>
+        <source>–  No pass mark is set for this level</source>
+        <translation>–  Δεν έχει οριστεί όριο επιτυχίας για αυτό το επίπεδο</translation>
+    </message>
+    <message>
+        <source>!  Does not count: %1</source>
+        <translation>!  Δεν μετράει: %1</translation>
+    </message>
+    <message>
+        <source>its state is not known</source>
+        <translation>η κατάστασή της δεν είναι γνωστή</translation>
+    </message>
+    <message>
+        <source>✓  Passed: every pass mark was met</source>
+        <translation>✓  Επιτυχία: επετεύχθησαν όλα τα όρια επιτυχίας</translation>
+    </message>
+    <message>
+        <source>✗  Not passed</source>
+        <translation>✗  Αποτυχία</translation>
+    </message>
+    <message>
+        <source>%1 was %2, pass mark %3</source>
+        <translation>%1: %2, όριο επιτυχίας %3</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Καταγραφή</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Διάρκεια</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Κατάσταση</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Συσκευή</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Δύναμη</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>αισθητή</translation>
+    </message>
+    <message>
+        <source>shown, not felt</source>
+        <translation>μόνο προβολή</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Συνεδρία</translation>
+    </message>
+    <message>
+        <source>All metrics</source>
+        <translation>Όλες οι μετρήσεις</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>δεν ορίζεται</translation>
+    </message>
+    <message>
+        <source>✓ met</source>
+        <translation>✓ επετεύχθη</translation>
+    </message>
+    <message>
+        <source>✗ not met</source>
+        <translation>✗ δεν επετεύχθη</translation>
+    </message>
+    <message>
+        <source>No metrics were computed</source>
+        <translation>Δεν υπολογίστηκαν μετρήσεις</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Μέτρηση</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Τιμή</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Όριο επιτυχίας</translation>
+    </message>
+    <message>
+        <source>Benchmark</source>
+        <translation>Τιμή αναφοράς</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Αποτέλεσμα</translation>
+    </message>
+    <message>
+        <source>Error in locating the apex</source>
+        <translation>Σφάλμα εντοπισμού της κορυφής</translation>
+    </message>
+    <message>
+        <source>The session over time</source>
+        <translation>Η συνεδρία στον χρόνο</translation>
+    </message>
+    <message>
+        <source>Where these numbers come from</source>
+        <translation>Από πού προέρχονται αυτοί οι αριθμοί</translation>
+    </message>
+    <message>
+        <source>Recorded frames</source>
+        <translation>Καταγεγραμμένα πλαίσια</translation>
+    </message>
+    <message>
+        <source>Dropped frames</source>
+        <translation>Χαμένα πλαίσια</translation>
+    </message>
+    <message>
+        <source>Stored bytes</source>
+        <translation>Αποθηκευμένα byte</translation>
+    </message>
+    <message>
+        <source>Ticks, of them late</source>
+        <translation>Κύκλοι, από αυτούς με καθυστέρηση</translation>
+    </message>
+    <message>
+        <source>Lateness: median, 99 %</source>
+        <translation>Καθυστέρηση: διάμεσος, 99 %</translation>
+    </message>
+    <message>
+        <source>ran as fast as the machine can</source>
+        <translation>έτρεξε με τη μέγιστη ταχύτητα του υπολογιστή</translation>
+    </message>
+    <message>
+        <source>Latest tick</source>
+        <translation>Μέγιστη καθυστέρηση κύκλου</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Έκδοση προγράμματος</translation>
+    </message>
+    <message>
+        <source>Content (SHA-256)</source>
+        <translation>Περιεχόμενο (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Recording (BLAKE2b)</source>
+        <translation>Καταγραφή (BLAKE2b)</translation>
+    </message>
+    <message>
+        <source>Score (BLAKE2b)</source>
+        <translation>Βαθμολογία (BLAKE2b)</translation>
+    </message>
+    <message>
+        <source>completed</source>
+        <translation>ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>stopped by the person</source>
+        <translation>τη σταμάτησε το άτομο</translation>
+    </message>
+    <message>
+        <source>interrupted: the program ended during the session</source>
+        <translation>διακόπηκε: το πρόγραμμα τερματίστηκε κατά τη συνεδρία</translation>
+    </message>
+    <message>
+        <source>incomplete: samples were lost</source>
+        <translation>ελλιπής: χάθηκαν δείγματα</translation>
+    </message>
+    <message>
+        <source>faulted: the device or supervisor stopped it</source>
+        <translation>βλάβη: τη σταμάτησε η συσκευή ή ο επόπτης ασφαλείας</translation>
+    </message>
+    <message>
+        <source>voided by a trainer</source>
+        <translation>ακυρώθηκε από εκπαιδευτή/-τρια</translation>
+    </message>
+    <message>
+        <source>Session report</source>
+        <translation>Αναφορά συνεδρίας</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Σελίδα %1 από %2</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>Επίδειξη</translation>
+    </message>
+    <message>
+        <source>no recording digest</source>
+        <translation>χωρίς σύνοψη καταγραφής</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Χρόνος (s)</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>σε παύση</translation>
+    </message>
+    <message>
+        <source>No samples were recorded</source>
+        <translation>Δεν καταγράφηκαν δείγματα</translation>
+    </message>
+    <message>
+        <source>Position of the tool tip</source>
+        <translation>Θέση της άκρης του εργαλείου</translation>
+    </message>
+    <message>
+        <source>Position (mm)</source>
+        <translation>Θέση (mm)</translation>
+    </message>
+    <message>
+        <source>Force on the tool</source>
+        <translation>Δύναμη στο εργαλείο</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Δύναμη (N)</translation>
+    </message>
+    <message>
+        <source>over the limit</source>
+        <translation>πάνω από το όριο</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>μετρημένη</translation>
+    </message>
+    <message>
+        <source>commanded</source>
+        <translation>εντολή</translation>
+    </message>
+    <message>
+        <source>tissue (assessed)</source>
+        <translation>ιστός (αξιολογείται)</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation>όριο %1</translation>
+    </message>
+    <message>
+        <source>Speed of the tool tip</source>
+        <translation>Ταχύτητα της άκρης του εργαλείου</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Ταχύτητα (mm/s)</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>ταχύτητα</translation>
+    </message>
+    <message>
+        <source>Where the marks lie on the sphere</source>
+        <translation>Πού βρίσκονται τα σημεία στη σφαίρα</translation>
+    </message>
+    <message>
+        <source>Error in x (% of radius)</source>
+        <translation>Σφάλμα σε x (% της ακτίνας)</translation>
+    </message>
+    <message>
+        <source>Error in y (% of radius)</source>
+        <translation>Σφάλμα σε y (% της ακτίνας)</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>περίγραμμα</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>σημείο</translation>
+    </message>
+    <message>
+        <source>miss</source>
+        <translation>αστοχία</translation>
+    </message>
+    <message>
+        <source>No trial was marked</source>
+        <translation>Δεν σημειώθηκε καμία δοκιμή</translation>
+    </message>
+    <message>
+        <source>% error in locating virtual spheres</source>
+        <translation>% σφάλμα εντοπισμού εικονικών σφαιρών</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Δοκιμή</translation>
+    </message>
+    <message>
+        <source>Error (% of radius)</source>
+        <translation>Σφάλμα (% της ακτίνας)</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>συνεδρία</translation>
+    </message>
+    <message>
+        <source>mean ± SD</source>
+        <translation>μέσος όρος ± ΤΑ</translation>
+    </message>
+    <message>
+        <source>No sessions to compare</source>
+        <translation>Δεν υπάρχουν συνεδρίες για σύγκριση</translation>
+    </message>
+</context>
 </TS>
