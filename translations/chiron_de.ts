@@ -1,4 +1,2948 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>AccountForm</name>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+</context>
+<context>
+    <name>AccountWords</name>
+    <message>
+        <source>There were several wrong attempts, so this account has to rest for a moment. Nothing is lost.</source>
+        <translation>Nach mehreren falschen Versuchen ist dieses Konto kurz gesperrt. Es geht nichts verloren.</translation>
+    </message>
+    <message>
+        <source>This account is disabled. What was recorded is kept; an administrator can enable the account again.</source>
+        <translation>Dieses Konto ist deaktiviert. Aufgezeichnetes bleibt erhalten; die Administration kann das Konto wieder aktivieren.</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>Lernende Person</translation>
+    </message>
+    <message>
+        <source>Trainer</source>
+        <translation>Ausbildende Person</translation>
+    </message>
+    <message>
+        <source>Researcher</source>
+        <translation>Forschende Person</translation>
+    </message>
+    <message>
+        <source>Administrator</source>
+        <translation>Administration</translation>
+    </message>
+    <message>
+        <source>Name and password do not belong together. Capital and small letters differ; is Caps Lock on?</source>
+        <translation>Name und Passwort passen nicht zusammen. Groß- und Kleinschreibung zählt; ist die Feststelltaste aktiv?</translation>
+    </message>
+    <message>
+        <source>Name and recovery code do not belong together. The code has five groups of five letters and digits.</source>
+        <translation>Name und Wiederherstellungscode passen nicht zusammen. Der Code besteht aus fünf Gruppen mit je fünf Buchstaben und Ziffern.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Try again in %n second(s)</source>
+        <translation>
+            <numerusform>Neuer Versuch in %n Sekunde</numerusform>
+            <numerusform>Neuer Versuch in %n Sekunden</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Commands</name>
+    <message>
+        <source>Go to: %1</source>
+        <translation>Gehe zu: %1</translation>
+    </message>
+    <message>
+        <source>Colours: light</source>
+        <translation>Farben: hell</translation>
+    </message>
+    <message>
+        <source>Colours: dark</source>
+        <translation>Farben: dunkel</translation>
+    </message>
+    <message>
+        <source>Colours: high contrast</source>
+        <translation>Farben: hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Larger text and controls</source>
+        <translation>Text und Bedienelemente größer</translation>
+    </message>
+    <message>
+        <source>Smaller text and controls</source>
+        <translation>Text und Bedienelemente kleiner</translation>
+    </message>
+    <message>
+        <source>Language: %1</source>
+        <translation>Sprache: %1</translation>
+    </message>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Help for this screen</source>
+        <translation>Hilfe zu dieser Ansicht</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Switch user</source>
+        <translation>Person wechseln</translation>
+    </message>
+    <message>
+        <source>Close Chiron</source>
+        <translation>Chiron beenden</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorWords</name>
+    <message>
+        <source>%1
+Details: %2</source>
+        <translation>%1
+Einzelheiten: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ForceWords</name>
+    <message>
+        <source>Force is stopped</source>
+        <translation>Kraft ist gestoppt</translation>
+    </message>
+    <message>
+        <source>The clock stands still and everything so far is kept. Press Re-arm (or R) to go on, or End.</source>
+        <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie „Freigeben“ (oder R), um weiterzumachen, oder „Beenden“.</translation>
+    </message>
+    <message>
+        <source>The safety supervisor took force away.</source>
+        <translation>Die Sicherheitsüberwachung hat die Kraft weggenommen.</translation>
+    </message>
+    <message>
+        <source>The tool moved faster than is safe, so force was taken away.</source>
+        <translation>Das Instrument bewegte sich schneller, als sicher ist; deshalb wurde die Kraft weggenommen.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s data came too late, so force was taken away.</source>
+        <translation>Die Daten des Geräts kamen zu spät; deshalb wurde die Kraft weggenommen.</translation>
+    </message>
+    <message>
+        <source>The device sent positions that cannot be right, so force was taken away.</source>
+        <translation>Das Gerät meldete unmögliche Positionen; deshalb wurde die Kraft weggenommen.</translation>
+    </message>
+    <message>
+        <source>The device reports a fault, so force was taken away.</source>
+        <translation>Das Gerät meldet einen Fehler; deshalb wurde die Kraft weggenommen.</translation>
+    </message>
+    <message>
+        <source>The calculated force was not a number, so force was taken away. Please report this.</source>
+        <translation>Die berechnete Kraft war keine Zahl; deshalb wurde die Kraft weggenommen. Bitte melden Sie das.</translation>
+    </message>
+    <message>
+        <source>The clock stands still and everything so far is kept. Hold the tool safely, then press Re-arm (or R).</source>
+        <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Halten Sie das Instrument sicher und drücken Sie dann „Freigeben“ (oder R).</translation>
+    </message>
+    <message>
+        <source>Waiting for the device</source>
+        <translation>Warten auf das Gerät</translation>
+    </message>
+    <message>
+        <source>No usable position has come yet. Check that it is on.</source>
+        <translation>Noch keine brauchbare Position empfangen. Prüfen Sie, ob das Gerät eingeschaltet ist.</translation>
+    </message>
+    <message>
+        <source>Hold still</source>
+        <translation>Bitte stillhalten</translation>
+    </message>
+    <message>
+        <source>Hold the tool still for half a second; force then rises slowly.</source>
+        <translation>Halten Sie das Instrument eine halbe Sekunde still; die Kraft steigt dann langsam an.</translation>
+    </message>
+    <message>
+        <source>Force is held</source>
+        <translation>Kraft wird zurückgehalten</translation>
+    </message>
+    <message>
+        <source>The window did not answer for a moment. Force comes back by itself.</source>
+        <translation>Das Fenster hat kurz nicht reagiert. Die Kraft kommt von selbst zurück.</translation>
+    </message>
+    <message>
+        <source>Force is waiting</source>
+        <translation>Kraft wartet</translation>
+    </message>
+    <message>
+        <source>Move the tool out of contact, or hold it still and press Resume here.</source>
+        <translation>Lösen Sie das Instrument vom Kontakt, oder halten Sie es still und drücken Sie „Hier fortsetzen“.</translation>
+    </message>
+    <message>
+        <source>You are watching</source>
+        <translation>Sie sehen zu</translation>
+    </message>
+    <message>
+        <source>Force is shown, not felt.</source>
+        <translation>Die Kraft wird gezeigt, nicht gefühlt.</translation>
+    </message>
+    <message>
+        <source>No movement</source>
+        <translation>Keine Bewegung</translation>
+    </message>
+    <message>
+        <source>Nothing has moved for two seconds. Move the mouse over the scene or press an arrow key.</source>
+        <translation>Seit zwei Sekunden bewegt sich nichts. Bewegen Sie die Maus über der Szene oder drücken Sie eine Pfeiltaste.</translation>
+    </message>
+    <message>
+        <source>Shown, not felt</source>
+        <translation>Gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>This device renders no force. The tool stays at the surface and moves more slowly the harder you press.</source>
+        <translation>Dieses Gerät gibt keine Kraft aus. Das Instrument bleibt an der Oberfläche und bewegt sich umso langsamer, je fester Sie drücken.</translation>
+    </message>
+    <message>
+        <source>Getting ready</source>
+        <translation>Vorbereitung</translation>
+    </message>
+    <message>
+        <source>The first trial begins as soon as the scene is drawn.</source>
+        <translation>Der erste Durchgang beginnt, sobald die Szene zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>The clock stands still. Press Resume or Space to go on.</source>
+        <translation>Die Uhr steht. Weiter mit „Fortsetzen“ oder der Leertaste.</translation>
+    </message>
+    <message>
+        <source>Force is coming</source>
+        <translation>Kraft kommt</translation>
+    </message>
+    <message>
+        <source>It rises slowly; the clock starts at full strength (%1 %).</source>
+        <translation>Sie steigt langsam an; die Uhr startet bei voller Stärke (%1 %).</translation>
+    </message>
+    <message>
+        <source>Force is on</source>
+        <translation>Kraft ist an</translation>
+    </message>
+    <message>
+        <source>Esc stops it at once.</source>
+        <translation>Esc stoppt sie sofort.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s data come late. Force comes back when they are on time.</source>
+        <translation>Die Daten des Geräts kommen verspätet. Die Kraft kommt zurück, sobald sie pünktlich sind.</translation>
+    </message>
+</context>
+<context>
+    <name>HelpDialogs</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Help: %1</source>
+        <translation>Hilfe: %1</translation>
+    </message>
+    <message>
+        <source>Keys on this screen</source>
+        <translation>Tasten in dieser Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>LearningCurve</name>
+    <message>
+        <source>%1 over the attempts</source>
+        <translation>%1 über die Versuche</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>benchmark, felt (%1)</source>
+        <translation>Referenz, gefühlt (%1)</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>gefühlt</translation>
+    </message>
+    <message>
+        <source>shown, not felt</source>
+        <translation>gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation>Bestehensgrenze %1</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>No completed attempt yet</source>
+        <translation>Noch kein abgeschlossener Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>Metrics</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>From the first movement or touch of each trial to its end, added up; pauses do not count.</source>
+        <translation>Von der ersten Bewegung oder Berührung jedes Durchgangs bis zu seinem Ende, zusammengezählt; Pausen zählen nicht.</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>Weglänge</translation>
+    </message>
+    <message>
+        <source>How far the tip of the tool travelled in all trials together.</source>
+        <translation>Wie weit die Instrumentenspitze in allen Durchgängen zusammen unterwegs war.</translation>
+    </message>
+    <message>
+        <source>Path inefficiency</source>
+        <translation>Wegüberschuss</translation>
+    </message>
+    <message>
+        <source>How much longer the path was than the straight line between its ends; the mean over the trials.</source>
+        <translation>Wie viel länger der Weg war als die Gerade zwischen seinen Enden; Mittelwert über die Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Smoothness (SPARC)</source>
+        <translation>Flüssigkeit (SPARC)</translation>
+    </message>
+    <message>
+        <source>How even the speed of each movement was, from its spectrum. Nearer to zero is smoother.</source>
+        <translation>Wie gleichmäßig die Geschwindigkeit jeder Bewegung war, aus ihrem Spektrum. Näher an null ist flüssiger.</translation>
+    </message>
+    <message>
+        <source>Smoothness (LDLJ)</source>
+        <translation>Flüssigkeit (LDLJ)</translation>
+    </message>
+    <message>
+        <source>How little the speed of each movement jerked. Nearer to zero is smoother.</source>
+        <translation>Wie wenig die Geschwindigkeit jeder Bewegung ruckte. Näher an null ist flüssiger.</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>The largest force on the tissue at any moment.</source>
+        <translation>Die größte Kraft auf das Gewebe zu irgendeinem Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>Mean force in contact</source>
+        <translation>Mittlere Kraft bei Kontakt</translation>
+    </message>
+    <message>
+        <source>The mean force on the tissue while the tool touched it.</source>
+        <translation>Die mittlere Kraft auf das Gewebe, solange das Instrument es berührte.</translation>
+    </message>
+    <message>
+        <source>Force, root mean square</source>
+        <translation>Kraft, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>The root of the mean squared force on the tissue: high forces weigh more than in the mean.</source>
+        <translation>Die Wurzel der mittleren quadrierten Kraft auf das Gewebe: Hohe Kräfte zählen mehr als im Mittelwert.</translation>
+    </message>
+    <message>
+        <source>Force, 95th percentile</source>
+        <translation>Kraft, 95. Perzentil</translation>
+    </message>
+    <message>
+        <source>The force on the tissue was below this for 95 % of the time.</source>
+        <translation>Die Kraft auf das Gewebe lag 95 % der Zeit darunter.</translation>
+    </message>
+    <message>
+        <source>Peak force rate</source>
+        <translation>Größte Kraftänderung</translation>
+    </message>
+    <message>
+        <source>How fast the force on the tissue rose or fell at most.</source>
+        <translation>Wie schnell die Kraft auf das Gewebe höchstens stieg oder fiel.</translation>
+    </message>
+    <message>
+        <source>Impulse over the limit</source>
+        <translation>Kraftstoß über der Grenze</translation>
+    </message>
+    <message>
+        <source>Force times time while the force was over the limit of this level.</source>
+        <translation>Kraft mal Zeit, solange die Kraft über der Grenze dieser Stufe lag.</translation>
+    </message>
+    <message>
+        <source>Time over the limit</source>
+        <translation>Zeit über der Grenze</translation>
+    </message>
+    <message>
+        <source>How long the force on the tissue was over the limit of this level.</source>
+        <translation>Wie lange die Kraft auf das Gewebe über der Grenze dieser Stufe lag.</translation>
+    </message>
+    <message>
+        <source>Apex error, mean</source>
+        <translation>Abweichung vom Scheitel, Mittelwert</translation>
+    </message>
+    <message>
+        <source>How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses included.</source>
+        <translation>Wie weit die Markierungen vom höchsten Punkt entfernt lagen, in % des Radius; Mittelwert über beide Achsen und alle Durchgänge, Fehlversuche eingeschlossen.</translation>
+    </message>
+    <message>
+        <source>Apex error, standard deviation</source>
+        <translation>Abweichung vom Scheitel, Standardabweichung</translation>
+    </message>
+    <message>
+        <source>How much the error differed from mark to mark.</source>
+        <translation>Wie sehr sich die Abweichung von Markierung zu Markierung unterschied.</translation>
+    </message>
+    <message>
+        <source>Apex bias, left to right</source>
+        <translation>Einseitigkeit, links-rechts</translation>
+    </message>
+    <message>
+        <source>Whether the marks lay to one side: the mean error to the right (positive) or left (negative).</source>
+        <translation>Ob die Markierungen zu einer Seite lagen: die mittlere Abweichung nach rechts (positiv) oder links (negativ).</translation>
+    </message>
+    <message>
+        <source>Apex bias, front to back</source>
+        <translation>Einseitigkeit, vorn-hinten</translation>
+    </message>
+    <message>
+        <source>Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person.</source>
+        <translation>Ob die Markierungen zu einer Seite lagen: die mittlere Abweichung von der Person weg (positiv) oder zu ihr hin (negativ).</translation>
+    </message>
+    <message>
+        <source>Misses</source>
+        <translation>Fehlversuche</translation>
+    </message>
+    <message>
+        <source>Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same.</source>
+        <translation>Durchgänge, die ohne Berührung, neben der Kugel oder nicht rechtzeitig markiert wurden. Ihre Abweichungen zählen trotzdem.</translation>
+    </message>
+    <message>
+        <source>the trace has no forces</source>
+        <translation>die Aufzeichnung enthält keine Kräfte</translation>
+    </message>
+    <message>
+        <source>no trials</source>
+        <translation>keine Durchgänge</translation>
+    </message>
+    <message>
+        <source>start and end are less than 5 mm apart</source>
+        <translation>Anfang und Ende liegen weniger als 5 mm auseinander</translation>
+    </message>
+    <message>
+        <source>fewer than two samples</source>
+        <translation>weniger als zwei Messpunkte</translation>
+    </message>
+    <message>
+        <source>fewer than two positions</source>
+        <translation>weniger als zwei Positionen</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translation>kein Kontakt</translation>
+    </message>
+    <message>
+        <source>no samples</source>
+        <translation>keine Messpunkte</translation>
+    </message>
+    <message>
+        <source>needs two trials or more</source>
+        <translation>braucht mindestens zwei Durchgänge</translation>
+    </message>
+    <message>
+        <source>neither movement nor contact</source>
+        <translation>weder Bewegung noch Kontakt</translation>
+    </message>
+    <message>
+        <source>no sub-movement of 100 ms</source>
+        <translation>keine Teilbewegung von 100 ms</translation>
+    </message>
+    <message>
+        <source>no movement</source>
+        <translation>keine Bewegung</translation>
+    </message>
+    <message>
+        <source>speed has no spectrum up to 10 Hz</source>
+        <translation>die Geschwindigkeit hat kein Spektrum bis 10 Hz</translation>
+    </message>
+    <message>
+        <source>fewer than three speed samples</source>
+        <translation>weniger als drei Geschwindigkeitswerte</translation>
+    </message>
+    <message>
+        <source>no jerk: speed changes evenly</source>
+        <translation>kein Ruck: die Geschwindigkeit ändert sich gleichmäßig</translation>
+    </message>
+    <message>
+        <source>published, 5 subjects × 10</source>
+        <translation>veröffentlicht, 5 Personen × 10</translation>
+    </message>
+</context>
+<context>
+    <name>PlaybackMarks</name>
+    <message>
+        <source>Force held: the tool moved too fast</source>
+        <translation>Kraft zurückgehalten: Instrument zu schnell</translation>
+    </message>
+    <message>
+        <source>A sample of the device was not usable</source>
+        <translation>Ein Messpunkt des Geräts war unbrauchbar</translation>
+    </message>
+    <message>
+        <source>Fault: too many samples of the device were not usable</source>
+        <translation>Störung: zu viele unbrauchbare Messpunkte des Geräts</translation>
+    </message>
+    <message>
+        <source>Force held: samples of the device came late</source>
+        <translation>Kraft zurückgehalten: Daten des Geräts kamen verspätet</translation>
+    </message>
+    <message>
+        <source>Fault: the device went silent</source>
+        <translation>Störung: Das Gerät verstummte</translation>
+    </message>
+    <message>
+        <source>Force held: the window did not answer</source>
+        <translation>Kraft zurückgehalten: Das Fenster reagierte nicht</translation>
+    </message>
+    <message>
+        <source>Force damped to keep it stable</source>
+        <translation>Kraft gedämpft, damit sie stabil bleibt</translation>
+    </message>
+    <message>
+        <source>Fault: the device reported one</source>
+        <translation>Störung: vom Gerät gemeldet</translation>
+    </message>
+    <message>
+        <source>The force supervisor stepped in</source>
+        <translation>Die Sicherheitsüberwachung griff ein</translation>
+    </message>
+    <message>
+        <source>Trial %1 begins</source>
+        <translation>Durchgang %1 beginnt</translation>
+    </message>
+    <message>
+        <source>Marked the highest point</source>
+        <translation>Höchsten Punkt markiert</translation>
+    </message>
+    <message>
+        <source>Time was up without a mark</source>
+        <translation>Zeit abgelaufen ohne Markierung</translation>
+    </message>
+    <message>
+        <source>The trace ended without a mark</source>
+        <translation>Aufzeichnung endete ohne Markierung</translation>
+    </message>
+    <message>
+        <source>In contact for %1</source>
+        <translation>%1 lang in Kontakt</translation>
+    </message>
+    <message>
+        <source>Over the limit for %1, up to %2</source>
+        <translation>%1 lang über der Grenze, bis %2</translation>
+    </message>
+    <message>
+        <source>Paused for %1</source>
+        <translation>%1 lang Pause</translation>
+    </message>
+    <message>
+        <source>Force stopped</source>
+        <translation>Kraft gestoppt</translation>
+    </message>
+    <message>
+        <source>Force armed again</source>
+        <translation>Kraft wieder freigegeben</translation>
+    </message>
+    <message>
+        <source>The person ended the session</source>
+        <translation>Die Person beendete die Sitzung</translation>
+    </message>
+</context>
+<context>
+    <name>QDialogButtonBox</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Look in:</source>
+        <translation>Suchen in:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>Datei&amp;name:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Dateityp:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Ordner:</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Auswählen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Übergeordneter Ordner</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Neuen Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Details</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>%1 ist schon vorhanden.
+Möchten Sie die Datei ersetzen?</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Geändert am</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ja</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Nein</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Runter</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>Screens</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Training</translation>
+    </message>
+    <message>
+        <source>My results</source>
+        <translation>Meine Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Debrief</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+</context>
+<context>
+    <name>Sessions</name>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Incomplete</source>
+        <translation>Unvollständig</translation>
+    </message>
+    <message>
+        <source>Faulted</source>
+        <translation>Gestört</translation>
+    </message>
+    <message>
+        <source>Voided</source>
+        <translation>Ungültig</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Gefühlt</translation>
+    </message>
+    <message>
+        <source>Shown, not felt</source>
+        <translation>Gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>Force felt</source>
+        <translation>Kraft gefühlt</translation>
+    </message>
+    <message>
+        <source>Force shown, not felt</source>
+        <translation>Kraft gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>%1 (scripted)</source>
+        <translation>%1 (programmiert)</translation>
+    </message>
+    <message>
+        <source>Level %1</source>
+        <translation>Stufe %1</translation>
+    </message>
+    <message>
+        <source>Level %1: %2</source>
+        <translation>Stufe %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>SoundLoader</name>
+    <message>
+        <source>Sound is switched off on this station. Everything that can be heard is also shown.</source>
+        <translation>Der Ton ist an diesem Arbeitsplatz ausgeschaltet. Alles Hörbare wird auch angezeigt.</translation>
+    </message>
+    <message>
+        <source>The sound part of Chiron is not installed. Everything that can be heard is also shown.</source>
+        <translation>Der Tonteil von Chiron ist nicht installiert. Alles Hörbare wird auch angezeigt.</translation>
+    </message>
+    <message>
+        <source>The sound part belongs to another version of Chiron. Everything that can be heard is also shown.</source>
+        <translation>Der Tonteil gehört zu einer anderen Version von Chiron. Alles Hörbare wird auch angezeigt.</translation>
+    </message>
+    <message>
+        <source>This station has no sound output. Everything that can be heard is also shown.</source>
+        <translation>Dieser Arbeitsplatz hat keine Tonausgabe. Alles Hörbare wird auch angezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>TrainingWords</name>
+    <message>
+        <source>Expert</source>
+        <translation>Erfahren</translation>
+    </message>
+    <message>
+        <source>Intermediate</source>
+        <translation>Fortgeschritten</translation>
+    </message>
+    <message>
+        <source>Novice</source>
+        <translation>Anfänger/-in</translation>
+    </message>
+    <message>
+        <source>Unsafe (presses too hard)</source>
+        <translation>Riskant (drückt zu fest)</translation>
+    </message>
+    <message>
+        <source>Demonstration on the simulated gimbal (%1): shown, not felt</source>
+        <translation>Vorführung am simulierten Gimbal (%1): gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>Replayed file %1: shown, not felt</source>
+        <translation>Abgespielte Datei %1: gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard: shown, not felt</source>
+        <translation>Maus und Tastatur: gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>You are watching. Space: pause or go on. Esc: stop.</source>
+        <translation>Sie sehen zu. Leertaste: Pause oder weiter. Esc: Stopp.</translation>
+    </message>
+    <message>
+        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force.</source>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Markieren: Klick oder Enter. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen.</translation>
+    </message>
+</context>
+<context>
+    <name>Verdict</name>
+    <message>
+        <source>Completed</source>
+        <translation>Abgeschlossen</translation>
+    </message>
+    <message>
+        <source>This level has no pass mark. Everything below is for you to compare.</source>
+        <translation>Diese Stufe hat keine Bestehensgrenze. Alles Folgende dient Ihrem Vergleich.</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Every pass mark of this level was met.</source>
+        <translation>Alle Bestehensgrenzen dieser Stufe wurden erreicht.</translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation>Noch nicht bestanden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pass mark(s) of this level were not met:</source>
+        <translation>
+            <numerusform>%n Bestehensgrenze dieser Stufe wurde nicht erreicht:</numerusform>
+            <numerusform>%n Bestehensgrenzen dieser Stufe wurden nicht erreicht:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 trials were done.</source>
+        <translation>%1 von %2 Durchgängen wurden gemacht.</translation>
+    </message>
+    <message>
+        <source>Stopped before the end</source>
+        <translation>Vor dem Ende abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1 What was recorded is kept and can be played back. It does not count towards passing; try again when you are ready.</source>
+        <translation>%1 Aufgezeichnetes bleibt erhalten und kann wiedergegeben werden. Es zählt nicht fürs Bestehen; versuchen Sie es erneut, wenn Sie so weit sind.</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>The program ended during this session. %1 Everything recorded until then was saved and can be played back. It does not count towards passing.</source>
+        <translation>Das Programm endete während dieser Sitzung. %1 Alles bis dahin Aufgezeichnete wurde gespeichert und kann wiedergegeben werden. Es zählt nicht fürs Bestehen.</translation>
+    </message>
+    <message>
+        <source>Incomplete recording</source>
+        <translation>Unvollständige Aufzeichnung</translation>
+    </message>
+    <message numerus="yes">
+        <source>The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played back. It does not count towards passing; close other programs before the next attempt.</source>
+        <translation>
+            <numerusform>Der Computer kam nicht nach, und %n Messpunkt ging verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Er zählt nicht fürs Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
+            <numerusform>Der Computer kam nicht nach, und %n Messpunkte gingen verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Er zählt nicht fürs Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ended by a fault</source>
+        <translation>Durch eine Störung beendet</translation>
+    </message>
+    <message>
+        <source>The device or the force supervisor stopped this session to keep it safe. %1 What was recorded is kept. It does not count towards passing; check the device before the next attempt.</source>
+        <translation>Das Gerät oder die Sicherheitsüberwachung hat diese Sitzung zur Sicherheit gestoppt. %1 Aufgezeichnetes bleibt erhalten. Es zählt nicht fürs Bestehen; prüfen Sie das Gerät vor dem nächsten Versuch.</translation>
+    </message>
+    <message>
+        <source>Still running</source>
+        <translation>Läuft noch</translation>
+    </message>
+    <message>
+        <source>This session has not ended yet. Its result is here as soon as it has.</source>
+        <translation>Diese Sitzung ist noch nicht beendet. Ihr Ergebnis erscheint hier, sobald sie es ist.</translation>
+    </message>
+    <message>
+        <source>Voided</source>
+        <translation>Ungültig</translation>
+    </message>
+    <message>
+        <source>A trainer declared this session void. Recording and scores are kept; they count for nothing.</source>
+        <translation>Eine ausbildende Person hat diese Sitzung für ungültig erklärt. Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
+    </message>
+    <message>
+        <source>A trainer declared this session void: %1
+Recording and scores are kept; they count for nothing.</source>
+        <translation>Eine ausbildende Person hat diese Sitzung für ungültig erklärt: %1
+Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
+    </message>
+    <message>
+        <source>%1: no value (%2), but the pass mark is %3</source>
+        <translation>%1: kein Wert (%2), doch die Bestehensgrenze ist %3</translation>
+    </message>
+    <message>
+        <source>%1: %2, but the pass mark is %3 (%4 too much)</source>
+        <translation>%1: %2, doch die Bestehensgrenze ist %3 (%4 zu viel)</translation>
+    </message>
+    <message>
+        <source>%1: %2, but the pass mark is %3 (%4 too little)</source>
+        <translation>%1: %2, doch die Bestehensgrenze ist %3 (%4 zu wenig)</translation>
+    </message>
+    <message>
+        <source>Familiarisation: recorded, never counted. %1</source>
+        <translation>Eingewöhnung: aufgezeichnet, nie gezählt. %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::AdministratorPage</name>
+    <message>
+        <source>Who looks after this site?</source>
+        <translation>Wer betreut diesen Standort?</translation>
+    </message>
+    <message>
+        <source>The first person is an administrator: adds people, makes backups, may train as well.</source>
+        <translation>Die erste Person übernimmt die Administration: Sie legt Personen an, erstellt Sicherungen und kann auch selbst trainieren.</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>A short name without commas, such as &quot;ada&quot;. It cannot be changed later.</source>
+        <translation>Ein kurzer Name ohne Kommas, zum Beispiel „ada“. Er lässt sich später nicht ändern.</translation>
+    </message>
+    <message>
+        <source>Full name (may be left empty)</source>
+        <translation>Vollständiger Name (darf leer bleiben)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Set up the site</source>
+        <translation>Standort einrichten</translation>
+    </message>
+    <message>
+        <source>This name cannot be used: no commas, no spaces at the ends, at most %1 characters, and not a name that the program keeps for itself.</source>
+        <translation>Dieser Name ist nicht möglich: keine Kommas, keine Leerzeichen am Anfang oder Ende, höchstens %1 Zeichen und kein Name, den das Programm selbst benutzt.</translation>
+    </message>
+    <message>
+        <source>Making the site …</source>
+        <translation>Standort wird angelegt …</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::AttemptsTable</name>
+    <message>
+        <source>My attempts</source>
+        <translation>Meine Versuche</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Level %1, familiarisation</source>
+        <translation>Stufe %1, Eingewöhnung</translation>
+    </message>
+    <message>
+        <source>Level %1</source>
+        <translation>Stufe %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Geben Sie ein, was Sie tun möchten</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Gefundene Befehle</translation>
+    </message>
+    <message>
+        <source>No command has these letters. Try fewer, or another word.</source>
+        <translation>Kein Befehl enthält diese Buchstaben. Versuchen Sie es mit weniger oder mit einem anderen Wort.</translation>
+    </message>
+    <message>
+        <source>%1   (%2)</source>
+        <translation>%1   (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::CommentPanel</name>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>No comments yet.</source>
+        <translation>Noch keine Kommentare.</translation>
+    </message>
+    <message>
+        <source>New comment</source>
+        <translation>Neuer Kommentar</translation>
+    </message>
+    <message>
+        <source>What is to be seen here?</source>
+        <translation>Was ist hier zu sehen?</translation>
+    </message>
+    <message>
+        <source>Comment at %1</source>
+        <translation>Kommentar bei %1</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>Sie</translation>
+    </message>
+    <message>
+        <source>Somebody else</source>
+        <translation>Jemand anderes</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>Whole session · %1 · %2</source>
+        <translation>Ganze Sitzung · %1 · %2</translation>
+    </message>
+    <message>
+        <source>(erased)</source>
+        <translation>(gelöscht)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ControlBar</name>
+    <message>
+        <source>Stop force (Esc)</source>
+        <translation>Kraft stoppen (Esc)</translation>
+    </message>
+    <message>
+        <source>Resume here</source>
+        <translation>Hier fortsetzen</translation>
+    </message>
+    <message>
+        <source>End session …</source>
+        <translation>Sitzung beenden …</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Pause (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Resume (Space)</source>
+        <translation>Fortsetzen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Re-arm (R)</source>
+        <translation>Freigeben (R)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::DebriefScreen</name>
+    <message>
+        <source>%1, level %2: %3</source>
+        <translation>%1, Stufe %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 · %4</source>
+        <translation>%1 · %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>Force was shown, not felt: these scores form a series of their own and are not compared with felt ones.</source>
+        <translation>Die Kraft wurde gezeigt, nicht gefühlt: Diese Wertungen bilden eine eigene Reihe und werden nicht mit gefühlten verglichen.</translation>
+    </message>
+    <message>
+        <source>Next level</source>
+        <translation>Nächste Stufe</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Worst moment</source>
+        <translation>Schlechtester Moment</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Report (PDF)</source>
+        <translation>Bericht (PDF)</translation>
+    </message>
+    <message>
+        <source>The answers, seen from above</source>
+        <translation>Die Antworten, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>Debrief</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>What this session came to.
+
+At the top: whether it passed, and if not, which pass mark was missed and by how much. Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what others reached.
+
+&quot;Worst moment&quot; opens the playback where it went wrong most. &quot;Report&quot; writes a printable PDF. The table holds every metric; choose a row to read what it means.</source>
+        <translation>Was diese Sitzung ergeben hat.
+
+Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel verfehlt wurde. Darunter die wichtigsten Zahlen auf ihrer Skala: Der Zeiger ist der Wert, die Linie die Bestehensgrenze, der Bereich das, was andere erreicht haben.
+
+„Schlechtester Moment“ öffnet die Wiedergabe dort, wo am meisten schiefging. „Bericht“ schreibt ein druckbares PDF. Die Tabelle enthält jede Messgröße; wählen Sie eine Zeile, um zu lesen, was sie bedeutet.</translation>
+    </message>
+    <message>
+        <source>Open the playback</source>
+        <translation>Wiedergabe öffnen</translation>
+    </message>
+    <message>
+        <source>Write the report (PDF)</source>
+        <translation>Bericht schreiben (PDF)</translation>
+    </message>
+    <message>
+        <source>Reading the scores …</source>
+        <translation>Wertungen werden gelesen …</translation>
+    </message>
+    <message>
+        <source>This session could not be opened</source>
+        <translation>Diese Sitzung konnte nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>All metrics</source>
+        <translation>Alle Messgrößen</translation>
+    </message>
+    <message>
+        <source>The recording was erased</source>
+        <translation>Die Aufzeichnung wurde gelöscht</translation>
+    </message>
+    <message>
+        <source>It was withdrawn at the person&apos;s wish. The scores above are kept; there is nothing to play back.</source>
+        <translation>Sie wurde auf Wunsch der Person gelöscht. Die Wertungen oben bleiben erhalten; es gibt nichts wiederzugeben.</translation>
+    </message>
+    <message>
+        <source>Reading the recording …</source>
+        <translation>Aufzeichnung wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The recording could not be read. The scores above are as they were stored.</source>
+        <translation>Die Aufzeichnung konnte nicht gelesen werden. Die Wertungen oben sind so, wie sie gespeichert wurden.</translation>
+    </message>
+    <message>
+        <source>%1: %2 in trial %3, at %4</source>
+        <translation>%1: %2 in Durchgang %3, bei %4</translation>
+    </message>
+    <message>
+        <source>No trial was begun</source>
+        <translation>Kein Durchgang wurde begonnen</translation>
+    </message>
+    <message>
+        <source>There is no answer to show. The session is kept and listed.</source>
+        <translation>Es gibt keine Antwort zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+    </message>
+    <message>
+        <source>Chiron session %1.pdf</source>
+        <translation>Chiron-Sitzung %1.pdf</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF-Dokumente (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Writing the report …</source>
+        <translation>Bericht wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>The report was written to %1.</source>
+        <translation>Der Bericht wurde in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>The report could not be written.</source>
+        <translation>Der Bericht konnte nicht geschrieben werden.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::FirstStartScreen</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>Chiron is a training suite for the sense of touch in minimally invasive surgery.
+
+&quot;Set up this site&quot; makes an empty site on this computer and its first administrator, who can add the others. It takes about a minute.
+
+&quot;Open the demonstration site&quot; makes a separate site with invented people and scripted sessions, to look around. It does not touch a site that is set up later; this choice comes back at the next start until one is.</source>
+        <translation>Chiron trainiert den Tastsinn für die minimalinvasive Chirurgie.
+
+„Standort einrichten“ legt auf diesem Computer einen leeren Standort mit der ersten Administration an, die weitere Personen hinzufügen kann. Das dauert etwa eine Minute.
+
+„Demo-Standort öffnen“ legt zum Umsehen einen getrennten Standort mit erfundenen Personen und vorbereiteten Sitzungen an. Ein später eingerichteter Standort bleibt davon unberührt; bis dahin erscheint diese Auswahl bei jedem Start.</translation>
+    </message>
+    <message>
+        <source>The recovery code is not shown again. Write it down and tick the box first.</source>
+        <translation>Der Wiederherstellungscode wird nicht noch einmal gezeigt. Schreiben Sie ihn zuerst auf und setzen Sie das Häkchen.</translation>
+    </message>
+    <message>
+        <source>Welcome to Chiron</source>
+        <translation>Willkommen bei Chiron</translation>
+    </message>
+    <message>
+        <source>Learn by touch: practise, see what your hand did, and know when you are ready.</source>
+        <translation>Lernen durch Tasten: üben, sehen, was Ihre Hand getan hat, und wissen, wann Sie so weit sind.</translation>
+    </message>
+    <message>
+        <source>Set up this site</source>
+        <translation>Standort einrichten</translation>
+    </message>
+    <message>
+        <source>Start a site of your own</source>
+        <translation>Eigenen Standort anlegen</translation>
+    </message>
+    <message>
+        <source>You become its administrator. People, sessions and scores stay on this computer.</source>
+        <translation>Sie übernehmen die Administration. Personen, Sitzungen und Wertungen bleiben auf diesem Computer.</translation>
+    </message>
+    <message>
+        <source>Open the demonstration site</source>
+        <translation>Demo-Standort öffnen</translation>
+    </message>
+    <message>
+        <source>Look around first</source>
+        <translation>Erst einmal umsehen</translation>
+    </message>
+    <message>
+        <source>Invented people and scripted sessions at every level. Making it takes about a minute, once.</source>
+        <translation>Erfundene Personen und vorbereitete Sitzungen auf jeder Stufe. Das Anlegen dauert einmalig etwa eine Minute.</translation>
+    </message>
+    <message>
+        <source>The site was not made.
+%1</source>
+        <translation>Der Standort wurde nicht angelegt.
+%1</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Opening the demonstration site …</source>
+        <translation>Demo-Standort wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Making the demonstration site: people, and scripted sessions at every level …</source>
+        <translation>Demo-Standort wird angelegt: Personen und vorbereitete Sitzungen auf jeder Stufe …</translation>
+    </message>
+    <message>
+        <source>The demonstration was stopped; what had been made of it is removed.</source>
+        <translation>Die Demo wurde abgebrochen; was davon schon angelegt war, ist entfernt.</translation>
+    </message>
+    <message>
+        <source>The demonstration site could not be opened.</source>
+        <translation>Der Demo-Standort konnte nicht geöffnet werden.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ForceBar</name>
+    <message>
+        <source>over the limit</source>
+        <translation>über der Grenze</translation>
+    </message>
+    <message>
+        <source>%1 %2, over the limit</source>
+        <translation>%1 %2, über der Grenze</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::HeaderBar</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 · familiarisation, not counted</source>
+        <translation>%1 · Eingewöhnung, zählt nicht</translation>
+    </message>
+    <message>
+        <source>Sound off</source>
+        <translation>Ton aus</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <translation>Durchgang %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>noch %1 s</translation>
+    </message>
+    <message>
+        <source>Sound on</source>
+        <translation>Ton an</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::HeadlineCard</name>
+    <message>
+        <source>No pass mark</source>
+        <translation>Keine Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>Pass mark %1</source>
+        <translation>Bestehensgrenze %1</translation>
+    </message>
+    <message>
+        <source>Met: pass mark %1</source>
+        <translation>Erreicht: Bestehensgrenze %1</translation>
+    </message>
+    <message>
+        <source>Not met: pass mark %1</source>
+        <translation>Nicht erreicht: Bestehensgrenze %1</translation>
+    </message>
+    <message>
+        <source>Benchmark %1 (%2)</source>
+        <translation>Referenz %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::InfoPanel</name>
+    <message>
+        <source>Elapsed: %1</source>
+        <translation>Vergangen: %1</translation>
+    </message>
+    <message>
+        <source>This level shows no measurements: work by what you feel. Everything is recorded and in the results.</source>
+        <translation>Diese Stufe zeigt keine Messwerte: Arbeiten Sie nach Gefühl. Alles wird aufgezeichnet und steht im Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>mN·m</source>
+        <translation>mN·m</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>away from you</source>
+        <translation>von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Geschwindigkeit (mm/s)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples could not be recorded: this session will be incomplete.</source>
+        <translation>
+            <numerusform>%n Messpunkt konnte nicht aufgezeichnet werden: Diese Sitzung wird unvollständig.</numerusform>
+            <numerusform>%n Messpunkte konnten nicht aufgezeichnet werden: Diese Sitzung wird unvollständig.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording complete; %n ticks late</source>
+        <translation>
+            <numerusform>Aufzeichnung vollständig; %n Takt verspätet</numerusform>
+            <numerusform>Aufzeichnung vollständig; %n Takte verspätet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recording complete; every tick on time</source>
+        <translation>Aufzeichnung vollständig; jeder Takt pünktlich</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LivePlot</name>
+    <message>
+        <source>The last %1 seconds</source>
+        <translation>Die letzten %1 Sekunden</translation>
+    </message>
+    <message>
+        <source>-%1 s</source>
+        <translation>-%1 s</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LockController</name>
+    <message>
+        <source>Locked - Chiron</source>
+        <translation>Gesperrt - Chiron</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LockCover</name>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>%1 is logged in. Everything goes on and is kept; it is only covered.</source>
+        <translation>%1 ist angemeldet. Alles läuft weiter und bleibt erhalten; es ist nur verdeckt.</translation>
+    </message>
+    <message>
+        <source>Password of %1</source>
+        <translation>Passwort von %1</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Switch user</source>
+        <translation>Person wechseln</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LoginForm</name>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>Forgot your password?</source>
+        <translation>Passwort vergessen?</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LoginScreen</name>
+    <message>
+        <source>Opening the site …</source>
+        <translation>Standort wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>Type a few letters of your name, or choose it in the list, then enter your password.
+
+After three wrong passwords the account rests for a moment before the next attempt; the button counts the seconds. Nothing is lost by it.
+
+Forgot your password? An administrator can give you a new one. The first administrator has a recovery code.</source>
+        <translation>Geben Sie einige Buchstaben Ihres Namens ein oder wählen Sie ihn in der Liste, danach Ihr Passwort.
+
+Nach drei falschen Passwörtern ist das Konto kurz gesperrt; die Schaltfläche zählt die Sekunden. Es geht dabei nichts verloren.
+
+Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Administration hat einen Wiederherstellungscode.</translation>
+    </message>
+    <message>
+        <source>The site could not be opened.</source>
+        <translation>Der Standort konnte nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>The names could not be read.</source>
+        <translation>Die Namen konnten nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>This is a demonstration: choose anybody. The password of all of them is %1</source>
+        <translation>Dies ist eine Demo: Wählen Sie eine beliebige Person. Das Passwort ist bei allen %1</translation>
+    </message>
+    <message>
+        <source>This is the password that you were given. Choose another one.</source>
+        <translation>Das ist das Passwort, das Sie erhalten haben. Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>The password was not changed.
+%1</source>
+        <translation>Das Passwort wurde nicht geändert.
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::MainWindow</name>
+    <message>
+        <source>Demonstration site: invented people and scripted sessions. Do not record real training here.</source>
+        <translation>Demo-Standort: erfundene Personen und vorbereitete Sitzungen. Zeichnen Sie hier kein echtes Training auf.</translation>
+    </message>
+    <message>
+        <source>%1 - Chiron</source>
+        <translation>%1 - Chiron</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::MarkList</name>
+    <message>
+        <source>Penalties only</source>
+        <translation>Nur Abzüge</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Nothing of this kind happened.</source>
+        <translation>Nichts dergleichen ist vorgekommen.</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::MetricsTable</name>
+    <message>
+        <source>All metrics</source>
+        <translation>Alle Messgrößen</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>Benchmark</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Choose a row to read what it means.</source>
+        <translation>Wählen Sie eine Zeile, um zu lesen, was sie bedeutet.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Met</source>
+        <translation>Erreicht</translation>
+    </message>
+    <message>
+        <source>Not met</source>
+        <translation>Nicht erreicht</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::NameList</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Type your name, or choose it below</source>
+        <translation>Name eingeben oder unten auswählen</translation>
+    </message>
+    <message>
+        <source>People who can log in</source>
+        <translation>Personen, die sich anmelden können</translation>
+    </message>
+    <message>
+        <source>Nobody of this name can log in here. Ask an administrator to add you.</source>
+        <translation>Unter diesem Namen kann sich hier niemand anmelden. Bitten Sie die Administration, Sie hinzuzufügen.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::NewPasswordPage</name>
+    <message>
+        <source>Choose a password of your own</source>
+        <translation>Wählen Sie ein eigenes Passwort</translation>
+    </message>
+    <message>
+        <source>Your present password was set by somebody else. From the next login on, only the new one counts.</source>
+        <translation>Ihr jetziges Passwort hat jemand anderes festgelegt. Ab der nächsten Anmeldung gilt nur noch das neue.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Save and log in</source>
+        <translation>Speichern und anmelden</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PasswordFields</name>
+    <message>
+        <source>New password</source>
+        <translation>Neues Passwort</translation>
+    </message>
+    <message>
+        <source>The same password again</source>
+        <translation>Dasselbe Passwort noch einmal</translation>
+    </message>
+    <message>
+        <source>Show the password</source>
+        <translation>Passwort anzeigen</translation>
+    </message>
+    <message>
+        <source>Length: %1 characters or more</source>
+        <translation>Länge: mindestens %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>Variety: %1 different characters or more</source>
+        <translation>Vielfalt: mindestens %1 verschiedene Zeichen</translation>
+    </message>
+    <message>
+        <source>Not the login name</source>
+        <translation>Nicht der Anmeldename</translation>
+    </message>
+    <message>
+        <source>Both fields are the same</source>
+        <translation>Beide Felder stimmen überein</translation>
+    </message>
+    <message>
+        <source>Done: %1</source>
+        <translation>Erfüllt: %1</translation>
+    </message>
+    <message>
+        <source>Still missing: %1</source>
+        <translation>Fehlt noch: %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PlaybackPlots</name>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PlaybackScreen</name>
+    <message>
+        <source>Sessions to compare with could not be listed.</source>
+        <translation>Sitzungen zum Vergleichen konnten nicht aufgelistet werden.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>My first attempt, %1</source>
+        <translation>Mein erster Versuch, %1</translation>
+    </message>
+    <message>
+        <source>First attempt of %1, %2</source>
+        <translation>Erster Versuch von %1, %2</translation>
+    </message>
+    <message>
+        <source>My best attempt, %1</source>
+        <translation>Mein bester Versuch, %1</translation>
+    </message>
+    <message>
+        <source>Best attempt of %1, %2</source>
+        <translation>Bester Versuch von %1, %2</translation>
+    </message>
+    <message>
+        <source>No other completed session of this level</source>
+        <translation>Keine andere abgeschlossene Sitzung dieser Stufe</translation>
+    </message>
+    <message>
+        <source>The second session could not be read. This one is shown alone.</source>
+        <translation>Die zweite Sitzung konnte nicht gelesen werden. Diese wird allein gezeigt.</translation>
+    </message>
+    <message>
+        <source>Declared void: %1</source>
+        <translation>Für ungültig erklärt: %1</translation>
+    </message>
+    <message>
+        <source>%1, level %2: %3</source>
+        <translation>%1, Stufe %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 · %4</source>
+        <translation>%1 · %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>Debrief</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>Declare void …</source>
+        <translation>Für ungültig erklären …</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>Second session beside it</source>
+        <translation>Zweite Sitzung daneben</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>A session as it was recorded.
+
+Space plays and pauses. The arrow keys go one picture on or back, with Shift one second, with Ctrl to the next or last event; Home and End go to the ends. A click in a plot goes there too.
+
+Pauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
+
+Choose a second session to see it beside this one: each of its trials starts when the trial here starts, and it is drawn over the same sphere.</source>
+        <translation>Eine Sitzung, wie sie aufgezeichnet wurde.
+
+Die Leertaste startet und hält an. Die Pfeiltasten gehen ein Bild vor oder zurück, mit Umschalt eine Sekunde, mit Strg zum nächsten oder vorigen Ereignis; Pos1 und Ende gehen an die Enden. Ein Klick in ein Diagramm führt ebenfalls dorthin.
+
+Pausen sind schraffiert. Dreiecke auf der Zeitleiste sind Abzüge, Fahnen sind Antworten, Quadrate darunter sind Kommentare.
+
+Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durchgänge beginnt, wenn der Durchgang hier beginnt, und sie wird über derselben Kugel gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>One picture on</source>
+        <translation>Ein Bild vor</translation>
+    </message>
+    <message>
+        <source>One picture back</source>
+        <translation>Ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation>Nächstes Ereignis</translation>
+    </message>
+    <message>
+        <source>Last event</source>
+        <translation>Voriges Ereignis</translation>
+    </message>
+    <message>
+        <source>To the beginning</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>Zum Ende</translation>
+    </message>
+    <message>
+        <source>This recording is damaged and cannot be played back. Its scores are kept.</source>
+        <translation>Diese Aufzeichnung ist beschädigt und kann nicht wiedergegeben werden. Ihre Wertungen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>This session could not be opened</source>
+        <translation>Diese Sitzung konnte nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>Reading the recording …</source>
+        <translation>Aufzeichnung wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The recording was erased</source>
+        <translation>Die Aufzeichnung wurde gelöscht</translation>
+    </message>
+    <message>
+        <source>It was withdrawn at the person&apos;s wish. The scores are kept.</source>
+        <translation>Sie wurde auf Wunsch der Person gelöscht. Die Wertungen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>Open the debrief</source>
+        <translation>Auswertung öffnen</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded</source>
+        <translation>Nichts wurde aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>This session ended before its first sample. It is kept and listed.</source>
+        <translation>Diese Sitzung endete vor ihrem ersten Messpunkt. Sie bleibt erhalten und in der Liste.</translation>
+    </message>
+    <message>
+        <source>The scene at this moment</source>
+        <translation>Die Szene in diesem Moment</translation>
+    </message>
+    <message>
+        <source>Trial %1 · paused · force %2 · speed %3</source>
+        <translation>Durchgang %1 · Pause · Kraft %2 · Geschwindigkeit %3</translation>
+    </message>
+    <message>
+        <source>Trial %1 · force %2 · speed %3</source>
+        <translation>Durchgang %1 · Kraft %2 · Geschwindigkeit %3</translation>
+    </message>
+    <message>
+        <source>The comments could not be read.</source>
+        <translation>Die Kommentare konnten nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The comment was not stored. Its text is still there.</source>
+        <translation>Der Kommentar wurde nicht gespeichert. Sein Text ist noch da.</translation>
+    </message>
+    <message>
+        <source>The session was not declared void; nothing was changed.</source>
+        <translation>Die Sitzung wurde nicht für ungültig erklärt; es wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>The session is void. Recording and scores are kept.</source>
+        <translation>Die Sitzung ist ungültig. Aufzeichnung und Wertungen bleiben erhalten.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RecoveryCodePanel</name>
+    <message>
+        <source>Your recovery code</source>
+        <translation>Ihr Wiederherstellungscode</translation>
+    </message>
+    <message>
+        <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy, and nobody else can let the first administrator in again. Keep it where you keep keys.</source>
+        <translation>Mit diesem Code können Sie ein neues Passwort festlegen, falls Sie Ihres vergessen. Er wird nur jetzt gezeigt: Das Programm bewahrt keine lesbare Kopie auf, und niemand sonst kann der ersten Administration wieder Zugang geben. Bewahren Sie ihn auf wie einen Schlüssel.</translation>
+    </message>
+    <message>
+        <source>Recovery code: %1</source>
+        <translation>Wiederherstellungscode: %1</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Kopiert</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>I have written the code down</source>
+        <translation>Ich habe den Code aufgeschrieben</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Chiron: recovery code of %1
+
+%2
+
+Keep it where you keep keys.</source>
+        <translation>Chiron: Wiederherstellungscode von %1
+
+%2
+
+Bewahren Sie ihn auf wie einen Schlüssel.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RecoveryPage</name>
+    <message>
+        <source>Forgot your password?</source>
+        <translation>Passwort vergessen?</translation>
+    </message>
+    <message>
+        <source>Ask an administrator of this site: under People, &quot;Reset password&quot; gives you a new one to log in with. Your sessions and scores are kept.</source>
+        <translation>Fragen Sie die Administration dieses Standorts: Unter „Personen“ erhalten Sie mit „Passwort zurücksetzen“ ein neues zum Anmelden. Ihre Sitzungen und Wertungen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>The first administrator can use the recovery code that was shown when the site was set up.</source>
+        <translation>Die erste Administration kann den Wiederherstellungscode verwenden, der beim Einrichten des Standorts gezeigt wurde.</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Recovery code</source>
+        <translation>Wiederherstellungscode</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Set the password</source>
+        <translation>Passwort festlegen</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ResultsScreen</name>
+    <message>
+        <source>My results</source>
+        <translation>Meine Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Every session you did, and how you are getting on.
+
+Choose an exercise, a level and what is to be drawn. The curve has a point for each completed attempt; force that was felt and force that was only shown are lines of their own and are never compared. The line across is the pass mark, the band what others reached.
+
+Return or a double click opens an attempt. &quot;Export my data&quot; writes everything that is held about you into a folder of your choice.</source>
+        <translation>Alle Ihre Sitzungen und wie Sie vorankommen.
+
+Wählen Sie eine Übung, eine Stufe und was gezeichnet werden soll. Die Kurve hat einen Punkt für jeden abgeschlossenen Versuch; gefühlte und nur gezeigte Kraft haben eigene Linien und werden nie verglichen. Die Querlinie ist die Bestehensgrenze, der Bereich das, was andere erreicht haben.
+
+Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schreibt alles, was über Sie gespeichert ist, in einen Ordner Ihrer Wahl.</translation>
+    </message>
+    <message>
+        <source>Export my data</source>
+        <translation>Meine Daten exportieren</translation>
+    </message>
+    <message>
+        <source>Your results could not be read</source>
+        <translation>Ihre Ergebnisse konnten nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>Reading your results …</source>
+        <translation>Ihre Ergebnisse werden gelesen …</translation>
+    </message>
+    <message>
+        <source>No results yet</source>
+        <translation>Noch keine Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Your first session will be here, with its scores and its playback.</source>
+        <translation>Hier erscheint Ihre erste Sitzung, mit Wertungen und Wiedergabe.</translation>
+    </message>
+    <message>
+        <source>Choose an exercise</source>
+        <translation>Übung wählen</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Open the attempt</source>
+        <translation>Versuch öffnen</translation>
+    </message>
+    <message>
+        <source>Your data</source>
+        <translation>Ihre Daten</translation>
+    </message>
+    <message>
+        <source>A copy of everything that is held about you: your account, sessions, scores, comments and samples. It is yours to keep; nothing is removed here.</source>
+        <translation>Eine Kopie von allem, was über Sie gespeichert ist: Konto, Sitzungen, Wertungen, Kommentare und Messpunkte. Sie gehört Ihnen; hier wird nichts entfernt.</translation>
+    </message>
+    <message>
+        <source>Export my data …</source>
+        <translation>Meine Daten exportieren …</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>Where should your data go?</source>
+        <translation>Wohin sollen Ihre Daten?</translation>
+    </message>
+    <message>
+        <source>Writing your data …</source>
+        <translation>Ihre Daten werden geschrieben …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Your data was written to %1.</source>
+        <translation>Ihre Daten wurden in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Your data could not be written completely.</source>
+        <translation>Ihre Daten konnten nicht vollständig geschrieben werden.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::Scrubber</name>
+    <message>
+        <source>Position in the recording</source>
+        <translation>Position in der Aufzeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SettingsScreen</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>How the program looks and sounds on this station.
+
+Every choice takes effect at once and is remembered on this computer. Nothing here changes what is recorded or how it is scored.</source>
+        <translation>So sieht das Programm an diesem Arbeitsplatz aus, und so klingt es.
+
+Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davon ändert, was aufgezeichnet oder wie es gewertet wird.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Size of text and controls</source>
+        <translation>Größe von Text und Bedienelementen</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Play contact and limit sounds while training</source>
+        <translation>Beim Training Töne für Kontakt und Grenze abspielen</translation>
+    </message>
+    <message>
+        <source>Everything that can be heard is also shown.</source>
+        <translation>Alles Hörbare wird auch angezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SideBar</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Switch user</source>
+        <translation>Person wechseln</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StatePanel</name>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TrainingScreen</name>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Storing and scoring the session …</source>
+        <translation>Sitzung wird gespeichert und gewertet …</translation>
+    </message>
+    <message>
+        <source>The session could not be run</source>
+        <translation>Die Sitzung konnte nicht durchgeführt werden</translation>
+    </message>
+    <message>
+        <source>End the session now?</source>
+        <translation>Sitzung jetzt beenden?</translation>
+    </message>
+    <message>
+        <source>End the session</source>
+        <translation>Sitzung beenden</translation>
+    </message>
+    <message>
+        <source>A session is running. End it and leave?</source>
+        <translation>Eine Sitzung läuft. Beenden und verlassen?</translation>
+    </message>
+    <message>
+        <source>End and leave</source>
+        <translation>Beenden und verlassen</translation>
+    </message>
+    <message>
+        <source>Preparing the scene …</source>
+        <translation>Szene wird vorbereitet …</translation>
+    </message>
+    <message>
+        <source>What is recorded is kept. The session counts as stopped, not as completed.</source>
+        <translation>Aufgezeichnetes bleibt erhalten. Die Sitzung gilt als abgebrochen, nicht als abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Keep training</source>
+        <translation>Weiter trainieren</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Training</translation>
+    </message>
+    <message>
+        <source>Here you work. On the left you see the scene, on the right what is measured, below the controls. A level shows only what belongs to it; what is hidden is still recorded.
+
+%1
+
+Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it is.
+
+After the last trial the debrief opens by itself.</source>
+        <translation>Hier arbeiten Sie. Links sehen Sie die Szene, rechts die Messwerte, unten die Bedienelemente. Eine Stufe zeigt nur, was zu ihr gehört; Verborgenes wird trotzdem aufgezeichnet.
+
+%1
+
+„Kraft stoppen“ nimmt die Kraft sofort weg, und die Uhr steht. „Freigeben“ bringt sie langsam zurück. „Pause“ lässt alles, wie es ist.
+
+Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
+    </message>
+    <message>
+        <source>Stop force</source>
+        <translation>Kraft stoppen</translation>
+    </message>
+    <message>
+        <source>Pause or go on</source>
+        <translation>Pause oder weiter</translation>
+    </message>
+    <message>
+        <source>Re-arm force</source>
+        <translation>Kraft freigeben</translation>
+    </message>
+    <message>
+        <source>Mark this place</source>
+        <translation>Diese Stelle markieren</translation>
+    </message>
+    <message>
+        <source>Sound on or off</source>
+        <translation>Ton an oder aus</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TransportBar</name>
+    <message>
+        <source>To the beginning (Home)</source>
+        <translation>Zum Anfang (Pos1)</translation>
+    </message>
+    <message>
+        <source>One picture back (Left)</source>
+        <translation>Ein Bild zurück (Links)</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>One picture on (Right)</source>
+        <translation>Ein Bild vor (Rechts)</translation>
+    </message>
+    <message>
+        <source>To the end (End)</source>
+        <translation>Zum Ende (Ende)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::VoidDialog</name>
+    <message>
+        <source>Declare this session void</source>
+        <translation>Diese Sitzung für ungültig erklären</translation>
+    </message>
+    <message>
+        <source>Declare this session void?</source>
+        <translation>Diese Sitzung für ungültig erklären?</translation>
+    </message>
+    <message>
+        <source>Recording, scores and comments stay and can still be looked at. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are kept with it, and it cannot be taken back.</source>
+        <translation>Aufzeichnung, Wertungen und Kommentare bleiben und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: keine Anforderung, keine Kurve, kein Zertifikat. Ihr Name und die Begründung bleiben dabei gespeichert, und es lässt sich nicht zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Reason (the trainee can read it)</source>
+        <translation>Begründung (für die lernende Person lesbar)</translation>
+    </message>
+    <message>
+        <source>Keep it as it is</source>
+        <translation>So lassen</translation>
+    </message>
+    <message>
+        <source>Declare void</source>
+        <translation>Für ungültig erklären</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::FlatCanvas</name>
+    <message>
+        <source>Operating field from above and from the side</source>
+        <translation>Arbeitsfeld von oben und von der Seite</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>Von der Seite</translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation>x (mm)</translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation>y (mm)</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::ForceGauge</name>
+    <message>
+        <source>Force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::Qt3DSceneView</name>
+    <message>
+        <source>Operating field in three dimensions</source>
+        <translation>Arbeitsfeld in drei Dimensionen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::SceneLoader</name>
+    <message>
+        <source>Drawn in two dimensions: 3D is switched off on this station.</source>
+        <translation>2D-Darstellung: 3D ist an diesem Arbeitsplatz ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Drawn in two dimensions: OpenGL is not available here.</source>
+        <translation>2D-Darstellung: OpenGL ist hier nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>Drawn in two dimensions: the 3D part of Chiron is not installed.</source>
+        <translation>2D-Darstellung: Der 3D-Teil von Chiron ist nicht installiert.</translation>
+    </message>
+    <message>
+        <source>Drawn in two dimensions: the 3D part of Chiron could not be loaded (%1).</source>
+        <translation>2D-Darstellung: Der 3D-Teil von Chiron konnte nicht geladen werden (%1).</translation>
+    </message>
+    <message>
+        <source>Drawn in two dimensions: the 3D part belongs to another version of Chiron. Installing Chiron again repairs this.</source>
+        <translation>2D-Darstellung: Der 3D-Teil gehört zu einer anderen Version von Chiron. Installieren Sie Chiron neu, um das zu beheben.</translation>
+    </message>
+    <message>
+        <source>Drawn in two dimensions: this exercise has no 3D scene.</source>
+        <translation>2D-Darstellung: Diese Übung hat keine 3D-Szene.</translation>
+    </message>
+</context>
+<context>
+    <name>report</name>
+    <message>
+        <source>no pass mark</source>
+        <translation>keine Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>pass mark %1</source>
+        <translation>Bestehensgrenze %1</translation>
+    </message>
+    <message>
+        <source>✓ met: %1</source>
+        <translation>✓ erreicht: %1</translation>
+    </message>
+    <message>
+        <source>✗ not met: %1</source>
+        <translation>✗ nicht erreicht: %1</translation>
+    </message>
+    <message>
+        <source>Benchmark %1</source>
+        <translation>Referenz %1</translation>
+    </message>
+    <message>
+        <source>Benchmark %1, %2</source>
+        <translation>Referenz %1, %2</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION: invented people and results, not for assessment</source>
+        <translation>DEMO: erfundene Personen und Ergebnisse, nicht zur Beurteilung</translation>
+    </message>
+    <message>
+        <source>SIMULATED OPERATOR: a scripted hand, not a person</source>
+        <translation>SIMULIERTE HAND: vom Programm geführt, keine Person</translation>
+    </message>
+    <message>
+        <source>Unnamed person</source>
+        <translation>Person ohne Namen</translation>
+    </message>
+    <message>
+        <source>%1 · level %2: %3</source>
+        <translation>%1 · Stufe %2: %3</translation>
+    </message>
+    <message>
+        <source>–  No pass mark is set for this level</source>
+        <translation>–  Für diese Stufe ist keine Bestehensgrenze festgelegt</translation>
+    </message>
+    <message>
+        <source>!  Does not count: %1</source>
+        <translation>!  Zählt nicht: %1</translation>
+    </message>
+    <message>
+        <source>its state is not known</source>
+        <translation>ihr Zustand ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>✓  Passed: every pass mark was met</source>
+        <translation>✓  Bestanden: Jede Bestehensgrenze wurde erreicht</translation>
+    </message>
+    <message>
+        <source>✗  Not passed</source>
+        <translation>✗  Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>%1 was %2, pass mark %3</source>
+        <translation>%1: %2, Bestehensgrenze %3</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>gefühlt</translation>
+    </message>
+    <message>
+        <source>shown, not felt</source>
+        <translation>gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>All metrics</source>
+        <translation>Alle Messgrößen</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>nicht definiert</translation>
+    </message>
+    <message>
+        <source>✓ met</source>
+        <translation>✓ erreicht</translation>
+    </message>
+    <message>
+        <source>✗ not met</source>
+        <translation>✗ nicht erreicht</translation>
+    </message>
+    <message>
+        <source>No metrics were computed</source>
+        <translation>Es wurden keine Messgrößen berechnet</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>Benchmark</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Error in locating the apex</source>
+        <translation>Abweichung vom Scheitel</translation>
+    </message>
+    <message>
+        <source>The session over time</source>
+        <translation>Die Sitzung im Zeitverlauf</translation>
+    </message>
+    <message>
+        <source>Where these numbers come from</source>
+        <translation>Woher diese Zahlen stammen</translation>
+    </message>
+    <message>
+        <source>Recorded frames</source>
+        <translation>Aufgezeichnete Messpunkte</translation>
+    </message>
+    <message>
+        <source>Dropped frames</source>
+        <translation>Verlorene Messpunkte</translation>
+    </message>
+    <message>
+        <source>Stored bytes</source>
+        <translation>Gespeicherte Bytes</translation>
+    </message>
+    <message>
+        <source>Ticks, of them late</source>
+        <translation>Takte, davon verspätet</translation>
+    </message>
+    <message>
+        <source>Lateness: median, 99 %</source>
+        <translation>Verspätung: Median, 99 %</translation>
+    </message>
+    <message>
+        <source>ran as fast as the machine can</source>
+        <translation>lief so schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Latest tick</source>
+        <translation>Größte Verspätung</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Programmstand</translation>
+    </message>
+    <message>
+        <source>Content (SHA-256)</source>
+        <translation>Inhalt (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Recording (BLAKE2b)</source>
+        <translation>Aufzeichnung (BLAKE2b)</translation>
+    </message>
+    <message>
+        <source>Score (BLAKE2b)</source>
+        <translation>Wertung (BLAKE2b)</translation>
+    </message>
+    <message>
+        <source>completed</source>
+        <translation>abgeschlossen</translation>
+    </message>
+    <message>
+        <source>stopped by the person</source>
+        <translation>von der Person abgebrochen</translation>
+    </message>
+    <message>
+        <source>interrupted: the program ended during the session</source>
+        <translation>unterbrochen: Das Programm endete während der Sitzung</translation>
+    </message>
+    <message>
+        <source>incomplete: samples were lost</source>
+        <translation>unvollständig: Messpunkte gingen verloren</translation>
+    </message>
+    <message>
+        <source>faulted: the device or supervisor stopped it</source>
+        <translation>gestört: von Gerät oder Sicherheitsüberwachung gestoppt</translation>
+    </message>
+    <message>
+        <source>voided by a trainer</source>
+        <translation>von einer ausbildenden Person für ungültig erklärt</translation>
+    </message>
+    <message>
+        <source>Session report</source>
+        <translation>Sitzungsbericht</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>Demo</translation>
+    </message>
+    <message>
+        <source>no recording digest</source>
+        <translation>keine Prüfsumme der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>No samples were recorded</source>
+        <translation>Es wurden keine Messpunkte aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Position of the tool tip</source>
+        <translation>Position der Instrumentenspitze</translation>
+    </message>
+    <message>
+        <source>Position (mm)</source>
+        <translation>Position (mm)</translation>
+    </message>
+    <message>
+        <source>Force on the tool</source>
+        <translation>Kraft am Instrument</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>over the limit</source>
+        <translation>über der Grenze</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>commanded</source>
+        <translation>vorgegeben</translation>
+    </message>
+    <message>
+        <source>tissue (assessed)</source>
+        <translation>Gewebe (gewertet)</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation>Grenze %1</translation>
+    </message>
+    <message>
+        <source>Speed of the tool tip</source>
+        <translation>Geschwindigkeit der Instrumentenspitze</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Geschwindigkeit (mm/s)</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Where the marks lie on the sphere</source>
+        <translation>Lage der Markierungen auf der Kugel</translation>
+    </message>
+    <message>
+        <source>Error in x (% of radius)</source>
+        <translation>Abweichung in x (% des Radius)</translation>
+    </message>
+    <message>
+        <source>Error in y (% of radius)</source>
+        <translation>Abweichung in y (% des Radius)</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>miss</source>
+        <translation>Fehlversuch</translation>
+    </message>
+    <message>
+        <source>No trial was marked</source>
+        <translation>Kein Durchgang wurde markiert</translation>
+    </message>
+    <message>
+        <source>% error in locating virtual spheres</source>
+        <translation>% Abweichung beim Orten virtueller Kugeln</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>Error (% of radius)</source>
+        <translation>Abweichung (% des Radius)</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>mean ± SD</source>
+        <translation>Mittelwert ± SD</translation>
+    </message>
+    <message>
+        <source>No sessions to compare</source>
+        <translation>Keine Sitzungen zum Vergleichen</translation>
+    </message>
+</context>
 </TS>
