@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/program.h"
+#include "desktop/frame/start_trace.h"
 
 #include <QStyleFactory>
 
 int main(int argc, char** argv) {
+    chiron::desktop::traceStart("main");
     qputenv("QT3D_RENDERER", "opengl"); // faster than the other back end where the rasteriser is software
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("chiron"));

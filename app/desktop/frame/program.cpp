@@ -5,6 +5,7 @@
 #include "desktop/frame/instance_link.h"
 #include "desktop/frame/languages.h"
 #include "desktop/frame/main_window.h"
+#include "desktop/frame/start_trace.h"
 
 #include <QCommandLineParser>
 #include <QDir>
@@ -58,21 +59,26 @@ int runProgram(QApplication& application) {
     arguments.addOption({QStringLiteral("settings"), QStringLiteral("Where look and language are remembered (default: the user's own)."),
                          QStringLiteral("FILE")});
     arguments.process(application);
+    traceStart("application");
 
     Settings settings(arguments.value(QStringLiteral("settings")));
     DesktopSite site(databaseFile(arguments));
     AppContext context(site, settings);
     applyAppearance(application, context);
+    traceStart("appearance");
     QObject::connect(&context, &AppContext::appearanceChanged, &application, [&] { applyAppearance(application, context); });
     MainWindow window(context); // after the connection above: the window is built anew in the new look
     context.navigator().replace({site.exists() ? QStringLiteral("login") : QStringLiteral("first_start"), {}});
     QObject::connect(&window, &MainWindow::firstPainted, &context, [&] {
+        traceStart("first_paint");
         if (site.exists())
             context.openSite();
     });
     InstanceLink link(site.file());
     connectInstances(context, window, link, application);
+    traceStart("window_made");
     window.show();
+    traceStart("window_shown");
     const int status = QApplication::exec();
     context.background().cancelAndWait();
     return status;

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/upkeep/upkeep.h"
+#include "desktop/station/station_words.h"
+#include "desktop/storage/storage_words.h"
+#include "realtime/virtual_clock.h"
+#include "session/backup_list.h"
+#include "session/integrity_check.h"
+#include "session/level_standing.h"
+#include "session/loop_self_test.h"
+#include "support/desktop_fixture.h"
+
+#include <QDir>
+
+using namespace chiron;
+using namespace chiron::desktop;
+using database::SessionState;
+
+namespace {
+
+database::SessionSummary attempt(database::SessionId id, int level, SessionState state, std::optional<bool> passed, bool felt = true) {
+    database::SessionSummary session;
+    session.id = id;
+    session.exercise = "sphere_apex";
+    session.level = level;
+    session.state = state;
+    session.passed = passed;
+    session.felt = felt;
+    return session;
+}
+
+/// Late by 300 µs at every hundredth tick.
+struct LateClock {
+    realtime::VirtualClock clock;
+    int ticks = 0;
+    std::int64_t now_ns() const noexcept { return clock.now_ns(); }
+    void waitUntil(std::int64_t deadline_ns) noexcept {
+        if (++ticks % 100 == 0)
+            clock.delayNextWake(300'000);
+        clock.waitUntil(deadline_ns);
+    }
+};
+
+} // namespace
+
+/// What the screens of lists and upkeep are made of, without a window.
+class TestListsRules : public QObject {
+    Q_OBJECT
+private slots:
+    void standingsCountWhatCounts() {
+        const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+        QVERIFY(catalogue);
+        std::vector<database::SessionSummary> own;
+        auto fresh = session::levelStandings(*catalogue, own);
+        QCOMPARE(fresh.size(), std::size_t{4});
+        QCOMPARE(session::nextStep(fresh)->level, 1);
+        QVERIFY(fresh[0].standing() == session::Standing::fresh);
+
+        own.push_back(attempt(1, 1, SessionState::completed, true));
+        own.push_back(attempt(2, 2, SessionState::completed, false, false));
+        auto voided = attempt(3, 3, SessionState::voided, true);
+        auto practice = attempt(4, 4, SessionState::completed, true);
+        practice.familiarisation = true;
+        auto script = attempt(5, 3, SessionState::completed, true);
+        script.operatorName = "expert";
+        own.insert(own.end(), {voided, practice, script});
+        const auto standings = session::levelStandings(*catalogue, own);
+        QVERIFY(standings[0].passedFelt && !standings[0].passedShown);
+        QVERIFY(standings[1].standing() == session::Standing::tried);
+        QVERIFY(standings[2].standing() == session::Standing::fresh); // voided, and a script's hand
+        QVERIFY(standings[3].standing() == session::Standing::fresh); // familiarisation
+        QCOMPARE(session::nextStep(standings)->level, 2);
+
+        script.demonstration = true; // on a demonstration site scripts stand in for people
+        own.push_back(script);
+        QVERIFY(session::levelStandings(*catalogue, own)[2].passedFelt);
+        own.push_back(attempt(6, 3, SessionState::stopped, true));
+        QCOMPARE(session::nextStep(session::levelStandings(*catalogue, own))->level, 2);
+    }
+
+    void nextStepFollowsTheLatestTryAndEnds() {
+        std::vector<session::LevelStanding> standings(3);
+        for (int i = 0; i < 3; ++i)
+            standings[static_cast<std::size_t>(i)].level = i + 1;
+        standings[2].attempts = 1;
+        standings[2].latest = 9;
+        QCOMPARE(session::nextStep(standings)->level, 3); // jumped ahead and is at it
+        standings[2].passedShown = true;
+        QCOMPARE(session::nextStep(standings)->level, 1);
+        standings[0].passedFelt = standings[1].passedFelt = true;
+        QVERIFY(!session::nextStep(standings));
+        QVERIFY(!session::nextStep({}));
+    }
+
+    void troubleComesFirst() {
+        const int fault = session::attentionRank(attempt(1, 1, SessionState::faulted, {}));
+        const int failed = session::attentionRank(attempt(1, 1, SessionState::completed, false));
+        const int passed = session::attentionRank(attempt(1, 1, SessionState::completed, true));
+        QVERIFY(fault < failed && failed < passed);
+        QCOMPARE(session::attentionRank(attempt(1, 1, SessionState::interrupted, {})), fault);
+    }
+
+    void roomIsSaidInWords() {
+        const QLocale locale(QLocale::English, QLocale::UnitedKingdom);
+        session::StorageRoom room{0, 50ULL << 30, 100ULL << 30, 1ULL << 30, 4ULL << 20};
+        QVERIFY(StorageWords::room(room, locale).isGood());
+        room.diskFree_bytes = session::kLowDisk_bytes - 1;
+        QVERIFY(session::diskState(room) == session::RoomState::low);
+        QCOMPARE(QLatin1String(StorageWords::room(room, locale).kind), QLatin1String("warning"));
+        QVERIFY(StorageWords::room(room, locale).text.contains(QStringLiteral("2.1 GB"))); // the number with its unit
+        room.diskFree_bytes = 1;
+        QCOMPARE(QLatin1String(StorageWords::room(room, locale).kind), QLatin1String("bad"));
+        room.diskFree_bytes = 50ULL << 30;
+        room.ringFree_bytes = room.ringNeeded_bytes - 1;
+        QVERIFY(session::ringState(room) == session::RoomState::none);
+        QVERIFY(StorageWords::room(room, locale).text.contains(QStringLiteral("refused")));
+        room.ringFree_bytes = room.ringNeeded_bytes * 2;
+        QVERIFY(session::ringState(room) == session::RoomState::low);
+    }
+
+    void backupsGrowOld() {
+        const QLocale locale(QLocale::English, QLocale::UnitedKingdom);
+        const QDateTime now(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC);
+        QVERIFY(!StorageWords::backup({}, now, locale).isGood());
+        QVERIFY(StorageWords::backup("2026-11-19T12:00:00.000Z", now, locale).isGood());
+        QVERIFY(!StorageWords::backup("2026-11-10T12:00:00.000Z", now, locale).isGood());
+    }
+
+    void loopReportIsStoredAndReadBack() {
+        haptics::LoopStatistics statistics;
+        for (int i = 0; i < 990; ++i)
+            statistics.add({1'500, 400, 0});
+        for (int i = 0; i < 10; ++i)
+            statistics.add({300'000, 400, 1});
+        session::LoopReport report;
+        report.ticks = 1000;
+        report.skipped = 10;
+        report.priorityDetail = "no \"priority\"";
+        session::setPunctuality(report, statistics);
+        QCOMPARE(report.late, std::uint64_t{10});
+        QCOMPARE(report.lateness->counts[0], std::uint64_t{990}); // up to 2 µs
+        QCOMPARE(report.lateness->counts[7], std::uint64_t{10});  // up to 500 µs
+        const auto back = session::loopReportFrom(session::loopJson(report));
+        QVERIFY(back);
+        QVERIFY(back->lateness == report.lateness);
+        QCOMPARE(back->priorityDetail, report.priorityDetail);
+        QCOMPARE(back->p50_us, report.p50_us);
+        QVERIFY(!session::loopReportFrom("[]"));
+        const auto old = session::loopReportFrom(R"({"ticks":5,"realtime":true,"p50_us":1.5})"); // stored before bins were kept
+        QVERIFY(old && !old->lateness && old->p50_us == 1.5);
+    }
+
+    void selfTestOnAVirtualClock() {
+        LateClock clock;
+        session::SelfTestTask task(10'000);
+        std::atomic<bool> stop{false};
+        const session::LoopReport report = session::runSelfTest(clock, task, stop);
+        QCOMPARE(report.ticks, std::uint64_t{10'000});
+        QCOMPARE(report.late, std::uint64_t{100});
+        QCOMPARE(report.lateness->counts[7], std::uint64_t{100});
+        QCOMPARE(report.skipped, std::uint64_t{0});
+        QCOMPARE(task.done(), std::uint64_t{10'000});
+        QCOMPARE(QLatin1String(StationWords::verdictKind(report)), QLatin1String("warning")); // 1 % late
+        stop = true;
+        session::SelfTestTask stopped(10'000);
+        QCOMPARE(session::runSelfTest(clock, stopped, stop).ticks, std::uint64_t{0});
+    }
+
+    void damagedBackupDoesNotVerify() {
+        tests::DesktopFixture desktop;
+        desktop.addSession("tina", 1, "expert", 1, 1, 5.0);
+        const std::string place = (desktop.folder() + QStringLiteral("/copies")).toStdString();
+        QDir().mkpath(QString::fromStdString(place));
+        QVERIFY(session::listBackups(place).empty());
+        QVERIFY(session::listBackups(place + "/nowhere").empty());
+        const auto made = database::Upkeep::backup(desktop.database(), desktop.actor("ada"), place + "/one");
+        QVERIFY2(made, made ? "" : made.error().message.c_str());
+        const auto listed = session::listBackups(place);
+        QCOMPARE(listed.size(), std::size_t{1});
+        QCOMPARE(listed[0].bytes, made->bytes);
+        const std::string site = desktop.file().toStdString();
+        QVERIFY(session::verifyBackup(listed[0].folder, site, desktop.options()).ok());
+        QFile copy(QString::fromStdString(listed[0].folder + "/chiron.db"));
+        QVERIFY(copy.open(QIODevice::ReadWrite));
+        QVERIFY(copy.seek(copy.size() / 2));
+        QVERIFY(copy.write("damage") == 6);
+        copy.close();
+        QVERIFY(!session::verifyBackup(listed[0].folder, site, desktop.options()).findings.empty());
+    }
+
+    void backupAndVerifyCanBeStopped() {
+        tests::DesktopFixture desktop;
+        desktop.addSession("tina", 1, "expert", 1, 1, 5.0);
+        const std::atomic<bool> stop{true};
+        const QString folder = desktop.folder() + QStringLiteral("/stopped");
+        const auto made = database::Upkeep::backup(desktop.database(), desktop.actor("ada"), folder.toStdString(), &stop);
+        QVERIFY(!made && made.error().code == core::ErrorCode::cancelled);
+        QVERIFY(!QFileInfo::exists(folder) && !QFileInfo::exists(folder + QStringLiteral(".partial")));
+        std::uint64_t of = 0;
+        int asked = 0;
+        auto report = session::verifyEverything(desktop.file().toStdString(), desktop.options(), [&](std::uint64_t, std::uint64_t all) {
+            of = all;
+            return ++asked < 2;
+        });
+        QVERIFY(report.cancelled && !report.ok() && report.findings.empty() && of > 0);
+        QCOMPARE(asked, 2); // not asked again once it said stop
+        std::uint64_t last = 0;
+        report = session::verifyEverything(desktop.file().toStdString(), desktop.options(), [&](std::uint64_t done, std::uint64_t all) {
+            of = all;
+            const bool forward = done >= last && done <= all;
+            last = done;
+            return forward;
+        });
+        QVERIFY(report.ok() && last > of / 2);
+    }
+};
+
+QTEST_MAIN(TestListsRules)
+#include "test_lists_rules.moc"

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/repositories/session_reader.h"
+#include "desktop/frame/message_bar.h"
+#include "desktop/home/exercises_screen.h"
+#include "desktop/home/home_screen.h"
+#include "desktop/sessions/session_table_model.h"
+#include "desktop/sessions/sessions_screen.h"
+#include "desktop/station/lateness_chart.h"
+#include "desktop/station/station_screen.h"
+#include "desktop/widgets/state_panel.h"
+#include "gui/lists/many_sessions.h"
+#include "support/desktop_fixture.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+
+using namespace chiron;
+using namespace chiron::desktop;
+
+namespace {
+
+using tests::DesktopFixture;
+
+Place here(DesktopFixture& desktop) {
+    return desktop.context.navigator().current();
+}
+
+StatePanel* panel(DesktopFixture& desktop) {
+    return desktop.window->screen()->findChild<StatePanel*>();
+}
+
+bool loaded(DesktopFixture& desktop) {
+    return QTest::qWaitFor([&desktop] { return panel(desktop) && panel(desktop)->state() == StatePanel::State::content; }, 10000);
+}
+
+SessionsScreen* openSessions(DesktopFixture& desktop, const QVariantMap& filter = {}) {
+    desktop.go(QStringLiteral("sessions"), filter);
+    auto* screen = desktop.screen<SessionsScreen>();
+    return QTest::qWaitFor([screen] { return screen->isComplete(); }, 10000) ? screen : nullptr;
+}
+
+core::Result<database::SessionRecord> stored(DesktopFixture& desktop, database::SessionId id) {
+    auto reader = desktop.database().openReader();
+    return database::SessionReader(**reader, desktop.actor("ada")).session(id);
+}
+
+} // namespace
+
+/// Home, sessions and station as people use them.
+class TestListsScreens : public QObject {
+    Q_OBJECT
+private slots:
+    void traineeContinuesByOneKey() {
+        DesktopFixture desktop;
+        desktop.logIn("tina");
+        QVERIFY(loaded(desktop));
+        QTRY_VERIFY(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QLatin1String("home.continue"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QCOMPARE(here(desktop).screen, QStringLiteral("exercise_setup"));
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("level")).toInt(), 1);
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("exercise")).toString(), QStringLiteral("sphere_apex"));
+    }
+
+    void homeSaysWhereSomebodyStands() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 8);
+        desktop.logIn("tina");
+        QVERIFY(loaded(desktop));
+        QVERIFY(desktop.find<QPushButton>(QStringLiteral("home.session.8")));
+        auto* first = desktop.find<QPushButton>(QStringLiteral("exercise.sphere_apex.1"));
+        QVERIFY(first && first->accessibleName().contains(QStringLiteral("Passed by touch")));
+        QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("home.session.8")), Qt::LeftButton);
+        QCOMPARE(here(desktop).screen, QStringLiteral("debrief"));
+        desktop.go(QStringLiteral("exercises"));
+        QVERIFY(desktop.screen<ExercisesScreen>() && loaded(desktop));
+        QVERIFY(desktop.find<QPushButton>(QStringLiteral("exercise.sphere_apex.4")));
+    }
+
+    void trainerSeesTroubleFirst() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo")}, 60);
+        desktop.logIn("tom");
+        QVERIFY(loaded(desktop));
+        QStringList names;
+        for (const auto* button : desktop.window->findChildren<QPushButton*>())
+            if (button->objectName().startsWith(QLatin1String("home.session.")))
+                names << button->accessibleName();
+        QVERIFY(names.size() >= 4);
+        QVERIFY(!names.first().contains(QStringLiteral("Passed")) || names.first().contains(QStringLiteral("Not passed")));
+        QVERIFY(names.first().contains(QStringLiteral("tina")) || names.first().contains(QStringLiteral("theo")));
+        QVERIFY(!desktop.find<QPushButton>(QStringLiteral("home.continue"))); // not a trainee
+        QVERIFY(!desktop.find<QPushButton>(QStringLiteral("home.storage")));
+    }
+
+    void administratorSeesTheStateOfTheSite() {
+        DesktopFixture desktop;
+        desktop.logIn("ada");
+        QVERIFY(loaded(desktop));
+        for (const char* name : {"home.people", "home.storage", "home.station"})
+            QVERIFY2(desktop.find<QPushButton>(QLatin1String(name)), name);
+    }
+
+    void whatACrashLeftIsTold() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo")}, 2);
+        auto file = desktop.database().file();
+        desktop.context.background().cancelAndWait();
+        desktop.site.close();
+        auto opened = database::Database::openForWriting(file, desktop.options());
+        QVERIFY(opened);
+        desktop.site.setOpened(std::move(*opened), {{1, 500, 40, ""}, {2, 0, 0, "the ring is damaged"}});
+        desktop.logIn("ada");
+        QVERIFY(loaded(desktop));
+        QVERIFY(desktop.find<QWidget>(QStringLiteral("home.recovered.1")));
+        QVERIFY(desktop.find<QWidget>(QStringLiteral("home.recovered.2")));
+        desktop.logIn("tina"); // her own, and nobody else's
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(loaded(desktop));
+        QVERIFY(desktop.find<QWidget>(QStringLiteral("home.recovered.1")));
+        QVERIFY(!desktop.find<QWidget>(QStringLiteral("home.recovered.2")));
+    }
+
+    void anySessionOpensInThreeActions() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo")}, 300);
+        desktop.logIn("tom");
+        QVERIFY(loaded(desktop));
+        QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("nav.sessions")), Qt::LeftButton); // 1
+        auto* screen = desktop.screen<SessionsScreen>();
+        QTRY_VERIFY(screen && screen->isComplete());
+        auto* table = desktop.find<QTableView>(QStringLiteral("sessions.table"));
+        QTRY_COMPARE(QApplication::focusWidget(), table);
+        QTest::keyClick(desktop.window.get(), Qt::Key_F, Qt::ControlModifier);
+        auto* search = desktop.find<QLineEdit>(QStringLiteral("sessions.search"));
+        QTRY_COMPARE(QApplication::focusWidget(), search);
+        QTest::keyClicks(search, QStringLiteral("123")); // 2
+        QCOMPARE(screen->model().rowCount(), 1);
+        QTest::keyClick(search, Qt::Key_Return);
+        QTest::keyClick(table, Qt::Key_Return); // 3
+        QCOMPARE(here(desktop).screen, QStringLiteral("debrief"));
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("session")).toInt(), 123);
+    }
+
+    void backReturnsToTheFilter() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo")}, 200);
+        desktop.logIn("tom");
+        auto* screen = openSessions(desktop);
+        QVERIFY(screen);
+        auto* state = desktop.find<QComboBox>(QStringLiteral("sessions.state"));
+        state->setCurrentIndex(state->findData(static_cast<int>(database::SessionState::interrupted)));
+        const int rows = screen->model().rowCount();
+        QVERIFY(rows > 2 && rows < 50);
+        auto* table = desktop.find<QTableView>(QStringLiteral("sessions.table"));
+        table->setCurrentIndex(screen->model().index(2, 0));
+        const auto id = screen->model().at(2).summary.id;
+        QTest::keyClick(desktop.window.get(), Qt::Key_P, Qt::ControlModifier);
+        QTRY_COMPARE(here(desktop).screen, QStringLiteral("playback"));
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("session")).toLongLong(), qlonglong(id));
+        desktop.context.navigator().back();
+        auto* again = desktop.screen<SessionsScreen>();
+        QTRY_VERIFY(again && again->isComplete());
+        QCOMPARE(again->model().rowCount(), rows);
+        auto* tableAgain = again->findChild<QTableView*>();
+        QCOMPARE(again->model().at(tableAgain->currentIndex().row()).summary.id, id);
+    }
+
+    void nothingMatchesAndClears() {
+        DesktopFixture desktop;
+        desktop.logIn("tom");
+        QVERIFY(openSessions(desktop));
+        QCOMPARE(panel(desktop)->state(), StatePanel::State::empty); // nothing recorded yet
+        QVERIFY(desktop.find<QPushButton>(QStringLiteral("state.action"))->isHidden());
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 20);
+        auto* screen = openSessions(desktop, {{QStringLiteral("text"), QStringLiteral("nobody")}});
+        QVERIFY(screen);
+        QCOMPARE(panel(desktop)->state(), StatePanel::State::empty);
+        auto* clear = screen->findChild<QPushButton*>(QStringLiteral("state.action"));
+        QVERIFY(clear && !clear->isHidden());
+        QTest::mouseClick(clear, Qt::LeftButton);
+        QCOMPARE(panel(desktop)->state(), StatePanel::State::content);
+        QCOMPARE(screen->model().rowCount(), 20);
+        QVERIFY(here(desktop).parameters.value(QStringLiteral("text")).toString().isEmpty());
+    }
+
+    void anErrorIsToldAndTriedAgain() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 3);
+        desktop.logIn("tom");
+        QVERIFY(loaded(desktop));
+        const auto ada = desktop.actor("ada");
+        database::AccountService accounts(desktop.database());
+        QVERIFY(accounts.setEnabled(ada, desktop.context.actor().personId(), false)); // disabled meanwhile
+        desktop.go(QStringLiteral("sessions"));
+        QTRY_COMPARE(panel(desktop)->state(), StatePanel::State::error);
+        QVERIFY(accounts.setEnabled(ada, desktop.context.actor().personId(), true));
+        QTest::mouseClick(desktop.window->screen()->findChild<QPushButton*>(QStringLiteral("state.action")), Qt::LeftButton);
+        QVERIFY(loaded(desktop));
+    }
+
+    void voidingNeedsAReason() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 5);
+        desktop.logIn("tom");
+        auto* screen = openSessions(desktop);
+        QVERIFY(screen);
+        QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("sessions.void")), Qt::LeftButton);
+        QTRY_VERIFY(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")));
+        auto* confirm = desktop.find<QPushButton>(QStringLiteral("void.confirm"));
+        QVERIFY(!confirm->isEnabled());
+        QTest::keyClicks(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")), QStringLiteral("  "));
+        QVERIFY(!confirm->isEnabled());
+        QTest::keyClicks(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")), QStringLiteral("device slipped"));
+        QTest::mouseClick(confirm, Qt::LeftButton);
+        QTRY_COMPARE(screen->model().at(0).summary.state, database::SessionState::voided);
+        QCOMPARE(stored(desktop, 5)->voidReason, std::string("device slipped"));
+        QVERIFY(!desktop.find<QPushButton>(QStringLiteral("sessions.void"))->isEnabled());
+    }
+
+    void traineesMayNotVoidNorArchive() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 1);
+        const auto tina = desktop.actor("tina");
+        const auto refused = desktop.database().write([&](database::WriteContext& writing) -> core::Result<void> {
+            database::SessionRepository sessions(writing.connection(), tina);
+            if (auto done = sessions.setArchived(1, true); done || done.error().code != core::ErrorCode::notAllowed)
+                return {};
+            return sessions.voidSession(1, "mine");
+        });
+        QVERIFY(!refused && refused.error().code == core::ErrorCode::notAllowed);
+        desktop.logIn("rhea"); // a researcher reads
+        QVERIFY(openSessions(desktop));
+        QVERIFY(desktop.find<QPushButton>(QStringLiteral("sessions.void"))->isHidden());
+        QVERIFY(desktop.find<QPushButton>(QStringLiteral("sessions.archive"))->isHidden());
+        QVERIFY(desktop.find<QPushButton>(QStringLiteral("sessions.open"))->isEnabled());
+    }
+
+    void archivingIsUndone() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 5);
+        desktop.logIn("tom");
+        auto* screen = openSessions(desktop);
+        QVERIFY(screen);
+        QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("sessions.archive")), Qt::LeftButton);
+        QTRY_COMPARE(screen->model().rowCount(), 4);
+        QVERIFY(stored(desktop, 5)->summary.archived);
+        auto* undo = desktop.find<QPushButton>(QStringLiteral("messages.action"));
+        QTRY_VERIFY(undo && undo->isVisible());
+        QTest::mouseClick(undo, Qt::LeftButton);
+        QTRY_COMPARE(screen->model().rowCount(), 5);
+        QVERIFY(!stored(desktop, 5)->summary.archived);
+    }
+
+    void undoWorksFromAnotherScreen() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 2);
+        desktop.logIn("tom");
+        QVERIFY(openSessions(desktop));
+        QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("sessions.archive")), Qt::LeftButton);
+        auto* undo = desktop.find<QPushButton>(QStringLiteral("messages.action"));
+        QTRY_VERIFY(undo && undo->isVisible());
+        desktop.go(QStringLiteral("settings"));
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QTest::mouseClick(undo, Qt::LeftButton);
+        QTRY_VERIFY(!stored(desktop, 2)->summary.archived);
+    }
+
+    void fiveThousandComeWhole() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo")}, 5000);
+        desktop.logIn("tom");
+        desktop.go(QStringLiteral("sessions"));
+        auto* screen = desktop.screen<SessionsScreen>();
+        QSignalSpy first(screen, &SessionsScreen::firstRowsShown);
+        QTRY_COMPARE(first.count(), 1);
+        QVERIFY(screen->model().rowCount() <= SessionsScreen::kFirstPage);
+        QTRY_VERIFY(screen->isComplete());
+        QCOMPARE(screen->model().total(), 5000);
+        QCOMPARE(screen->model().at(0).summary.id, database::SessionId{5000});
+        QCOMPARE(screen->model().at(4999).summary.id, database::SessionId{1});
+    }
+
+    void selfTestRunsAndIsStopped() {
+        DesktopFixture desktop;
+        desktop.logIn("ada");
+        desktop.go(QStringLiteral("station"), {{QStringLiteral("self_test_ms"), 50}});
+        QVERIFY(loaded(desktop));
+        auto* screen = desktop.screen<StationScreen>();
+        QSignalSpy ended(screen, &StationScreen::selfTestEnded);
+        QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("station.self_test")), Qt::LeftButton);
+        QTRY_COMPARE(ended.count(), 1);
+        auto* chart = screen->findChild<LatenessChart*>();
+        QVERIFY(chart && chart->accessibleDescription().contains(QStringLiteral("µs")));
+        desktop.go(QStringLiteral("station"), {{QStringLiteral("self_test_ms"), 600'000}});
+        QVERIFY(loaded(desktop));
+        auto* longer = desktop.screen<StationScreen>();
+        QSignalSpy stopped(longer, &StationScreen::selfTestEnded);
+        QTest::mouseClick(longer->findChild<QPushButton*>(QStringLiteral("station.self_test")), Qt::LeftButton);
+        QTest::mouseClick(longer->findChild<QPushButton*>(QStringLiteral("task.cancel")), Qt::LeftButton);
+        QTRY_COMPARE(stopped.count(), 1);
+        QVERIFY(!longer->findChild<LatenessChart*>());
+    }
+
+    void selfTestNeverRunsBesideASession() {
+        DesktopFixture desktop;
+        desktop.logIn("ada");
+        desktop.go(QStringLiteral("station"));
+        QVERIFY(loaded(desktop));
+        auto* button = desktop.find<QPushButton>(QStringLiteral("station.self_test"));
+        desktop.context.setTrialRuns(true);
+        QVERIFY(!button->isEnabled());
+        desktop.context.setTrialRuns(false);
+        QVERIFY(button->isEnabled());
+        desktop.logIn("tina"); // may look
+        desktop.go(QStringLiteral("station"));
+        QVERIFY(loaded(desktop));
+        QVERIFY(!desktop.window->screen()->findChild<QPushButton*>(QStringLiteral("station.self_test")));
+    }
+};
+
+QTEST_MAIN(TestListsScreens)
+#include "test_lists_screens.moc"

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/sessions/session_table_model.h"
+#include "desktop/sessions/sessions_csv.h"
+#include "gui/lists/many_sessions.h"
+
+#include <QAbstractItemModelTester>
+#include <QtTest>
+
+using namespace chiron;
+using namespace chiron::desktop;
+
+namespace {
+
+const ExerciseTitles kTitles{{QStringLiteral("sphere_apex"), QStringLiteral("Find the apex")}};
+
+struct Table {
+    Theme theme = Theme::load(ThemeName::light, 1.0).value();
+    SessionTableModel model{theme, QLocale(QLocale::English, QLocale::UnitedKingdom)};
+    QAbstractItemModelTester tester{&model, QAbstractItemModelTester::FailureReportingMode::QtTest};
+};
+
+/// How many of the rows a plain predicate leaves.
+template <class Is> int count(const std::vector<SessionRow>& rows, Is is) {
+    return static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](const SessionRow& row) { return !row.summary.archived && is(row.summary); }));
+}
+
+} // namespace
+
+/// The list of sessions: what the filters leave, in which order.
+class TestSessionTable : public QObject {
+    Q_OBJECT
+private slots:
+    void eachFilterLeavesItsOwn() {
+        const auto rows = tests::madeRows(400, kTitles);
+        Table table;
+        table.model.setRows(rows);
+        const auto shown = [&table](const SessionListFilter& filter) {
+            table.model.setFilter(filter);
+            return table.model.rowCount();
+        };
+        SessionListFilter filter;
+        QCOMPARE(shown(filter), count(rows, [](const auto&) { return true; }));
+        QVERIFY(table.model.rowCount() < 400); // archived ones are out
+        filter.archived = true;
+        QCOMPARE(shown(filter), 400);
+        filter = {};
+        filter.person = 4;
+        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.person == 4; }));
+        filter = {};
+        filter.exercise = QStringLiteral("other_exercise");
+        filter.level = 2;
+        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.exercise == "other_exercise" && s.level == 2; }));
+        filter = {};
+        filter.state = database::SessionState::interrupted;
+        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.state == database::SessionState::interrupted; }));
+        QVERIFY(table.model.rowCount() > 0);
+        filter = {};
+        filter.felt = false;
+        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return !s.felt; }));
+        filter = {};
+        filter.outcome = Outcome::passed;
+        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return !s.familiarisation && s.passed.value_or(false); }));
+        filter.outcome = Outcome::practice;
+        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.familiarisation; }));
+        filter = {};
+        filter.text = QStringLiteral("APEX  person3");
+        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.person == 5 && s.exercise == "sphere_apex"; }));
+        filter.text = QStringLiteral("nobody at all");
+        QCOMPARE(shown(filter), 0);
+    }
+
+    void daysAreThoseOfThePlace() {
+        database::SessionSummary session;
+        session.id = 1;
+        session.startedUtc = "2026-03-01T23:30:00.000Z";
+        session.utcOffset_min = 60; // half past midnight on the second
+        const SessionRow east = makeSessionRow(session, kTitles);
+        session.startedUtc = "2026-03-02T00:30:00.000Z";
+        session.utcOffset_min = -120; // half past ten in the evening of the first
+        const SessionRow west = makeSessionRow(session, kTitles);
+        SessionListFilter filter;
+        filter.from = filter.to = QDate(2026, 3, 2);
+        QVERIFY(SessionMatcher(filter).matches(east));
+        QVERIFY(!SessionMatcher(filter).matches(west));
+        filter.from = filter.to = QDate(2026, 3, 1);
+        QVERIFY(!SessionMatcher(filter).matches(east));
+        QVERIFY(SessionMatcher(filter).matches(west));
+        filter.to = {};
+        QVERIFY(SessionMatcher(filter).matches(east));
+        session.startedUtc = "broken";
+        QVERIFY(!SessionMatcher(filter).matches(makeSessionRow(session, kTitles)));
+    }
+
+    void filterTravelsInAPlace() {
+        SessionListFilter filter;
+        filter.text = QStringLiteral("a b");
+        filter.person = 7;
+        filter.exercise = QStringLiteral("sphere_apex");
+        filter.level = 3;
+        filter.state = database::SessionState::faulted;
+        filter.felt = false;
+        filter.outcome = Outcome::notScored;
+        filter.from = QDate(2026, 1, 2);
+        filter.to = QDate(2026, 3, 4);
+        filter.archived = true;
+        QVERIFY(SessionListFilter::fromMap(filter.toMap()) == filter);
+        QVERIFY(SessionListFilter{}.toMap().isEmpty());
+        QVERIFY(SessionListFilter::fromMap({{QStringLiteral("state"), QStringLiteral("nonsense")}, {QStringLiteral("level"), QStringLiteral("x")}}).isEmpty());
+    }
+
+    void everyColumnSorts() {
+        Table table;
+        table.model.setRows(tests::madeRows(300, kTitles));
+        for (int column = 0; column < SessionTableModel::columns; ++column) {
+            table.model.sort(column, Qt::AscendingOrder);
+            const database::SessionId first = table.model.at(0).summary.id;
+            table.model.sort(column, Qt::DescendingOrder);
+            QVERIFY2(table.model.at(0).summary.id != first, qPrintable(table.model.headerData(column, Qt::Horizontal).toString()));
+        }
+        table.model.sort(SessionTableModel::length, Qt::AscendingOrder);
+        for (int row = 1; row < table.model.rowCount(); ++row)
+            QVERIFY(table.model.at(row - 1).summary.ticks <= table.model.at(row).summary.ticks);
+        table.model.sort(SessionTableModel::person, Qt::AscendingOrder); // among equals the newest first
+        for (int row = 1; row < table.model.rowCount(); ++row) {
+            const SessionRow& a = table.model.at(row - 1);
+            const SessionRow& b = table.model.at(row);
+            QVERIFY(a.person < b.person || (a.person == b.person && a.summary.id > b.summary.id));
+        }
+    }
+
+    void pagesFollowInAnyOrder() {
+        const auto rows = tests::madeRows(5000, kTitles);
+        const std::vector<SessionRow> newest(rows.begin(), rows.begin() + 100);
+        const std::vector<SessionRow> rest(rows.begin() + 100, rows.end());
+        Table whole;
+        whole.model.setRows(rows);
+        for (const int column : {static_cast<int>(SessionTableModel::number), static_cast<int>(SessionTableModel::person)}) {
+            Table paged;
+            paged.model.sort(column, Qt::DescendingOrder);
+            whole.model.sort(column, Qt::DescendingOrder);
+            paged.model.setRows(newest);
+            paged.model.append(rest);
+            QCOMPARE(paged.model.rowCount(), whole.model.rowCount());
+            QCOMPARE(paged.model.total(), 5000);
+            for (int row = 0; row < whole.model.rowCount(); ++row)
+                QCOMPARE(paged.model.at(row).summary.id, whole.model.at(row).summary.id);
+        }
+    }
+
+    void aChangedRowMovesOrLeaves() {
+        Table table;
+        table.model.setRows(tests::madeRows(50, kTitles));
+        SessionRow row = table.model.at(0);
+        const database::SessionId id = row.summary.id;
+        row.summary.archived = true;
+        table.model.replace(row);
+        QCOMPARE(table.model.rowOf(id), -1);
+        SessionListFilter filter;
+        filter.archived = true;
+        table.model.setFilter(filter);
+        const QModelIndex state = table.model.index(table.model.rowOf(id), SessionTableModel::state);
+        QVERIFY(state.data().toString().contains(QStringLiteral("archived"))); // a word, not only a colour
+        QVERIFY(!state.data(Qt::DecorationRole).value<QIcon>().isNull());
+    }
+
+    void csvQuotesAndKeepsToTokens() {
+        auto rows = tests::madeRows(2, kTitles);
+        rows[0].summary.personName = "Smith, \"Jo\"";
+        const QByteArrayList lines = sessionsCsv(rows).split('\n');
+        QVERIFY(lines[0].startsWith("session,started_utc,person"));
+        QVERIFY(lines[1].contains("\"Smith, \"\"Jo\"\"\""));
+        QVERIFY(lines[1].contains(",completed,false,shown,"));
+        QVERIFY(lines[1].trimmed().endsWith("17.919"));
+        QVERIFY(!writeSessionsCsv(rows, QStringLiteral("/nowhere/at/all.csv")));
+    }
+};
+
+QTEST_MAIN(TestSessionTable)
+#include "test_session_table.moc"

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/repositories/session_reader.h"
+#include "desktop/storage/storage_screen.h"
+#include "desktop/widgets/state_panel.h"
+#include "support/desktop_fixture.h"
+
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+
+using namespace chiron;
+using namespace chiron::desktop;
+
+namespace {
+
+using tests::DesktopFixture;
+
+StorageScreen* openStorage(DesktopFixture& desktop) {
+    desktop.logIn("ada");
+    desktop.go(QStringLiteral("storage"));
+    auto* screen = desktop.screen<StorageScreen>();
+    auto* panel = screen->findChild<StatePanel*>();
+    return QTest::qWaitFor([panel] { return panel->state() == StatePanel::State::content; }, 10000) ? screen : nullptr;
+}
+
+/// Presses a button that begins a task, and waits for the task's end.
+bool runTask(StorageScreen* screen, const char* button) {
+    QSignalSpy ended(screen, &StorageScreen::taskEnded);
+    auto* found = screen->findChild<QPushButton*>(QLatin1String(button));
+    if (!found || !found->isEnabled())
+        return false;
+    found->click();
+    return QTest::qWaitFor([&ended] { return ended.count() == 1; }, 20000);
+}
+
+int sessionsOf(DesktopFixture& desktop) {
+    auto reader = desktop.database().openReader();
+    const auto list = database::SessionReader(**reader, desktop.actor("ada")).listSessions();
+    return list ? static_cast<int>(list->size()) : -1;
+}
+
+QString noticeOf(QWidget* parent, const char* name) {
+    auto* frame = parent->findChild<QFrame*>(QLatin1String(name));
+    auto* words = frame ? frame->findChild<QLabel*>(QStringLiteral("notice.text")) : nullptr;
+    return words ? words->text() : QString();
+}
+
+} // namespace
+
+/// Backup, check, damage, restore: through the screen.
+class TestStorageScreen : public QObject {
+    Q_OBJECT
+private slots:
+    void backsUpAndChecks() {
+        DesktopFixture desktop;
+        desktop.addSession("tina", 1, "expert", 1, 1, 5.0);
+        auto* screen = openStorage(desktop);
+        QVERIFY(screen);
+        QVERIFY(noticeOf(screen, "storage.backup_notice").contains(QStringLiteral("no backup")));
+        QVERIFY(!screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->isEnabled());
+        QVERIFY(runTask(screen, "storage.back_up"));
+        auto* table = screen->findChild<QTableWidget*>(QStringLiteral("storage.backups"));
+        QTRY_COMPARE(table->rowCount(), 1);
+        QTRY_VERIFY(noticeOf(screen, "storage.backup_notice").contains(QStringLiteral("just now")));
+        QVERIFY(runTask(screen, "storage.verify_backup"));
+        QVERIFY(table->item(0, 3)->text().contains(QStringLiteral("holds")));
+        QVERIFY(runTask(screen, "storage.verify"));
+        QVERIFY(noticeOf(screen, "storage.report").startsWith(QStringLiteral("Everything holds")));
+    }
+
+    void damageIsFoundAndNamed() {
+        DesktopFixture desktop;
+        const auto id = desktop.addSession("tina", 1, "expert", 1, 1, 5.0);
+        QVERIFY(desktop.database().write([id](database::WriteContext& writing) {
+            return writing.connection().execute("UPDATE session SET level = 3 WHERE id = " + std::to_string(id));
+        }));
+        auto* screen = openStorage(desktop);
+        QVERIFY(screen);
+        QVERIFY(runTask(screen, "storage.verify"));
+        auto* findings = screen->findChild<QTableWidget*>(QStringLiteral("storage.findings"));
+        QVERIFY(findings->isVisibleTo(screen) && findings->rowCount() >= 1);
+        QCOMPARE(findings->item(0, 0)->text(), QStringLiteral("A record was changed"));
+        QVERIFY(findings->item(0, 1)->text().contains(QStringLiteral("session")));
+    }
+
+    void verifyingIsStopped() {
+        DesktopFixture desktop;
+        for (unsigned i = 1; i <= 4; ++i)
+            desktop.addSession("tina", 1, "expert", i, 2, 20.0);
+        auto* screen = openStorage(desktop);
+        QVERIFY(screen);
+        QSignalSpy ended(screen, &StorageScreen::taskEnded);
+        screen->findChild<QPushButton*>(QStringLiteral("storage.verify"))->click();
+        QVERIFY(!screen->findChild<QPushButton*>(QStringLiteral("storage.back_up"))->isEnabled()); // one task at a time
+        screen->findChild<QPushButton*>(QStringLiteral("task.cancel"))->click();
+        QTRY_COMPARE(ended.count(), 1);
+        QVERIFY(noticeOf(screen, "storage.report").contains(QStringLiteral("stopped")));
+    }
+
+    void goesBackToABackup() {
+        DesktopFixture desktop;
+        desktop.addSession("tina", 1, "expert", 1, 1, 5.0);
+        auto* screen = openStorage(desktop);
+        QVERIFY(screen && runTask(screen, "storage.back_up"));
+        desktop.addSession("tina", 1, "expert", 2, 1, 5.0);
+        QCOMPARE(sessionsOf(desktop), 2);
+        QTRY_VERIFY(screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->isEnabled());
+
+        const auto answer = [&desktop, screen](const char* password) {
+            screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->click();
+            auto* field = desktop.find<QLineEdit>(QStringLiteral("restore.password"));
+            auto* confirm = desktop.find<QPushButton>(QStringLiteral("restore.confirm"));
+            QVERIFY(field && confirm && !confirm->isEnabled());
+            QTest::keyClicks(field, QLatin1String(password));
+            QTest::mouseClick(confirm, Qt::LeftButton);
+        };
+        QSignalSpy ended(screen, &StorageScreen::taskEnded);
+        answer("wrong-password-here");
+        QVERIFY(!screen->mayLeave()); // there is no database meanwhile
+        QTRY_COMPARE(ended.count(), 1);
+        QVERIFY(desktop.site.isOpen() && screen->mayLeave());
+        QCOMPARE(sessionsOf(desktop), 2); // as it was
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the dialog
+        QTRY_VERIFY(screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->isEnabled());
+
+        QSignalSpy opened(&desktop.context, &AppContext::siteOpened);
+        answer(tests::kTestPassword);
+        QTRY_COMPARE(opened.count(), 1);
+        QCOMPARE(desktop.context.navigator().current().screen, QStringLiteral("login"));
+        QVERIFY(!desktop.context.loggedIn());
+        QCOMPARE(sessionsOf(desktop), 1);
+        QCOMPARE(QDir(desktop.folder()).entryList({QStringLiteral("test.db.before-restore*")}, QDir::Files).filter(QStringLiteral("restore")).isEmpty(), false);
+    }
+};
+
+QTEST_MAIN(TestStorageScreen)
+#include "test_storage_screen.moc"
