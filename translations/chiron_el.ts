@@ -1453,7 +1453,7 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>You become its administrator. People, sessions and scores stay on this computer.</source>
-        <translation>Γίνεστε διαχειριστής του. Τα άτομα, οι συνεδρίες και οι βαθμολογίες μένουν σε αυτόν τον υπολογιστή.</translation>
+        <translation>Αναλαμβάνετε τη διαχείρισή του. Τα άτομα, οι συνεδρίες και οι βαθμολογίες μένουν σε αυτόν τον υπολογιστή.</translation>
     </message>
     <message>
         <source>Open the demonstration site</source>
@@ -1563,7 +1563,7 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <name>chiron::desktop::InfoPanel</name>
     <message>
         <source>Elapsed: %1</source>
-        <translation>Διάρκεια: %1</translation>
+        <translation>Χρόνος: %1</translation>
     </message>
     <message>
         <source>This level shows no measurements: work by what you feel. Everything is recorded and in the results.</source>
