@@ -4,10 +4,15 @@
 #include "desktop/debrief/debrief_screen.h"
 #include "desktop/first_start/first_start_screen.h"
 #include "desktop/frame/screen.h"
+#include "desktop/home/exercises_screen.h"
+#include "desktop/home/home_screen.h"
 #include "desktop/login/login_screen.h"
+#include "desktop/sessions/sessions_screen.h"
 #include "desktop/playback/playback_screen.h"
 #include "desktop/results/results_screen.h"
 #include "desktop/settings/settings_screen.h"
+#include "desktop/station/station_screen.h"
+#include "desktop/storage/storage_screen.h"
 #include "desktop/training/training_screen.h"
 
 #include <QCoreApplication>
@@ -31,7 +36,12 @@ const std::vector<ScreenEntry>& screenCatalogue() {
     static const std::vector<ScreenEntry> entries{
         {"first_start", QT_TRANSLATE_NOOP("Screens", "Welcome"), "list-add-user", {}, false, &make<FirstStartScreen>},
         {"login", QT_TRANSLATE_NOOP("Screens", "Log in"), "system-switch-user", {}, false, &make<LoginScreen>},
+        {"home", QT_TRANSLATE_NOOP("Screens", "Home"), "go-home", everybody, true, &make<HomeScreen>},
+        {"exercises", QT_TRANSLATE_NOOP("Screens", "Exercises"), "view-list-icons", everybody, true, &make<ExercisesScreen>},
         {"training", QT_TRANSLATE_NOOP("Screens", "Training"), "media-playback-start", {}, false, &make<TrainingScreen>},
+        {"sessions", QT_TRANSLATE_NOOP("Screens", "Sessions"), "view-list-details", {trainer, researcher, admin}, true, &make<SessionsScreen>},
+        {"storage", QT_TRANSLATE_NOOP("Screens", "Storage"), "drive-harddisk", {admin}, true, &make<StorageScreen>},
+        {"station", QT_TRANSLATE_NOOP("Screens", "Station"), "computer", everybody, true, &make<StationScreen>},
         {"results", QT_TRANSLATE_NOOP("Screens", "My results"), "office-chart-line", {trainee}, true, &make<ResultsScreen>},
         {"debrief", QT_TRANSLATE_NOOP("Screens", "Debrief"), "view-statistics", {}, true, &make<DebriefScreen>},
         {"playback", QT_TRANSLATE_NOOP("Screens", "Playback"), "media-playback-start", {}, true, &make<PlaybackScreen>},

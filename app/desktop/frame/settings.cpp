@@ -74,6 +74,14 @@ void Settings::setSound(bool on) {
     m_file.setValue(QStringLiteral("sound"), on);
 }
 
+QString Settings::backupFolder() const {
+    return m_file.value(QStringLiteral("backup_folder")).toString();
+}
+
+void Settings::setBackupFolder(const QString& folder) {
+    m_file.setValue(QStringLiteral("backup_folder"), folder);
+}
+
 QVariant Settings::ofPerson(qint64 person, const QString& key, const QVariant& otherwise) const {
     return m_file.value(personKey(person, key), otherwise);
 }

@@ -25,6 +25,8 @@ public:
     void setScale(double scale);
     bool sound() const;
     void setSound(bool on);
+    QString backupFolder() const; ///< empty: beside the database
+    void setBackupFolder(const QString& folder);
 
     /// Small things that belong to one person here (handedness, last device): key as "handedness".
     QVariant ofPerson(qint64 person, const QString& key, const QVariant& otherwise) const;

@@ -8,21 +8,18 @@
 namespace chiron::desktop {
 
 ControlBar::ControlBar(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme) {
+    setFixedHeight(theme.px(58)); // a stop is found without looking
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.px(10));
     m_stop = add(tr("Stop force (Esc)"), "danger", QStringLiteral("process-stop"), QStringLiteral("training.stop"));
     m_stop->setFont(theme.font(TextStyle::title));
-    m_stop->setMinimumHeight(theme.px(56));
     row->addWidget(m_stop, 3);
     m_main = add({}, "primary", {}, QStringLiteral("training.main"));
-    m_main->setMinimumHeight(theme.px(56));
     row->addWidget(m_main, 2);
     m_resumeHere = add(tr("Resume here"), "", QStringLiteral("go-jump"), QStringLiteral("training.resume_here"));
-    m_resumeHere->setMinimumHeight(theme.px(56));
     row->addWidget(m_resumeHere, 2);
     m_end = add(tr("End session …"), "", QStringLiteral("media-playback-stop"), QStringLiteral("training.end"));
-    m_end->setMinimumHeight(theme.px(56));
     row->addWidget(m_end, 1);
     connect(m_stop, &QPushButton::clicked, this, &ControlBar::stopAsked);
     connect(m_main, &QPushButton::clicked, this, [this] { emit mainAsked(m_is); });
@@ -36,6 +33,7 @@ ControlBar::ControlBar(const Theme& theme, QWidget* parent) : QWidget(parent), m
 QPushButton* ControlBar::add(const QString& text, const char* kind, const QString& icon, const QString& name) {
     auto* button = kit::button(m_theme, text, kind, icon);
     button->setObjectName(name);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding); // as high as the bar
     return button;
 }
 

@@ -92,8 +92,8 @@ void InfoPanel::addPlots() {
 }
 
 void InfoPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
-    if (m_start_ns == 0)
-        m_start_ns = state.now_ns;
+    for (const session::LiveSample& sample : samples)
+        m_worked_ms += sample.paused || sample.phase == core::TrialPhase::idle ? 0 : 1;
     const haptics::ToolDisplay& tool = state.tool[0];
     if (m_force) {
         m_force->setValue(norm3(tool.tissue));
@@ -112,7 +112,7 @@ void InfoPanel::show(const haptics::DisplayState& state, std::span<const session
     if (m_cues.numbers)
         showNumbers(tool);
     showLoop(state);
-    const std::int64_t second = (state.now_ns - m_start_ns) / 1'000'000'000;
+    const std::int64_t second = m_worked_ms / 1000;
     if (second != m_shownSecond) {
         m_shownSecond = second;
         m_elapsed->setText(tr("Elapsed: %1").arg(QStringLiteral("%1:%2").arg(second / 60).arg(second % 60, 2, 10, QLatin1Char('0'))));
@@ -120,8 +120,10 @@ void InfoPanel::show(const haptics::DisplayState& state, std::span<const session
 }
 
 void InfoPanel::showNumbers(const haptics::ToolDisplay& tool) {
+    // The tip is where it is drawn: at the surface, where the device cannot keep the hand there.
+    const std::array<double, 3>& tip_m = tool.rendersForce ? tool.p_WT_m : tool.p_WProxy_m;
     for (std::size_t i = 0; i < m_tip.size(); ++i)
-        m_tip[i]->setText(tr("%1 mm").arg(m_locale.toString(tool.p_WT_m[i] * 1e3, 'f', 1)));
+        m_tip[i]->setText(tr("%1 mm").arg(m_locale.toString(tip_m[i] * 1e3, 'f', 1)));
     m_speed->setText(tr("%1 mm/s").arg(m_locale.toString(norm3(tool.v_WT_m_per_s) * 1e3, 'f', 0)));
 }
 

@@ -51,7 +51,7 @@ private:
     LivePlot* m_forcePlot = nullptr;
     LivePlot* m_speedPlot = nullptr;
     QLabel* m_loop = nullptr;
-    std::int64_t m_start_ns = 0;
+    std::int64_t m_worked_ms = 0; ///< since the first trial, pauses left out
     std::int64_t m_shownSecond = -1;
     int m_frame = 0;
 };

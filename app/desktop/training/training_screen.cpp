@@ -162,7 +162,8 @@ void TrainingScreen::onFinished() {
 
 void TrainingScreen::fail(const core::Error& error) {
     m_over = true;
-    m_controls->setRunning(false);
+    for (QWidget* part : {m_side, static_cast<QWidget*>(m_controls), static_cast<QWidget*>(m_keysText)})
+        part->hide(); // there is nothing to be controlled or measured
     m_stage->showError(tr("The session could not be run"), error, [this] {
         QVariantMap parameters = m_plan.toMap();
         context().navigator().replace({QStringLiteral("exercise_setup"), parameters});

@@ -16,6 +16,8 @@
 
 #include <optional>
 
+class QLabel;
+
 namespace chiron::desktop {
 
 class ForceNotice;
@@ -85,6 +87,7 @@ private:
     ControlBar* m_controls = nullptr;
     KeyFilter* m_keys = nullptr;
     QWidget* m_side = nullptr;
+    QLabel* m_keysText = nullptr;
 
     bool m_painted = false;
     bool m_over = false;    ///< stored or failed: nothing keeps anybody here

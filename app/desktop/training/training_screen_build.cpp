@@ -71,9 +71,9 @@ void TrainingScreen::build() {
     middle->addWidget(m_side);
     column->addLayout(middle, 1);
 
-    auto* keys = kit::label(theme, keysInWords(m_plan.ownHand()), TextStyle::small, "muted");
-    keys->setObjectName(QStringLiteral("training.keys"));
-    column->addWidget(keys);
+    m_keysText = kit::label(theme, keysInWords(m_plan.ownHand()), TextStyle::small, "muted");
+    m_keysText->setObjectName(QStringLiteral("training.keys"));
+    column->addWidget(m_keysText);
     m_controls = new ControlBar(theme);
     column->addWidget(m_controls);
     connect(m_controls, &ControlBar::stopAsked, this, &TrainingScreen::stopForce);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/frame/app_context.h"
+#include "session/level_standing.h"
+
+#include <QFrame>
+#include <span>
+
+namespace chiron::desktop {
+
+/// One exercise: picture, what it is for, and a button for each level that says where the person stands there. A button opens
+/// the set-up screen with its level.
+class ExerciseCard final : public QFrame {
+    Q_OBJECT
+public:
+    /// `standings` may be empty: then no level says anything of the person.
+    ExerciseCard(AppContext& context, const catalogue::Exercise& exercise, std::span<const session::LevelStanding> standings,
+                 QWidget* parent = nullptr);
+
+private:
+    QWidget* levelButton(const catalogue::ExerciseLevel& level, const session::LevelStanding* standing);
+
+    AppContext& m_context;
+};
+
+/// "Passed (felt)", "Tried twice, not passed yet", "New".
+QString standingWords(const session::LevelStanding& standing);
+
+} // namespace chiron::desktop

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+#include "desktop/theme/theme.h"
+
+#include <QWidget>
+
+namespace chiron::desktop {
+
+/// A picture of a level, painted from its content: the ball in its true proportions, dashed where it is not shown, its dimple
+/// where it has one, and the instrument on its apex. Decorative: what it shows is said in words beside it.
+class ExercisePicture final : public QWidget {
+    Q_OBJECT
+public:
+    ExercisePicture(const Theme& theme, const catalogue::ExerciseLevel& level, QSize size_px, QWidget* parent = nullptr);
+    QSize sizeHint() const override { return m_size; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void paintBall(QPainter& painter, QPointF centre, double radius) const;
+    void paintTool(QPainter& painter, QPointF tip, double length) const;
+
+    const Theme& m_theme;
+    QSize m_size;
+    simulation::SphereApexParameters m_ball;
+    bool m_visible = true;
+};
+
+} // namespace chiron::desktop

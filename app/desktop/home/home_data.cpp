@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/home/home_data.h"
+
+#include "database/accounts/account_service.h"
+#include "database/repositories/session_reader.h"
+#include "desktop/sessions/session_words.h"
+#include "recording/crash_ring.h"
+#include "session/backup_list.h"
+#include "session/loop_report.h"
+
+#include <algorithm>
+#include <map>
+
+namespace chiron::desktop {
+
+namespace {
+
+constexpr int kNewest = 300;        // among them the trainer's list is made
+constexpr std::size_t kShown = 8;   // lines of a list on the home screen
+constexpr std::size_t kOwnShown = 5;
+
+using database::Role;
+using database::SessionFilter;
+using database::SessionReader;
+
+std::vector<SessionRow> rowsOf(std::vector<database::SessionSummary> sessions, const ExerciseTitles& titles, std::size_t most) {
+    std::vector<SessionRow> rows;
+    for (database::SessionSummary& session : sessions) {
+        if (rows.size() == most)
+            break;
+        rows.push_back(makeSessionRow(std::move(session), titles));
+    }
+    return rows;
+}
+
+core::Result<void> readOwn(SessionReader& reader, const HomeQuestion& question, HomeData& data) {
+    SessionFilter filter;
+    filter.person = question.actor.personId();
+    filter.newestFirst = true;
+    auto own = reader.listSessions(filter);
+    if (!own)
+        return tl::unexpected(own.error());
+    data.standings = session::levelStandings(question.catalogue, *own);
+    std::erase_if(*own, [](const auto& session) { return session.state == database::SessionState::running; });
+    data.own = rowsOf(std::move(*own), question.titles, kOwnShown);
+    return {};
+}
+
+std::vector<RecentPerson> recentPeople(const std::vector<database::SessionSummary>& newest) {
+    const std::string weekAgo = QDateTime::currentDateTimeUtc().addDays(-7).toString(Qt::ISODateWithMs).toStdString();
+    std::vector<RecentPerson> people;
+    for (const database::SessionSummary& session : newest) {
+        if (session.person == database::Actor::kSimulatedPerson)
+            continue;
+        auto found = std::find_if(people.begin(), people.end(), [&](const RecentPerson& p) { return p.person == session.person; });
+        if (found == people.end()) {
+            people.push_back({session.person, QString::fromStdString(session.personName), session.startedUtc, 0});
+            found = std::prev(people.end());
+        }
+        found->sessions += session.startedUtc >= weekAgo ? 1 : 0;
+    }
+    people.resize(std::min(people.size(), kShown));
+    return people;
+}
+
+core::Result<void> readForTrainer(SessionReader& reader, const HomeQuestion& question, HomeData& data) {
+    SessionFilter filter;
+    filter.newestFirst = true;
+    filter.limit = kNewest;
+    auto newest = reader.listSessions(filter);
+    if (!newest)
+        return tl::unexpected(newest.error());
+    data.people = recentPeople(*newest);
+    // Scripts' sessions need nobody's eye, and of somebody's earlier tries at a level only the latest does.
+    std::map<std::tuple<std::int64_t, std::string, int>, bool> seen;
+    std::erase_if(*newest, [&seen](const database::SessionSummary& s) {
+        return s.person == database::Actor::kSimulatedPerson || s.state == database::SessionState::running ||
+               s.state == database::SessionState::voided || !seen.emplace(std::tuple{s.person, s.exercise, s.level}, true).second;
+    });
+    std::stable_sort(newest->begin(), newest->end(),
+                     [](const auto& a, const auto& b) { return session::attentionRank(a) < session::attentionRank(b); });
+    data.toLook = rowsOf(std::move(*newest), question.titles, kShown);
+    return {};
+}
+
+core::Result<void> readForAdmin(database::Database& database, SessionReader& reader, const HomeQuestion& question, HomeData& data) {
+    const auto people = database::AccountService(database).listPeople(question.actor);
+    if (!people)
+        return tl::unexpected(people.error());
+    data.accounts = static_cast<int>(std::count_if(people->begin(), people->end(), [](const auto& person) { return person.enabled; }));
+    data.room = session::storageRoom(question.databaseFile, recording::defaultRingFolder());
+    const auto backups = session::listBackups(question.backupFolder);
+    data.latestBackupUtc = backups.empty() ? std::string() : backups.front().createdUtc;
+    SessionFilter filter;
+    filter.newestFirst = true;
+    filter.limit = 1;
+    const auto newest = reader.listSessions(filter);
+    if (!newest || newest->empty())
+        return newest ? core::Result<void>() : tl::unexpected(newest.error());
+    if (const auto record = reader.session(newest->front().id)) {
+        const auto loop = session::loopReportFrom(record->loopJson);
+        data.lastLoopTimed = loop && loop->realtime;
+        data.lastLoopPriority = loop && loop->priorityGranted;
+    }
+    return {};
+}
+
+void readRecovered(SessionReader& reader, const HomeQuestion& question, HomeData& data) {
+    for (const session::RecoveredSession& recovered : question.recovered) {
+        auto record = reader.session(recovered.session);
+        if (record) // else it is somebody else's, who is told when they come
+            data.recovered.push_back({makeSessionRow(std::move(record->summary), question.titles), recovered.framesFromRing, recovered.problem});
+    }
+}
+
+} // namespace
+
+core::Result<HomeData> readHome(database::Database& database, const HomeQuestion& question) {
+    auto connection = database.openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    SessionReader reader(**connection, question.actor);
+    const database::RoleSet& roles = question.actor.roles();
+    HomeData data;
+    core::Result<void> done;
+    if (roles.contains(Role::trainee))
+        done = readOwn(reader, question, data);
+    if (done && roles.contains(Role::trainer))
+        done = readForTrainer(reader, question, data);
+    if (done && roles.contains(Role::admin))
+        done = readForAdmin(database, reader, question, data);
+    if (!done)
+        return tl::unexpected(done.error());
+    readRecovered(reader, question, data);
+    return data;
+}
+
+} // namespace chiron::desktop

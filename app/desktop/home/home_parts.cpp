@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/frame/app_context.h"
+#include "desktop/home/exercise_card.h"
+#include "desktop/home/exercise_picture.h"
+#include "desktop/home/home_screen.h"
+#include "desktop/home/session_lines.h"
+#include "desktop/sessions/session_words.h"
+#include "desktop/storage/storage_words.h"
+#include "desktop/widgets/flow_layout.h"
+#include "desktop/widgets/kit.h"
+
+#include <QHBoxLayout>
+
+namespace chiron::desktop {
+
+namespace {
+
+QString textIn(const catalogue::Translated& text, const AppContext& context) {
+    return QString::fromStdString(catalogue::textIn(text, context.language().toStdString()));
+}
+
+} // namespace
+
+void HomeScreen::addTrainee(QVBoxLayout& column, const HomeData& home) {
+    const Theme& theme = context().theme();
+    column.addWidget(continueCard(home));
+    column.addWidget(kit::label(theme, tr("Exercises"), TextStyle::title));
+    for (const catalogue::Exercise& exercise : context().site().catalogue().exercises())
+        column.addWidget(new ExerciseCard(context(), exercise, home.standings));
+    column.addWidget(progressCard(home));
+}
+
+QWidget* HomeScreen::continueCard(const HomeData& home) {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    const auto next = session::nextStep(home.standings);
+    const catalogue::ExerciseLevel* level = next ? context().site().catalogue().find(next->exercise, next->level) : nullptr;
+    if (!level) {
+        box.layout->addWidget(kit::label(theme, tr("Every level is passed"), TextStyle::title));
+        box.layout->addWidget(kit::label(theme, tr("Well done. Choose any exercise below to keep your hand in.")));
+        return box.frame;
+    }
+    auto* row = new QHBoxLayout;
+    row->setSpacing(theme.px(20));
+    row->addWidget(new ExercisePicture(theme, *level, {228, 152}), 0, Qt::AlignTop);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(theme.px(6));
+    words->addWidget(kit::label(theme, next->attempts > 0 ? tr("Go on where you were") : tr("Your next step"), TextStyle::small, "muted"));
+    words->addWidget(kit::label(theme, tr("Level %1: %2").arg(context().locale().toString(level->number), textIn(level->title, context())),
+                                TextStyle::title));
+    words->addWidget(kit::label(theme, textIn(level->objective, context())));
+    words->addWidget(kit::label(theme, standingWords(*next), TextStyle::small, "muted"));
+    auto* go = opener(tr("Continue"), QStringLiteral("exercise_setup"),
+                      {{QStringLiteral("exercise"), QString::fromStdString(next->exercise)}, {QStringLiteral("level"), next->level}}, "primary");
+    go->setObjectName(QStringLiteral("home.continue"));
+    go->setIcon(theme.icon(QStringLiteral("media-playback-start"), Colour::accentText));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(go);
+    buttons->addStretch();
+    words->addLayout(buttons);
+    words->addStretch();
+    row->addLayout(words, 1);
+    box.layout->addLayout(row);
+    return box.frame;
+}
+
+QWidget* HomeScreen::progressCard(const HomeData& home) {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("My progress"), TextStyle::title));
+    if (home.own.empty()) {
+        box.layout->addWidget(kit::label(theme, tr("Nothing is recorded yet. Your first session will be here as soon as it has ended."),
+                                         TextStyle::body, "muted"));
+        return box.frame;
+    }
+    box.layout->addWidget(new SessionLines(context(), home.own, false));
+    auto* all = opener(tr("All my results"), QStringLiteral("results"), {}, "quiet");
+    all->setObjectName(QStringLiteral("home.results"));
+    box.layout->addWidget(all, 0, Qt::AlignLeft);
+    return box.frame;
+}
+
+void HomeScreen::addTrainer(QVBoxLayout& column, const HomeData& home) {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Sessions to look at"), TextStyle::title));
+    if (home.toLook.empty())
+        box.layout->addWidget(kit::label(theme, tr("Nobody has trained yet. Sessions of trainees will be here, those that broke off first."),
+                                         TextStyle::body, "muted"));
+    else
+        box.layout->addWidget(new SessionLines(context(), home.toLook, true));
+    auto* all = opener(tr("All sessions"), QStringLiteral("sessions"), {}, home.toLook.empty() ? "" : "primary");
+    all->setObjectName(QStringLiteral("home.sessions"));
+    box.layout->addWidget(all, 0, Qt::AlignLeft);
+    column.addWidget(box.frame);
+    if (!home.people.empty())
+        column.addWidget(peopleCard(home));
+}
+
+QWidget* HomeScreen::peopleCard(const HomeData& home) {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Who trained lately"), TextStyle::title));
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    for (const RecentPerson& person : home.people) {
+        auto* button = kit::button(theme, {}, "tile");
+        const QString when = SessionWords::ago(SessionWords::timeOf(person.latestUtc), now, context().locale());
+        const QString count = tr("%n session(s) in the last 7 days", nullptr, person.sessions);
+        button->setObjectName(QStringLiteral("home.person.%1").arg(person.person));
+        button->setAccessibleName(tr("%1. %2. Opens the sessions.").arg(person.name, when));
+        auto* row = new QHBoxLayout(button);
+        row->setContentsMargins(theme.px(12), theme.px(6), theme.px(12), theme.px(6));
+        row->addWidget(kit::label(theme, person.name, TextStyle::strong), 2);
+        row->addWidget(kit::label(theme, count, TextStyle::body), 2);
+        row->addWidget(kit::label(theme, when, TextStyle::small, "muted"), 1);
+        button->setMinimumHeight(row->sizeHint().height());
+        connect(button, &QPushButton::clicked, this,
+                [this, id = person.person] { context().navigator().go(QStringLiteral("sessions"), {{QStringLiteral("person"), id}}); });
+        box.layout->addWidget(button);
+    }
+    return box.frame;
+}
+
+void HomeScreen::addResearcher(QVBoxLayout& column) {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Data"), TextStyle::title));
+    box.layout->addWidget(kit::label(theme, tr("Every recorded session, by code instead of by name: filter the list, play sessions back, "
+                                               "save the list as a table.")));
+    auto* open = opener(tr("Open the data"), QStringLiteral("sessions"));
+    open->setObjectName(QStringLiteral("home.data"));
+    box.layout->addWidget(open, 0, Qt::AlignLeft);
+    column.addWidget(box.frame);
+}
+
+QWidget* HomeScreen::stateCard(const QString& screen, const QString& title, const QString& text, const char* noticeKind,
+                               const QString& notice, const QString& action) {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, title, TextStyle::title));
+    box.layout->addWidget(kit::label(theme, text));
+    if (!notice.isEmpty())
+        box.layout->addWidget(kit::notice(theme, noticeKind, notice));
+    box.layout->addStretch();
+    auto* open = opener(action, screen);
+    open->setObjectName(QStringLiteral("home.") + screen);
+    box.layout->addWidget(open, 0, Qt::AlignLeft);
+    return box.frame;
+}
+
+void HomeScreen::addAdmin(QVBoxLayout& column, const HomeData& home) {
+    const QLocale locale = context().locale();
+    column.addWidget(stateCard(QStringLiteral("people"), tr("People"), tr("%n account(s) can log in.", nullptr, home.accounts), "info", {},
+                               tr("Open people")));
+    const session::StorageRoom room = home.room.value_or(session::StorageRoom{});
+    const StorageNotice disk = StorageWords::room(room, locale);
+    const StorageNotice backup = StorageWords::backup(home.latestBackupUtc, QDateTime::currentDateTimeUtc(), locale);
+    const bool first = !disk.isGood();
+    column.addWidget(stateCard(QStringLiteral("storage"), tr("Storage"),
+                               tr("The database takes %1; %2 are free.")
+                                   .arg(SessionWords::bytes(room.database_bytes, locale), SessionWords::bytes(room.diskFree_bytes, locale)),
+                               first ? disk.kind : backup.kind, first ? disk.text : backup.text, tr("Open storage")));
+    const char* kind = home.lastLoopTimed && !home.lastLoopPriority ? "warning" : "good";
+    const QString loop = !home.lastLoopTimed       ? QString()
+                         : home.lastLoopPriority ? tr("The last session ran with real-time priority.")
+                                                 : tr("The last session ran without real-time priority: touch may be less smooth than it could be.");
+    column.addWidget(stateCard(QStringLiteral("station"), tr("Station"), tr("Devices, punctuality of the force loop, room for recordings."), kind,
+                               loop, tr("Open the station check")));
+}
+
+} // namespace chiron::desktop

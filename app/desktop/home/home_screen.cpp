@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/home/home_screen.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/home/exercise_card.h"
+#include "desktop/home/session_lines.h"
+#include "desktop/sessions/session_words.h"
+#include "desktop/storage/backup_place.h"
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/scroll_page.h"
+#include "desktop/widgets/state_panel.h"
+
+namespace chiron::desktop {
+
+HomeScreen::HomeScreen(AppContext& context, const Place& place) : Screen(context, place), m_panel(new StatePanel(context.theme())) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_panel);
+}
+
+QString HomeScreen::title() const {
+    return tr("Home");
+}
+
+QString HomeScreen::help() const {
+    return tr("What is next for you, by what you are here for.\n\nTrainees continue with the next level by one button, choose any "
+              "level from the exercises, and see their latest results. Trainers see the sessions that ask to be looked at, those that "
+              "broke off or were not passed first, and who trained lately. Administrators see whether people, storage and station are "
+              "in order.\n\nThe list on the left leads everywhere else; Ctrl+K finds any command by its name.");
+}
+
+std::vector<ScreenCommand> HomeScreen::commands() {
+    if (!m_first)
+        return {};
+    return {{m_first->text(), {}, [this] { m_first->click(); }}};
+}
+
+void HomeScreen::enter() {
+    load();
+}
+
+void HomeScreen::load() {
+    m_panel->showLoading(tr("Looking what is next …"));
+    DesktopSite& site = context().site();
+    HomeQuestion question{context().actor(), exerciseTitles(site.catalogue(), context().language()), site.catalogue(), site.recovered(),
+                          site.file().toStdString(), backupPlace(context()).toStdString()};
+    context().background().run(
+        this, [&database = site.database(), question = std::move(question)](WorkToken&) { return readHome(database, question); },
+        [this](const core::Result<HomeData>& home) {
+            if (home)
+                show(*home);
+            else
+                m_panel->showError(tr("The home screen could not be put together."), home.error(), [this] { load(); });
+        });
+}
+
+void HomeScreen::show(const HomeData& home) {
+    const Theme& theme = context().theme();
+    auto* page = new ScrollPage(theme, 1100);
+    QVBoxLayout& column = *page->column();
+    column.addWidget(kit::label(theme, tr("Welcome, %1").arg(QString::fromStdString(context().actor().name())), TextStyle::heading));
+    addRecovered(column, home);
+    if (context().has(database::Role::trainee))
+        addTrainee(column, home);
+    if (context().has(database::Role::trainer))
+        addTrainer(column, home);
+    if (context().has(database::Role::researcher))
+        addResearcher(column);
+    if (context().has(database::Role::admin))
+        addAdmin(column, home);
+    column.addStretch();
+    delete m_panel->content();
+    m_panel->setContent(page);
+    m_panel->showContent();
+    if (m_first)
+        m_first->setFocus(Qt::OtherFocusReason);
+}
+
+QPushButton* HomeScreen::opener(const QString& text, const QString& screen, const QVariantMap& parameters, const char* kind) {
+    auto* button = kit::button(context().theme(), text, kind);
+    connect(button, &QPushButton::clicked, this, [this, screen, parameters] { context().navigator().go(screen, parameters); });
+    if (!m_first)
+        m_first = button;
+    return button;
+}
+
+void HomeScreen::addRecovered(QVBoxLayout& column, const HomeData& home) {
+    const Theme& theme = context().theme();
+    for (const RecoveredRow& recovered : home.recovered) {
+        const database::SessionSummary& session = recovered.row.summary;
+        const bool whole = recovered.problem.empty();
+        const QString text =
+            whole ? tr("The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n sample(s) are "
+                       "kept and can be played back. It does not count.",
+                       nullptr, static_cast<int>(session.frames))
+                        .arg(session.id)
+                        .arg(recovered.row.person, recovered.row.exercise)
+                  : tr("The program ended unexpectedly during session %1 (%2, %3), and not all of it could be brought in: %4")
+                        .arg(session.id)
+                        .arg(recovered.row.person, recovered.row.exercise, QString::fromStdString(recovered.problem));
+        auto* notice = kit::notice(theme, whole ? "info" : "warning", text);
+        notice->setObjectName(QStringLiteral("home.recovered.%1").arg(session.id));
+        if (session.state != database::SessionState::running) {
+            auto* open = kit::button(theme, tr("Look at it"));
+            connect(open, &QPushButton::clicked, this, [this, id = session.id] {
+                context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), static_cast<qint64>(id)}});
+            });
+            notice->layout()->addWidget(open);
+        }
+        column.addWidget(notice);
+    }
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/frame/screen.h"
+#include "desktop/home/home_data.h"
+
+class QPushButton;
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+class StatePanel;
+
+/// Where everybody starts: what their roles want first (experience.md). Who holds several roles sees each one's part, the
+/// own training first. From here a running exercise is two actions away.
+class HomeScreen final : public Screen {
+    Q_OBJECT
+public:
+    HomeScreen(AppContext& context, const Place& place);
+
+    QString title() const override;
+    void enter() override;
+    std::vector<ScreenCommand> commands() override;
+    QString help() const override;
+
+private:
+    void load();
+    void show(const HomeData& home);
+    void addRecovered(QVBoxLayout& column, const HomeData& home);
+    void addTrainee(QVBoxLayout& column, const HomeData& home);
+    void addTrainer(QVBoxLayout& column, const HomeData& home);
+    void addResearcher(QVBoxLayout& column);
+    void addAdmin(QVBoxLayout& column, const HomeData& home);
+    QWidget* continueCard(const HomeData& home);
+    QWidget* progressCard(const HomeData& home);
+    QWidget* peopleCard(const HomeData& home);
+    /// A card that says how something is and opens its screen.
+    QWidget* stateCard(const QString& screen, const QString& title, const QString& text, const char* noticeKind, const QString& notice,
+                       const QString& action);
+    QPushButton* opener(const QString& text, const QString& screen, const QVariantMap& parameters = {}, const char* kind = "");
+
+    StatePanel* m_panel;
+    QPushButton* m_first = nullptr; ///< gets the focus
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/sessions/session_row.h"
+
+#include "catalogue/catalogue.h"
+#include "database/repositories/session_reader.h"
+
+namespace chiron::desktop {
+
+ExerciseTitles exerciseTitles(const catalogue::Catalogue& catalogue, const QString& language) {
+    ExerciseTitles titles;
+    for (const catalogue::Exercise& exercise : catalogue.exercises())
+        titles.insert(QString::fromStdString(exercise.id),
+                      QString::fromStdString(catalogue::textIn(exercise.title, language.toStdString())));
+    return titles;
+}
+
+SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles& titles) {
+    SessionRow row;
+    row.person = QString::fromStdString(summary.personName);
+    const QString id = QString::fromStdString(summary.exercise);
+    row.exercise = titles.value(id, id);
+    row.search = (QString::number(summary.id) + QLatin1Char('\n') + row.person + QLatin1Char('\n') + row.exercise +
+                  QLatin1Char('\n') + QString::fromStdString(summary.operatorName))
+                     .toCaseFolded();
+    row.summary = std::move(summary);
+    return row;
+}
+
+core::Result<std::vector<SessionRow>> readSessionRows(const database::Database& database, const database::Actor& actor,
+                                                      const ExerciseTitles& titles, const database::SessionFilter& filter) {
+    auto reader = database.openReader();
+    if (!reader)
+        return tl::unexpected(reader.error());
+    auto sessions = database::SessionReader(**reader, actor).listSessions(filter);
+    if (!sessions)
+        return tl::unexpected(sessions.error());
+    std::vector<SessionRow> rows;
+    rows.reserve(sessions->size());
+    for (database::SessionSummary& session : *sessions)
+        rows.push_back(makeSessionRow(std::move(session), titles));
+    return rows;
+}
+
+core::Result<SessionRow> readSessionRow(const database::Database& database, const database::Actor& actor,
+                                        const ExerciseTitles& titles, database::SessionId session) {
+    auto reader = database.openReader();
+    if (!reader)
+        return tl::unexpected(reader.error());
+    auto record = database::SessionReader(**reader, actor).session(session);
+    if (!record)
+        return tl::unexpected(record.error());
+    return makeSessionRow(std::move(record->summary), titles);
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/sessions/session_table_model.h"
+
+#include <algorithm>
+#include <compare>
+
+namespace chiron::desktop {
+
+namespace {
+
+std::strong_ordering byText(const QString& a, const QString& b) {
+    return a.compare(b, Qt::CaseInsensitive) <=> 0;
+}
+
+std::strong_ordering compare(const SessionRow& a, const SessionRow& b, int column) {
+    switch (column) {
+    case SessionTableModel::started: // the label, which may run backwards; the number is the order
+        return a.summary.startedUtc <=> b.summary.startedUtc;
+    case SessionTableModel::person:
+        return byText(a.person, b.person);
+    case SessionTableModel::exercise:
+        return byText(a.exercise, b.exercise);
+    case SessionTableModel::level:
+        return a.summary.level <=> b.summary.level;
+    case SessionTableModel::state:
+        return a.summary.state <=> b.summary.state;
+    case SessionTableModel::outcome:
+        return SessionWords::outcomeOf(a.summary) <=> SessionWords::outcomeOf(b.summary);
+    case SessionTableModel::device:
+        return b.summary.felt <=> a.summary.felt;
+    case SessionTableModel::length:
+        return a.summary.ticks <=> b.summary.ticks;
+    default:
+        return a.summary.id <=> b.summary.id;
+    }
+}
+
+} // namespace
+
+SessionTableModel::SessionTableModel(const Theme& theme, QLocale locale, QObject* parent)
+    : QAbstractTableModel(parent), m_theme(theme), m_locale(std::move(locale)) {}
+
+int SessionTableModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_shown.size());
+}
+
+int SessionTableModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : columns;
+}
+
+QVariant SessionTableModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const SessionRow& row = at(index.row());
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(row, index.column());
+    case Qt::DecorationRole:
+        return picture(row, index.column());
+    case Qt::TextAlignmentRole:
+        if (index.column() == number || index.column() == level || index.column() == length)
+            return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
+        return QVariant::fromValue(Qt::AlignLeft | Qt::AlignVCenter);
+    case Qt::ForegroundRole:
+        return row.summary.archived ? QVariant(m_theme.color(Colour::muted)) : QVariant();
+    default:
+        return {};
+    }
+}
+
+QString SessionTableModel::text(const SessionRow& row, int column) const {
+    const database::SessionSummary& session = row.summary;
+    switch (column) {
+    case number:
+        return m_locale.toString(static_cast<qlonglong>(session.id));
+    case started:
+        return SessionWords::started(session, m_locale);
+    case person:
+        return row.person;
+    case exercise:
+        return row.exercise;
+    case level:
+        return m_locale.toString(session.level);
+    case state:
+        return session.archived ? tr("%1, archived").arg(SessionWords::state(session.state)) : SessionWords::state(session.state);
+    case outcome:
+        return SessionWords::outcome(SessionWords::outcomeOf(session));
+    case device:
+        return SessionWords::device(session.felt);
+    case length:
+        return SessionWords::length(session.ticks, m_locale);
+    default:
+        return {};
+    }
+}
+
+QVariant SessionTableModel::picture(const SessionRow& row, int column) const {
+    if (column == state)
+        return icon(SessionWords::sign(row.summary.state));
+    if (column == outcome)
+        return icon(SessionWords::sign(SessionWords::outcomeOf(row.summary)));
+    return {};
+}
+
+QIcon SessionTableModel::icon(const WordSign& sign) const {
+    const std::pair key{QString::fromLatin1(sign.icon), sign.ink};
+    const auto known = m_icons.find(key);
+    return known != m_icons.end() ? known->second : m_icons.emplace(key, m_theme.icon(key.first, key.second)).first->second;
+}
+
+QVariant SessionTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case number:
+        return tr("Session");
+    case started:
+        return tr("Started");
+    case person:
+        return tr("Person");
+    case exercise:
+        return tr("Exercise");
+    case level:
+        return tr("Level");
+    case state:
+        return tr("State");
+    case outcome:
+        return tr("Result");
+    case device:
+        return tr("Force");
+    case length:
+        return tr("Length");
+    default:
+        return {};
+    }
+}
+
+void SessionTableModel::setRows(std::vector<SessionRow> rows) {
+    beginResetModel();
+    m_rows = std::move(rows);
+    show();
+    endResetModel();
+}
+
+void SessionTableModel::append(std::vector<SessionRow> rows) {
+    if (rows.empty())
+        return;
+    // Older ones behind the newest first: most often they only follow, and what is selected stays selected.
+    const bool onlyFollows = m_sortColumn == number && m_sortOrder == Qt::DescendingOrder;
+    const SessionMatcher matcher(m_filter);
+    std::vector<std::size_t> more;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (matcher.matches(rows[i]))
+            more.push_back(m_rows.size() + i);
+    std::move(rows.begin(), rows.end(), std::back_inserter(m_rows));
+    if (!onlyFollows) {
+        emit layoutAboutToBeChanged();
+        show();
+        emit layoutChanged();
+        return;
+    }
+    if (more.empty())
+        return;
+    beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(more.size()) - 1);
+    m_shown.insert(m_shown.end(), more.begin(), more.end());
+    endInsertRows();
+}
+
+void SessionTableModel::replace(SessionRow row) {
+    const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&row](const SessionRow& r) { return r.summary.id == row.summary.id; });
+    if (found == m_rows.end())
+        return;
+    beginResetModel(); // it may leave the list, or move in it
+    *found = std::move(row);
+    show();
+    endResetModel();
+}
+
+void SessionTableModel::setFilter(const SessionListFilter& filter) {
+    if (filter == m_filter)
+        return;
+    beginResetModel();
+    m_filter = filter;
+    show();
+    endResetModel();
+}
+
+void SessionTableModel::show() {
+    const SessionMatcher matcher(m_filter);
+    m_shown.clear();
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        if (matcher.matches(m_rows[i]))
+            m_shown.push_back(i);
+    sortShown();
+}
+
+void SessionTableModel::sortShown() {
+    if (m_sortColumn == number && m_sortOrder == Qt::DescendingOrder) {
+        std::sort(m_shown.begin(), m_shown.end()); // rows lie newest first
+        return;
+    }
+    const auto before = [this](std::size_t a, std::size_t b) {
+        const auto order = compare(m_rows[a], m_rows[b], m_sortColumn);
+        if (order == 0)
+            return a < b; // newest first among equals
+        return m_sortOrder == Qt::AscendingOrder ? order < 0 : order > 0;
+    };
+    std::sort(m_shown.begin(), m_shown.end(), before);
+}
+
+void SessionTableModel::sort(int column, Qt::SortOrder order) {
+    m_sortColumn = column < 0 ? static_cast<int>(number) : column;
+    m_sortOrder = column < 0 ? Qt::DescendingOrder : order;
+    beginResetModel();
+    sortShown();
+    endResetModel();
+}
+
+int SessionTableModel::rowOf(database::SessionId session) const {
+    const auto found = std::find_if(m_shown.begin(), m_shown.end(), [&](std::size_t i) { return m_rows[i].summary.id == session; });
+    return found == m_shown.end() ? -1 : static_cast<int>(found - m_shown.begin());
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/sessions/session_list_filter.h"
+#include "desktop/theme/theme.h"
+
+#include <QAbstractTableModel>
+#include <QIcon>
+#include <QLocale>
+#include <map>
+#include <vector>
+
+namespace chiron::desktop {
+
+/// The list of sessions: all of it in memory, filtered and sorted by index, texts made when they are shown. GUI thread.
+class SessionTableModel final : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { number, started, person, exercise, level, state, outcome, device, length, columns };
+
+    SessionTableModel(const Theme& theme, QLocale locale, QObject* parent = nullptr);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+    void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
+
+    void setRows(std::vector<SessionRow> rows); ///< newest first
+    void append(std::vector<SessionRow> rows);  ///< older ones
+    void replace(SessionRow row);               ///< the one with its number
+    void setFilter(const SessionListFilter& filter);
+    const SessionListFilter& filter() const noexcept { return m_filter; }
+
+    int total() const noexcept { return static_cast<int>(m_rows.size()); } ///< whatever the filter
+    const SessionRow& at(int row) const { return m_rows[m_shown[static_cast<std::size_t>(row)]]; }
+    const std::vector<SessionRow>& all() const noexcept { return m_rows; }
+    int rowOf(database::SessionId session) const; ///< -1: not shown
+
+private:
+    void show();
+    void sortShown();
+    QString text(const SessionRow& row, int column) const;
+    QVariant picture(const SessionRow& row, int column) const;
+    QIcon icon(const WordSign& sign) const;
+
+    const Theme& m_theme;
+    QLocale m_locale;
+    std::vector<SessionRow> m_rows;
+    std::vector<std::size_t> m_shown;
+    SessionListFilter m_filter;
+    int m_sortColumn = number;
+    Qt::SortOrder m_sortOrder = Qt::DescendingOrder;
+    mutable std::map<std::pair<QString, Colour>, QIcon> m_icons;
+};
+
+} // namespace chiron::desktop

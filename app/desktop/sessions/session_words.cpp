@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/sessions/session_words.h"
+
+namespace chiron::desktop {
+
+using database::SessionState;
+
+QString SessionWords::state(SessionState state) {
+    switch (state) {
+    case SessionState::running:
+        return tr("Running");
+    case SessionState::completed:
+        return tr("Completed");
+    case SessionState::stopped:
+        return tr("Stopped");
+    case SessionState::interrupted:
+        return tr("Interrupted");
+    case SessionState::incomplete:
+        return tr("Incomplete");
+    case SessionState::faulted:
+        return tr("Faulted");
+    case SessionState::voided:
+        return tr("Voided");
+    }
+    return {};
+}
+
+WordSign SessionWords::sign(SessionState state) {
+    switch (state) {
+    case SessionState::running:
+        return {"media-playback-start", Colour::accent};
+    case SessionState::completed:
+        return {"dialog-ok-apply", Colour::good};
+    case SessionState::stopped:
+        return {"media-playback-stop", Colour::muted};
+    case SessionState::interrupted:
+    case SessionState::incomplete:
+        return {"dialog-warning", Colour::warning};
+    case SessionState::faulted:
+        return {"dialog-error", Colour::bad};
+    case SessionState::voided:
+        return {"dialog-cancel", Colour::muted};
+    }
+    return {"dialog-information", Colour::muted};
+}
+
+Outcome SessionWords::outcomeOf(const database::SessionSummary& session) {
+    if (session.familiarisation)
+        return Outcome::practice;
+    if (session.state != SessionState::completed || !session.passed)
+        return Outcome::notScored;
+    return *session.passed ? Outcome::passed : Outcome::notPassed;
+}
+
+QString SessionWords::outcome(Outcome outcome) {
+    switch (outcome) {
+    case Outcome::passed:
+        return tr("Passed");
+    case Outcome::notPassed:
+        return tr("Not passed");
+    case Outcome::notScored:
+        return tr("Does not count");
+    case Outcome::practice:
+        return tr("Familiarisation");
+    }
+    return {};
+}
+
+WordSign SessionWords::sign(Outcome outcome) {
+    switch (outcome) {
+    case Outcome::passed:
+        return {"dialog-ok-apply", Colour::good};
+    case Outcome::notPassed:
+        return {"window-close", Colour::bad};
+    case Outcome::notScored:
+    case Outcome::practice:
+        break;
+    }
+    return {"list-remove", Colour::muted};
+}
+
+QString SessionWords::device(bool felt) {
+    return felt ? tr("Felt") : tr("Shown, not felt");
+}
+
+QDateTime SessionWords::timeOf(const std::string& utc) {
+    return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODateWithMs);
+}
+
+QString SessionWords::started(const database::SessionSummary& session, const QLocale& locale) {
+    const QDateTime time = timeOf(session.startedUtc);
+    return time.isValid() ? locale.toString(time.toOffsetFromUtc(session.utcOffset_min * 60), QLocale::ShortFormat) : QString();
+}
+
+QString SessionWords::length(std::uint64_t ticks, const QLocale& locale) {
+    const auto seconds = static_cast<int>(ticks / 1000);
+    if (seconds < 60)
+        return tr("%1 s").arg(locale.toString(seconds));
+    return tr("%1 min %2 s").arg(locale.toString(seconds / 60), locale.toString(seconds % 60).rightJustified(2, QLatin1Char('0')));
+}
+
+QString SessionWords::ago(const QDateTime& then, const QDateTime& now, const QLocale& locale) {
+    const qint64 minutes = then.secsTo(now) / 60;
+    if (minutes < 1)
+        return tr("just now");
+    if (minutes < 60)
+        return tr("%n minute(s) ago", nullptr, static_cast<int>(minutes));
+    if (minutes < 48 * 60)
+        return tr("%n hour(s) ago", nullptr, static_cast<int>(minutes / 60));
+    const qint64 days = minutes / (24 * 60);
+    return days <= 31 ? tr("%n day(s) ago", nullptr, static_cast<int>(days)) : locale.toString(then.toLocalTime().date(), QLocale::ShortFormat);
+}
+
+QString SessionWords::bytes(std::uint64_t bytes, const QLocale& locale) {
+    return locale.formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
+}
+
+} // namespace chiron::desktop

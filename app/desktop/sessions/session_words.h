@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/repositories/session_types.h"
+#include "desktop/theme/theme_colour.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+#include <QString>
+
+namespace chiron::desktop {
+
+/// What a session came to, as lists say it. Only what was completed and scored was passed or not.
+enum class Outcome { passed, notPassed, notScored, practice };
+
+/// A picture that goes with a word, so that neither stands alone.
+struct WordSign {
+    const char* icon; ///< Breeze name
+    Colour ink;
+};
+
+/// How lists and cards say what is known of a session. Translated; any thread that has the translators (the GUI thread).
+class SessionWords {
+    Q_DECLARE_TR_FUNCTIONS(SessionWords)
+public:
+    static QString state(database::SessionState state);
+    static WordSign sign(database::SessionState state);
+    static Outcome outcomeOf(const database::SessionSummary& session);
+    static QString outcome(Outcome outcome);
+    static WordSign sign(Outcome outcome);
+    static QString device(bool felt);
+    /// Date and time where it was recorded; empty where the label cannot be read.
+    static QString started(const database::SessionSummary& session, const QLocale& locale);
+    static QString length(std::uint64_t ticks, const QLocale& locale); ///< a tick is a millisecond
+    /// "5 minutes ago"; the date from a month on.
+    static QString ago(const QDateTime& then, const QDateTime& now, const QLocale& locale);
+    static QString bytes(std::uint64_t bytes, const QLocale& locale);
+    static QDateTime timeOf(const std::string& utc); ///< UTC; invalid where it cannot be read
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/sessions/sessions_screen.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/sessions/session_filter_bar.h"
+#include "desktop/sessions/session_table_model.h"
+#include "desktop/widgets/flow_layout.h"
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QTableView>
+
+namespace chiron::desktop {
+
+namespace {
+
+const QString kSelected = QStringLiteral("selected");
+
+database::SessionFilter pageBefore(database::SessionId before, int limit) {
+    database::SessionFilter filter;
+    filter.includeArchived = true; // shown or not by the list's own filter, at once
+    filter.newestFirst = true;
+    filter.afterSession = before;
+    filter.limit = limit;
+    return filter;
+}
+
+/// Widths from words that are as long as they get, instead of from thousands of rows.
+void setWidths(QTableView& table, const Theme& theme, const QLocale& locale) {
+    const QFontMetrics metrics(theme.font(TextStyle::body));
+    const QString date = locale.toString(QDateTime(QDate(2026, 12, 28), QTime(20, 48)), QLocale::ShortFormat);
+    const QStringList longest{QStringLiteral("00000"),
+                              date,
+                              QStringLiteral("Nikos Newcomers-Long"),
+                              QStringLiteral("Find the apex by touch"),
+                              {},
+                              SessionWords::state(database::SessionState::interrupted) + QStringLiteral("  +++++"),
+                              SessionWords::outcome(Outcome::practice) + QStringLiteral("  ++"),
+                              SessionWords::device(false),
+                              SessionWords::length(3'599'000, locale)};
+    for (int column = 0; column < SessionTableModel::columns; ++column) {
+        const QString head = table.model()->headerData(column, Qt::Horizontal).toString() + QStringLiteral("   ");
+        const int width = std::max(metrics.horizontalAdvance(longest.at(column)), metrics.horizontalAdvance(head) * 11 / 10);
+        table.setColumnWidth(column, width + theme.px(24));
+    }
+}
+
+} // namespace
+
+SessionsScreen::SessionsScreen(AppContext& context, const Place& place)
+    : Screen(context, place), m_titles(exerciseTitles(context.site().catalogue(), context.language())) {
+    const Theme& theme = context.theme();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(theme.px(24), theme.px(18), theme.px(24), theme.px(14));
+    column->setSpacing(theme.px(10));
+    column->addWidget(buildHead());
+    m_filterBar = new SessionFilterBar(theme, context.site().catalogue(), context.language());
+    m_wanted = place.parameters.value(kSelected).toLongLong();
+    m_filterBar->setFilter(SessionListFilter::fromMap(place.parameters));
+    column->addWidget(m_filterBar);
+    m_panel = new StatePanel(theme);
+    m_panel->setContent(buildTable());
+    column->addWidget(m_panel, 1);
+    column->addWidget(buildActions());
+    connectTable();
+    showActions();
+}
+
+QString SessionsScreen::title() const {
+    return tr("Sessions");
+}
+
+QString SessionsScreen::help() const {
+    return tr("Every session that was recorded on this site, newest first.\n\nType in the search field or choose from the lists "
+              "beside it to narrow the list; the filters stay when you come back. Click a column's head to sort by it.\n\nEnter or a "
+              "double click opens the debrief of the selected session, Ctrl+P plays it. Void takes a session out of every count, "
+              "with a reason, and keeps it. Archive takes it out of the usual lists and can be undone.");
+}
+
+QWidget* SessionsScreen::buildHead() {
+    auto* head = new QWidget;
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(kit::label(context().theme(), title(), TextStyle::heading), 1);
+    m_count = kit::line(context().theme(), {}, TextStyle::body, "muted");
+    m_count->setObjectName(QStringLiteral("sessions.count"));
+    row->addWidget(m_count, 0, Qt::AlignBottom);
+    return head;
+}
+
+QWidget* SessionsScreen::buildTable() {
+    const Theme& theme = context().theme();
+    m_model = new SessionTableModel(theme, context().locale(), this);
+    m_model->setFilter(m_filterBar->filter());
+    m_table = new QTableView;
+    m_table->setObjectName(QStringLiteral("sessions.table"));
+    m_table->setAccessibleName(tr("Sessions"));
+    m_table->setFont(theme.font(TextStyle::body));
+    m_table->setModel(m_model);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setShowGrid(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->setWordWrap(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->setIconSize(QSize(theme.px(18), theme.px(18)));
+    m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setMinimumHeight(theme.px(100));
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed); // else every row is measured
+    m_table->verticalHeader()->setDefaultSectionSize(theme.px(34));
+    QHeaderView* head = m_table->horizontalHeader();
+    head->setHighlightSections(false);
+    head->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    head->setStretchLastSection(true);
+    head->setSortIndicator(SessionTableModel::number, Qt::DescendingOrder);
+    setWidths(*m_table, theme, context().locale());
+    m_table->setSortingEnabled(true);
+    return m_table;
+}
+
+QWidget* SessionsScreen::buildActions() {
+    const Theme& theme = context().theme();
+    auto* bar = new QWidget;
+    auto* row = new FlowLayout(theme.px(8), bar);
+    const auto add = [&](const QString& name, const QString& text, const char* kind, const QString& icon) {
+        auto* button = kit::button(theme, text, kind, icon);
+        button->setObjectName(QStringLiteral("sessions.") + name);
+        row->addWidget(button);
+        return button;
+    };
+    m_open = add(QStringLiteral("open"), tr("Open the debrief"), "primary", QStringLiteral("document-open-folder"));
+    m_play = add(QStringLiteral("play"), tr("Play back"), "", QStringLiteral("media-playback-start"));
+    m_void = add(QStringLiteral("void"), tr("Void …"), "", QStringLiteral("dialog-cancel"));
+    m_archive = add(QStringLiteral("archive"), tr("Archive"), "", QStringLiteral("archive-insert"));
+    auto* save = add(QStringLiteral("export"), tr("Save the list …"), "quiet", QStringLiteral("document-save"));
+    connect(m_open, &QPushButton::clicked, this, [this] { open(QStringLiteral("debrief")); });
+    connect(m_play, &QPushButton::clicked, this, [this] { open(QStringLiteral("playback")); });
+    connect(m_void, &QPushButton::clicked, this, &SessionsScreen::askVoid);
+    connect(m_archive, &QPushButton::clicked, this, [this] {
+        if (const SessionRow* row_ = selected())
+            archive(row_->summary.id, !row_->summary.archived);
+    });
+    connect(save, &QPushButton::clicked, this, &SessionsScreen::exportList);
+    return bar;
+}
+
+void SessionsScreen::connectTable() {
+    connect(m_table, &QTableView::activated, this, [this] { open(QStringLiteral("debrief")); });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+        if (const SessionRow* row = selected())
+            m_wanted = row->summary.id;
+        showActions();
+        noteState();
+    });
+    connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
+        selectSomething();
+        showState();
+    });
+    connect(m_filterBar, &SessionFilterBar::changed, this, [this](const SessionListFilter& filter) {
+        m_model->setFilter(filter);
+        noteState();
+    });
+    connect(m_filterBar, &SessionFilterBar::leaveSearch, this, [this] {
+        if (m_panel->state() == StatePanel::State::content)
+            m_table->setFocus(Qt::TabFocusReason);
+    });
+}
+
+void SessionsScreen::enter() {
+    load();
+}
+
+void SessionsScreen::load() {
+    m_complete = false;
+    m_panel->showLoading(tr("Loading the sessions …"));
+    context().background().run(
+        this,
+        [&database = context().site().database(), actor = context().actor(), titles = m_titles](WorkToken&) {
+            return readSessionRows(database, actor, titles, pageBefore(0, kFirstPage));
+        },
+        [this](core::Result<std::vector<SessionRow>> rows) { take(std::move(rows), true); });
+}
+
+void SessionsScreen::loadRest(database::SessionId before) {
+    context().background().run(
+        this,
+        [&database = context().site().database(), actor = context().actor(), titles = m_titles, before](WorkToken&) {
+            return readSessionRows(database, actor, titles, pageBefore(before, kPage));
+        },
+        [this](core::Result<std::vector<SessionRow>> rows) { take(std::move(rows), false); });
+}
+
+void SessionsScreen::take(core::Result<std::vector<SessionRow>> rows, bool first) {
+    if (!rows) {
+        m_panel->showError(tr("The sessions could not be loaded."), rows.error(), [this] { load(); });
+        return;
+    }
+    const auto wanted = static_cast<std::size_t>(first ? kFirstPage : kPage);
+    m_complete = rows->size() < wanted;
+    const database::SessionId oldest = rows->empty() ? 0 : rows->back().summary.id;
+    if (first)
+        m_model->setRows(std::move(*rows)); // selects and shows
+    else
+        m_model->append(std::move(*rows));
+    if (m_table->currentIndex().row() < 0)
+        selectSomething();
+    showState();
+    if (first)
+        emit firstRowsShown();
+    if (!m_complete) {
+        loadRest(oldest);
+        return;
+    }
+    m_filterBar->setPeople(m_model->all());
+    emit loaded();
+}
+
+void SessionsScreen::showState() {
+    const QLocale locale = context().locale();
+    m_count->setText(!m_complete ? tr("Loading the older sessions …")
+                     : m_model->filter().isEmpty()
+                         ? tr("%n session(s)", nullptr, m_model->rowCount())
+                         : tr("%1 of %2 sessions").arg(locale.toString(m_model->rowCount()), locale.toString(m_model->total())));
+    if (m_model->rowCount() > 0) {
+        const bool wasThere = m_panel->state() == StatePanel::State::content;
+        m_panel->showContent();
+        if (!wasThere && !m_filterBar->search()->hasFocus())
+            m_table->setFocus(Qt::OtherFocusReason);
+    } else if (!m_complete) {
+        m_panel->showLoading(tr("Loading the sessions …"));
+    } else if (m_model->total() == 0) {
+        m_panel->showEmpty(tr("No session has been recorded yet"),
+                           tr("As soon as somebody trains, the session is listed here."));
+    } else {
+        m_panel->showEmpty(tr("No session matches these filters"), tr("%n session(s) in all.", nullptr, m_model->total()),
+                           tr("Clear the filters"), [this] {
+                               m_filterBar->setFilter({});
+                               m_model->setFilter({});
+                               noteState();
+                           });
+    }
+    showActions();
+}
+
+void SessionsScreen::noteState() {
+    if (context().navigator().current().screen != place().screen)
+        return; // already on the way elsewhere
+    QVariantMap map = m_filterBar->filter().toMap();
+    if (m_wanted != 0)
+        map.insert(kSelected, static_cast<qint64>(m_wanted));
+    context().navigator().note(map);
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/frame/screen.h"
+#include "desktop/sessions/session_list_filter.h"
+
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace chiron::desktop {
+
+class SessionFilterBar;
+class SessionTableModel;
+class StatePanel;
+class WorkToken;
+
+/// Every session of the site: find, open, play, void, archive, export the list. The newest come first and are shown as soon as
+/// they are there; the rest follows. The filter is kept in the place.
+class SessionsScreen final : public Screen {
+    Q_OBJECT
+public:
+    SessionsScreen(AppContext& context, const Place& place);
+
+    QString title() const override;
+    void enter() override;
+    std::vector<ScreenCommand> commands() override;
+    QString help() const override;
+
+    SessionTableModel& model() const { return *m_model; }
+    bool isComplete() const noexcept { return m_complete; } ///< every session has come from the database
+
+    static constexpr int kFirstPage = 100; ///< more than any screen shows at once
+    static constexpr int kPage = 2000;
+
+signals:
+    void firstRowsShown();
+    void loaded();
+
+private:
+    QWidget* buildHead();
+    QWidget* buildTable();
+    QWidget* buildActions();
+    void connectTable();
+    void load();
+    void loadRest(database::SessionId before);
+    void take(core::Result<std::vector<SessionRow>> rows, bool first);
+    void showState();
+    void noteState();
+    void selectSomething();
+    void showActions();
+    const SessionRow* selected() const;
+    void open(const QString& screen);
+    void askVoid();
+    void voidSession(database::SessionId session, const QString& reason);
+    void archive(database::SessionId session, bool archived);
+    void reload(database::SessionId session);
+    void exportList();
+
+    SessionFilterBar* m_filterBar = nullptr;
+    SessionTableModel* m_model = nullptr;
+    QTableView* m_table = nullptr;
+    StatePanel* m_panel = nullptr;
+    QLabel* m_count = nullptr;
+    QPushButton* m_open = nullptr;
+    QPushButton* m_play = nullptr;
+    QPushButton* m_void = nullptr;
+    QPushButton* m_archive = nullptr;
+    database::SessionId m_wanted = 0; ///< to be selected once it is there
+    bool m_complete = false;
+    ExerciseTitles m_titles;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/sessions/void_dialog.h"
+
+#include "desktop/widgets/kit.h"
+
+#include <QHBoxLayout>
+#include <QPlainTextEdit>
+
+namespace chiron::desktop {
+
+VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, QWidget* parent) : QDialog(parent) {
+    setObjectName(QStringLiteral("void"));
+    setWindowTitle(tr("Void a session"));
+    setMinimumWidth(theme.px(420));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(theme.px(20), theme.px(20), theme.px(20), theme.px(20));
+    column->setSpacing(theme.px(12));
+    column->addWidget(kit::label(theme, tr("Void session %1 of %2?").arg(session).arg(person), TextStyle::title));
+    column->addWidget(kit::label(theme, tr("It stays in the list with its recording and its scores, but no longer counts for anything. "
+                                           "That it was voided, by whom and why is kept and cannot be taken back.")));
+    auto* label = kit::label(theme, tr("Reason"), TextStyle::label);
+    m_reason = new QPlainTextEdit;
+    m_reason->setObjectName(QStringLiteral("void.reason"));
+    m_reason->setAccessibleName(tr("Reason"));
+    m_reason->setPlaceholderText(tr("For example: the device was not calibrated"));
+    m_reason->setTabChangesFocus(true);
+    m_reason->setMinimumHeight(theme.px(80));
+    label->setBuddy(m_reason);
+    column->addWidget(label);
+    column->addWidget(m_reason, 1);
+    auto* row = new QHBoxLayout;
+    row->addStretch();
+    auto* keep = kit::button(theme, tr("Keep it as it is"));
+    keep->setObjectName(QStringLiteral("void.cancel"));
+    m_confirm = kit::button(theme, tr("Void the session"), "danger");
+    m_confirm->setObjectName(QStringLiteral("void.confirm"));
+    m_confirm->setEnabled(false);
+    row->addWidget(keep);
+    row->addWidget(m_confirm);
+    column->addLayout(row);
+    connect(m_reason, &QPlainTextEdit::textChanged, this, [this] { m_confirm->setEnabled(!reason().isEmpty()); });
+    connect(keep, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_confirm, &QPushButton::clicked, this, &QDialog::accept);
+}
+
+QString VoidSessionDialog::reason() const {
+    return m_reason->toPlainText().trimmed();
+}
+
+} // namespace chiron::desktop

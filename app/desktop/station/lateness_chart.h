@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "session/loop_report.h"
+
+#include <QLocale>
+#include <QWidget>
+
+namespace chiron::desktop {
+
+/// How late the ticks of a run started: one line a bin with its share as a bar and as a number; what counts as late is marked
+/// by colour and by a word. Also read aloud: every line is part of the accessible description.
+class LatenessChart final : public QWidget {
+    Q_OBJECT
+public:
+    LatenessChart(const Theme& theme, QLocale locale, QWidget* parent = nullptr);
+    void setBins(const session::LatenessBins& bins);
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    struct Line {
+        QString range;
+        QString share;
+        double fraction = 0.0;
+        bool late = false;
+    };
+    int widest(QString Line::*text) const;
+
+    const Theme& m_theme;
+    QLocale m_locale;
+    std::vector<Line> m_lines;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/station/station_screen.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/sessions/session_words.h"
+#include "desktop/station/lateness_chart.h"
+#include "desktop/station/station_words.h"
+#include "desktop/storage/storage_words.h"
+#include "desktop/storage/task_strip.h"
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/scroll_page.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QHBoxLayout>
+#include <QTimer>
+
+namespace chiron::desktop {
+
+namespace {
+
+constexpr int kSelfTest_ms = 10'000;
+
+void clear(QVBoxLayout& column) {
+    while (QLayoutItem* item = column.takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+}
+
+} // namespace
+
+StationScreen::StationScreen(AppContext& context, const Place& place)
+    : Screen(context, place), m_panel(new StatePanel(context.theme())), m_strip(new TaskStrip(context.theme())), m_timer(new QTimer(this)) {
+    constexpr int kLook_ms = 100;
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_panel, 1);
+    column->addWidget(m_strip);
+    m_timer->setInterval(kLook_ms);
+    connect(m_timer, &QTimer::timeout, this, [this] {
+        if (m_token && m_task)
+            m_token->setProgress(static_cast<int>(m_task->done()), m_token->of());
+    });
+    connect(&context, &AppContext::trialRunsChanged, this, &StationScreen::showButton);
+}
+
+StationScreen::~StationScreen() {
+    if (m_token)
+        m_token->cancel();
+}
+
+QString StationScreen::title() const {
+    return tr("Station");
+}
+
+QString StationScreen::help() const {
+    return tr("Whether this computer is fit to make force felt.\n\nForce is computed a thousand times a second. The charts show how late those "
+              "thousand steps began: in the last session that ran against the clock, and in a self-test of ten seconds without any "
+              "device.\n\nWith real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it "
+              "and how to permit it.");
+}
+
+std::vector<ScreenCommand> StationScreen::commands() {
+    if (!m_test)
+        return {};
+    return {{m_test->text(), {}, [this] { startSelfTest(); }}};
+}
+
+void StationScreen::enter() {
+    load();
+}
+
+void StationScreen::load() {
+    m_panel->showLoading(tr("Looking at the station …"));
+    context().background().run(
+        this, [&database = context().site().database(), actor = context().actor()](WorkToken&) { return readStationFacts(database, actor); },
+        [this](const core::Result<StationFacts>& facts) {
+            if (facts)
+                show(*facts);
+            else
+                m_panel->showError(tr("The station could not be looked at."), facts.error(), [this] { load(); });
+        });
+}
+
+void StationScreen::show(const StationFacts& facts) {
+    auto* page = new ScrollPage(context().theme(), 1000);
+    page->column()->addWidget(kit::label(context().theme(), title(), TextStyle::heading));
+    page->column()->addWidget(loopCard(facts));
+    page->column()->addWidget(devicesCard());
+    page->column()->addWidget(roomCard(facts));
+    page->column()->addStretch();
+    delete m_panel->content();
+    m_panel->setContent(page);
+    m_panel->showContent();
+    showButton();
+    if (m_test)
+        m_test->setFocus(Qt::OtherFocusReason);
+}
+
+QWidget* StationScreen::loopCard(const StationFacts& facts) {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Punctuality of the force loop"), TextStyle::title));
+    if (facts.last) {
+        const QString when = SessionWords::ago(SessionWords::timeOf(facts.last->startedUtc), QDateTime::currentDateTimeUtc(), context().locale());
+        box.layout->addWidget(kit::label(theme, tr("Session %1, %2").arg(facts.last->session).arg(when), TextStyle::strong));
+        addLoop(*box.layout, facts.last->loop);
+    } else {
+        box.layout->addWidget(kit::label(theme, tr("None of the latest sessions ran against the clock, so nothing is known yet of how punctual this "
+                                                   "station is."), TextStyle::body, "muted"));
+    }
+    box.layout->addWidget(kit::rule());
+    box.layout->addWidget(kit::label(theme, tr("Self-test without a device"), TextStyle::strong));
+    m_testBox = new QVBoxLayout;
+    box.layout->addLayout(m_testBox);
+    if (context().has(database::Role::admin)) {
+        m_test = kit::button(theme, tr("Run the self-test"), "primary", QStringLiteral("run-build"));
+        m_test->setObjectName(QStringLiteral("station.self_test"));
+        connect(m_test, &QPushButton::clicked, this, &StationScreen::startSelfTest);
+        box.layout->addWidget(m_test, 0, Qt::AlignLeft);
+    } else {
+        box.layout->addWidget(kit::label(theme, tr("An administrator can run it here."), TextStyle::body, "muted"));
+    }
+    return box.frame;
+}
+
+void StationScreen::addLoop(QVBoxLayout& column, const session::LoopReport& loop) const {
+    const Theme& theme = context().theme();
+    column.addWidget(kit::notice(theme, StationWords::verdictKind(loop), StationWords::verdict(loop, context().locale())));
+    column.addWidget(kit::label(theme, StationWords::punctuality(loop, context().locale())));
+    if (loop.lateness) {
+        auto* chart = new LatenessChart(theme, context().locale());
+        chart->setBins(*loop.lateness);
+        column.addWidget(chart);
+    } else {
+        column.addWidget(kit::label(theme, tr("This session was recorded before the spread of lateness was kept."), TextStyle::small, "muted"));
+    }
+    column.addWidget(kit::notice(theme, loop.priorityGranted ? "good" : "warning", StationWords::priority(loop.priorityGranted)));
+    if (!loop.priorityGranted) {
+        column.addWidget(kit::label(theme, StationWords::howToGetPriority(), TextStyle::small));
+        if (!loop.priorityDetail.empty())
+            column.addWidget(kit::label(theme, tr("The system said: %1").arg(QString::fromStdString(loop.priorityDetail)), TextStyle::small, "muted"));
+    }
+}
+
+QWidget* StationScreen::devicesCard() const {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Devices"), TextStyle::title));
+    for (const devices::DriverEntry& entry : devices::driverCatalogue()) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(theme.px(12));
+        auto* sign = new QLabel;
+        sign->setPixmap(theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good).pixmap(theme.px(20), theme.px(20)));
+        row->addWidget(sign, 0, Qt::AlignTop);
+        auto* words = new QVBoxLayout;
+        words->setSpacing(theme.px(2));
+        words->addWidget(kit::label(theme, StationWords::driver(entry), TextStyle::strong));
+        words->addWidget(kit::label(theme, StationWords::needs(entry), TextStyle::body, "muted"));
+        row->addLayout(words, 3);
+        row->addWidget(kit::label(theme, StationWords::forceClass(entry.deviceClass)), 1);
+        box.layout->addLayout(row);
+    }
+    box.layout->addWidget(kit::label(theme, tr("No device that makes force felt by a hand is connected: this version has no driver for one yet."),
+                                     TextStyle::small, "muted"));
+    return box.frame;
+}
+
+QWidget* StationScreen::roomCard(const StationFacts& facts) const {
+    const Theme& theme = context().theme();
+    const QLocale locale = context().locale();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Room"), TextStyle::title));
+    const StorageNotice room = StorageWords::room(facts.room, locale);
+    auto* notice = kit::notice(theme, room.kind, room.text);
+    notice->setObjectName(QStringLiteral("station.room"));
+    box.layout->addWidget(notice);
+    box.layout->addWidget(kit::label(theme, tr("A running session keeps its last seconds in memory, so that a crash loses nothing: %1 of the %2 that are "
+                                               "free there.")
+                                                .arg(SessionWords::bytes(facts.room.ringNeeded_bytes, locale),
+                                                     SessionWords::bytes(facts.room.ringFree_bytes, locale)), TextStyle::body, "muted"));
+    return box.frame;
+}
+
+void StationScreen::showButton() {
+    if (m_test)
+        m_test->setEnabled(!context().trialRuns() && !m_strip->isRunning());
+}
+
+void StationScreen::startSelfTest() {
+    if (!m_test || !m_test->isEnabled() || context().trialRuns())
+        return; // a session's loop must not share the machine with a test of it
+    const int ticks = std::max(1, place().parameters.value(QStringLiteral("self_test_ms"), kSelfTest_ms).toInt());
+    m_task = std::make_shared<session::SelfTestTask>(static_cast<std::uint64_t>(ticks));
+    m_token = context().background().run(
+        this, [task = m_task](WorkToken& working) { return session::selfTestOnOwnThread(*task, working.flag()); },
+        [this](const session::SelfTestResult& result) { showSelfTest(result); });
+    m_token->setProgress(0, ticks);
+    m_timer->start();
+    m_strip->start(tr("Testing the loop. Do not use the computer meanwhile."), m_token);
+    showButton();
+}
+
+void StationScreen::showSelfTest(const session::SelfTestResult& result) {
+    const Theme& theme = context().theme();
+    m_timer->stop();
+    m_strip->stop();
+    m_token.reset();
+    clear(*m_testBox);
+    if (result.cancelled) {
+        m_testBox->addWidget(kit::label(theme, tr("The self-test was stopped before its end."), TextStyle::body, "muted"));
+    } else {
+        addLoop(*m_testBox, result.loop);
+        m_testBox->addWidget(kit::notice(theme, result.granted.memoryLocked ? "good" : "warning", StationWords::memory(result.granted.memoryLocked)));
+    }
+    showButton();
+    emit selfTestEnded();
+}
+
+} // namespace chiron::desktop

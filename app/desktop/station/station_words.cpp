@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/station/station_words.h"
+
+namespace chiron::desktop {
+
+namespace {
+constexpr double kMostLate = 0.003; // speed.md: ticks more than 100 µs late, as a share of all
+}
+
+QString StationWords::driver(const devices::DriverEntry& entry) {
+    if (entry.id == "simulated")
+        return tr("Simulated gimbal with a scripted hand");
+    if (entry.id == "keyboard_mouse")
+        return tr("Mouse and keyboard");
+    if (entry.id == "replay")
+        return tr("Recorded trace");
+    return QString::fromUtf8(entry.title.data(), static_cast<qsizetype>(entry.title.size()));
+}
+
+QString StationWords::needs(const devices::DriverEntry& entry) {
+    if (entry.id == "simulated")
+        return tr("Ready. Nothing needs to be connected.");
+    if (entry.id == "keyboard_mouse")
+        return tr("Ready. Moves the tool with a pointer or with keys.");
+    if (entry.id == "replay")
+        return tr("Ready. Plays a trace file as if a hand moved the device.");
+    return QString::fromUtf8(entry.needs.data(), static_cast<qsizetype>(entry.needs.size()));
+}
+
+QString StationWords::forceClass(devices::DeviceClass deviceClass) {
+    return deviceClass == devices::DeviceClass::felt ? tr("Force is felt") : tr("Force is shown, not felt");
+}
+
+QString StationWords::priority(bool granted) {
+    return granted ? tr("The force loop has real-time priority.") : tr("The force loop has no real-time priority: under load, touch may become rough.");
+}
+
+QString StationWords::howToGetPriority() {
+    return tr("To permit it, the administrator of this computer puts two lines into a file in /etc/security/limits.d, with the name of "
+              "the group that trains: \"@group - rtprio 80\" and \"@group - memlock unlimited\". It takes effect at the next login to the computer.");
+}
+
+QString StationWords::memory(bool locked) {
+    return locked ? tr("Memory is locked: nothing the loop needs can be swapped out.")
+                  : tr("Memory is not locked: under pressure the loop may have to wait for the disk.");
+}
+
+QString StationWords::punctuality(const session::LoopReport& loop, const QLocale& locale) {
+    const auto number = [&locale](const std::optional<double>& value_us) { return value_us ? locale.toString(*value_us, 'f', 1) : QStringLiteral("–"); };
+    return tr("%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 µs late, "
+              "%6 were left out.")
+        .arg(locale.toString(static_cast<qulonglong>(loop.ticks)), number(loop.p50_us), number(loop.p99_us), number(loop.max_us),
+             locale.toString(static_cast<qulonglong>(loop.late)), locale.toString(static_cast<qulonglong>(loop.skipped)));
+}
+
+const char* StationWords::verdictKind(const session::LoopReport& loop) {
+    const double share = loop.ticks > 0 ? static_cast<double>(loop.late + loop.skipped) / static_cast<double>(loop.ticks) : 0.0;
+    return share <= kMostLate ? "good" : "warning";
+}
+
+QString StationWords::verdict(const session::LoopReport& loop, const QLocale& locale) {
+    const QString limit = locale.toString(kMostLate * 100.0, 'f', 1);
+    return QLatin1String(verdictKind(loop)) == QLatin1String("good")
+               ? tr("The loop is punctual: at most %1 % of the ticks were late.").arg(limit)
+               : tr("The loop is not punctual: more than %1 % of the ticks were late. Close other programs, or permit real-time priority.").arg(limit);
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/storage/restore_dialog.h"
+
+#include "desktop/widgets/kit.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLineEdit>
+
+namespace chiron::desktop {
+
+RestoreDialog::RestoreDialog(const Theme& theme, const QString& when, const QString& administrator, QWidget* parent) : QDialog(parent) {
+    setObjectName(QStringLiteral("restore"));
+    setWindowTitle(tr("Restore a backup"));
+    setMinimumWidth(theme.px(460));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(theme.px(20), theme.px(20), theme.px(20), theme.px(20));
+    column->setSpacing(theme.px(8));
+    column->addWidget(kit::label(theme, tr("Go back to the backup made %1?").arg(when), TextStyle::title));
+    column->addWidget(kit::label(theme, tr("Everything recorded since then leaves the program. The present database is kept aside beside the "
+                                           "new one, nothing is deleted. People who were erased stay erased. Everybody is logged out.")));
+    m_name = field(*column, theme, QStringLiteral("restore.name"), tr("Administrator"), false);
+    m_name->setText(administrator);
+    m_password = field(*column, theme, QStringLiteral("restore.password"), tr("Password"), true);
+    m_other = new QCheckBox(tr("The backup has another administrator or password"));
+    m_other->setObjectName(QStringLiteral("restore.other"));
+    column->addWidget(m_other);
+    m_otherBox = new QWidget;
+    auto* inner = new QVBoxLayout(m_otherBox);
+    inner->setContentsMargins(theme.px(26), 0, 0, 0);
+    m_otherName = field(*inner, theme, QStringLiteral("restore.other_name"), tr("Administrator in the backup"), false);
+    m_otherPassword = field(*inner, theme, QStringLiteral("restore.other_password"), tr("Password in the backup"), true);
+    m_otherBox->hide();
+    column->addWidget(m_otherBox);
+    connect(m_other, &QCheckBox::toggled, m_otherBox, &QWidget::setVisible);
+    connect(m_other, &QCheckBox::toggled, this, &RestoreDialog::check);
+    auto* row = new QHBoxLayout;
+    row->addStretch();
+    auto* keep = kit::button(theme, tr("Keep the present database"));
+    m_confirm = kit::button(theme, tr("Restore"), "danger");
+    m_confirm->setObjectName(QStringLiteral("restore.confirm"));
+    row->addWidget(keep);
+    row->addWidget(m_confirm);
+    column->addSpacing(theme.px(8));
+    column->addLayout(row);
+    connect(keep, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_confirm, &QPushButton::clicked, this, &QDialog::accept);
+    check();
+    m_password->setFocus();
+}
+
+QLineEdit* RestoreDialog::field(QVBoxLayout& column, const Theme& theme, const QString& name, const QString& label, bool secret) {
+    auto* text = kit::label(theme, label, TextStyle::label);
+    auto* edit = new QLineEdit;
+    edit->setObjectName(name);
+    edit->setAccessibleName(label);
+    edit->setEchoMode(secret ? QLineEdit::Password : QLineEdit::Normal);
+    text->setBuddy(edit);
+    column.addWidget(text);
+    column.addWidget(edit);
+    connect(edit, &QLineEdit::textChanged, this, &RestoreDialog::check);
+    return edit;
+}
+
+void RestoreDialog::check() {
+    if (!m_confirm)
+        return; // still being built
+    const bool own = !m_name->text().isEmpty() && !m_password->text().isEmpty();
+    const bool other = !m_other->isChecked() || (!m_otherName->text().isEmpty() && !m_otherPassword->text().isEmpty());
+    m_confirm->setEnabled(own && other);
+}
+
+void RestoreDialog::fill(database::RestoreRequest& request) const {
+    request.name = m_name->text().toStdString();
+    request.password = m_password->text().toStdString();
+    if (!m_other->isChecked())
+        return;
+    request.presentName = std::exchange(request.name, m_otherName->text().toStdString());
+    request.presentPassword = std::exchange(request.password, m_otherPassword->text().toStdString());
+}
+
+} // namespace chiron::desktop

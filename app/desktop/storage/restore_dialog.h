@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/upkeep/upkeep.h"
+#include "desktop/theme/theme.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QLineEdit;
+class QPushButton;
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+/// Says what a restore does and asks an administrator for the password: of today's database, and of the backup where that was
+/// made under another one.
+class RestoreDialog final : public QDialog {
+    Q_OBJECT
+public:
+    /// `when`: the backup's age in words.
+    RestoreDialog(const Theme& theme, const QString& when, const QString& administrator, QWidget* parent);
+
+    /// Puts the names and passwords that were given into the request.
+    void fill(database::RestoreRequest& request) const;
+
+private:
+    QLineEdit* field(QVBoxLayout& column, const Theme& theme, const QString& name, const QString& label, bool secret);
+    void check();
+
+    QLineEdit* m_name = nullptr;
+    QLineEdit* m_password = nullptr;
+    QCheckBox* m_other = nullptr;
+    QWidget* m_otherBox = nullptr;
+    QLineEdit* m_otherName = nullptr;
+    QLineEdit* m_otherPassword = nullptr;
+    QPushButton* m_confirm = nullptr;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/random.h"
+#include "core/tool_state.h"
+#include "desktop/training/column_trace.h"
+#include "desktop/training/force_words.h"
+#include "desktop/training/key_filter.h"
+#include "desktop/training/pointer_control.h"
+#include "desktop/training/training_plan.h"
+
+#include <QDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QWindow>
+#include <QtTest>
+#include <set>
+
+using namespace chiron;
+using namespace chiron::desktop;
+
+class TestTrainingParts : public QObject {
+    Q_OBJECT
+private slots:
+    void everyPeakStays();
+    void theOldLeavesAndGapsStayEmpty();
+    void traceIgnoresNonsense();
+    void pixelsBecomeMetres();
+    void heldKeysBecomeASpeed();
+    void keysInTheNativeScene();
+    void tabLeavesTheScene();
+    void enterPressesTheFocusedButton();
+    void escStopsInsteadOfClosing();
+    void typingIsLeftAlone();
+    void keysRestAfterTheSession();
+    void everyStateHasItsWords();
+    void aPlanComesBackFromItsPlace();
+};
+
+void TestTrainingParts::everyPeakStays() {
+    core::Random random(7);
+    ColumnTrace trace(10.0);
+    std::vector<std::pair<double, double>> samples;
+    for (int n = 0; n < 25'000; ++n) {
+        const double value = random.uniform() < 0.001 ? 9.0 + random.uniform() : random.uniform();
+        samples.emplace_back(n * 1e-3, value);
+        trace.add(n * 1e-3, value);
+    }
+    for (const std::size_t count : {std::size_t{1}, std::size_t{37}, std::size_t{260}, std::size_t{2048}}) {
+        const std::vector<ColumnRange> columns = trace.columns(count);
+        QCOMPARE(columns.size(), count);
+        double most = 0.0;
+        double least = 10.0;
+        std::multiset<double> peaks;
+        for (const ColumnRange& column : columns) {
+            QVERIFY(column.any);
+            most = std::max(most, column.highest);
+            least = std::min(least, column.lowest);
+        }
+        double wantedMost = 0.0;
+        double wantedLeast = 10.0;
+        for (const auto& [t, value] : samples) {
+            if (t <= trace.newest_s() - 10.0 + 0.01)
+                continue;
+            wantedMost = std::max(wantedMost, value);
+            wantedLeast = std::min(wantedLeast, value);
+        }
+        QVERIFY(most >= wantedMost && least <= wantedLeast);
+        // Each peak is in the column of its time, or beside it.
+        for (const auto& [t, value] : samples) {
+            if (value < 9.0 || t < trace.newest_s() - 9.9)
+                continue;
+            const auto at = static_cast<std::ptrdiff_t>((t - trace.newest_s() + 10.0) / 10.0 * static_cast<double>(count));
+            bool seen = false;
+            for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(at - 1, 0); i <= at + 1 && i < static_cast<std::ptrdiff_t>(count); ++i)
+                seen = seen || columns[static_cast<std::size_t>(i)].highest >= value;
+            QVERIFY(seen);
+        }
+    }
+}
+
+void TestTrainingParts::theOldLeavesAndGapsStayEmpty() {
+    ColumnTrace trace(10.0);
+    trace.add(0.5, 5.0);
+    trace.add(1.0, 1.0);
+    QCOMPARE(trace.highest(), 5.0);
+    trace.add(10.7, 2.0); // 0.5 s lies more than the span back
+    QCOMPARE(trace.highest(), 2.0);
+    int filled = 0;
+    for (const ColumnRange& column : trace.columns(100))
+        filled += column.any ? 1 : 0;
+    QCOMPARE(filled, 2);
+    QVERIFY(trace.columns(100).back().any);
+    trace.add(40.0, 3.0); // a gap longer than the span
+    QCOMPARE(trace.highest(), 3.0);
+    trace.clear();
+    QCOMPARE(trace.highest(), 0.0);
+}
+
+void TestTrainingParts::traceIgnoresNonsense() {
+    ColumnTrace trace(10.0);
+    trace.add(std::nan(""), 1.0);
+    trace.add(1.0, std::nan(""));
+    trace.add(-1.0, 1.0);
+    QCOMPARE(trace.highest(), 0.0);
+    trace.add(100.0, 1.0);
+    trace.add(1.0, 9.0); // long past
+    QCOMPARE(trace.highest(), 1.0);
+}
+
+void TestTrainingParts::pixelsBecomeMetres() {
+    devices::PointerMailbox mailbox;
+    PointerControl hand(mailbox, 2.0);
+    hand.drag({100.0, 40.0}, false);
+    QCOMPARE(mailbox.read().moved_m[0], 0.005); // 100 pixels at 200 %
+    QCOMPARE(mailbox.read().moved_m[1], -0.002); // down on the screen: towards the person
+    hand.drag({100.0, 40.0}, true);
+    QCOMPARE(mailbox.read().moved_m[0], 0.005);
+    QCOMPARE(mailbox.read().moved_m[2], -0.002);
+    hand.wheel(-120);
+    QCOMPARE(mailbox.read().moved_m[2], -0.004);
+    hand.click();
+    hand.click();
+    QCOMPARE(mailbox.read().markPresses, 2u);
+    QCOMPARE(mailbox.read().held, 0u);
+    PointerControl left(mailbox, 1.0, true);
+    left.drag({50.0, 0.0}, false);
+    QCOMPARE(mailbox.read().moved_m[0], 0.0); // mirrored workspace: right stays right in the scene
+}
+
+void TestTrainingParts::heldKeysBecomeASpeed() {
+    devices::PointerMailbox mailbox;
+    PointerControl hand(mailbox, 1.0);
+    QVERIFY(hand.keyDown(Qt::Key_Left) && hand.keyDown(Qt::Key_PageUp));
+    QVERIFY(!hand.keyDown(Qt::Key_A));
+    const double v = PointerControl::kKeySpeed_m_per_s;
+    QVERIFY((mailbox.read().rate_m_per_s == std::array{-v, 0.0, v}));
+    hand.keyDown(Qt::Key_Right);
+    QCOMPARE(mailbox.read().rate_m_per_s[0], 0.0);
+    hand.keyUp(Qt::Key_Left);
+    QCOMPARE(mailbox.read().rate_m_per_s[0], v);
+    hand.releaseKeys();
+    QVERIFY((mailbox.read().rate_m_per_s == std::array{0.0, 0.0, 0.0}));
+}
+
+namespace {
+/// A screen with a button, and the scene's native window beside it.
+struct Keys {
+    Keys() {
+        screen.setFocusPolicy(Qt::StrongFocus);
+        screen.show();
+        scene.show();
+        filter.setScene(&scene);
+        filter.setActive(true);
+    }
+    QWidget screen;
+    QPushButton button{QStringLiteral("Pause"), &screen};
+    QLineEdit field{&screen};
+    QWindow scene;
+    KeyFilter filter{screen};
+};
+} // namespace
+
+void TestTrainingParts::keysInTheNativeScene() {
+    Keys keys;
+    QSignalSpy stop(&keys.filter, &KeyFilter::stopAsked);
+    QSignalSpy pause(&keys.filter, &KeyFilter::pauseAsked);
+    QSignalSpy mark(&keys.filter, &KeyFilter::markAsked);
+    QSignalSpy rearm(&keys.filter, &KeyFilter::rearmAsked);
+    QSignalSpy tool(&keys.filter, &KeyFilter::toolKey);
+    keys.scene.requestActivate();
+    QVERIFY(QTest::qWaitForWindowActive(&keys.scene));
+    QTest::keyClick(&keys.scene, Qt::Key_Escape);
+    QTest::keyClick(&keys.scene, Qt::Key_Space);
+    QTest::keyClick(&keys.scene, Qt::Key_Return);
+    QTest::keyClick(&keys.scene, Qt::Key_R);
+    QTest::keyClick(&keys.scene, Qt::Key_PageDown);
+    QCOMPARE(stop.count(), 1);
+    QCOMPARE(pause.count(), 1);
+    QCOMPARE(mark.count(), 1);
+    QCOMPARE(rearm.count(), 1);
+    QCOMPARE(tool.count(), 2);
+    QCOMPARE(tool.at(0).at(1).toBool(), true);
+    QCOMPARE(tool.at(1).at(1).toBool(), false);
+}
+
+void TestTrainingParts::tabLeavesTheScene() {
+    Keys keys;
+    QSignalSpy leave(&keys.filter, &KeyFilter::leaveSceneAsked);
+    QTest::keyClick(&keys.scene, Qt::Key_Tab);
+    QCOMPARE(leave.count(), 1);
+    QTest::keyClick(&keys.screen, Qt::Key_Tab); // among widgets it is as ever
+    QCOMPARE(leave.count(), 1);
+}
+
+void TestTrainingParts::enterPressesTheFocusedButton() {
+    Keys keys;
+    QSignalSpy mark(&keys.filter, &KeyFilter::markAsked);
+    QSignalSpy pressed(&keys.button, &QPushButton::clicked);
+    keys.screen.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&keys.screen));
+    keys.button.setFocus();
+    QTRY_VERIFY(keys.button.hasFocus());
+    QTest::keyClick(&keys.button, Qt::Key_Return);
+    QCOMPARE(pressed.count(), 1);
+    QCOMPARE(mark.count(), 0);
+    keys.screen.setFocus();
+    QTest::keyClick(&keys.screen, Qt::Key_Return);
+    QCOMPARE(mark.count(), 1);
+}
+
+void TestTrainingParts::escStopsInsteadOfClosing() {
+    Keys keys;
+    QSignalSpy stop(&keys.filter, &KeyFilter::stopAsked);
+    QSignalSpy pause(&keys.filter, &KeyFilter::pauseAsked);
+    QDialog dialog(&keys.screen);
+    dialog.setModal(true);
+    dialog.show();
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    QCOMPARE(stop.count(), 1);
+    QVERIFY(dialog.isVisible());
+    QTest::keyClick(&dialog, Qt::Key_Space); // everything else is the dialog's
+    QCOMPARE(pause.count(), 0);
+    keys.filter.setHeld(true);
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    QVERIFY(!dialog.isVisible());
+    QCOMPARE(stop.count(), 1);
+}
+
+void TestTrainingParts::typingIsLeftAlone() {
+    Keys keys;
+    QSignalSpy pause(&keys.filter, &KeyFilter::pauseAsked);
+    keys.screen.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&keys.screen));
+    keys.field.setFocus();
+    QTRY_VERIFY(keys.field.hasFocus());
+    QTest::keyClicks(&keys.field, QStringLiteral("r r"));
+    QCOMPARE(keys.field.text(), QStringLiteral("r r"));
+    QCOMPARE(pause.count(), 0);
+}
+
+void TestTrainingParts::keysRestAfterTheSession() {
+    Keys keys;
+    QSignalSpy stop(&keys.filter, &KeyFilter::stopAsked);
+    keys.filter.setActive(false);
+    QTest::keyClick(&keys.screen, Qt::Key_Escape);
+    QCOMPARE(stop.count(), 0);
+}
+
+void TestTrainingParts::everyStateHasItsWords() {
+    using core::ForceState;
+    using haptics::ArmingWait;
+    std::set<QString> titles;
+    const auto words = [&](ForceState force, ArmingWait wait, AskedFor asked = {}) {
+        haptics::DisplayState state;
+        state.started = true;
+        state.force = force;
+        state.waitsFor = wait;
+        const ForceWords said = forceWords(state, asked, QLocale::c());
+        titles.insert(said.title);
+        return said;
+    };
+    for (int force = 0; force <= static_cast<int>(ForceState::heldByHeartbeat); ++force)
+        for (int wait = 0; wait <= static_cast<int>(ArmingWait::rearm); ++wait) {
+            const ForceWords said = words(static_cast<ForceState>(force), static_cast<ArmingWait>(wait));
+            QVERIFY(!said.title.isEmpty() && !said.text.isEmpty());
+        }
+    QVERIFY(titles.size() >= 8);
+    QCOMPARE(words(ForceState::off, ArmingWait::nothing, {.felt = false}).title, QStringLiteral("Shown, not felt"));
+    QCOMPARE(words(ForceState::off, ArmingWait::nothing, {.felt = false, .paused = true, .stopped = true}).title,
+             QStringLiteral("Force is stopped"));
+    QCOMPARE(words(ForceState::arming, ArmingWait::smallRequest).title, QStringLiteral("Force is waiting"));
+    QCOMPARE(words(ForceState::on, ArmingWait::nothing).title, QStringLiteral("Force is on"));
+}
+
+void TestTrainingParts::aPlanComesBackFromItsPlace() {
+    TrainingPlan plan;
+    plan.exercise = QStringLiteral("sphere_apex");
+    plan.level = 3;
+    plan.device = PlanDevice::trace;
+    plan.operatorName = QStringLiteral("novice");
+    plan.traceFile = QStringLiteral("/a/b.csv");
+    plan.workspace = {.scale = 1.5, .origin_m = {0.01, -0.02, 0.03}, .leftHanded = true};
+    plan.familiarisation = true;
+    const TrainingPlan again = TrainingPlan::fromMap(plan.toMap());
+    QCOMPARE(again.toMap(), plan.toMap());
+    QCOMPARE(TrainingPlan::fromMap({}).workspace.scale, 1.0);
+    QVERIFY(TrainingPlan::fromMap({{QStringLiteral("device"), QStringLiteral("lathe")}}).device == PlanDevice::mouse);
+}
+
+QTEST_MAIN(TestTrainingParts)
+#include "test_training_parts.moc"

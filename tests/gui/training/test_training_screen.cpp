@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/training/training_bench.h"
+
+#include "desktop/training/force_bar.h"
+#include "desktop/training/live_plot.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QMessageBox>
+
+using namespace chiron;
+using namespace chiron::tests;
+using core::TrialPhase;
+using database::SessionState;
+
+namespace {
+
+/// Presses a button of the question that comes up next.
+void answer(const char* button) {
+    QTimer::singleShot(100, qApp, [button] {
+        for (QWidget* top : QApplication::topLevelWidgets())
+            if (auto* found = top->findChild<QPushButton*>(QLatin1String(button)); found && top->isVisible())
+                return found->click();
+        qFatal("no question came up");
+    });
+}
+
+database::SessionRecord recordOf(TrainingBench& bench, database::SessionId id, const database::Actor& actor) {
+    auto connection = bench.desktop.database().openReader();
+    auto record = database::SessionReader(**connection, actor).session(id);
+    if (!record)
+        qFatal("%s", record.error().message.c_str());
+    return *record;
+}
+
+} // namespace
+
+class TestTrainingScreen : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { qputenv("CHIRON_NO_SOUND", "1"); }
+    void aWholeSetWithTheMouse();
+    void onlyKeys();
+    void pauseAndResume();
+    void escStopsAndRearms();
+    void cuesFollowTheLevel_data();
+    void cuesFollowTheLevel();
+    void aStallCostsNoTick();
+    void leavingAsks();
+    void endKeepsWhatIsRecorded();
+    void errorsHaveTheirWords();
+    void anUnknownLevelIsSaid();
+    void soundCanBeSilent();
+};
+
+void TestTrainingScreen::aWholeSetWithTheMouse() {
+    TrainingBench bench(3);
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QVERIFY(bench.desktop.context.trialRuns());
+    for (int trial = 0; trial < 3; ++trial) {
+        QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == trial, 15'000);
+        QVERIFY(bench.text("training.trial").contains(QString::number(trial + 1)));
+        const double before_m = bench.state().tool[0].p_WT_m[0];
+        bench.sweepTo({trial % 2 == 0 ? 50 : -50, 20});
+        QTRY_VERIFY(trial % 2 == 0 ? bench.state().tool[0].p_WT_m[0] > before_m : bench.state().tool[0].p_WT_m[0] < before_m);
+        while (bench.state().tool[0].p_WT_m[2] > 0.012 && bench.runs()) { // onto the ball, or the plane beside it
+            bench.wheel(-240);
+            QTest::qWait(20);
+        }
+        bench.click();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+    QVERIFY(!bench.desktop.context.trialRuns());
+    const auto id = bench.desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong();
+    const database::SessionRecord record = recordOf(bench, id, bench.desktop.context.actor());
+    QVERIFY(record.summary.state == SessionState::completed);
+    QVERIFY(!record.summary.felt);
+    QVERIFY(record.summary.operatorName.empty());
+    QCOMPARE(record.summary.dropped, std::uint64_t{0});
+    auto connection = bench.desktop.database().openReader();
+    const auto trials = database::SessionReader(**connection, bench.desktop.context.actor()).trials(id);
+    QCOMPARE(trials->size(), std::size_t{3});
+    for (const database::TrialRecord& trial : *trials)
+        QVERIFY(trial.marked);
+}
+
+void TestTrainingScreen::onlyKeys() {
+    TrainingBench bench(1);
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    const double z_m = bench.state().tool[0].p_WT_m[2];
+    QTest::keyPress(bench.screen(), Qt::Key_PageDown);
+    QTRY_VERIFY(bench.state().tool[0].p_WT_m[2] < z_m - 0.005);
+    QTest::keyRelease(bench.screen(), Qt::Key_PageDown);
+    QTest::keyPress(bench.screen(), Qt::Key_Right);
+    QTRY_VERIFY(bench.state().tool[0].p_WT_m[0] > 0.002);
+    QTest::keyRelease(bench.screen(), Qt::Key_Right);
+    bench.key(Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+}
+
+void TestTrainingScreen::pauseAndResume() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTest::keyPress(bench.screen(), Qt::Key_Right); // a held key must not go on moving the tool
+    bench.key(Qt::Key_Space);
+    QTRY_VERIFY(bench.state().paused);
+    QCOMPARE(bench.text("training.force.title"), QStringLiteral("Paused"));
+    const haptics::DisplayState at = bench.state();
+    QTest::qWait(300);
+    QVERIFY(bench.state().tick > at.tick); // the loop goes on ...
+    QCOMPARE(bench.state().timeLeft_s, at.timeLeft_s); // ... and the clock does not
+    QCOMPARE(bench.state().tool[0].p_WT_m[0], at.tool[0].p_WT_m[0]);
+    bench.click(); // no mark while paused
+    bench.key(Qt::Key_Space);
+    QTRY_VERIFY(!bench.state().paused);
+    QTRY_VERIFY(bench.state().timeLeft_s < at.timeLeft_s);
+    QCOMPARE(int(bench.state().trial), 0);
+    bench.desktop.find<QPushButton>(QStringLiteral("training.main"))->click(); // the button does the same
+    QTRY_VERIFY(bench.state().paused);
+}
+
+void TestTrainingScreen::escStopsAndRearms() {
+    TrainingBench bench;
+    bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000);
+    bench.key(Qt::Key_Escape);
+    QTRY_VERIFY(bench.state().force == core::ForceState::stopped);
+    QCOMPARE(bench.state().gain, 0.0);
+    QVERIFY(bench.state().paused);
+    QCOMPARE(bench.text("training.force.title"), QStringLiteral("Force is stopped"));
+    bench.key(Qt::Key_Space); // a stop is not left by the pause key
+    QTest::qWait(100);
+    QVERIFY(bench.state().force == core::ForceState::stopped);
+    auto* main = bench.desktop.find<QPushButton>(QStringLiteral("training.main"));
+    QVERIFY(main->text().contains(QStringLiteral("Re-arm")));
+    bench.key(Qt::Key_R);
+    QTRY_VERIFY(bench.state().force == core::ForceState::arming || bench.state().force == core::ForceState::ramping ||
+                bench.state().force == core::ForceState::on);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000);
+    QVERIFY(!bench.state().paused);
+}
+
+void TestTrainingScreen::cuesFollowTheLevel_data() {
+    QTest::addColumn<int>("level");
+    QTest::newRow("visible") << 1;
+    QTest::newRow("by touch, shown") << 2;
+}
+
+void TestTrainingScreen::cuesFollowTheLevel() {
+    QFETCH(int, level);
+    TrainingBench bench;
+    bench.train({{QStringLiteral("level"), level}});
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    const session::LevelCues cues = session::cuesOf(*bench.desktop.site.catalogue().find("sphere_apex", level), false);
+    QCOMPARE(bench.desktop.find<desktop::ForceBar>(QStringLiteral("training.force_bar")) != nullptr, cues.bars);
+    QCOMPARE(bench.desktop.find<QLabel>(QStringLiteral("training.tip_x")) != nullptr, cues.numbers);
+    QCOMPARE(bench.desktop.find<desktop::LivePlot>(QStringLiteral("training.force_plot")) != nullptr, cues.plots);
+    QCOMPARE(bench.desktop.find<QPushButton>(QStringLiteral("training.mute")) != nullptr, cues.sound);
+    QCOMPARE(bench.state().objectShown, cues.object);
+    QCOMPARE(cues.object, level == 1);
+    QVERIFY(bench.text("training.device").contains(QStringLiteral("shown, not felt")));
+}
+
+/// The window does nothing for a second. What is asserted stands in the recording; lateness is printed (the same run without
+/// a stall: test_live_training).
+void TestTrainingScreen::aStallCostsNoTick() {
+    for (const bool stall : {false, true}) {
+        TrainingBench bench;
+        bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
+        QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000);
+        const std::uint64_t at = bench.state().tick;
+        if (stall)
+            QThread::msleep(1000);
+        QTRY_VERIFY(bench.state().tick > at);
+        QCOMPARE((bench.state().guardsSeen & core::guard_bits::kHeartbeat) != 0, stall);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000); // comes back by itself
+        QCOMPARE(bench.state().droppedFrames, std::uint64_t{0});
+        const haptics::LoopStatistics& loop = bench.screen()->feed()->training().statistics().latest();
+        qInfo("%s: %llu ticks, %llu late, %llu skipped, p99 %.1f us, max %.1f us", stall ? "stalled for 1 s" : "no stall       ",
+              static_cast<unsigned long long>(loop.ticks()), static_cast<unsigned long long>(loop.late()),
+              static_cast<unsigned long long>(loop.skippedDeadlines()), loop.lateness().percentile_us(0.99),
+              1e-3 * static_cast<double>(loop.lateness().maximum_ns()));
+    }
+}
+
+void TestTrainingScreen::leavingAsks() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    const database::SessionId id = bench.screen()->feed()->training().sessionId();
+    answer("training.ask.keep");
+    bench.desktop.go(QStringLiteral("settings"));
+    QVERIFY(bench.at(QStringLiteral("training")));
+    QTRY_VERIFY(bench.state().paused);
+    answer("training.ask.end");
+    bench.desktop.go(QStringLiteral("settings"));
+    QVERIFY(bench.at(QStringLiteral("settings")));
+    QTRY_VERIFY(!bench.desktop.context.trialRuns());
+    QVERIFY(recordOf(bench, id, bench.desktop.context.actor()).summary.state == SessionState::stopped);
+    QTest::qWait(200);
+    QVERIFY(bench.at(QStringLiteral("settings"))); // its end carries nobody to a debrief
+}
+
+void TestTrainingScreen::endKeepsWhatIsRecorded() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    const database::SessionId id = bench.screen()->feed()->training().sessionId();
+    answer("training.ask.end");
+    bench.desktop.find<QPushButton>(QStringLiteral("training.end"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+    const database::SessionRecord record = recordOf(bench, id, bench.desktop.context.actor());
+    QVERIFY(record.summary.state == SessionState::stopped);
+    QVERIFY(record.summary.frames > 0);
+}
+
+void TestTrainingScreen::errorsHaveTheirWords() {
+    TrainingBench bench;
+    bench.train({{QStringLiteral("device"), QStringLiteral("trace")}, {QStringLiteral("trace"), QStringLiteral("/nowhere/trace.csv")}});
+    auto* panel = bench.screen()->findChild<desktop::StatePanel*>();
+    QTRY_VERIFY(panel->state() == desktop::StatePanel::State::error);
+    QVERIFY(!bench.desktop.context.trialRuns());
+    QVERIFY(bench.screen()->mayLeave());
+}
+
+void TestTrainingScreen::anUnknownLevelIsSaid() {
+    TrainingBench bench;
+    bench.train({{QStringLiteral("level"), 99}});
+    QTRY_VERIFY(bench.screen()->findChild<desktop::StatePanel*>()->state() == desktop::StatePanel::State::error);
+}
+
+void TestTrainingScreen::soundCanBeSilent() {
+    TrainingBench bench; // CHIRON_NO_SOUND: there is no output
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    auto* mute = bench.desktop.find<QPushButton>(QStringLiteral("training.mute"));
+    QVERIFY(mute && !mute->isEnabled());
+    QVERIFY(mute->toolTip().contains(QStringLiteral("Everything that can be heard is also shown")));
+}
+
+QTEST_MAIN(TestTrainingScreen)
+#include "test_training_screen.moc"

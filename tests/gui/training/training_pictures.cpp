@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of a session's states: training_pictures FOLDER [LOOK ...]. Needs a display; nothing is asserted.
+#include "gui/training/training_bench.h"
+
+#include <QDir>
+#include <QScreen>
+#include <cstdio>
+
+using namespace chiron;
+using namespace chiron::tests;
+
+namespace {
+
+struct Look {
+    const char* name;
+    desktop::ThemeName theme;
+    double scale;
+    const char* language;
+};
+
+constexpr Look kLooks[] = {{"light", desktop::ThemeName::light, 1.0, "en"},
+                           {"dark", desktop::ThemeName::dark, 1.0, "en"},
+                           {"contrast", desktop::ThemeName::highContrast, 1.0, "en"},
+                           {"large", desktop::ThemeName::light, 2.0, "en"},
+                           {"large_de", desktop::ThemeName::light, 2.0, "de"}};
+
+class Album {
+public:
+    Album(TrainingBench& bench, const QDir& folder, const char* look) : m_bench(bench), m_folder(folder), m_look(look) {}
+    void take(const char* name, int wait_ms = 500) {
+        QTest::qWait(wait_ms);
+        const QString file = m_folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(name), QLatin1String(m_look)));
+        QGuiApplication::primaryScreen()->grabWindow(0).save(file);
+        std::printf("%s\n", qPrintable(file));
+    }
+
+private:
+    TrainingBench& m_bench;
+    QDir m_folder;
+    const char* m_look;
+};
+
+void untilForce(TrainingBench& bench, core::ForceState force) {
+    (void)QTest::qWaitFor([&] { return bench.state().force == force; }, 20'000);
+}
+
+void takeMouse(TrainingBench& bench, Album& album) {
+    bench.train();
+    (void)QTest::qWaitFor([&] { return bench.runs(); }, 20'000);
+    for (int n = 0; n < 14; ++n) {
+        bench.wheel(-240);
+        bench.sweepTo({10 * (n % 5), 3 * n});
+        QTest::qWait(120);
+    }
+    album.take("mouse_running");
+    for (int n = 0; n < 20; ++n) {
+        bench.wheel(-240);
+        QTest::qWait(50);
+    }
+    album.take("mouse_over_limit", 1500);
+    bench.key(Qt::Key_Space);
+    album.take("mouse_paused");
+    bench.key(Qt::Key_Escape);
+    album.take("mouse_stopped");
+}
+
+void takeDemonstration(TrainingBench& bench, Album& album) {
+    bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
+    untilForce(bench, core::ForceState::ramping);
+    album.take("demo_arming", 300);
+    untilForce(bench, core::ForceState::on);
+    album.take("demo_running", 6000);
+    bench.key(Qt::Key_Escape);
+    album.take("demo_stopped");
+}
+
+void leave(TrainingBench& bench) {
+    QTimer::singleShot(300, qApp, [] {
+        for (QWidget* top : QApplication::topLevelWidgets())
+            if (auto* end = top->findChild<QPushButton*>(QStringLiteral("training.ask.end")))
+                end->click();
+    });
+    bench.desktop.go(QStringLiteral("settings"));
+    QTest::qWait(300);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.size() < 2) {
+        std::fprintf(stderr, "usage: training_pictures FOLDER [LOOK ...]\n");
+        return 2;
+    }
+    const QDir folder(arguments.at(1));
+    folder.mkpath(QStringLiteral("."));
+    const QStringList wanted = arguments.mid(2);
+    TrainingBench bench(10, 60.0);
+    for (const Look& look : kLooks) {
+        if (!wanted.isEmpty() && !wanted.contains(QLatin1String(look.name)))
+            continue;
+        bench.desktop.settings.setTheme(look.theme);
+        bench.desktop.settings.setScale(look.scale);
+        bench.desktop.settings.setLanguage(QLatin1String(look.language));
+        bench.desktop.context.applyAppearance();
+        Album album(bench, folder, look.name);
+        bench.desktop.go(QStringLiteral("exercise_setup"), {{QStringLiteral("exercise"), QStringLiteral("sphere_apex")}});
+        album.take("setup", 800);
+        takeMouse(bench, album);
+        leave(bench);
+        takeDemonstration(bench, album);
+        leave(bench);
+        bench.train({{QStringLiteral("device"), QStringLiteral("trace")}, {QStringLiteral("trace"), QStringLiteral("/nowhere/trace.csv")}});
+        album.take("error", 800);
+    }
+    return 0;
+}
