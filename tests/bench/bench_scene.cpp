@@ -57,7 +57,8 @@ struct Shown {
     }
 };
 
-/// Prints three times: the scene's load began, its first frame was reported, it could be seen.
+/// Prints three times: the scene's load began, its first frame was reported, it could be seen;
+/// and the processor time until then.
 int firstFrame(QApplication& app) {
     double told_s = 0.0;
     QTimer timer;
@@ -79,7 +80,8 @@ int firstFrame(QApplication& app) {
             holder.window.screen()->grabWindow(holder.window.winId(), 400, 600, 1, 1).toImage();
         if (seen.isNull() || seen.pixelColor(0, 0).red() < 90 || seen.pixelColor(0, 0).blue() > 150)
             return; // not yet tissue
-        std::printf("%.6f %.6f %.6f\n", holder.begun_s, told_s, bench::seconds(CLOCK_MONOTONIC));
+        std::printf("%.6f %.6f %.6f %.6f\n", holder.begun_s, told_s, bench::seconds(CLOCK_MONOTONIC),
+                    bench::seconds(CLOCK_PROCESS_CPUTIME_ID));
         std::fflush(stdout);
         std::_Exit(0);
     });
@@ -141,15 +143,18 @@ std::vector<double> child(const QString& program, const QStringList& arguments) 
 int measure(const QString& self) {
     qputenv("QT3D_RENDERER", "opengl"); // the same back end for both
     const QString bare = QFileInfo(self).dir().filePath(QStringLiteral("bench_scene_bare"));
-    std::vector<double> peer_s, exec_s, load_s;
+    std::vector<double> peer_s, exec_s, load_s, peerCpu_s, cpu_s;
     for (int i = 0; i < kRepeats; ++i) {
         double start_s = bench::seconds(CLOCK_MONOTONIC);
         const auto a = child(bare, {});
-        if (a.size() == 1)
+        if (a.size() == 2) {
             peer_s.push_back(a[0] - start_s);
+            peerCpu_s.push_back(a[1]);
+        }
         start_s = bench::seconds(CLOCK_MONOTONIC);
         const auto b = child(self, {QStringLiteral("--first")});
-        if (b.size() == 3) {
+        if (b.size() == 4) {
+            cpu_s.push_back(b[3]);
             exec_s.push_back(b[2] - start_s);
             load_s.push_back(b[2] - b[0]);
         }
@@ -171,6 +176,9 @@ int measure(const QString& self) {
     std::printf("  bare Qt3D window              %7.1f ms\n", bench::median(peer_s) * 1e3);
     std::printf("  scene after its window        %7.1f ms  ratio %.2f (goal 1.2)\n",
                 bench::median(exec_s) * 1e3, bench::median(exec_s) / bench::median(peer_s));
+    std::printf("  processor time until then     %7.1f ms and %.1f ms  ratio %.2f\n",
+                bench::median(peerCpu_s) * 1e3, bench::median(cpu_s) * 1e3,
+                bench::median(cpu_s) / bench::median(peerCpu_s));
     std::printf("  of which making the scene     %7.1f ms\n", bench::median(load_s) * 1e3);
     std::printf("frames a second, 1024x768, moving tip: median %.1f of %zu runs (goal 40); %.1f ms of "
                 "processor time a frame\n",

@@ -57,11 +57,11 @@ void FlatTools::paintTool(const ToolView& tool, const core::Quat& q_W, bool ghos
     m_painter.drawEllipse(from, dot, dot);
 }
 
-void FlatTools::paintAcross(const core::Vec3& p_W, const QPointF& along, double half_mm, double wide) {
+void FlatTools::paintAcross(const QPointF& middle, const QPointF& along, double half_mm, double wide,
+                            const QColor& colour) {
     const double length = std::hypot(along.x(), along.y());
     const QPointF beside = length > 1e-6 ? QPointF(-along.y(), along.x()) / length : QPointF(1.0, 0.0);
-    const QPointF middle = m_panel.project(p_W);
-    m_painter.setPen(QPen(m_painter.pen().color(), wide * m_panel.unit()));
+    m_painter.setPen(QPen(colour, wide * m_panel.unit(), Qt::SolidLine, Qt::FlatCap));
     m_painter.drawLine(middle - m_panel.pixels(half_mm) * beside, middle + m_panel.pixels(half_mm) * beside);
 }
 
@@ -70,36 +70,41 @@ void FlatTools::paintArrow(const ToolView& tool) {
     if (force_N <= kLeast_N)
         return;
     const double share = force_N / std::max(0.1, m_setup.forceLimit_N);
-    const bool over = share > 1.0;
     const core::Vec3 tip = drawnTip(tool);
-    const core::Vec3 direction = tool.force_N / force_N;
-    const core::Vec3 full = kArrow_mm * 1e-3 * direction;
+    const core::Vec3 full = kArrow_mm * 1e-3 * tool.force_N / force_N;
     const QPointF from = m_panel.project(tip);
-    const QPointF to = m_panel.project(tip + std::min(share, kLongest) * full);
-    const QPointF along = to - from;
-    const double length = std::hypot(along.x(), along.y());
+    const QPointF along = m_panel.project(tip + std::min(share, kLongest) * full) - from;
     m_painter.setPen(QPen(m_setup.colours.ink, m_panel.unit(), Qt::DotLine));
     m_painter.drawLine(from, m_panel.project(tip + full));
-    m_painter.setPen(m_setup.colours.ink);
-    paintAcross(tip + full, along, 5.0, 2.5); // the limit
-    const QColor colour = over ? m_setup.colours.over : m_setup.colours.arrow;
-    const double wide = over ? 6.0 : 3.5;
-    const double head = std::min(length, (over ? 17.0 : 13.0) * m_panel.unit());
+    // First wider in the background's colour, so that the arrow stands off from tissue of nearly its own.
+    paintArrowShape(from, along, share > 1.0, 2.5, m_setup.colours.background);
+    paintArrowShape(from, along, share > 1.0, 0.0,
+                    share > 1.0 ? m_setup.colours.over : m_setup.colours.arrow);
+    const QPointF limit = m_panel.project(tip + full);
+    paintAcross(limit, along, 5.4, 4.5, m_setup.colours.background);
+    paintAcross(limit, along, 5.0, 2.5, m_setup.colours.ink);
+}
+
+void FlatTools::paintArrowShape(const QPointF& from, const QPointF& along, bool over, double halo,
+                                const QColor& colour) {
+    const double length = std::hypot(along.x(), along.y());
     if (length < 1.0)
         return;
-    const QPointF unit = along / length;
-    const QPointF beside(-unit.y(), unit.x());
-    m_painter.setPen(QPen(colour, wide * m_panel.unit(), Qt::SolidLine, Qt::FlatCap));
-    m_painter.drawLine(from, to - 0.9 * head * unit);
-    m_painter.setPen(Qt::NoPen);
-    m_painter.setBrush(colour);
+    const double u = m_panel.unit();
+    const QPointF ahead = along / length;
+    const QPointF beside(-ahead.y(), ahead.x());
+    const double wide = (over ? 6.0 : 3.5) + 2.0 * halo;
+    const double head = std::min(length, (over ? 17.0 : 13.0) * u);
+    const QPointF to = from + along;
+    m_painter.setPen(QPen(colour, wide * u, Qt::SolidLine, Qt::FlatCap));
+    m_painter.drawLine(from, to - 0.9 * head * ahead);
     QPolygonF point;
-    point << to << to - head * unit + 0.5 * head * beside << to - head * unit - 0.5 * head * beside;
+    point << to << to - head * ahead + 0.5 * head * beside << to - head * ahead - 0.5 * head * beside;
+    m_painter.setPen(halo > 0.0 ? QPen(colour, 2.0 * halo * u) : QPen(Qt::NoPen));
+    m_painter.setBrush(colour);
     m_painter.drawPolygon(point);
-    for (int i = 0; over && i < 3; ++i) {
-        m_painter.setPen(colour);
-        paintAcross(tip + (0.25 + 0.18 * i) * share * full, along, 2.8, 2.5);
-    }
+    for (int i = 0; over && i < 3; ++i)
+        paintAcross(from + (0.25 + 0.18 * i) * along, along, 2.8, 2.5 + 2.0 * halo, colour);
 }
 
 void FlatTools::paintDropLine(const ToolView& tool, double ground_m) {

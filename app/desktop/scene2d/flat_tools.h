@@ -22,7 +22,10 @@ public:
     void paintPin(const core::Vec3& p_W);
 
 private:
-    void paintAcross(const core::Vec3& p_W, const QPointF& along, double half_mm, double wide);
+    void paintAcross(const QPointF& middle, const QPointF& along, double half_mm, double wide,
+                     const QColor& colour);
+    void paintArrowShape(const QPointF& from, const QPointF& along, bool over, double halo,
+                         const QColor& colour);
 
     QPainter& m_painter;
     const FlatPanel& m_panel;

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QFont>
+#include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
@@ -50,9 +51,12 @@ void GaugePainter::paint(QPainter& painter) const {
     painter.setBrush(card);
     painter.drawPath(frame);
     painter.setPen(m_setup.colours.ink);
-    painter.setFont(font(12, true));
-    painter.drawText(QRectF(4, 6, kWidth - 8, 24), Qt::AlignCenter,
-                     QCoreApplication::translate("chiron::scene3d::ForceGauge", "Force (N)"));
+    const QString title = QCoreApplication::translate("chiron::scene3d::ForceGauge", "Force (N)");
+    double size = 12.0; // smaller where another language needs the room
+    while (size > 8.0 && QFontMetricsF(font(size, true)).horizontalAdvance(title) > kWidth - 8.0)
+        size -= 1.0;
+    painter.setFont(font(size, true));
+    painter.drawText(QRectF(4, 6, kWidth - 8, 24), Qt::AlignCenter, title);
     paintScale(painter);
     paintLimit(painter);
 }

@@ -40,26 +40,31 @@ private:
     std::vector<float> m_values;
 };
 
+/// From 0 to 1 with level ends.
+float smooth(float t) {
+    return t * t * (3.0F - 2.0F * t);
+}
+
 /// Smooth noise with `cells` cells a side, added with this weight.
 void addNoise(Sheet& sheet, int cells, float weight, std::uint32_t seed) {
     Dice dice(seed);
     Sheet coarse(cells);
     for (int y = 0; y < cells; ++y)
         for (int x = 0; x < cells; ++x)
-            coarse.at(x, y) = dice.around();
+            coarse.at(x, y) = weight * dice.around();
     const int step = sheet.side() / cells;
     for (int y = 0; y < sheet.side(); ++y) {
-        const float v = float(y % step) / float(step);
-        const float sv = v * v * (3.0F - 2.0F * v);
-        for (int x = 0; x < sheet.side(); ++x) {
-            const float u = float(x % step) / float(step);
-            const float su = u * u * (3.0F - 2.0F * u);
-            const int cx = x / step;
-            const int cy = y / step;
-            const float low = coarse.at(cx, cy) + su * (coarse.at(cx + 1, cy) - coarse.at(cx, cy));
-            const float high =
-                coarse.at(cx, cy + 1) + su * (coarse.at(cx + 1, cy + 1) - coarse.at(cx, cy + 1));
-            sheet.at(x, y) += weight * (low + sv * (high - low));
+        const float up = smooth(float(y % step) / float(step));
+        float* row = &sheet.at(0, y);
+        for (int cell = 0; cell < cells; ++cell) {
+            const auto edge = [&](int x) {
+                const float low = coarse.at(x, y / step);
+                return low + up * (coarse.at(x, y / step + 1) - low);
+            };
+            const float left = edge(cell);
+            const float rise = edge(cell + 1) - left;
+            for (int x = 0; x < step; ++x)
+                *row++ += left + rise * smooth(float(x) / float(step));
         }
     }
 }
@@ -71,7 +76,7 @@ void dab(Sheet& sheet, float x, float y, float radius, float strength) {
         for (int dx = -reach; dx <= reach; ++dx) {
             const float px = std::floor(x) + float(dx);
             const float py = std::floor(y) + float(dy);
-            const float away = std::hypot(px - x, py - y);
+            const float away = std::sqrt((px - x) * (px - x) + (py - y) * (py - y));
             const float value = strength * std::clamp((radius + 0.9F - away) / 1.8F, 0.0F, 1.0F);
             float& old = sheet.at(int(px) + 8 * sheet.side(), int(py) + 8 * sheet.side());
             old = std::max(old, value);

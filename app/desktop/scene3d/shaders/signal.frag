@@ -12,5 +12,6 @@ out vec4 colour;
 void main()
 {
     float head = max(0.0, dot(normalize(normal), normalize(eyePosition - place)));
-    colour = vec4(tint.rgb * (0.62 + 0.38 * head), tint.a);
+    vec3 own = tint.rgb * (0.62 + 0.38 * head);
+    colour = vec4(mix(own, vec3(1.0), 0.65 * smoothstep(0.58, 0.85, 1.0 - head)), tint.a); // a light edge, on any ground
 }
