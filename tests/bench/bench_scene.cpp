@@ -16,6 +16,7 @@
 #include <QWidget>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 using namespace chiron;
 
@@ -40,6 +41,7 @@ struct Shown {
     Window window;
     scene3d::LoadedScene scene;
     double begun_s = 0.0;
+    double made_s = 0.0;
 
     explicit Shown(std::function<void()> then) {
         window.resize(1024, 768);
@@ -49,6 +51,7 @@ struct Shown {
         window.painted = [this, layout, then] {
             begun_s = bench::seconds(CLOCK_MONOTONIC);
             scene = scene3d::makeSceneView(scene3d::samples::setup(), &window);
+            made_s = bench::seconds(CLOCK_MONOTONIC);
             layout->addWidget(scene.view->widget());
             scene.view->show(scene3d::samples::pressed(2.0));
             then();
@@ -58,12 +61,16 @@ struct Shown {
 };
 
 /// Prints three times: the scene's load began, its first frame was reported, it could be seen;
-/// and the processor time until then.
+/// the processor time
+/// until then; when it was made; the longest time in which the window did not answer.
 int firstFrame(QApplication& app) {
     double told_s = 0.0;
+    double beat_s = 0.0;
+    double stall_s = 0.0; // longest time in which the event loop did not come round
     QTimer timer;
     Shown* shown = nullptr;
     Shown holder([&] {
+        beat_s = shown->begun_s;
         if (!shown->scene.whyFlat.isEmpty()) {
             std::printf("flat: %s\n", qPrintable(shown->scene.whyFlat));
             std::fflush(stdout);
@@ -74,14 +81,16 @@ int firstFrame(QApplication& app) {
     });
     shown = &holder;
     QObject::connect(&timer, &QTimer::timeout, &timer, [&] {
+        const double now_s = bench::seconds(CLOCK_MONOTONIC);
+        stall_s = std::max(stall_s, now_s - std::exchange(beat_s, now_s));
         if (told_s == 0.0)
             return;
         const QImage seen =
             holder.window.screen()->grabWindow(holder.window.winId(), 400, 600, 1, 1).toImage();
         if (seen.isNull() || seen.pixelColor(0, 0).red() < 90 || seen.pixelColor(0, 0).blue() > 150)
             return; // not yet tissue
-        std::printf("%.6f %.6f %.6f %.6f\n", holder.begun_s, told_s, bench::seconds(CLOCK_MONOTONIC),
-                    bench::seconds(CLOCK_PROCESS_CPUTIME_ID));
+        std::printf("%.6f %.6f %.6f %.6f %.6f %.6f\n", holder.begun_s, told_s, now_s,
+                    bench::seconds(CLOCK_PROCESS_CPUTIME_ID), holder.made_s, stall_s);
         std::fflush(stdout);
         std::_Exit(0);
     });
@@ -143,7 +152,7 @@ std::vector<double> child(const QString& program, const QStringList& arguments) 
 int measure(const QString& self) {
     qputenv("QT3D_RENDERER", "opengl"); // the same back end for both
     const QString bare = QFileInfo(self).dir().filePath(QStringLiteral("bench_scene_bare"));
-    std::vector<double> peer_s, exec_s, load_s, peerCpu_s, cpu_s;
+    std::vector<double> peer_s, exec_s, load_s, peerCpu_s, cpu_s, make_s, stall_s;
     for (int i = 0; i < kRepeats; ++i) {
         double start_s = bench::seconds(CLOCK_MONOTONIC);
         const auto a = child(bare, {});
@@ -153,8 +162,10 @@ int measure(const QString& self) {
         }
         start_s = bench::seconds(CLOCK_MONOTONIC);
         const auto b = child(self, {QStringLiteral("--first")});
-        if (b.size() == 4) {
+        if (b.size() == 6) {
             cpu_s.push_back(b[3]);
+            make_s.push_back(b[4] - b[0]);
+            stall_s.push_back(b[5]);
             exec_s.push_back(b[2] - start_s);
             load_s.push_back(b[2] - b[0]);
         }
@@ -180,6 +191,8 @@ int measure(const QString& self) {
                 bench::median(peerCpu_s) * 1e3, bench::median(cpu_s) * 1e3,
                 bench::median(cpu_s) / bench::median(peerCpu_s));
     std::printf("  of which making the scene     %7.1f ms\n", bench::median(load_s) * 1e3);
+    std::printf("  makeSceneView() itself        %7.1f ms, longest time without an answer %.1f ms\n",
+                bench::median(make_s) * 1e3, bench::median(stall_s) * 1e3);
     std::printf("frames a second, 1024x768, moving tip: median %.1f of %zu runs (goal 40); %.1f ms of "
                 "processor time a frame\n",
                 bench::median(rates), rates.size(), bench::median(cpu_ms));

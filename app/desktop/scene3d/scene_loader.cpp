@@ -10,6 +10,7 @@
 #include <QLibrary>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
+#include <atomic>
 
 namespace chiron::scene3d {
 
@@ -19,13 +20,18 @@ QString words(const char* text) {
     return QCoreApplication::translate("chiron::scene3d::SceneLoader", text);
 }
 
+/// A yes is remembered, since a driver that was there stays; a no is asked again.
 bool hasOpenGl() {
+    static std::atomic<bool> found = false;
+    if (found)
+        return true;
     QSurfaceFormat format;
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);
     QOpenGLContext context;
     context.setFormat(format);
-    return context.create() && !context.isOpenGLES() && context.format().version() >= qMakePair(3, 2);
+    found = context.create() && !context.isOpenGLES() && context.format().version() >= qMakePair(3, 2);
+    return found;
 }
 
 ScenePlugin findPlugin() {
