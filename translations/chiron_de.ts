@@ -882,6 +882,114 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
+    <message>
+        <source>Home</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Übungen</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Storage</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Arbeitsplatz</translation>
+    </message>
+</context>
+<context>
+    <name>SessionWords</name>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Incomplete</source>
+        <translation>Unvollständig</translation>
+    </message>
+    <message>
+        <source>Faulted</source>
+        <translation>Gestört</translation>
+    </message>
+    <message>
+        <source>Voided</source>
+        <translation>Ungültig</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Does not count</source>
+        <translation>Zählt nicht</translation>
+    </message>
+    <message>
+        <source>Familiarisation</source>
+        <translation>Eingewöhnung</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Gefühlt</translation>
+    </message>
+    <message>
+        <source>Shown, not felt</source>
+        <translation>Gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>just now</source>
+        <translation>gerade eben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minute(s) ago</source>
+        <translation>
+            <numerusform>vor %n Minute</numerusform>
+            <numerusform>vor %n Minuten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hour(s) ago</source>
+        <translation>
+            <numerusform>vor %n Stunde</numerusform>
+            <numerusform>vor %n Stunden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s) ago</source>
+        <translation>
+            <numerusform>vor %n Tag</numerusform>
+            <numerusform>vor %n Tagen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Sessions</name>
@@ -967,6 +1075,159 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>This station has no sound output. Everything that can be heard is also shown.</source>
         <translation>Dieser Arbeitsplatz hat keine Tonausgabe. Alles Hörbare wird auch angezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>StationWords</name>
+    <message>
+        <source>Simulated gimbal with a scripted hand</source>
+        <translation>Simulierter Gimbal mit programmierter Hand</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>Recorded trace</source>
+        <translation>Aufgezeichnete Bewegung</translation>
+    </message>
+    <message>
+        <source>Ready. Nothing needs to be connected.</source>
+        <translation>Bereit. Es muss nichts angeschlossen werden.</translation>
+    </message>
+    <message>
+        <source>Ready. Moves the tool with a pointer or with keys.</source>
+        <translation>Bereit. Bewegt das Instrument mit Zeiger oder Tasten.</translation>
+    </message>
+    <message>
+        <source>Ready. Plays a trace file as if a hand moved the device.</source>
+        <translation>Bereit. Spielt eine Bewegungsdatei ab, als bewegte eine Hand das Gerät.</translation>
+    </message>
+    <message>
+        <source>Force is felt</source>
+        <translation>Kraft wird gefühlt</translation>
+    </message>
+    <message>
+        <source>Force is shown, not felt</source>
+        <translation>Kraft wird gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>The force loop has real-time priority.</source>
+        <translation>Die Kraftregelung läuft mit Echtzeitpriorität.</translation>
+    </message>
+    <message>
+        <source>The force loop has no real-time priority: under load, touch may become rough.</source>
+        <translation>Die Kraftregelung läuft ohne Echtzeitpriorität: Unter Last kann sich die Berührung rau anfühlen.</translation>
+    </message>
+    <message>
+        <source>To permit it, the administrator of this computer puts two lines into a file in /etc/security/limits.d, with the name of the group that trains: &quot;@group - rtprio 80&quot; and &quot;@group - memlock unlimited&quot;. It takes effect at the next login to the computer.</source>
+        <translation>Zum Erlauben trägt die Systemadministration dieses Computers zwei Zeilen in eine Datei in /etc/security/limits.d ein, mit dem Namen der Gruppe, die trainiert: „@group - rtprio 80“ und „@group - memlock unlimited“. Das gilt ab der nächsten Anmeldung am Computer.</translation>
+    </message>
+    <message>
+        <source>Memory is locked: nothing the loop needs can be swapped out.</source>
+        <translation>Der Arbeitsspeicher ist gesperrt: Nichts, was die Regelung braucht, kann ausgelagert werden.</translation>
+    </message>
+    <message>
+        <source>Memory is not locked: under pressure the loop may have to wait for the disk.</source>
+        <translation>Der Arbeitsspeicher ist nicht gesperrt: Wird er knapp, muss die Regelung womöglich auf die Festplatte warten.</translation>
+    </message>
+    <message>
+        <source>%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 µs late, %6 were left out.</source>
+        <translation>%1 Takte von 1 ms. Die Hälfte begann innerhalb von %2 µs, 99 von 100 innerhalb von %3 µs, der späteste nach %4 µs. %5 kamen mehr als 100 µs zu spät, %6 fielen aus.</translation>
+    </message>
+    <message>
+        <source>The loop is punctual: at most %1 % of the ticks were late.</source>
+        <translation>Die Regelung ist pünktlich: Höchstens %1 % der Takte kamen zu spät.</translation>
+    </message>
+    <message>
+        <source>The loop is not punctual: more than %1 % of the ticks were late. Close other programs, or permit real-time priority.</source>
+        <translation>Die Regelung ist nicht pünktlich: Mehr als %1 % der Takte kamen zu spät. Schließen Sie andere Programme oder erlauben Sie Echtzeitpriorität.</translation>
+    </message>
+</context>
+<context>
+    <name>StorageWords</name>
+    <message>
+        <source>The disk is full: %1 are free. Sessions may not be stored. Make room before anybody trains.</source>
+        <translation>Die Festplatte ist voll: %1 sind frei. Sitzungen werden womöglich nicht gespeichert. Schaffen Sie Platz, bevor jemand trainiert.</translation>
+    </message>
+    <message>
+        <source>There is no room for the safety copy of a running session (%1 needed, %2 free in memory). Sessions will be refused. Close other programs.</source>
+        <translation>Für die Sicherheitskopie einer laufenden Sitzung fehlt Platz (%1 nötig, %2 im Arbeitsspeicher frei). Sitzungen werden abgelehnt. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>The disk is getting full: %1 are free. Sessions can still be recorded. Make room, or move backups to another disk.</source>
+        <translation>Die Festplatte wird voll: %1 sind frei. Sitzungen können noch aufgezeichnet werden. Schaffen Sie Platz oder verschieben Sie Sicherungen auf eine andere Festplatte.</translation>
+    </message>
+    <message>
+        <source>Memory for the safety copy of running sessions is getting short: %1 are free.</source>
+        <translation>Der Arbeitsspeicher für die Sicherheitskopie laufender Sitzungen wird knapp: %1 sind frei.</translation>
+    </message>
+    <message>
+        <source>There is room: %1 are free.</source>
+        <translation>Es ist Platz: %1 sind frei.</translation>
+    </message>
+    <message>
+        <source>There is no backup yet. What is recorded exists only once.</source>
+        <translation>Es gibt noch keine Sicherung. Aufgezeichnetes ist nur einmal vorhanden.</translation>
+    </message>
+    <message>
+        <source>The last backup was made %1. Make a new one.</source>
+        <translation>Letzte Sicherung: %1. Erstellen Sie eine neue.</translation>
+    </message>
+    <message>
+        <source>The last backup was made %1.</source>
+        <translation>Letzte Sicherung: %1.</translation>
+    </message>
+    <message>
+        <source>The file is damaged</source>
+        <translation>Die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>A record was changed</source>
+        <translation>Ein Datensatz wurde verändert</translation>
+    </message>
+    <message>
+        <source>Recorded data was changed</source>
+        <translation>Aufgezeichnete Daten wurden verändert</translation>
+    </message>
+    <message>
+        <source>Something is missing</source>
+        <translation>Etwas fehlt</translation>
+    </message>
+    <message>
+        <source>It cannot be read</source>
+        <translation>Nicht lesbar</translation>
+    </message>
+    <message>
+        <source>A session is not as it ended</source>
+        <translation>Eine Sitzung ist nicht, wie sie endete</translation>
+    </message>
+    <message>
+        <source>The audit trail does not hold</source>
+        <translation>Das Prüfprotokoll stimmt nicht</translation>
+    </message>
+    <message>
+        <source>A score does not follow from its recording</source>
+        <translation>Eine Wertung folgt nicht aus ihrer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Something does not hold</source>
+        <translation>Etwas stimmt nicht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n thing(s) do not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.</source>
+        <translation>
+            <numerusform>%n Stelle stimmt nicht. Es wurde nichts geändert. Lassen Sie diese Datenbank, wie sie ist, und stellen Sie eine geprüfte Sicherung wieder her.</numerusform>
+            <numerusform>%n Stellen stimmen nicht. Es wurde nichts geändert. Lassen Sie diese Datenbank, wie sie ist, und stellen Sie eine geprüfte Sicherung wieder her.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The check was stopped after %1 records. Nothing wrong was found until then.</source>
+        <translation>Die Prüfung wurde nach %1 Datensätzen abgebrochen. Bis dahin wurde kein Fehler gefunden.</translation>
+    </message>
+    <message>
+        <source>Everything holds: %1 records, every recording, every score, the audit trail.</source>
+        <translation>Alles stimmt: %1 Datensätze, jede Aufzeichnung, jede Wertung, das Prüfprotokoll.</translation>
     </message>
 </context>
 <context>
@@ -1414,6 +1675,71 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ExerciseCard</name>
+    <message>
+        <source>Passed, felt and shown</source>
+        <translation>Bestanden, gefühlt und gezeigt</translation>
+    </message>
+    <message>
+        <source>Passed by touch</source>
+        <translation>Durch Tasten bestanden</translation>
+    </message>
+    <message>
+        <source>Passed with shown force</source>
+        <translation>Mit gezeigter Kraft bestanden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s), not passed yet</source>
+        <translation>
+            <numerusform>%n Versuch, noch nicht bestanden</numerusform>
+            <numerusform>%n Versuche, noch nicht bestanden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Level %1: %2</source>
+        <translation>Stufe %1: %2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ExercisesScreen</name>
+    <message>
+        <source>Exercises</source>
+        <translation>Übungen</translation>
+    </message>
+    <message>
+        <source>All exercises of this site and their levels.
+
+Each level says whether you have passed it. Choose one to see what is measured and what counts as passed, choose a device, and start.</source>
+        <translation>Alle Übungen dieses Standorts und ihre Stufen.
+
+Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was gemessen wird und was als bestanden gilt, wählen Sie ein Gerät und beginnen Sie.</translation>
+    </message>
+    <message>
+        <source>Loading the exercises …</source>
+        <translation>Übungen werden geladen …</translation>
+    </message>
+    <message>
+        <source>The exercises could not be loaded.</source>
+        <translation>Die Übungen konnten nicht geladen werden.</translation>
+    </message>
+    <message>
+        <source>There are no exercises</source>
+        <translation>Es gibt keine Übungen</translation>
+    </message>
+    <message>
+        <source>The content folder of this site holds none. Ask an administrator.</source>
+        <translation>Der Inhaltsordner dieses Standorts enthält keine. Fragen Sie die Administration.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::FirstStartScreen</name>
     <message>
         <source>Welcome</source>
@@ -1560,6 +1886,178 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
 </context>
 <context>
+    <name>chiron::desktop::HomeScreen</name>
+    <message>
+        <source>Exercises</source>
+        <translation>Übungen</translation>
+    </message>
+    <message>
+        <source>Every level is passed</source>
+        <translation>Alle Stufen bestanden</translation>
+    </message>
+    <message>
+        <source>Well done. Choose any exercise below to keep your hand in.</source>
+        <translation>Sehr gut. Wählen Sie unten eine beliebige Übung, um in Übung zu bleiben.</translation>
+    </message>
+    <message>
+        <source>Go on where you were</source>
+        <translation>Weitermachen, wo Sie waren</translation>
+    </message>
+    <message>
+        <source>Your next step</source>
+        <translation>Ihr nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Level %1: %2</source>
+        <translation>Stufe %1: %2</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>My progress</source>
+        <translation>Mein Fortschritt</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded yet. Your first session will be here as soon as it has ended.</source>
+        <translation>Noch nichts aufgezeichnet. Ihre erste Sitzung erscheint hier, sobald sie beendet ist.</translation>
+    </message>
+    <message>
+        <source>All my results</source>
+        <translation>Alle meine Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Sessions to look at</source>
+        <translation>Sitzungen zum Ansehen</translation>
+    </message>
+    <message>
+        <source>Nobody has trained yet. Sessions of trainees will be here, those that broke off first.</source>
+        <translation>Noch niemand hat trainiert. Hier erscheinen die Sitzungen der Lernenden, abgebrochene zuerst.</translation>
+    </message>
+    <message>
+        <source>All sessions</source>
+        <translation>Alle Sitzungen</translation>
+    </message>
+    <message>
+        <source>Who trained lately</source>
+        <translation>Wer zuletzt trainiert hat</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) in the last 7 days</source>
+        <translation>
+            <numerusform>%n Sitzung in den letzten 7 Tagen</numerusform>
+            <numerusform>%n Sitzungen in den letzten 7 Tagen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. %2. Opens the sessions.</source>
+        <translation>%1. %2. Öffnet die Sitzungen.</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Every recorded session, by code instead of by name: filter the list, play sessions back, save the list as a table.</source>
+        <translation>Jede aufgezeichnete Sitzung, mit Code statt Namen: Liste filtern, Sitzungen wiedergeben, Liste als Tabelle speichern.</translation>
+    </message>
+    <message>
+        <source>Open the data</source>
+        <translation>Daten öffnen</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n account(s) can log in.</source>
+        <translation>
+            <numerusform>%n Konto kann sich anmelden.</numerusform>
+            <numerusform>%n Konten können sich anmelden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open people</source>
+        <translation>Personen öffnen</translation>
+    </message>
+    <message>
+        <source>Storage</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>The database takes %1; %2 are free.</source>
+        <translation>Die Datenbank belegt %1; %2 sind frei.</translation>
+    </message>
+    <message>
+        <source>Open storage</source>
+        <translation>Speicher öffnen</translation>
+    </message>
+    <message>
+        <source>The last session ran with real-time priority.</source>
+        <translation>Die letzte Sitzung lief mit Echtzeitpriorität.</translation>
+    </message>
+    <message>
+        <source>The last session ran without real-time priority: touch may be less smooth than it could be.</source>
+        <translation>Die letzte Sitzung lief ohne Echtzeitpriorität: Die Berührung fühlt sich womöglich weniger glatt an als möglich.</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>Devices, punctuality of the force loop, room for recordings.</source>
+        <translation>Geräte, Pünktlichkeit der Kraftregelung, Platz für Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>Open the station check</source>
+        <translation>Arbeitsplatzprüfung öffnen</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>What is next for you, by what you are here for.
+
+Trainees continue with the next level by one button, choose any level from the exercises, and see their latest results. Trainers see the sessions that ask to be looked at, those that broke off or were not passed first, and who trained lately. Administrators see whether people, storage and station are in order.
+
+The list on the left leads everywhere else; Ctrl+K finds any command by its name.</source>
+        <translation>Was für Sie als Nächstes ansteht, je nach Ihrer Aufgabe.
+
+Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbildende sehen die Sitzungen, die einen Blick brauchen, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Speicher und Arbeitsplatz in Ordnung sind.
+
+Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seinem Namen.</translation>
+    </message>
+    <message>
+        <source>Looking what is next …</source>
+        <translation>Nächster Schritt wird gesucht …</translation>
+    </message>
+    <message>
+        <source>The home screen could not be put together.</source>
+        <translation>Die Startansicht konnte nicht aufgebaut werden.</translation>
+    </message>
+    <message>
+        <source>Welcome, %1</source>
+        <translation>Willkommen, %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n sample(s) are kept and can be played back. It does not count.</source>
+        <translation>
+            <numerusform>Das Programm endete unerwartet während Sitzung %1 (%2, %3). Sie wurde als unterbrochen übernommen: %n Messpunkt ist erhalten und kann wiedergegeben werden. Sie zählt nicht.</numerusform>
+            <numerusform>Das Programm endete unerwartet während Sitzung %1 (%2, %3). Sie wurde als unterbrochen übernommen: %n Messpunkte sind erhalten und können wiedergegeben werden. Sie zählt nicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly during session %1 (%2, %3), and not all of it could be brought in: %4</source>
+        <translation>Das Programm endete unerwartet während Sitzung %1 (%2, %3), und sie konnte nicht ganz übernommen werden: %4</translation>
+    </message>
+    <message>
+        <source>Look at it</source>
+        <translation>Ansehen</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::InfoPanel</name>
     <message>
         <source>Elapsed: %1</source>
@@ -1638,6 +2136,33 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Recording complete; every tick on time</source>
         <translation>Aufzeichnung vollständig; jeder Takt pünktlich</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LatenessChart</name>
+    <message>
+        <source>Lateness of the force loop</source>
+        <translation>Verspätung der Kraftregelung</translation>
+    </message>
+    <message>
+        <source>over %1 µs</source>
+        <translation>über %1 µs</translation>
+    </message>
+    <message>
+        <source>up to %1 µs</source>
+        <translation>bis %1 µs</translation>
+    </message>
+    <message>
+        <source>%1 %, late</source>
+        <translation>%1 %, verspätet</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -2191,6 +2716,49 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::RestoreDialog</name>
+    <message>
+        <source>Restore a backup</source>
+        <translation>Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Go back to the backup made %1?</source>
+        <translation>Zurück zur Sicherung von %1?</translation>
+    </message>
+    <message>
+        <source>Everything recorded since then leaves the program. The present database is kept aside beside the new one, nothing is deleted. People who were erased stay erased. Everybody is logged out.</source>
+        <translation>Alles seither Aufgezeichnete verschwindet aus dem Programm. Die jetzige Datenbank bleibt neben der neuen liegen, nichts wird gelöscht. Gelöschte Personen bleiben gelöscht. Alle werden abgemeldet.</translation>
+    </message>
+    <message>
+        <source>Administrator</source>
+        <translation>Administration</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>The backup has another administrator or password</source>
+        <translation>Die Sicherung hat eine andere Administration oder ein anderes Passwort</translation>
+    </message>
+    <message>
+        <source>Administrator in the backup</source>
+        <translation>Administration in der Sicherung</translation>
+    </message>
+    <message>
+        <source>Password in the backup</source>
+        <translation>Passwort in der Sicherung</translation>
+    </message>
+    <message>
+        <source>Keep the present database</source>
+        <translation>Jetzige Datenbank behalten</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::ResultsScreen</name>
     <message>
         <source>My results</source>
@@ -2293,6 +2861,308 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
     </message>
 </context>
 <context>
+    <name>chiron::desktop::SessionFilterBar</name>
+    <message>
+        <source>Search in the list</source>
+        <translation>In der Liste suchen</translation>
+    </message>
+    <message>
+        <source>Search: person, exercise, number</source>
+        <translation>Suchen: Person, Übung, Nummer</translation>
+    </message>
+    <message>
+        <source>Archived too</source>
+        <translation>Auch archivierte</translation>
+    </message>
+    <message>
+        <source>Clear the filters</source>
+        <translation>Filter löschen</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>Alle Personen</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Every exercise</source>
+        <translation>Alle Übungen</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Every level</source>
+        <translation>Alle Stufen</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Level %1</source>
+        <translation>Stufe %1</translation>
+    </message>
+    <message>
+        <source>Every state</source>
+        <translation>Alle Zustände</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Every result</source>
+        <translation>Alle Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Felt and shown</source>
+        <translation>Gefühlt und gezeigt</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Any time</source>
+        <translation>Jederzeit</translation>
+    </message>
+    <message>
+        <source>When it was recorded</source>
+        <translation>Zeitpunkt der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Heute</translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation>Letzte 7 Tage</translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation>Letzte 30 Tage</translation>
+    </message>
+    <message>
+        <source>Chosen days</source>
+        <translation>Bestimmte Tage</translation>
+    </message>
+    <message>
+        <source>From this day</source>
+        <translation>Ab diesem Tag</translation>
+    </message>
+    <message>
+        <source>To this day</source>
+        <translation>Bis zu diesem Tag</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SessionLines</name>
+    <message>
+        <source>%1: %2, level %3</source>
+        <translation>%1: %2, Stufe %3</translation>
+    </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation>%1, Stufe %2</translation>
+    </message>
+    <message>
+        <source>%1. %2. %3. Opens the debrief.</source>
+        <translation>%1. %2. %3. Öffnet die Auswertung.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SessionTableModel</name>
+    <message>
+        <source>%1, archived</source>
+        <translation>%1, archiviert</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>Started</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Dauer</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SessionsScreen</name>
+    <message>
+        <source>Search in the list</source>
+        <translation>In der Liste suchen</translation>
+    </message>
+    <message>
+        <source>Save the list …</source>
+        <translation>Liste speichern …</translation>
+    </message>
+    <message>
+        <source>Bring back from the archive</source>
+        <translation>Aus dem Archiv holen</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archivieren</translation>
+    </message>
+    <message>
+        <source>Session %1 is still running. It can be opened as soon as it has ended.</source>
+        <translation>Sitzung %1 läuft noch. Sie lässt sich öffnen, sobald sie beendet ist.</translation>
+    </message>
+    <message>
+        <source>Session %1 was not voided.</source>
+        <translation>Sitzung %1 wurde nicht für ungültig erklärt.</translation>
+    </message>
+    <message>
+        <source>Session %1 is voided. Its recording is kept; it no longer counts.</source>
+        <translation>Sitzung %1 ist für ungültig erklärt. Ihre Aufzeichnung bleibt erhalten; sie zählt nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Session %1 was not changed.</source>
+        <translation>Sitzung %1 wurde nicht geändert.</translation>
+    </message>
+    <message>
+        <source>Session %1 is archived: nothing was deleted.</source>
+        <translation>Sitzung %1 ist archiviert: Es wurde nichts gelöscht.</translation>
+    </message>
+    <message>
+        <source>Session %1 is back in the list.</source>
+        <translation>Sitzung %1 ist wieder in der Liste.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>The session could not be read again.</source>
+        <translation>Die Sitzung konnte nicht erneut gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Save the list</source>
+        <translation>Liste speichern</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Kommagetrennte Werte (*.csv)</translation>
+    </message>
+    <message>
+        <source>The list is saved in %1.</source>
+        <translation>Die Liste ist in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The list was not saved.</source>
+        <translation>Die Liste wurde nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Every session that was recorded on this site, newest first.
+
+Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column&apos;s head to sort by it.
+
+Enter or a double click opens the debrief of the selected session, Ctrl+P plays it. Void takes a session out of every count, with a reason, and keeps it. Archive takes it out of the usual lists and can be undone.</source>
+        <translation>Jede an diesem Standort aufgezeichnete Sitzung, neueste zuerst.
+
+Geben Sie etwas in das Suchfeld ein oder wählen Sie aus den Listen daneben, um die Liste einzugrenzen; die Filter bleiben, wenn Sie zurückkommen. Ein Klick auf einen Spaltenkopf sortiert danach.
+
+Eingabetaste oder Doppelklick öffnet die Auswertung der gewählten Sitzung, Strg+P gibt sie wieder. „Für ungültig erklären“ nimmt eine Sitzung mit Begründung aus jeder Zählung und behält sie. „Archivieren“ nimmt sie aus den üblichen Listen und lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Open the debrief</source>
+        <translation>Auswertung öffnen</translation>
+    </message>
+    <message>
+        <source>Play back</source>
+        <translation>Wiedergeben</translation>
+    </message>
+    <message>
+        <source>Void …</source>
+        <translation>Für ungültig erklären …</translation>
+    </message>
+    <message>
+        <source>Loading the sessions …</source>
+        <translation>Sitzungen werden geladen …</translation>
+    </message>
+    <message>
+        <source>The sessions could not be loaded.</source>
+        <translation>Die Sitzungen konnten nicht geladen werden.</translation>
+    </message>
+    <message>
+        <source>Loading the older sessions …</source>
+        <translation>Ältere Sitzungen werden geladen …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%n Sitzung</numerusform>
+            <numerusform>%n Sitzungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 sessions</source>
+        <translation>%1 von %2 Sitzungen</translation>
+    </message>
+    <message>
+        <source>No session has been recorded yet</source>
+        <translation>Noch keine Sitzung aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>As soon as somebody trains, the session is listed here.</source>
+        <translation>Sobald jemand trainiert, erscheint die Sitzung hier.</translation>
+    </message>
+    <message>
+        <source>No session matches these filters</source>
+        <translation>Keine Sitzung passt zu diesen Filtern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) in all.</source>
+        <translation>
+            <numerusform>%n Sitzung insgesamt.</numerusform>
+            <numerusform>%n Sitzungen insgesamt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Clear the filters</source>
+        <translation>Filter löschen</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::SettingsScreen</name>
     <message>
         <source>Settings</source>
@@ -2379,6 +3249,334 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
     <message>
         <source>Try again</source>
         <translation>Erneut versuchen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StationScreen</name>
+    <message>
+        <source>Station</source>
+        <translation>Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>Whether this computer is fit to make force felt.
+
+Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran against the clock, and in a self-test of ten seconds without any device.
+
+With real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it and how to permit it.</source>
+        <translation>Ob dieser Computer Kraft fühlbar machen kann.
+
+Die Kraft wird tausendmal in der Sekunde berechnet. Die Diagramme zeigen, wie spät diese tausend Schritte begannen: in der letzten Sitzung in Echtzeit und in einem Selbsttest von zehn Sekunden ohne Gerät.
+
+Mit Echtzeitpriorität hält die Regelung ihren Takt, was der Computer auch sonst tut. Diese Ansicht zeigt, ob sie sie hat und wie sie sich erlauben lässt.</translation>
+    </message>
+    <message>
+        <source>Looking at the station …</source>
+        <translation>Arbeitsplatz wird geprüft …</translation>
+    </message>
+    <message>
+        <source>The station could not be looked at.</source>
+        <translation>Der Arbeitsplatz konnte nicht geprüft werden.</translation>
+    </message>
+    <message>
+        <source>Punctuality of the force loop</source>
+        <translation>Pünktlichkeit der Kraftregelung</translation>
+    </message>
+    <message>
+        <source>Session %1, %2</source>
+        <translation>Sitzung %1, %2</translation>
+    </message>
+    <message>
+        <source>None of the latest sessions ran against the clock, so nothing is known yet of how punctual this station is.</source>
+        <translation>Keine der letzten Sitzungen lief in Echtzeit; wie pünktlich dieser Arbeitsplatz ist, ist noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Self-test without a device</source>
+        <translation>Selbsttest ohne Gerät</translation>
+    </message>
+    <message>
+        <source>Run the self-test</source>
+        <translation>Selbsttest starten</translation>
+    </message>
+    <message>
+        <source>An administrator can run it here.</source>
+        <translation>Die Administration kann ihn hier starten.</translation>
+    </message>
+    <message>
+        <source>This session was recorded before the spread of lateness was kept.</source>
+        <translation>Diese Sitzung wurde aufgezeichnet, bevor die Verteilung der Verspätung gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>The system said: %1</source>
+        <translation>Das System meldete: %1</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>No device that makes force felt by a hand is connected: this version has no driver for one yet.</source>
+        <translation>Kein Gerät mit fühlbarer Kraft ist angeschlossen: Diese Version hat noch keinen Treiber dafür.</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>A running session keeps its last seconds in memory, so that a crash loses nothing: %1 of the %2 that are free there.</source>
+        <translation>Eine laufende Sitzung hält ihre letzten Sekunden im Arbeitsspeicher, damit bei einem Absturz nichts verloren geht: %1 von %2, die dort frei sind.</translation>
+    </message>
+    <message>
+        <source>Testing the loop. Do not use the computer meanwhile.</source>
+        <translation>Die Regelung wird geprüft. Benutzen Sie den Computer währenddessen nicht.</translation>
+    </message>
+    <message>
+        <source>The self-test was stopped before its end.</source>
+        <translation>Der Selbsttest wurde vorzeitig abgebrochen.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StorageScreen</name>
+    <message>
+        <source>Storage</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Where everything that was recorded is kept, and whether it is safe.
+
+Back up now makes a copy beside the running program and checks it before it counts. Keep backups on another disk: choose the folder here.
+
+Verify reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
+
+Restore goes back to a backup. It asks an administrator for the password, keeps the present database aside, and logs everybody out.</source>
+        <translation>Wo alles Aufgezeichnete liegt und ob es sicher ist.
+
+„Jetzt sichern“ erstellt eine Kopie, während das Programm läuft, und prüft sie, bevor sie gilt. Bewahren Sie Sicherungen auf einer anderen Festplatte auf: Wählen Sie hier den Ordner.
+
+„Prüfen“ liest alles noch einmal: jeden Datensatz, jede Aufzeichnung, jede Wertung, das Prüfprotokoll. Es ändert nichts und lässt sich abbrechen.
+
+„Wiederherstellen“ kehrt zu einer Sicherung zurück. Es fragt die Administration nach dem Passwort, legt die jetzige Datenbank beiseite und meldet alle ab.</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Database</source>
+        <translation>Datenbank</translation>
+    </message>
+    <message>
+        <source>Recordings in it</source>
+        <translation>Aufzeichnungen darin</translation>
+    </message>
+    <message>
+        <source>Free on this disk</source>
+        <translation>Auf dieser Festplatte frei</translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation>Sicherungen</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Erstellt</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>Geprüft</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Back up now</source>
+        <translation>Jetzt sichern</translation>
+    </message>
+    <message>
+        <source>Check the selected backup</source>
+        <translation>Gewählte Sicherung prüfen</translation>
+    </message>
+    <message>
+        <source>Restore the selected backup …</source>
+        <translation>Gewählte Sicherung wiederherstellen …</translation>
+    </message>
+    <message>
+        <source>Choose the folder …</source>
+        <translation>Ordner wählen …</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Reads every record, recomputes every score from its recording and follows the audit trail. It changes nothing.</source>
+        <translation>Liest jeden Datensatz, berechnet jede Wertung aus ihrer Aufzeichnung neu und verfolgt das Prüfprotokoll. Es ändert nichts.</translation>
+    </message>
+    <message>
+        <source>What does not hold</source>
+        <translation>Was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Verify everything</source>
+        <translation>Alles prüfen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>A backup and every table as text (JSON Lines, without passwords), for analysis elsewhere or to leave this program with everything.</source>
+        <translation>Eine Sicherung und jede Tabelle als Text (JSON Lines, ohne Passwörter), zur Auswertung anderswo oder um dieses Programm mit allem zu verlassen.</translation>
+    </message>
+    <message>
+        <source>Export the site …</source>
+        <translation>Standort exportieren …</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n session(s)</source>
+        <translation>
+            <numerusform>%1 von %n Sitzung</numerusform>
+            <numerusform>%1 von %n Sitzungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>Aufbewahrt in %1</translation>
+    </message>
+    <message>
+        <source>When it was made</source>
+        <translation>Wann sie erstellt wurde</translation>
+    </message>
+    <message>
+        <source>Just now: it holds</source>
+        <translation>Gerade eben: in Ordnung</translation>
+    </message>
+    <message>
+        <source>Just now: damaged</source>
+        <translation>Gerade eben: beschädigt</translation>
+    </message>
+    <message>
+        <source>The restore must end first.</source>
+        <translation>Zuerst muss das Wiederherstellen enden.</translation>
+    </message>
+    <message>
+        <source>The task that you started goes on.</source>
+        <translation>Die gestartete Aufgabe läuft weiter.</translation>
+    </message>
+    <message>
+        <source>Looking at the storage …</source>
+        <translation>Speicher wird geprüft …</translation>
+    </message>
+    <message>
+        <source>The storage could not be looked at.</source>
+        <translation>Der Speicher konnte nicht geprüft werden.</translation>
+    </message>
+    <message>
+        <source>Where to export to</source>
+        <translation>Wohin exportieren</translation>
+    </message>
+    <message>
+        <source>Where backups are kept</source>
+        <translation>Ordner für Sicherungen</translation>
+    </message>
+    <message>
+        <source>The backup is made and checked: %1 in %2.</source>
+        <translation>Die Sicherung ist erstellt und geprüft: %1 in %2.</translation>
+    </message>
+    <message>
+        <source>The site is exported and checked: %1 in %2.</source>
+        <translation>Der Standort ist exportiert und geprüft: %1 in %2.</translation>
+    </message>
+    <message>
+        <source>The backup was stopped; nothing of it was kept.</source>
+        <translation>Die Sicherung wurde abgebrochen; nichts davon wurde behalten.</translation>
+    </message>
+    <message>
+        <source>The export was stopped; nothing of it was kept.</source>
+        <translation>Der Export wurde abgebrochen; nichts davon wurde behalten.</translation>
+    </message>
+    <message>
+        <source>There is no new backup.</source>
+        <translation>Es gibt keine neue Sicherung.</translation>
+    </message>
+    <message>
+        <source>The site was not exported.</source>
+        <translation>Der Standort wurde nicht exportiert.</translation>
+    </message>
+    <message>
+        <source>Making a backup …</source>
+        <translation>Sicherung wird erstellt …</translation>
+    </message>
+    <message>
+        <source>Exporting the site …</source>
+        <translation>Standort wird exportiert …</translation>
+    </message>
+    <message>
+        <source>Verifying everything …</source>
+        <translation>Alles wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Checking the backup …</source>
+        <translation>Sicherung wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Restoring the backup. The present database is kept aside.</source>
+        <translation>Die Sicherung wird wiederhergestellt. Die jetzige Datenbank bleibt beiseite erhalten.</translation>
+    </message>
+    <message>
+        <source>Nothing was restored. The present database is as it was.</source>
+        <translation>Es wurde nichts wiederhergestellt. Die jetzige Datenbank ist unverändert.</translation>
+    </message>
+    <message>
+        <source>The present database could not be opened again.</source>
+        <translation>Die jetzige Datenbank konnte nicht wieder geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>The backup is restored. The database that was here before is kept as %1. Please log in again.</source>
+        <translation>Die Sicherung ist wiederhergestellt. Die bisherige Datenbank bleibt als %1 erhalten. Bitte melden Sie sich neu an.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TaskStrip</name>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Wird beendet …</translation>
     </message>
 </context>
 <context>
@@ -2527,6 +3725,37 @@ Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
     </message>
     <message>
         <source>Declare void</source>
+        <translation>Für ungültig erklären</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::VoidSessionDialog</name>
+    <message>
+        <source>Void a session</source>
+        <translation>Sitzung für ungültig erklären</translation>
+    </message>
+    <message>
+        <source>Void session %1 of %2?</source>
+        <translation>Sitzung %1 von %2 für ungültig erklären?</translation>
+    </message>
+    <message>
+        <source>It stays in the list with its recording and its scores, but no longer counts for anything. That it was voided, by whom and why is kept and cannot be taken back.</source>
+        <translation>Sie bleibt mit Aufzeichnung und Wertungen in der Liste, zählt aber für nichts mehr. Dass sie für ungültig erklärt wurde, von wem und warum, bleibt gespeichert und lässt sich nicht zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Begründung</translation>
+    </message>
+    <message>
+        <source>For example: the device was not calibrated</source>
+        <translation>Zum Beispiel: Das Gerät war nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Keep it as it is</source>
+        <translation>So lassen</translation>
+    </message>
+    <message>
+        <source>Void the session</source>
         <translation>Für ungültig erklären</translation>
     </message>
 </context>

@@ -12,6 +12,40 @@
     </message>
 </context>
 <context>
+    <name>SessionWords</name>
+    <message numerus="yes">
+        <source>%n minute(s) ago</source>
+        <translation>
+            <numerusform>%n minute ago</numerusform>
+            <numerusform>%n minutes ago</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hour(s) ago</source>
+        <translation>
+            <numerusform>%n hour ago</numerusform>
+            <numerusform>%n hours ago</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s) ago</source>
+        <translation>
+            <numerusform>%n day ago</numerusform>
+            <numerusform>%n days ago</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>StorageWords</name>
+    <message numerus="yes">
+        <source>%n thing(s) do not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.</source>
+        <translation>
+            <numerusform>%n thing does not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.</numerusform>
+            <numerusform>%n things do not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Verdict</name>
     <message numerus="yes">
         <source>%n pass mark(s) of this level were not met:</source>
@@ -29,6 +63,40 @@
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ExerciseCard</name>
+    <message numerus="yes">
+        <source>%n attempt(s), not passed yet</source>
+        <translation>
+            <numerusform>%n attempt, not passed yet</numerusform>
+            <numerusform>%n attempts, not passed yet</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::HomeScreen</name>
+    <message numerus="yes">
+        <source>%n session(s) in the last 7 days</source>
+        <translation>
+            <numerusform>%n session in the last 7 days</numerusform>
+            <numerusform>%n sessions in the last 7 days</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n account(s) can log in.</source>
+        <translation>
+            <numerusform>%n account can log in.</numerusform>
+            <numerusform>%n accounts can log in.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n sample(s) are kept and can be played back. It does not count.</source>
+        <translation>
+            <numerusform>The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n sample is kept and can be played back. It does not count.</numerusform>
+            <numerusform>The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n samples are kept and can be played back. It does not count.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::InfoPanel</name>
     <message numerus="yes">
         <source>%n samples could not be recorded: this session will be incomplete.</source>
@@ -42,6 +110,33 @@
         <translation>
             <numerusform>Recording complete; %n tick late</numerusform>
             <numerusform>Recording complete; %n ticks late</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SessionsScreen</name>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%n session</numerusform>
+            <numerusform>%n sessions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) in all.</source>
+        <translation>
+            <numerusform>%n session in all.</numerusform>
+            <numerusform>%n sessions in all.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StorageScreen</name>
+    <message numerus="yes">
+        <source>%1 of %n session(s)</source>
+        <translation>
+            <numerusform>%1 of %n session</numerusform>
+            <numerusform>%1 of %n sessions</numerusform>
         </translation>
     </message>
 </context>
