@@ -882,6 +882,114 @@ Do you want to replace it?</source>
         <source>Settings</source>
         <translation>Ρυθμίσεις</translation>
     </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Ασκήσεις</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Συνεδρίες</translation>
+    </message>
+    <message>
+        <source>Storage</source>
+        <translation>Αποθήκευση</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Σταθμός</translation>
+    </message>
+</context>
+<context>
+    <name>SessionWords</name>
+    <message>
+        <source>Running</source>
+        <translation>Σε εξέλιξη</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Σταμάτησε</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Διακόπηκε</translation>
+    </message>
+    <message>
+        <source>Incomplete</source>
+        <translation>Ελλιπής</translation>
+    </message>
+    <message>
+        <source>Faulted</source>
+        <translation>Βλάβη</translation>
+    </message>
+    <message>
+        <source>Voided</source>
+        <translation>Ακυρώθηκε</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Επιτυχία</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>Αποτυχία</translation>
+    </message>
+    <message>
+        <source>Does not count</source>
+        <translation>Δεν μετράει</translation>
+    </message>
+    <message>
+        <source>Familiarisation</source>
+        <translation>Εξοικείωση</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Αισθητή</translation>
+    </message>
+    <message>
+        <source>Shown, not felt</source>
+        <translation>Μόνο προβολή</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>just now</source>
+        <translation>μόλις τώρα</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minute(s) ago</source>
+        <translation>
+            <numerusform>πριν από %n λεπτό</numerusform>
+            <numerusform>πριν από %n λεπτά</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hour(s) ago</source>
+        <translation>
+            <numerusform>πριν από %n ώρα</numerusform>
+            <numerusform>πριν από %n ώρες</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s) ago</source>
+        <translation>
+            <numerusform>πριν από %n ημέρα</numerusform>
+            <numerusform>πριν από %n ημέρες</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Sessions</name>
@@ -967,6 +1075,159 @@ Do you want to replace it?</source>
     <message>
         <source>This station has no sound output. Everything that can be heard is also shown.</source>
         <translation>Αυτός ο σταθμός δεν έχει έξοδο ήχου. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
+    </message>
+</context>
+<context>
+    <name>StationWords</name>
+    <message>
+        <source>Simulated gimbal with a scripted hand</source>
+        <translation>Προσομοιωμένη καρδανική συσκευή με προγραμματισμένο χέρι</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Ποντίκι και πληκτρολόγιο</translation>
+    </message>
+    <message>
+        <source>Recorded trace</source>
+        <translation>Καταγεγραμμένη κίνηση</translation>
+    </message>
+    <message>
+        <source>Ready. Nothing needs to be connected.</source>
+        <translation>Έτοιμη. Δεν χρειάζεται σύνδεση.</translation>
+    </message>
+    <message>
+        <source>Ready. Moves the tool with a pointer or with keys.</source>
+        <translation>Έτοιμα. Κινούν το εργαλείο με δείκτη ή με πλήκτρα.</translation>
+    </message>
+    <message>
+        <source>Ready. Plays a trace file as if a hand moved the device.</source>
+        <translation>Έτοιμη. Αναπαράγει ένα αρχείο κίνησης σαν να κινούσε ένα χέρι τη συσκευή.</translation>
+    </message>
+    <message>
+        <source>Force is felt</source>
+        <translation>Η δύναμη γίνεται αισθητή</translation>
+    </message>
+    <message>
+        <source>Force is shown, not felt</source>
+        <translation>Η δύναμη προβάλλεται, δεν γίνεται αισθητή</translation>
+    </message>
+    <message>
+        <source>The force loop has real-time priority.</source>
+        <translation>Ο βρόχος δύναμης έχει προτεραιότητα πραγματικού χρόνου.</translation>
+    </message>
+    <message>
+        <source>The force loop has no real-time priority: under load, touch may become rough.</source>
+        <translation>Ο βρόχος δύναμης δεν έχει προτεραιότητα πραγματικού χρόνου: με φόρτο η αφή μπορεί να γίνει τραχιά.</translation>
+    </message>
+    <message>
+        <source>To permit it, the administrator of this computer puts two lines into a file in /etc/security/limits.d, with the name of the group that trains: &quot;@group - rtprio 80&quot; and &quot;@group - memlock unlimited&quot;. It takes effect at the next login to the computer.</source>
+        <translation>Για να επιτραπεί, ο διαχειριστής αυτού του υπολογιστή προσθέτει δύο γραμμές σε ένα αρχείο στο /etc/security/limits.d, με το όνομα της ομάδας που εκπαιδεύεται: «@group - rtprio 80» και «@group - memlock unlimited». Ισχύει από την επόμενη σύνδεση στον υπολογιστή.</translation>
+    </message>
+    <message>
+        <source>Memory is locked: nothing the loop needs can be swapped out.</source>
+        <translation>Η μνήμη είναι κλειδωμένη: τίποτα από όσα χρειάζεται ο βρόχος δεν μεταφέρεται στον δίσκο.</translation>
+    </message>
+    <message>
+        <source>Memory is not locked: under pressure the loop may have to wait for the disk.</source>
+        <translation>Η μνήμη δεν είναι κλειδωμένη: όταν λείπει μνήμη, ο βρόχος ίσως περιμένει τον δίσκο.</translation>
+    </message>
+    <message>
+        <source>%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 µs late, %6 were left out.</source>
+        <translation>%1 κύκλοι του 1 ms. Οι μισοί άρχισαν μέσα σε %2 µs, 99 στους 100 μέσα σε %3 µs, ο πιο αργός μετά από %4 µs. %5 καθυστέρησαν πάνω από 100 µs, %6 παραλείφθηκαν.</translation>
+    </message>
+    <message>
+        <source>The loop is punctual: at most %1 % of the ticks were late.</source>
+        <translation>Ο βρόχος είναι συνεπής: καθυστέρησε το πολύ το %1 % των κύκλων.</translation>
+    </message>
+    <message>
+        <source>The loop is not punctual: more than %1 % of the ticks were late. Close other programs, or permit real-time priority.</source>
+        <translation>Ο βρόχος δεν είναι συνεπής: καθυστέρησε πάνω από το %1 % των κύκλων. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</translation>
+    </message>
+</context>
+<context>
+    <name>StorageWords</name>
+    <message>
+        <source>The disk is full: %1 are free. Sessions may not be stored. Make room before anybody trains.</source>
+        <translation>Ο δίσκος είναι γεμάτος: ελεύθερα %1. Οι συνεδρίες ίσως δεν αποθηκευτούν. Ελευθερώστε χώρο πριν από κάθε εκπαίδευση.</translation>
+    </message>
+    <message>
+        <source>There is no room for the safety copy of a running session (%1 needed, %2 free in memory). Sessions will be refused. Close other programs.</source>
+        <translation>Δεν υπάρχει χώρος για το εφεδρικό αντίγραφο μιας συνεδρίας σε εξέλιξη (χρειάζονται %1, ελεύθερα στη μνήμη %2). Οι συνεδρίες δεν θα ξεκινούν. Κλείστε άλλα προγράμματα.</translation>
+    </message>
+    <message>
+        <source>The disk is getting full: %1 are free. Sessions can still be recorded. Make room, or move backups to another disk.</source>
+        <translation>Ο δίσκος γεμίζει: ελεύθερα %1. Οι συνεδρίες καταγράφονται ακόμη. Ελευθερώστε χώρο ή μεταφέρετε αντίγραφα ασφαλείας σε άλλον δίσκο.</translation>
+    </message>
+    <message>
+        <source>Memory for the safety copy of running sessions is getting short: %1 are free.</source>
+        <translation>Η μνήμη για το εφεδρικό αντίγραφο των συνεδριών λιγοστεύει: ελεύθερα %1.</translation>
+    </message>
+    <message>
+        <source>There is room: %1 are free.</source>
+        <translation>Υπάρχει χώρος: ελεύθερα %1.</translation>
+    </message>
+    <message>
+        <source>There is no backup yet. What is recorded exists only once.</source>
+        <translation>Δεν υπάρχει ακόμη αντίγραφο ασφαλείας. Όσα έχουν καταγραφεί υπάρχουν μόνο μία φορά.</translation>
+    </message>
+    <message>
+        <source>The last backup was made %1. Make a new one.</source>
+        <translation>Το τελευταίο αντίγραφο ασφαλείας έγινε %1. Δημιουργήστε νέο.</translation>
+    </message>
+    <message>
+        <source>The last backup was made %1.</source>
+        <translation>Το τελευταίο αντίγραφο ασφαλείας έγινε %1.</translation>
+    </message>
+    <message>
+        <source>The file is damaged</source>
+        <translation>Το αρχείο έχει υποστεί βλάβη</translation>
+    </message>
+    <message>
+        <source>A record was changed</source>
+        <translation>Μια εγγραφή άλλαξε</translation>
+    </message>
+    <message>
+        <source>Recorded data was changed</source>
+        <translation>Καταγεγραμμένα δεδομένα άλλαξαν</translation>
+    </message>
+    <message>
+        <source>Something is missing</source>
+        <translation>Κάτι λείπει</translation>
+    </message>
+    <message>
+        <source>It cannot be read</source>
+        <translation>Δεν διαβάζεται</translation>
+    </message>
+    <message>
+        <source>A session is not as it ended</source>
+        <translation>Μια συνεδρία δεν είναι όπως έληξε</translation>
+    </message>
+    <message>
+        <source>The audit trail does not hold</source>
+        <translation>Το ημερολόγιο ελέγχου δεν είναι ακέραιο</translation>
+    </message>
+    <message>
+        <source>A score does not follow from its recording</source>
+        <translation>Μια βαθμολογία δεν προκύπτει από την καταγραφή της</translation>
+    </message>
+    <message>
+        <source>Something does not hold</source>
+        <translation>Κάτι δεν είναι ακέραιο</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n thing(s) do not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.</source>
+        <translation>
+            <numerusform>Βρέθηκε %n πρόβλημα. Τίποτα δεν άλλαξε. Κρατήστε αυτή τη βάση δεδομένων όπως είναι και επαναφέρετε ένα αντίγραφο ασφαλείας που περνά τον έλεγχο.</numerusform>
+            <numerusform>Βρέθηκαν %n προβλήματα. Τίποτα δεν άλλαξε. Κρατήστε αυτή τη βάση δεδομένων όπως είναι και επαναφέρετε ένα αντίγραφο ασφαλείας που περνά τον έλεγχο.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The check was stopped after %1 records. Nothing wrong was found until then.</source>
+        <translation>Ο έλεγχος σταμάτησε μετά από %1 εγγραφές. Ως τότε δεν βρέθηκε πρόβλημα.</translation>
+    </message>
+    <message>
+        <source>Everything holds: %1 records, every recording, every score, the audit trail.</source>
+        <translation>Όλα είναι ακέραια: %1 εγγραφές, κάθε καταγραφή, κάθε βαθμολογία, το ημερολόγιο ελέγχου.</translation>
     </message>
 </context>
 <context>
@@ -1414,6 +1675,71 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ExerciseCard</name>
+    <message>
+        <source>Passed, felt and shown</source>
+        <translation>Επιτυχία, αισθητή και προβολή</translation>
+    </message>
+    <message>
+        <source>Passed by touch</source>
+        <translation>Επιτυχία με την αφή</translation>
+    </message>
+    <message>
+        <source>Passed with shown force</source>
+        <translation>Επιτυχία με προβολή δύναμης</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s), not passed yet</source>
+        <translation>
+            <numerusform>%n προσπάθεια, όχι ακόμη επιτυχία</numerusform>
+            <numerusform>%n προσπάθειες, όχι ακόμη επιτυχία</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Νέο</translation>
+    </message>
+    <message>
+        <source>Level %1: %2</source>
+        <translation>Επίπεδο %1: %2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ExercisesScreen</name>
+    <message>
+        <source>Exercises</source>
+        <translation>Ασκήσεις</translation>
+    </message>
+    <message>
+        <source>All exercises of this site and their levels.
+
+Each level says whether you have passed it. Choose one to see what is measured and what counts as passed, choose a device, and start.</source>
+        <translation>Όλες οι ασκήσεις αυτού του κέντρου και τα επίπεδά τους.
+
+Κάθε επίπεδο δείχνει αν το έχετε περάσει. Επιλέξτε ένα για να δείτε τι μετράται και πότε υπάρχει επιτυχία, επιλέξτε συσκευή και ξεκινήστε.</translation>
+    </message>
+    <message>
+        <source>Loading the exercises …</source>
+        <translation>Φόρτωση ασκήσεων …</translation>
+    </message>
+    <message>
+        <source>The exercises could not be loaded.</source>
+        <translation>Δεν ήταν δυνατή η φόρτωση των ασκήσεων.</translation>
+    </message>
+    <message>
+        <source>There are no exercises</source>
+        <translation>Δεν υπάρχουν ασκήσεις</translation>
+    </message>
+    <message>
+        <source>The content folder of this site holds none. Ask an administrator.</source>
+        <translation>Ο φάκελος περιεχομένου αυτού του κέντρου είναι κενός. Απευθυνθείτε σε διαχειριστή.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::FirstStartScreen</name>
     <message>
         <source>Welcome</source>
@@ -1560,6 +1886,178 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
 </context>
 <context>
+    <name>chiron::desktop::HomeScreen</name>
+    <message>
+        <source>Exercises</source>
+        <translation>Ασκήσεις</translation>
+    </message>
+    <message>
+        <source>Every level is passed</source>
+        <translation>Επιτυχία σε όλα τα επίπεδα</translation>
+    </message>
+    <message>
+        <source>Well done. Choose any exercise below to keep your hand in.</source>
+        <translation>Συγχαρητήρια. Επιλέξτε μια άσκηση παρακάτω για να διατηρήσετε τη δεξιότητά σας.</translation>
+    </message>
+    <message>
+        <source>Go on where you were</source>
+        <translation>Συνεχίστε από εκεί που μείνατε</translation>
+    </message>
+    <message>
+        <source>Your next step</source>
+        <translation>Το επόμενο βήμα σας</translation>
+    </message>
+    <message>
+        <source>Level %1: %2</source>
+        <translation>Επίπεδο %1: %2</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Συνέχεια</translation>
+    </message>
+    <message>
+        <source>My progress</source>
+        <translation>Η πρόοδός μου</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded yet. Your first session will be here as soon as it has ended.</source>
+        <translation>Δεν υπάρχει ακόμη καταγραφή. Η πρώτη σας συνεδρία θα εμφανιστεί εδώ μόλις τελειώσει.</translation>
+    </message>
+    <message>
+        <source>All my results</source>
+        <translation>Όλα τα αποτελέσματά μου</translation>
+    </message>
+    <message>
+        <source>Sessions to look at</source>
+        <translation>Συνεδρίες προς εξέταση</translation>
+    </message>
+    <message>
+        <source>Nobody has trained yet. Sessions of trainees will be here, those that broke off first.</source>
+        <translation>Δεν έχει γίνει ακόμη εκπαίδευση. Εδώ θα εμφανίζονται οι συνεδρίες των εκπαιδευομένων, πρώτα όσες διακόπηκαν.</translation>
+    </message>
+    <message>
+        <source>All sessions</source>
+        <translation>Όλες οι συνεδρίες</translation>
+    </message>
+    <message>
+        <source>Who trained lately</source>
+        <translation>Πρόσφατη εκπαίδευση</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) in the last 7 days</source>
+        <translation>
+            <numerusform>%n συνεδρία τις τελευταίες 7 ημέρες</numerusform>
+            <numerusform>%n συνεδρίες τις τελευταίες 7 ημέρες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. %2. Opens the sessions.</source>
+        <translation>%1. %2. Ανοίγει τις συνεδρίες.</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Δεδομένα</translation>
+    </message>
+    <message>
+        <source>Every recorded session, by code instead of by name: filter the list, play sessions back, save the list as a table.</source>
+        <translation>Όλες οι καταγεγραμμένες συνεδρίες, με ψευδώνυμο αντί για όνομα: φιλτράρετε τη λίστα, αναπαράγετε συνεδρίες, αποθηκεύστε τη λίστα ως πίνακα.</translation>
+    </message>
+    <message>
+        <source>Open the data</source>
+        <translation>Άνοιγμα δεδομένων</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Άτομα</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n account(s) can log in.</source>
+        <translation>
+            <numerusform>%n λογαριασμός μπορεί να συνδεθεί.</numerusform>
+            <numerusform>%n λογαριασμοί μπορούν να συνδεθούν.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open people</source>
+        <translation>Άνοιγμα ατόμων</translation>
+    </message>
+    <message>
+        <source>Storage</source>
+        <translation>Αποθήκευση</translation>
+    </message>
+    <message>
+        <source>The database takes %1; %2 are free.</source>
+        <translation>Η βάση δεδομένων έχει μέγεθος %1· ελεύθερα %2.</translation>
+    </message>
+    <message>
+        <source>Open storage</source>
+        <translation>Άνοιγμα αποθήκευσης</translation>
+    </message>
+    <message>
+        <source>The last session ran with real-time priority.</source>
+        <translation>Η τελευταία συνεδρία έτρεξε με προτεραιότητα πραγματικού χρόνου.</translation>
+    </message>
+    <message>
+        <source>The last session ran without real-time priority: touch may be less smooth than it could be.</source>
+        <translation>Η τελευταία συνεδρία έτρεξε χωρίς προτεραιότητα πραγματικού χρόνου: η αφή ίσως είναι λιγότερο ομαλή από όσο θα μπορούσε.</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Σταθμός</translation>
+    </message>
+    <message>
+        <source>Devices, punctuality of the force loop, room for recordings.</source>
+        <translation>Συσκευές, συνέπεια του βρόχου δύναμης, χώρος για καταγραφές.</translation>
+    </message>
+    <message>
+        <source>Open the station check</source>
+        <translation>Άνοιγμα ελέγχου σταθμού</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>What is next for you, by what you are here for.
+
+Trainees continue with the next level by one button, choose any level from the exercises, and see their latest results. Trainers see the sessions that ask to be looked at, those that broke off or were not passed first, and who trained lately. Administrators see whether people, storage and station are in order.
+
+The list on the left leads everywhere else; Ctrl+K finds any command by its name.</source>
+        <translation>Το επόμενο βήμα σας, ανάλογα με τον ρόλο σας.
+
+Οι εκπαιδευόμενοι συνεχίζουν με ένα κουμπί στο επόμενο επίπεδο, επιλέγουν οποιοδήποτε επίπεδο από τις ασκήσεις και βλέπουν τα τελευταία τους αποτελέσματα. Οι εκπαιδευτές βλέπουν τις συνεδρίες που χρειάζονται εξέταση, πρώτα όσες διακόπηκαν ή δεν πέτυχαν, και ποιοι εκπαιδεύτηκαν πρόσφατα. Οι διαχειριστές βλέπουν αν άτομα, αποθήκευση και σταθμός είναι εντάξει.
+
+Η λίστα αριστερά οδηγεί παντού αλλού· το Ctrl+K βρίσκει κάθε εντολή με το όνομά της.</translation>
+    </message>
+    <message>
+        <source>Looking what is next …</source>
+        <translation>Αναζήτηση επόμενου βήματος …</translation>
+    </message>
+    <message>
+        <source>The home screen could not be put together.</source>
+        <translation>Δεν ήταν δυνατή η προετοιμασία της αρχικής οθόνης.</translation>
+    </message>
+    <message>
+        <source>Welcome, %1</source>
+        <translation>Καλωσορίσατε, %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n sample(s) are kept and can be played back. It does not count.</source>
+        <translation>
+            <numerusform>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3). Καταχωρίστηκε ως διακοπείσα: %n δείγμα διατηρείται και μπορεί να αναπαραχθεί. Δεν μετράει.</numerusform>
+            <numerusform>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3). Καταχωρίστηκε ως διακοπείσα: %n δείγματα διατηρούνται και μπορούν να αναπαραχθούν. Δεν μετράει.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly during session %1 (%2, %3), and not all of it could be brought in: %4</source>
+        <translation>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3) και δεν καταχωρίστηκε ολόκληρη: %4</translation>
+    </message>
+    <message>
+        <source>Look at it</source>
+        <translation>Προβολή</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::InfoPanel</name>
     <message>
         <source>Elapsed: %1</source>
@@ -1638,6 +2136,33 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>Recording complete; every tick on time</source>
         <translation>Πλήρης καταγραφή· κανένας κύκλος με καθυστέρηση</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LatenessChart</name>
+    <message>
+        <source>Lateness of the force loop</source>
+        <translation>Καθυστέρηση του βρόχου δύναμης</translation>
+    </message>
+    <message>
+        <source>over %1 µs</source>
+        <translation>πάνω από %1 µs</translation>
+    </message>
+    <message>
+        <source>up to %1 µs</source>
+        <translation>έως %1 µs</translation>
+    </message>
+    <message>
+        <source>%1 %, late</source>
+        <translation>%1 %, με καθυστέρηση</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -2191,6 +2716,49 @@ Keep it where you keep keys.</source>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::RestoreDialog</name>
+    <message>
+        <source>Restore a backup</source>
+        <translation>Επαναφορά αντιγράφου ασφαλείας</translation>
+    </message>
+    <message>
+        <source>Go back to the backup made %1?</source>
+        <translation>Επιστροφή στο αντίγραφο ασφαλείας που έγινε %1;</translation>
+    </message>
+    <message>
+        <source>Everything recorded since then leaves the program. The present database is kept aside beside the new one, nothing is deleted. People who were erased stay erased. Everybody is logged out.</source>
+        <translation>Όσα καταγράφηκαν από τότε φεύγουν από το πρόγραμμα. Η τωρινή βάση δεδομένων φυλάσσεται δίπλα στη νέα, τίποτα δεν διαγράφεται. Όσα άτομα διαγράφηκαν μένουν διαγραμμένα. Όλοι αποσυνδέονται.</translation>
+    </message>
+    <message>
+        <source>Administrator</source>
+        <translation>Διαχειριστής/-τρια</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Κωδικός πρόσβασης</translation>
+    </message>
+    <message>
+        <source>The backup has another administrator or password</source>
+        <translation>Το αντίγραφο έχει άλλον διαχειριστή ή κωδικό πρόσβασης</translation>
+    </message>
+    <message>
+        <source>Administrator in the backup</source>
+        <translation>Διαχειριστής στο αντίγραφο</translation>
+    </message>
+    <message>
+        <source>Password in the backup</source>
+        <translation>Κωδικός πρόσβασης στο αντίγραφο</translation>
+    </message>
+    <message>
+        <source>Keep the present database</source>
+        <translation>Διατήρηση της τωρινής βάσης</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Επαναφορά</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::ResultsScreen</name>
     <message>
         <source>My results</source>
@@ -2293,6 +2861,308 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
     </message>
 </context>
 <context>
+    <name>chiron::desktop::SessionFilterBar</name>
+    <message>
+        <source>Search in the list</source>
+        <translation>Αναζήτηση στη λίστα</translation>
+    </message>
+    <message>
+        <source>Search: person, exercise, number</source>
+        <translation>Αναζήτηση: άτομο, άσκηση, αριθμός</translation>
+    </message>
+    <message>
+        <source>Archived too</source>
+        <translation>Και αρχειοθετημένες</translation>
+    </message>
+    <message>
+        <source>Clear the filters</source>
+        <translation>Καθαρισμός φίλτρων</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>Όλα τα άτομα</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Άτομο</translation>
+    </message>
+    <message>
+        <source>Every exercise</source>
+        <translation>Όλες οι ασκήσεις</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Άσκηση</translation>
+    </message>
+    <message>
+        <source>Every level</source>
+        <translation>Όλα τα επίπεδα</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Επίπεδο</translation>
+    </message>
+    <message>
+        <source>Level %1</source>
+        <translation>Επίπεδο %1</translation>
+    </message>
+    <message>
+        <source>Every state</source>
+        <translation>Κάθε κατάσταση</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Κατάσταση</translation>
+    </message>
+    <message>
+        <source>Every result</source>
+        <translation>Κάθε αποτέλεσμα</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Αποτέλεσμα</translation>
+    </message>
+    <message>
+        <source>Felt and shown</source>
+        <translation>Αισθητή και προβολή</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Δύναμη</translation>
+    </message>
+    <message>
+        <source>Any time</source>
+        <translation>Οποτεδήποτε</translation>
+    </message>
+    <message>
+        <source>When it was recorded</source>
+        <translation>Πότε καταγράφηκε</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Σήμερα</translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation>Τελευταίες 7 ημέρες</translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation>Τελευταίες 30 ημέρες</translation>
+    </message>
+    <message>
+        <source>Chosen days</source>
+        <translation>Επιλεγμένες ημέρες</translation>
+    </message>
+    <message>
+        <source>From this day</source>
+        <translation>Από αυτή την ημέρα</translation>
+    </message>
+    <message>
+        <source>To this day</source>
+        <translation>Έως αυτή την ημέρα</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SessionLines</name>
+    <message>
+        <source>%1: %2, level %3</source>
+        <translation>%1: %2, επίπεδο %3</translation>
+    </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation>%1, επίπεδο %2</translation>
+    </message>
+    <message>
+        <source>%1. %2. %3. Opens the debrief.</source>
+        <translation>%1. %2. %3. Ανοίγει τον απολογισμό.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SessionTableModel</name>
+    <message>
+        <source>%1, archived</source>
+        <translation>%1, αρχειοθετημένη</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Συνεδρία</translation>
+    </message>
+    <message>
+        <source>Started</source>
+        <translation>Έναρξη</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Άτομο</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Άσκηση</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Επίπεδο</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Κατάσταση</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Αποτέλεσμα</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Δύναμη</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Διάρκεια</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SessionsScreen</name>
+    <message>
+        <source>Search in the list</source>
+        <translation>Αναζήτηση στη λίστα</translation>
+    </message>
+    <message>
+        <source>Save the list …</source>
+        <translation>Αποθήκευση λίστας …</translation>
+    </message>
+    <message>
+        <source>Bring back from the archive</source>
+        <translation>Επιστροφή από το αρχείο</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Αρχειοθέτηση</translation>
+    </message>
+    <message>
+        <source>Session %1 is still running. It can be opened as soon as it has ended.</source>
+        <translation>Η συνεδρία %1 είναι ακόμη σε εξέλιξη. Ανοίγει μόλις τελειώσει.</translation>
+    </message>
+    <message>
+        <source>Session %1 was not voided.</source>
+        <translation>Η συνεδρία %1 δεν ακυρώθηκε.</translation>
+    </message>
+    <message>
+        <source>Session %1 is voided. Its recording is kept; it no longer counts.</source>
+        <translation>Η συνεδρία %1 ακυρώθηκε. Η καταγραφή της διατηρείται· δεν μετράει πλέον.</translation>
+    </message>
+    <message>
+        <source>Session %1 was not changed.</source>
+        <translation>Η συνεδρία %1 δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>Session %1 is archived: nothing was deleted.</source>
+        <translation>Η συνεδρία %1 αρχειοθετήθηκε: τίποτα δεν διαγράφηκε.</translation>
+    </message>
+    <message>
+        <source>Session %1 is back in the list.</source>
+        <translation>Η συνεδρία %1 είναι πάλι στη λίστα.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Αναίρεση</translation>
+    </message>
+    <message>
+        <source>The session could not be read again.</source>
+        <translation>Δεν ήταν δυνατή η εκ νέου ανάγνωση της συνεδρίας.</translation>
+    </message>
+    <message>
+        <source>Save the list</source>
+        <translation>Αποθήκευση λίστας</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Τιμές χωρισμένες με κόμμα (*.csv)</translation>
+    </message>
+    <message>
+        <source>The list is saved in %1.</source>
+        <translation>Η λίστα αποθηκεύτηκε στο %1.</translation>
+    </message>
+    <message>
+        <source>The list was not saved.</source>
+        <translation>Η λίστα δεν αποθηκεύτηκε.</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Συνεδρίες</translation>
+    </message>
+    <message>
+        <source>Every session that was recorded on this site, newest first.
+
+Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column&apos;s head to sort by it.
+
+Enter or a double click opens the debrief of the selected session, Ctrl+P plays it. Void takes a session out of every count, with a reason, and keeps it. Archive takes it out of the usual lists and can be undone.</source>
+        <translation>Όλες οι συνεδρίες που καταγράφηκαν σε αυτό το κέντρο, πρώτα οι νεότερες.
+
+Πληκτρολογήστε στο πεδίο αναζήτησης ή επιλέξτε από τις διπλανές λίστες για να περιορίσετε τη λίστα· τα φίλτρα μένουν όταν επιστρέφετε. Κάντε κλικ στην επικεφαλίδα μιας στήλης για ταξινόμηση.
+
+Το Enter ή το διπλό κλικ ανοίγει τον απολογισμό της επιλεγμένης συνεδρίας, το Ctrl+P την αναπαράγει. Η ακύρωση βγάζει μια συνεδρία από κάθε υπολογισμό, με αιτιολογία, και τη διατηρεί. Η αρχειοθέτηση τη βγάζει από τις συνήθεις λίστες και αναιρείται.</translation>
+    </message>
+    <message>
+        <source>Open the debrief</source>
+        <translation>Άνοιγμα απολογισμού</translation>
+    </message>
+    <message>
+        <source>Play back</source>
+        <translation>Αναπαραγωγή</translation>
+    </message>
+    <message>
+        <source>Void …</source>
+        <translation>Ακύρωση συνεδρίας …</translation>
+    </message>
+    <message>
+        <source>Loading the sessions …</source>
+        <translation>Φόρτωση συνεδριών …</translation>
+    </message>
+    <message>
+        <source>The sessions could not be loaded.</source>
+        <translation>Δεν ήταν δυνατή η φόρτωση των συνεδριών.</translation>
+    </message>
+    <message>
+        <source>Loading the older sessions …</source>
+        <translation>Φόρτωση παλαιότερων συνεδριών …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%n συνεδρία</numerusform>
+            <numerusform>%n συνεδρίες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 sessions</source>
+        <translation>%1 από %2 συνεδρίες</translation>
+    </message>
+    <message>
+        <source>No session has been recorded yet</source>
+        <translation>Δεν έχει καταγραφεί ακόμη συνεδρία</translation>
+    </message>
+    <message>
+        <source>As soon as somebody trains, the session is listed here.</source>
+        <translation>Μόλις εκπαιδευτεί κάποιος, η συνεδρία εμφανίζεται εδώ.</translation>
+    </message>
+    <message>
+        <source>No session matches these filters</source>
+        <translation>Καμία συνεδρία δεν ταιριάζει στα φίλτρα</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) in all.</source>
+        <translation>
+            <numerusform>%n συνεδρία συνολικά.</numerusform>
+            <numerusform>%n συνεδρίες συνολικά.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Clear the filters</source>
+        <translation>Καθαρισμός φίλτρων</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::SettingsScreen</name>
     <message>
         <source>Settings</source>
@@ -2379,6 +3249,334 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
     <message>
         <source>Try again</source>
         <translation>Νέα προσπάθεια</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StationScreen</name>
+    <message>
+        <source>Station</source>
+        <translation>Σταθμός</translation>
+    </message>
+    <message>
+        <source>Whether this computer is fit to make force felt.
+
+Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran against the clock, and in a self-test of ten seconds without any device.
+
+With real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it and how to permit it.</source>
+        <translation>Αν αυτός ο υπολογιστής είναι κατάλληλος ώστε η δύναμη να γίνεται αισθητή.
+
+Η δύναμη υπολογίζεται χίλιες φορές το δευτερόλεπτο. Τα διαγράμματα δείχνουν πόσο αργοπορημένα άρχισαν αυτά τα χίλια βήματα: στην τελευταία συνεδρία σε πραγματικό χρόνο και σε έναν αυτοέλεγχο δέκα δευτερολέπτων χωρίς συσκευή.
+
+Με προτεραιότητα πραγματικού χρόνου ο βρόχος τηρεί τον χρόνο του ό,τι άλλο κι αν κάνει ο υπολογιστής. Αυτή η οθόνη λέει αν την έχει και πώς επιτρέπεται.</translation>
+    </message>
+    <message>
+        <source>Looking at the station …</source>
+        <translation>Έλεγχος του σταθμού …</translation>
+    </message>
+    <message>
+        <source>The station could not be looked at.</source>
+        <translation>Δεν ήταν δυνατός ο έλεγχος του σταθμού.</translation>
+    </message>
+    <message>
+        <source>Punctuality of the force loop</source>
+        <translation>Συνέπεια του βρόχου δύναμης</translation>
+    </message>
+    <message>
+        <source>Session %1, %2</source>
+        <translation>Συνεδρία %1, %2</translation>
+    </message>
+    <message>
+        <source>None of the latest sessions ran against the clock, so nothing is known yet of how punctual this station is.</source>
+        <translation>Καμία από τις τελευταίες συνεδρίες δεν έτρεξε σε πραγματικό χρόνο, οπότε δεν είναι ακόμη γνωστό πόσο συνεπής είναι αυτός ο σταθμός.</translation>
+    </message>
+    <message>
+        <source>Self-test without a device</source>
+        <translation>Αυτοέλεγχος χωρίς συσκευή</translation>
+    </message>
+    <message>
+        <source>Run the self-test</source>
+        <translation>Εκτέλεση αυτοελέγχου</translation>
+    </message>
+    <message>
+        <source>An administrator can run it here.</source>
+        <translation>Ένας διαχειριστής μπορεί να τον εκτελέσει εδώ.</translation>
+    </message>
+    <message>
+        <source>This session was recorded before the spread of lateness was kept.</source>
+        <translation>Αυτή η συνεδρία καταγράφηκε πριν αρχίσει να φυλάσσεται η κατανομή των καθυστερήσεων.</translation>
+    </message>
+    <message>
+        <source>The system said: %1</source>
+        <translation>Το σύστημα ανέφερε: %1</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Συσκευές</translation>
+    </message>
+    <message>
+        <source>No device that makes force felt by a hand is connected: this version has no driver for one yet.</source>
+        <translation>Δεν είναι συνδεδεμένη απτική συσκευή: αυτή η έκδοση δεν έχει ακόμη πρόγραμμα οδήγησης για κάποια.</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Χώρος</translation>
+    </message>
+    <message>
+        <source>A running session keeps its last seconds in memory, so that a crash loses nothing: %1 of the %2 that are free there.</source>
+        <translation>Μια συνεδρία σε εξέλιξη κρατά τα τελευταία δευτερόλεπτα στη μνήμη, ώστε να μη χαθεί τίποτα αν κλείσει το πρόγραμμα: %1 από τα %2 που είναι ελεύθερα εκεί.</translation>
+    </message>
+    <message>
+        <source>Testing the loop. Do not use the computer meanwhile.</source>
+        <translation>Έλεγχος του βρόχου. Μη χρησιμοποιείτε στο μεταξύ τον υπολογιστή.</translation>
+    </message>
+    <message>
+        <source>The self-test was stopped before its end.</source>
+        <translation>Ο αυτοέλεγχος σταμάτησε πριν τελειώσει.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StorageScreen</name>
+    <message>
+        <source>Storage</source>
+        <translation>Αποθήκευση</translation>
+    </message>
+    <message>
+        <source>Where everything that was recorded is kept, and whether it is safe.
+
+Back up now makes a copy beside the running program and checks it before it counts. Keep backups on another disk: choose the folder here.
+
+Verify reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
+
+Restore goes back to a backup. It asks an administrator for the password, keeps the present database aside, and logs everybody out.</source>
+        <translation>Πού φυλάσσονται όλα όσα καταγράφηκαν και αν είναι ασφαλή.
+
+Το «Αντίγραφο τώρα» δημιουργεί αντίγραφο ενώ το πρόγραμμα λειτουργεί και το ελέγχει πριν θεωρηθεί έγκυρο. Φυλάξτε τα αντίγραφα ασφαλείας σε άλλον δίσκο: επιλέξτε τον φάκελο εδώ.
+
+Ο «Έλεγχος ακεραιότητας» ξαναδιαβάζει τα πάντα: κάθε εγγραφή, κάθε καταγραφή, κάθε βαθμολογία, το ημερολόγιο ελέγχου. Δεν αλλάζει τίποτα και μπορεί να σταματήσει.
+
+Η «Επαναφορά» επιστρέφει σε ένα αντίγραφο ασφαλείας. Ζητά τον κωδικό πρόσβασης ενός διαχειριστή, φυλάσσει την τωρινή βάση δεδομένων και αποσυνδέει όλους.</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Χώρος</translation>
+    </message>
+    <message>
+        <source>Database</source>
+        <translation>Βάση δεδομένων</translation>
+    </message>
+    <message>
+        <source>Recordings in it</source>
+        <translation>Καταγραφές σε αυτήν</translation>
+    </message>
+    <message>
+        <source>Free on this disk</source>
+        <translation>Ελεύθερα στον δίσκο</translation>
+    </message>
+    <message>
+        <source>Backups</source>
+        <translation>Αντίγραφα ασφαλείας</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Δημιουργία</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Ηλικία</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Μέγεθος</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>Έλεγχος</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Φάκελος</translation>
+    </message>
+    <message>
+        <source>Back up now</source>
+        <translation>Αντίγραφο τώρα</translation>
+    </message>
+    <message>
+        <source>Check the selected backup</source>
+        <translation>Έλεγχος επιλεγμένου</translation>
+    </message>
+    <message>
+        <source>Restore the selected backup …</source>
+        <translation>Επαναφορά επιλεγμένου …</translation>
+    </message>
+    <message>
+        <source>Choose the folder …</source>
+        <translation>Επιλογή φακέλου …</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Έλεγχος ακεραιότητας</translation>
+    </message>
+    <message>
+        <source>Reads every record, recomputes every score from its recording and follows the audit trail. It changes nothing.</source>
+        <translation>Διαβάζει κάθε εγγραφή, υπολογίζει ξανά κάθε βαθμολογία από την καταγραφή της και ακολουθεί το ημερολόγιο ελέγχου. Δεν αλλάζει τίποτα.</translation>
+    </message>
+    <message>
+        <source>What does not hold</source>
+        <translation>Προβλήματα που βρέθηκαν</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Τι</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Πού</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Λεπτομέρειες</translation>
+    </message>
+    <message>
+        <source>Verify everything</source>
+        <translation>Έλεγχος όλων</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Εξαγωγή</translation>
+    </message>
+    <message>
+        <source>A backup and every table as text (JSON Lines, without passwords), for analysis elsewhere or to leave this program with everything.</source>
+        <translation>Αντίγραφο ασφαλείας και κάθε πίνακας ως κείμενο (JSON Lines, χωρίς κωδικούς πρόσβασης), για ανάλυση αλλού ή για αποχώρηση από το πρόγραμμα με όλα τα δεδομένα.</translation>
+    </message>
+    <message>
+        <source>Export the site …</source>
+        <translation>Εξαγωγή του κέντρου …</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 σε %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n session(s)</source>
+        <translation>
+            <numerusform>%1 από %n συνεδρία</numerusform>
+            <numerusform>%1 από %n συνεδρίες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 από %2</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>Φυλάσσονται στο %1</translation>
+    </message>
+    <message>
+        <source>When it was made</source>
+        <translation>Όταν δημιουργήθηκε</translation>
+    </message>
+    <message>
+        <source>Just now: it holds</source>
+        <translation>Μόλις τώρα: ακέραιο</translation>
+    </message>
+    <message>
+        <source>Just now: damaged</source>
+        <translation>Μόλις τώρα: με βλάβη</translation>
+    </message>
+    <message>
+        <source>The restore must end first.</source>
+        <translation>Πρέπει πρώτα να τελειώσει η επαναφορά.</translation>
+    </message>
+    <message>
+        <source>The task that you started goes on.</source>
+        <translation>Η εργασία που ξεκινήσατε συνεχίζεται.</translation>
+    </message>
+    <message>
+        <source>Looking at the storage …</source>
+        <translation>Έλεγχος της αποθήκευσης …</translation>
+    </message>
+    <message>
+        <source>The storage could not be looked at.</source>
+        <translation>Δεν ήταν δυνατός ο έλεγχος της αποθήκευσης.</translation>
+    </message>
+    <message>
+        <source>Where to export to</source>
+        <translation>Προορισμός εξαγωγής</translation>
+    </message>
+    <message>
+        <source>Where backups are kept</source>
+        <translation>Φάκελος αντιγράφων ασφαλείας</translation>
+    </message>
+    <message>
+        <source>The backup is made and checked: %1 in %2.</source>
+        <translation>Το αντίγραφο ασφαλείας δημιουργήθηκε και ελέγχθηκε: %1 σε %2.</translation>
+    </message>
+    <message>
+        <source>The site is exported and checked: %1 in %2.</source>
+        <translation>Το κέντρο εξήχθη και ελέγχθηκε: %1 σε %2.</translation>
+    </message>
+    <message>
+        <source>The backup was stopped; nothing of it was kept.</source>
+        <translation>Η δημιουργία αντιγράφου σταμάτησε· δεν κρατήθηκε τίποτα.</translation>
+    </message>
+    <message>
+        <source>The export was stopped; nothing of it was kept.</source>
+        <translation>Η εξαγωγή σταμάτησε· δεν κρατήθηκε τίποτα.</translation>
+    </message>
+    <message>
+        <source>There is no new backup.</source>
+        <translation>Δεν υπάρχει νέο αντίγραφο ασφαλείας.</translation>
+    </message>
+    <message>
+        <source>The site was not exported.</source>
+        <translation>Δεν έγινε εξαγωγή του κέντρου.</translation>
+    </message>
+    <message>
+        <source>Making a backup …</source>
+        <translation>Δημιουργία αντιγράφου ασφαλείας …</translation>
+    </message>
+    <message>
+        <source>Exporting the site …</source>
+        <translation>Εξαγωγή του κέντρου …</translation>
+    </message>
+    <message>
+        <source>Verifying everything …</source>
+        <translation>Έλεγχος όλων …</translation>
+    </message>
+    <message>
+        <source>Checking the backup …</source>
+        <translation>Έλεγχος του αντιγράφου …</translation>
+    </message>
+    <message>
+        <source>Restoring the backup. The present database is kept aside.</source>
+        <translation>Επαναφορά του αντιγράφου. Η τωρινή βάση δεδομένων φυλάσσεται.</translation>
+    </message>
+    <message>
+        <source>Nothing was restored. The present database is as it was.</source>
+        <translation>Δεν έγινε επαναφορά. Η τωρινή βάση δεδομένων είναι όπως ήταν.</translation>
+    </message>
+    <message>
+        <source>The present database could not be opened again.</source>
+        <translation>Η τωρινή βάση δεδομένων δεν ήταν δυνατό να ανοίξει ξανά.</translation>
+    </message>
+    <message>
+        <source>The backup is restored. The database that was here before is kept as %1. Please log in again.</source>
+        <translation>Η επαναφορά έγινε. Η προηγούμενη βάση δεδομένων φυλάσσεται ως %1. Παρακαλούμε συνδεθείτε ξανά.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TaskStrip</name>
+    <message>
+        <source>Progress</source>
+        <translation>Πρόοδος</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Άκυρο</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Διακοπή …</translation>
     </message>
 </context>
 <context>
@@ -2527,6 +3725,37 @@ After the last trial the debrief opens by itself.</source>
     </message>
     <message>
         <source>Declare void</source>
+        <translation>Ακύρωση συνεδρίας</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::VoidSessionDialog</name>
+    <message>
+        <source>Void a session</source>
+        <translation>Ακύρωση συνεδρίας</translation>
+    </message>
+    <message>
+        <source>Void session %1 of %2?</source>
+        <translation>Ακύρωση της συνεδρίας %1 (%2);</translation>
+    </message>
+    <message>
+        <source>It stays in the list with its recording and its scores, but no longer counts for anything. That it was voided, by whom and why is kept and cannot be taken back.</source>
+        <translation>Μένει στη λίστα με την καταγραφή και τις βαθμολογίες της, αλλά δεν μετράει πλέον πουθενά. Η ακύρωση, ποιος την έκανε και γιατί διατηρούνται και δεν αναιρούνται.</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Αιτιολογία</translation>
+    </message>
+    <message>
+        <source>For example: the device was not calibrated</source>
+        <translation>Για παράδειγμα: η συσκευή δεν ήταν βαθμονομημένη</translation>
+    </message>
+    <message>
+        <source>Keep it as it is</source>
+        <translation>Να μείνει ως έχει</translation>
+    </message>
+    <message>
+        <source>Void the session</source>
         <translation>Ακύρωση συνεδρίας</translation>
     </message>
 </context>
