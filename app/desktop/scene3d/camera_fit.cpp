@@ -13,10 +13,9 @@ namespace {
 constexpr double kElevation_rad = 44.0 * core::kPi / 180.0;
 constexpr double kEdge = 0.97; // of the half picture
 
-/// Half-angles of the picture.
+/// Tangents of the half-angles of the picture.
 struct Opening {
-    double right;
-    double left;
+    double side;
     double up;
 };
 
@@ -30,7 +29,7 @@ bool sees(const CameraFit& camera, const Opening& opening, const core::Vec3& p_W
         return false;
     const double x = seen.dot(right) / depth;
     const double y = seen.dot(up) / depth;
-    return x <= opening.right && x >= -opening.left && std::abs(y) <= opening.up;
+    return std::abs(x) <= opening.side && std::abs(y) <= opening.up;
 }
 
 bool seesAll(const CameraFit& camera, const Opening& opening, double radius_m, double planeHeight_m,
@@ -53,7 +52,7 @@ CameraFit fitCamera(double radius_m, double planeHeight_m, double room_m, double
     const core::Vec3 back(0.0, -std::cos(kElevation_rad), std::sin(kElevation_rad));
     const double up = std::tan(0.5 * camera.fieldOfView_deg * core::kPi / 180.0);
     const double side = up * std::max(0.2, aspect);
-    const Opening opening{kEdge * side * (1.0 - 2.0 * rightMargin), kEdge * side, kEdge * up};
+    const Opening opening{kEdge * side * (1.0 - rightMargin), kEdge * up};
     double near = radius_m;
     double far = 40.0 * radius_m;
     for (int i = 0; i < 40; ++i) {

@@ -14,7 +14,8 @@ struct CameraFit {
 
 /// The nearest place on that line of sight from which the whole workspace is seen: the disc of `radius_m` on
 /// the plane and the room above it up to `room_m`. `aspect` = width/height of the picture > 0; `rightMargin`
-/// = share of the width that the force bar takes. Pure.
+/// = share of the width that the force bar takes: whoever draws moves the picture's middle to the left by
+/// half of it. Pure.
 CameraFit fitCamera(double radius_m, double planeHeight_m, double room_m, double aspect, double rightMargin);
 
 } // namespace chiron::scene3d

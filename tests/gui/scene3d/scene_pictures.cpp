@@ -46,6 +46,16 @@ std::map<QString, SceneState> states() {
     all["z_turned"].tool[1] = all["z_turned"].tool[0];
     all["z_turned"].tool[1].p_WT = {0.05, -0.03, 0.02};
     all["z_turned"].tool[1].q_WT = chiron::core::Quat(Eigen::AngleAxisd(0.3, chiron::core::Vec3(0, 1, 0)));
+    all["dimple"] = all["air"];
+    all["dimple"].dimpleShown = true;
+    all["dimple"].dimpleCentre_m = {0.006, -0.002};
+    all["plane"] = samples::inAir();
+    all["plane"].tool[0].p_WT = {-0.030, -0.030, -0.006};
+    all["plane"].tool[0].p_WProxy = {-0.030, -0.030, 0.0};
+    all["plane"].tool[0].force_N = {0.0, 0.0, 3.0};
+    all["rim"] = samples::inAir();
+    all["rim"].tool[0].p_WT = {0.026, -0.004, 0.003};
+    all["rim"].tool[0].force_N = {1.5, -1.2, 0.3};
     return all;
 }
 

@@ -11,7 +11,9 @@ namespace chiron::scene3d::samples {
 inline SceneSetup setup() {
     SceneSetup setup;
     setup.exercise = "sphere_apex";
-    setup.parameters = simulation::SphereApexParameters{};
+    simulation::SphereApexParameters parameters;
+    parameters.dimpleDepth_m = 0.0015;
+    setup.parameters = parameters;
     setup.cues = {true, true};
     setup.family = QStringLiteral("Inter");
     return setup;

@@ -39,6 +39,16 @@ class TestFlatScene : public QObject {
     Q_OBJECT
 
 private slots:
+    /// The module that the program links must not bring Qt3D along: it would delay every start.
+    void initTestCase() {
+        QFile maps(QStringLiteral("/proc/self/maps"));
+        if (!maps.open(QIODevice::ReadOnly))
+            QSKIP("no /proc here");
+        const QByteArray loaded = maps.readAll();
+        QVERIFY(loaded.contains("libQt6Widgets")); // the list can be read
+        QVERIFY(!loaded.contains("libQt63D"));
+    }
+
     void cleanup() { qunsetenv("CHIRON_NO_3D"); }
 
     void offscreenGetsTheFlatSceneWithTheReason() {

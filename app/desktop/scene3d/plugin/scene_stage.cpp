@@ -4,6 +4,7 @@
 #include "desktop/scene3d/camera_fit.h"
 #include "desktop/scene3d/parts/drape_mesh.h"
 
+#include <QMatrix4x4>
 #include <Qt3DRender/QCameraSelector>
 #include <Qt3DRender/QLayerFilter>
 #include <Qt3DRender/QPickingSettings>
@@ -124,7 +125,10 @@ void SceneStage::aim() {
     const CameraFit fit =
         fitCamera(m_content->fieldRadius_m() + 1.2 * kOpeningBeyond_m, m_content->planeHeight_m(),
                   m_content->roomAbove_m(), aspect, m_gauge->widthShare());
-    m_camera->lens()->setPerspectiveProjection(float(fit.fieldOfView_deg), float(aspect), 20.0F, 2500.0F);
+    QMatrix4x4 projection;
+    projection.translate(-float(m_gauge->widthShare()), 0.0F); // the middle of what the bar leaves free
+    projection.perspective(float(fit.fieldOfView_deg), float(aspect), 20.0F, 2500.0F);
+    m_camera->lens()->setProjectionMatrix(projection);
     m_camera->setPosition(toMillimetres(fit.p_WEye));
     m_camera->setViewCenter(toMillimetres(fit.p_WTarget));
     m_camera->setUpVector({0.0F, 0.0F, 1.0F});
