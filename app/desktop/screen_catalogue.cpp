@@ -7,9 +7,10 @@
 #include "desktop/home/exercises_screen.h"
 #include "desktop/home/home_screen.h"
 #include "desktop/login/login_screen.h"
-#include "desktop/sessions/sessions_screen.h"
+#include "desktop/people/people_screen.h"
 #include "desktop/playback/playback_screen.h"
 #include "desktop/results/results_screen.h"
+#include "desktop/sessions/sessions_screen.h"
 #include "desktop/settings/settings_screen.h"
 #include "desktop/station/station_screen.h"
 #include "desktop/storage/storage_screen.h"
@@ -45,6 +46,7 @@ const std::vector<ScreenEntry>& screenCatalogue() {
         {"results", QT_TRANSLATE_NOOP("Screens", "My results"), "office-chart-line", {trainee}, true, &make<ResultsScreen>},
         {"debrief", QT_TRANSLATE_NOOP("Screens", "Debrief"), "view-statistics", {}, true, &make<DebriefScreen>},
         {"playback", QT_TRANSLATE_NOOP("Screens", "Playback"), "media-playback-start", {}, true, &make<PlaybackScreen>},
+        {"people", QT_TRANSLATE_NOOP("Screens", "People"), "system-users", {admin}, true, &make<PeopleScreen>},
         {"settings", QT_TRANSLATE_NOOP("Screens", "Settings"), "configure", everybody, true, &make<SettingsScreen>},
     };
     return entries;
