@@ -9,6 +9,10 @@
 
 namespace chiron::session {
 
+namespace {
+constexpr double kFollowing_s = 0.025; // longer than a pointer's reports are apart, shorter than anybody notices
+} // namespace
+
 core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice) {
     using W = WorkspaceChoice;
     if (!(choice.scale >= W::kSmallestScale && choice.scale <= W::kLargestScale))
@@ -27,6 +31,7 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice) {
     if (!mapping)
         return tl::unexpected(mapping.error());
     devices::KeyboardMouseSettings settings;
+    settings.following_s = kFollowing_s;
     for (std::size_t i = 0; i < 3; ++i) {
         settings.minimum_m[i] /= choice.scale;
         settings.maximum_m[i] /= choice.scale;

@@ -44,6 +44,25 @@ private slots:
         QCOMPARE(d.axes[0].resolution, 1e-6);
     }
 
+    /// A pointer's jump of 2 mm becomes a movement: never faster than its first tick, nothing lost, nothing past the goal.
+    void aJumpIsFollowed() {
+        Bench bench({.following_s = 0.025});
+        const std::int32_t start = bench.tick().counts[0];
+        bench.device->mailbox().move(0.002, 0.0, 0.0);
+        std::int32_t before = start;
+        std::int32_t largest = 0;
+        for (int n = 0; n < 300; ++n) {
+            const std::int32_t now = bench.tick().counts[0];
+            QVERIFY(now >= before && now <= start + 2000);
+            largest = std::max(largest, now - before);
+            before = now;
+        }
+        QVERIFY(largest <= 80); // 2 mm / 25 ms a tick
+        QCOMPARE(before, start + 2000);
+        for (const double bad : {-0.001, 0.3, std::nan("")})
+            QVERIFY(!KeyboardMouseDevice::create({.following_s = bad}));
+    }
+
     void movementArrivesOnceAndInFull() {
         Bench bench;
         QCOMPARE(bench.tick().counts[2], 60'000);

@@ -12,8 +12,10 @@ core::DeviceSample KeyboardMouseDevice::read(const realtime::HapticTick& now) no
     const PointerTotals& totals = m_mailbox.read();
     core::DeviceSample sample;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double hand_m =
-            totals.moved_m[i] - m_seen.moved_m[i] + totals.rate_m_per_s[i] * core::kTickSeconds;
+        m_pending_m[i] += totals.moved_m[i] - m_seen.moved_m[i];
+        const double followed_m = m_share * m_pending_m[i];
+        m_pending_m[i] -= followed_m;
+        const double hand_m = followed_m + totals.rate_m_per_s[i] * core::kTickSeconds;
         m_position_m[i] =
             std::clamp(m_position_m[i] + m_ratio * hand_m, m_settings.minimum_m[i], m_settings.maximum_m[i]);
         sample.counts[i] = static_cast<std::int32_t>(std::lround(m_position_m[i] / kGrid_m));

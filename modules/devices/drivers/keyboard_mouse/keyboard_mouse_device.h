@@ -14,6 +14,9 @@ struct KeyboardMouseSettings {
     std::array<double, 3> maximum_m{0.080, 0.080, 0.080};
     std::array<double, 3> home_m{0.0, 0.0, 0.060};
     double slowestRatio = 0.3;      ///< 0 < r ≤ 1: control/display ratio at and above slowestAt_N; 1 switches it off
+    /// Time constant with which the tool follows the hand: pointers and wheels report in jumps, 8 to 16 ms apart, which are no
+    /// speed that anybody moved with. 0 (as the hand reports) to 0.2 s.
+    double following_s = 0.0;
     double slowestAt_N = 4.0;       ///< > 0: shown force at which motion is slowest (the site's default force limit)
 };
 
@@ -53,6 +56,8 @@ private:
     PointerMailbox m_mailbox;
     PointerTotals m_seen;              ///< what was taken in already
     std::array<double, 3> m_position_m; ///< before rounding, so that slow movement is not lost
+    std::array<double, 3> m_pending_m{}; ///< moved by the hand, not yet by the tool
+    double m_share = 1.0;                ///< of what is pending that a tick makes up
     double m_ratio = 1.0;
     std::uint32_t m_packet = 0;
 };

@@ -2,6 +2,10 @@
 // Set-up of the driver, apart from what the tick calls.
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 
+#include "core/units.h"
+
+#include <cmath>
+
 namespace chiron::devices {
 
 namespace {
@@ -21,6 +25,9 @@ core::Result<void> check(const KeyboardMouseSettings& s) {
     if (!(s.slowestAt_N > 0.0 && s.slowestAt_N <= 100.0))
         return core::fail(core::ErrorCode::badInput, "keyboard_mouse: slowestAt_N is " +
                                                          std::to_string(s.slowestAt_N) + ", expected 0 < F <= 100 N");
+    if (!(s.following_s >= 0.0 && s.following_s <= 0.2))
+        return core::fail(core::ErrorCode::badInput, "keyboard_mouse: following_s is " + std::to_string(s.following_s) +
+                                                         ", expected 0 to 0.2 s");
     return {};
 }
 
@@ -55,11 +62,13 @@ core::Result<std::unique_ptr<KeyboardMouseDevice>> KeyboardMouseDevice::create(c
 KeyboardMouseDevice::KeyboardMouseDevice(const KeyboardMouseSettings& settings, DeviceDescriptor descriptor,
                                          const CartesianKinematics& kinematics)
     : m_settings(settings), m_descriptor(std::move(descriptor)), m_kinematics(kinematics),
-      m_position_m(settings.home_m) {}
+      m_position_m(settings.home_m),
+      m_share(settings.following_s > 0.0 ? 1.0 - std::exp(-core::kTickSeconds / settings.following_s) : 1.0) {}
 
 core::Result<void> KeyboardMouseDevice::open() {
     m_seen = m_mailbox.read();
     m_position_m = m_settings.home_m;
+    m_pending_m = {};
     m_ratio = 1.0;
     return {};
 }
