@@ -2,15 +2,15 @@
 #include "desktop/screen_catalogue.h"
 
 #include "desktop/debrief/debrief_screen.h"
+#include "desktop/exercise_setup/exercise_setup_screen.h"
 #include "desktop/first_start/first_start_screen.h"
 #include "desktop/frame/screen.h"
 #include "desktop/home/exercises_screen.h"
 #include "desktop/home/home_screen.h"
 #include "desktop/login/login_screen.h"
-#include "desktop/people/people_screen.h"
+#include "desktop/sessions/sessions_screen.h"
 #include "desktop/playback/playback_screen.h"
 #include "desktop/results/results_screen.h"
-#include "desktop/sessions/sessions_screen.h"
 #include "desktop/settings/settings_screen.h"
 #include "desktop/station/station_screen.h"
 #include "desktop/storage/storage_screen.h"
@@ -39,6 +39,7 @@ const std::vector<ScreenEntry>& screenCatalogue() {
         {"login", QT_TRANSLATE_NOOP("Screens", "Log in"), "system-switch-user", {}, false, &make<LoginScreen>},
         {"home", QT_TRANSLATE_NOOP("Screens", "Home"), "go-home", everybody, true, &make<HomeScreen>},
         {"exercises", QT_TRANSLATE_NOOP("Screens", "Exercises"), "view-list-icons", everybody, true, &make<ExercisesScreen>},
+        {"exercise_setup", QT_TRANSLATE_NOOP("Screens", "Exercise"), "media-playback-start", {}, true, &make<ExerciseSetupScreen>},
         {"training", QT_TRANSLATE_NOOP("Screens", "Training"), "media-playback-start", {}, false, &make<TrainingScreen>},
         {"sessions", QT_TRANSLATE_NOOP("Screens", "Sessions"), "view-list-details", {trainer, researcher, admin}, true, &make<SessionsScreen>},
         {"storage", QT_TRANSLATE_NOOP("Screens", "Storage"), "drive-harddisk", {admin}, true, &make<StorageScreen>},
@@ -46,7 +47,6 @@ const std::vector<ScreenEntry>& screenCatalogue() {
         {"results", QT_TRANSLATE_NOOP("Screens", "My results"), "office-chart-line", {trainee}, true, &make<ResultsScreen>},
         {"debrief", QT_TRANSLATE_NOOP("Screens", "Debrief"), "view-statistics", {}, true, &make<DebriefScreen>},
         {"playback", QT_TRANSLATE_NOOP("Screens", "Playback"), "media-playback-start", {}, true, &make<PlaybackScreen>},
-        {"people", QT_TRANSLATE_NOOP("Screens", "People"), "system-users", {admin}, true, &make<PeopleScreen>},
         {"settings", QT_TRANSLATE_NOOP("Screens", "Settings"), "configure", everybody, true, &make<SettingsScreen>},
     };
     return entries;

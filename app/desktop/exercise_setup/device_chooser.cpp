@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/exercise_setup/device_chooser.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/training/training_words.h"
+#include "desktop/widgets/kit.h"
+#include "scoring/trace_csv.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QStackedWidget>
+#include <QStyle>
+
+namespace chiron::desktop {
+
+namespace {
+
+/// What a trace file holds, as far as it matters before it is played.
+struct TraceCheck {
+    int rows = 0;
+    double length_s = 0.0;
+};
+
+core::Result<TraceCheck> readTrace(const QString& file) {
+    auto rows = scoring::readTraceCsvFile(file.toStdString());
+    if (!rows)
+        return tl::unexpected(rows.error());
+    if (auto station = session::traceStation(*rows); !station)
+        return tl::unexpected(station.error());
+    return TraceCheck{static_cast<int>(rows->rows.size()), rows->rows.back().t_s - rows->rows.front().t_s};
+}
+
+/// Paths and lists of columns are one long word: they may break after a slash or a comma.
+QString breakable(QString text) {
+    for (const char16_t mark : {u'/', u','})
+        text.replace(QChar(mark), QString(QChar(mark)) + QChar(0x200B));
+    return text;
+}
+
+} // namespace
+
+DeviceChooser::DeviceChooser(AppContext& context, const std::vector<std::string>& operators, QWidget* parent)
+    : QWidget(parent), m_context(context), m_group(new QButtonGroup(this)), m_pages(new QStackedWidget) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(context.theme().px(8));
+    column->addWidget(addTile(PlanDevice::mouse, tr("Mouse and keyboard"), tr("Ready. Force is shown, not felt.")));
+    column->addWidget(addTile(PlanDevice::demonstration, tr("Demonstrate"), tr("Ready. Watch a scripted operator on the simulated gimbal.")));
+    column->addWidget(addTile(PlanDevice::trace, tr("Replay a file"), tr("A recorded movement (CSV) moves the tool.")));
+    m_pages->addWidget(new QWidget);
+    m_pages->addWidget(demonstrationPage(operators));
+    m_pages->addWidget(tracePage());
+    column->addWidget(m_pages);
+    connect(m_group, &QButtonGroup::idClicked, this, [this](int id) {
+        show(static_cast<PlanDevice>(id));
+        emit changed();
+    });
+    show(PlanDevice::mouse);
+}
+
+QPushButton* DeviceChooser::addTile(PlanDevice device, const QString& title, const QString& health) {
+    auto* tile = kit::button(m_context.theme(), title + QLatin1Char('\n') + health, "tile", deviceIcon(device));
+    tile->setObjectName(QStringLiteral("setup.device.%1").arg(static_cast<int>(device)));
+    tile->setCheckable(true);
+    m_group->addButton(tile, static_cast<int>(device));
+    return tile;
+}
+
+QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operators) {
+    const Theme& theme = m_context.theme();
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(6));
+    auto* label = kit::label(theme, tr("Who demonstrates"), TextStyle::label);
+    m_operator = new QComboBox;
+    m_operator->setObjectName(QStringLiteral("setup.operator"));
+    m_operator->setAccessibleName(tr("Who demonstrates"));
+    label->setBuddy(m_operator);
+    for (const std::string& name : operators)
+        m_operator->addItem(operatorTitle(name), QString::fromStdString(name));
+    m_operator->setCurrentIndex(std::max(m_operator->findData(QStringLiteral("expert")), 0));
+    column->addWidget(label);
+    column->addWidget(m_operator);
+    column->addWidget(kit::label(theme, tr("The session is listed as simulated and is nobody's score."), TextStyle::small, "muted"));
+    connect(m_operator, &QComboBox::currentIndexChanged, this, &DeviceChooser::changed);
+    return page;
+}
+
+QWidget* DeviceChooser::tracePage() {
+    const Theme& theme = m_context.theme();
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(6));
+    auto* choose = kit::button(theme, tr("Choose a file …"), "", QStringLiteral("document-open"));
+    choose->setObjectName(QStringLiteral("setup.trace.choose"));
+    column->addWidget(choose, 0, Qt::AlignLeft);
+    m_traceName = kit::label(theme, {}, TextStyle::body);
+    m_traceName->setObjectName(QStringLiteral("setup.trace.name"));
+    column->addWidget(m_traceName);
+    m_traceWords = kit::label(theme, {}, TextStyle::small);
+    m_traceWords->setObjectName(QStringLiteral("setup.trace.words"));
+    column->addWidget(m_traceWords);
+    setTraceWords(tr("No file is chosen yet."), "muted");
+    connect(choose, &QPushButton::clicked, this, &DeviceChooser::askTrace);
+    return page;
+}
+
+PlanDevice DeviceChooser::device() const { return static_cast<PlanDevice>(std::max(m_group->checkedId(), 0)); }
+
+void DeviceChooser::show(PlanDevice device) {
+    const int index = static_cast<int>(device);
+    if (QAbstractButton* tile = m_group->button(index))
+        tile->setChecked(true);
+    m_pages->setCurrentIndex(index);
+    m_pages->setVisible(device != PlanDevice::mouse);
+}
+
+void DeviceChooser::setPlan(const TrainingPlan& plan) {
+    if (const int at = m_operator->findData(plan.operatorName); at >= 0)
+        m_operator->setCurrentIndex(at);
+    m_traceFile = plan.traceFile;
+    if (!m_traceFile.isEmpty())
+        checkTrace();
+    show(plan.device);
+}
+
+void DeviceChooser::fillPlan(TrainingPlan& plan) const {
+    plan.device = device();
+    plan.operatorName = m_operator->currentData().toString();
+    plan.traceFile = m_traceFile;
+}
+
+bool DeviceChooser::ready() const { return device() != PlanDevice::trace || m_traceReady; }
+
+void DeviceChooser::askTrace() {
+    auto* dialog = new QFileDialog(this, tr("Choose a recorded movement"), QString(), tr("Traces (*.csv)"));
+    dialog->setObjectName(QStringLiteral("setup.trace.dialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+        m_traceFile = file;
+        checkTrace();
+    });
+    dialog->open();
+}
+
+void DeviceChooser::checkTrace() {
+    m_traceReady = false;
+    m_traceName->setText(breakable(m_traceFile));
+    setTraceWords(tr("Reading the file …"), "muted");
+    emit changed();
+    const QString file = m_traceFile;
+    m_context.background().run(
+        this, [file](WorkToken&) { return readTrace(file); },
+        [this, file](core::Result<TraceCheck> read) {
+            if (file != m_traceFile)
+                return; // another one was chosen meanwhile
+            m_traceReady = read.has_value();
+            if (read)
+                setTraceWords(tr("Ready: %n rows, %1 s.", nullptr, read->rows).arg(m_context.locale().toString(read->length_s, 'f', 1)), "good");
+            else
+                setTraceWords(tr("This file cannot be played. Correct it or choose another.\n%1").arg(breakable(QString::fromStdString(read.error().message))), "bad");
+            emit changed();
+        });
+}
+
+void DeviceChooser::setTraceWords(const QString& words, const char* kind) {
+    m_traceWords->setText(words);
+    m_traceWords->setProperty("kind", QLatin1String(kind));
+    m_traceWords->style()->unpolish(m_traceWords);
+    m_traceWords->style()->polish(m_traceWords);
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "desktop/training/training_plan.h"
+
+#include <QWidget>
+#include <string>
+#include <vector>
+
+class QButtonGroup;
+class QComboBox;
+class QFrame;
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace chiron::desktop {
+
+class AppContext;
+
+/// What moves the tool: the mouse, a scripted operator who demonstrates, or a trace file; each with how it is. A trace is
+/// read on a worker when it is chosen, and its faults are named by row. GUI thread.
+class DeviceChooser final : public QWidget {
+    Q_OBJECT
+public:
+    DeviceChooser(AppContext& context, const std::vector<std::string>& operators, QWidget* parent = nullptr);
+
+    void setPlan(const TrainingPlan& plan); ///< takes device, operator and trace over
+    void fillPlan(TrainingPlan& plan) const;
+    bool ready() const; ///< what is chosen can begin
+
+signals:
+    void changed();
+
+private:
+    QPushButton* addTile(PlanDevice device, const QString& title, const QString& health);
+    QWidget* demonstrationPage(const std::vector<std::string>& operators);
+    QWidget* tracePage();
+    void show(PlanDevice device);
+    void askTrace();
+    void checkTrace();
+    void setTraceWords(const QString& words, const char* kind);
+    PlanDevice device() const;
+
+    AppContext& m_context;
+    QButtonGroup* m_group;
+    QStackedWidget* m_pages;
+    QComboBox* m_operator = nullptr;
+    QLabel* m_traceName = nullptr;
+    QLabel* m_traceWords = nullptr;
+    QString m_traceFile;
+    bool m_traceReady = false;
+};
+
+} // namespace chiron::desktop

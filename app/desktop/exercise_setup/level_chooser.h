@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+#include "desktop/theme/theme.h"
+#include "session/level_standing.h"
+
+#include <QWidget>
+#include <map>
+#include <span>
+
+class QButtonGroup;
+class QPushButton;
+
+namespace chiron::desktop {
+
+/// All levels of an exercise as tiles; where the person stands at each, and which one is next, in words. GUI thread.
+class LevelChooser final : public QWidget {
+    Q_OBJECT
+public:
+    LevelChooser(const Theme& theme, const catalogue::Exercise& exercise, const std::string& language, QWidget* parent = nullptr);
+
+    int level() const;
+    void setLevel(int level);
+    /// `next`: the recommended level; 0: every level is passed.
+    void setStandings(std::span<const session::LevelStanding> standings, int next);
+
+signals:
+    void chosen(int level); ///< by the person
+
+private:
+    QButtonGroup* m_group;
+    std::map<int, QPushButton*> m_tiles;
+    std::map<int, QString> m_titles;
+};
+
+} // namespace chiron::desktop
