@@ -127,10 +127,8 @@ void LoginScreen::setPage(QWidget* page) {
     }
     m_page = page;
     m_site->setVisible(page == nullptr);
-    if (!page)
-        return;
-    m_room->addWidget(page);
-    page->show(); // now, so that it can take the focus
+    if (page)
+        m_room->addWidget(page);
 }
 
 void LoginScreen::showForm() {

@@ -16,7 +16,7 @@ ForceBar::ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity,
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-QSize ForceBar::sizeHint() const { return {m_theme.px(200), m_theme.px(44)}; }
+QSize ForceBar::sizeHint() const { return {m_theme.px(200), m_theme.px(40)}; }
 
 void ForceBar::setValue(double value) {
     if (!std::isfinite(value) || value == m_value)
@@ -45,7 +45,7 @@ void ForceBar::paintEvent(QPaintEvent*) {
     painter.setPen(m_theme.color(isOver() ? Colour::bad : Colour::text));
     painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, words());
 
-    const QRect track(0, textHeight + m_theme.px(4), width() - 1, m_theme.px(16));
+    const QRect track(0, textHeight + m_theme.px(4), width() - 1, m_theme.px(14));
     painter.setPen(m_theme.color(Colour::borderStrong));
     painter.setBrush(m_theme.color(Colour::raised));
     painter.drawRect(track);

@@ -27,7 +27,7 @@ InfoPanel::InfoPanel(const Theme& theme, const QLocale& locale, const session::L
     setProperty("kind", QStringLiteral("card"));
     m_column = new QVBoxLayout(this);
     m_column->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(10));
-    m_column->setSpacing(theme.px(10));
+    m_column->setSpacing(theme.px(8));
     m_elapsed = kit::label(theme, tr("Elapsed: %1").arg(QStringLiteral("0:00")), TextStyle::strong);
     m_elapsed->setObjectName(QStringLiteral("training.elapsed"));
     m_column->addWidget(m_elapsed);
@@ -43,7 +43,8 @@ InfoPanel::InfoPanel(const Theme& theme, const QLocale& locale, const session::L
         none->setObjectName(QStringLiteral("training.no_cues"));
         m_column->addWidget(none);
     }
-    m_column->addStretch();
+    if (!cues.plots)
+        m_column->addStretch();
     m_loop = kit::label(theme, {}, TextStyle::small, "muted");
     m_loop->setObjectName(QStringLiteral("training.loop"));
     m_column->addWidget(m_loop);
@@ -59,36 +60,33 @@ void InfoPanel::addBars() {
 }
 
 void InfoPanel::addNumbers() {
-    m_column->addWidget(kit::label(m_theme, tr("Tip"), TextStyle::strong));
+    m_column->addWidget(kit::label(m_theme, tr("Tip of the tool (mm)"), TextStyle::label));
     auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(m_theme.px(12));
-    grid->setVerticalSpacing(m_theme.px(2));
-    m_tip[0] = addNumber(tr("to the right"), QStringLiteral("training.tip_x"), *grid);
-    m_tip[1] = addNumber(tr("away from you"), QStringLiteral("training.tip_y"), *grid);
-    m_tip[2] = addNumber(tr("up"), QStringLiteral("training.tip_z"), *grid);
-    m_speed = addNumber(tr("speed"), QStringLiteral("training.speed"), *grid);
+    grid->setHorizontalSpacing(m_theme.px(8));
+    grid->setVerticalSpacing(0);
+    m_tip[0] = addNumber(tr("right"), QStringLiteral("training.tip_x"), *grid, 0);
+    m_tip[1] = addNumber(tr("away"), QStringLiteral("training.tip_y"), *grid, 1);
+    m_tip[2] = addNumber(tr("up"), QStringLiteral("training.tip_z"), *grid, 2);
     m_column->addLayout(grid);
 }
 
-QLabel* InfoPanel::addNumber(const QString& name, const QString& objectName, QGridLayout& grid) {
-    const int row = grid.rowCount();
-    grid.addWidget(kit::label(m_theme, name, TextStyle::small, "muted"), row, 0);
+QLabel* InfoPanel::addNumber(const QString& name, const QString& objectName, QGridLayout& grid, int column) {
+    grid.addWidget(kit::label(m_theme, name, TextStyle::small, "muted"), 0, column);
     auto* number = kit::line(m_theme, {}, TextStyle::mono);
     number->setObjectName(objectName);
     number->setAccessibleName(name);
-    number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    grid.addWidget(number, row, 1);
-    grid.setColumnStretch(0, 1);
+    grid.addWidget(number, 1, column);
+    grid.setColumnStretch(column, 1);
     return number;
 }
 
 void InfoPanel::addPlots() {
     m_forcePlot = new LivePlot(m_theme, m_locale, tr("Force (N)"), m_limits.force_N * 1.25, m_limits.force_N);
     m_forcePlot->setObjectName(QStringLiteral("training.force_plot"));
-    m_column->addWidget(m_forcePlot);
+    m_column->addWidget(m_forcePlot, 1);
     m_speedPlot = new LivePlot(m_theme, m_locale, tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
     m_speedPlot->setObjectName(QStringLiteral("training.speed_plot"));
-    m_column->addWidget(m_speedPlot);
+    m_column->addWidget(m_speedPlot, 1);
 }
 
 void InfoPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
@@ -123,8 +121,7 @@ void InfoPanel::showNumbers(const haptics::ToolDisplay& tool) {
     // The tip is where it is drawn: at the surface, where the device cannot keep the hand there.
     const std::array<double, 3>& tip_m = tool.rendersForce ? tool.p_WT_m : tool.p_WProxy_m;
     for (std::size_t i = 0; i < m_tip.size(); ++i)
-        m_tip[i]->setText(tr("%1 mm").arg(m_locale.toString(tip_m[i] * 1e3, 'f', 1)));
-    m_speed->setText(tr("%1 mm/s").arg(m_locale.toString(norm3(tool.v_WT_m_per_s) * 1e3, 'f', 0)));
+        m_tip[i]->setText(m_locale.toString(std::round(tip_m[i] * 1e4) / 10.0 + 0.0, 'f', 1)); // + 0: no minus before 0.0
 }
 
 void InfoPanel::showLoop(const haptics::DisplayState& state) {

@@ -34,7 +34,7 @@ private:
     void addBars();
     void addNumbers();
     void addPlots();
-    QLabel* addNumber(const QString& name, const QString& objectName, class QGridLayout& grid);
+    QLabel* addNumber(const QString& name, const QString& objectName, class QGridLayout& grid, int column);
     void showNumbers(const haptics::ToolDisplay& tool);
     void showLoop(const haptics::DisplayState& state);
 
@@ -47,7 +47,6 @@ private:
     ForceBar* m_force = nullptr;
     ForceBar* m_torque = nullptr;
     std::array<QLabel*, 3> m_tip{};
-    QLabel* m_speed = nullptr;
     LivePlot* m_forcePlot = nullptr;
     LivePlot* m_speedPlot = nullptr;
     QLabel* m_loop = nullptr;

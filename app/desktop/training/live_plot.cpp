@@ -31,13 +31,18 @@ LivePlot::LivePlot(const Theme& theme, const QLocale& locale, const QString& tit
     setAccessibleName(title);
     setAccessibleDescription(tr("The last %1 seconds").arg(locale.toString(kSpan_s, 'f', 0)));
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     m_lines.reserve(ColumnTrace::kCells);
     m_over.reserve(ColumnTrace::kCells);
 }
 
-QSize LivePlot::sizeHint() const { return {m_theme.px(260), m_theme.px(128)}; }
-QSize LivePlot::minimumSizeHint() const { return {m_theme.px(160), m_theme.px(112)}; }
+QSize LivePlot::sizeHint() const { return {m_theme.px(260), m_theme.px(116)}; }
+QSize LivePlot::minimumSizeHint() const { return {m_theme.px(160), m_theme.px(86)}; }
+
+QString LivePlot::numberOf(double value) const {
+    const bool whole = std::abs(value - std::round(value)) < 1e-9;
+    return m_locale.toString(value, 'f', whole ? 0 : value < 1.0 ? 2 : 1);
+}
 
 void LivePlot::paintEvent(QPaintEvent*) {
     QPainter painter(this);
@@ -48,7 +53,9 @@ void LivePlot::paintEvent(QPaintEvent*) {
     const double highest = std::max({m_top, m_trace.highest() * 1.05, m_limit.value_or(0.0) * 1.25});
     Frame frame;
     frame.top = niceTop(highest);
-    const int left = metrics.horizontalAdvance(m_locale.toString(frame.top, 'g', 3)) + m_theme.px(8);
+    int left = 0;
+    for (const double share : {0.5, 1.0})
+        left = std::max(left, metrics.horizontalAdvance(numberOf(share * frame.top)) + m_theme.px(8));
     frame.area = rect().adjusted(left, metrics.height() + m_theme.px(6), -m_theme.px(6), -metrics.height() - m_theme.px(4));
     if (frame.area.width() < 2 || frame.area.height() < 2)
         return;
@@ -68,7 +75,7 @@ void LivePlot::paintAxes(QPainter& painter, const Frame& frame) const {
         painter.drawLine(frame.area.left(), y, frame.area.right(), y);
         painter.setPen(m_theme.color(Colour::muted));
         painter.drawText(QRect(0, y - metrics.height() / 2, frame.area.left() - m_theme.px(5), metrics.height()),
-                         Qt::AlignRight | Qt::AlignVCenter, m_locale.toString(share * frame.top, 'g', 3));
+                         Qt::AlignRight | Qt::AlignVCenter, numberOf(share * frame.top));
     }
     const QRect below(frame.area.left(), frame.area.bottom() + m_theme.px(3), frame.area.width(), metrics.height());
     painter.drawText(below, Qt::AlignLeft, tr("-%1 s").arg(m_locale.toString(kSpan_s, 'f', 0)));

@@ -31,6 +31,7 @@ protected:
 
 private:
     struct Frame; ///< where the axes lie in one picture
+    QString numberOf(double value) const;
     void paintAxes(QPainter& painter, const Frame& frame) const;
     void paintLimit(QPainter& painter, const Frame& frame) const;
     void paintSignal(QPainter& painter, const Frame& frame);
