@@ -258,6 +258,29 @@ Details: %2</source>
     </message>
 </context>
 <context>
+    <name>GateWords</name>
+    <message>
+        <source>%1 % of the radius</source>
+        <translation>%1 % της ακτίνας</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3</source>
+        <translation>%1: από %2 έως %3</translation>
+    </message>
+    <message>
+        <source>%1: at least %2</source>
+        <translation>%1: τουλάχιστον %2</translation>
+    </message>
+    <message>
+        <source>%1: at most %2</source>
+        <translation>%1: το πολύ %2</translation>
+    </message>
+</context>
+<context>
     <name>HelpDialogs</name>
     <message>
         <source>Close</source>
@@ -411,7 +434,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Apex error, mean</source>
-        <translation>Σφάλμα κορυφής, μέσος όρος</translation>
+        <translation>Μέσο σφάλμα κορυφής</translation>
     </message>
     <message>
         <source>How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses included.</source>
@@ -419,7 +442,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Apex error, standard deviation</source>
-        <translation>Σφάλμα κορυφής, τυπική απόκλιση</translation>
+        <translation>Σφάλμα κορυφής, τυπ. απόκλιση</translation>
     </message>
     <message>
         <source>How much the error differed from mark to mark.</source>
@@ -427,7 +450,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Apex bias, left to right</source>
-        <translation>Μετατόπιση κορυφής, αριστερά-δεξιά</translation>
+        <translation>Μετατόπιση αριστερά-δεξιά</translation>
     </message>
     <message>
         <source>Whether the marks lay to one side: the mean error to the right (positive) or left (negative).</source>
@@ -435,7 +458,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Apex bias, front to back</source>
-        <translation>Μετατόπιση κορυφής, εμπρός-πίσω</translation>
+        <translation>Μετατόπιση εμπρός-πίσω</translation>
     </message>
     <message>
         <source>Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person.</source>
@@ -884,7 +907,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Home</source>
-        <translation>Home</translation>
+        <translation>Αρχική</translation>
     </message>
     <message>
         <source>Exercises</source>
@@ -896,11 +919,15 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Storage</source>
-        <translation>Αποθήκευση</translation>
+        <translation>Φύλαξη δεδομένων</translation>
     </message>
     <message>
         <source>Station</source>
         <translation>Σταθμός</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Άσκηση</translation>
     </message>
 </context>
 <context>
@@ -1289,7 +1316,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Not passed yet</source>
-        <translation>Όχι ακόμη επιτυχία</translation>
+        <translation>Χωρίς επιτυχία ακόμη</translation>
     </message>
     <message numerus="yes">
         <source>%n pass mark(s) of this level were not met:</source>
@@ -1675,6 +1702,74 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
 </context>
 <context>
+    <name>chiron::desktop::DeviceChooser</name>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Ποντίκι και πληκτρολόγιο</translation>
+    </message>
+    <message>
+        <source>Ready. Force is shown, not felt.</source>
+        <translation>Έτοιμα. Η δύναμη προβάλλεται, δεν γίνεται αισθητή.</translation>
+    </message>
+    <message>
+        <source>Demonstrate</source>
+        <translation>Επίδειξη</translation>
+    </message>
+    <message>
+        <source>Ready. Watch a scripted operator on the simulated gimbal.</source>
+        <translation>Έτοιμη. Δείτε προγραμματισμένο χειριστή στην προσομοιωμένη καρδανική συσκευή.</translation>
+    </message>
+    <message>
+        <source>Replay a file</source>
+        <translation>Αναπαραγωγή αρχείου</translation>
+    </message>
+    <message>
+        <source>A recorded movement (CSV) moves the tool.</source>
+        <translation>Μια καταγεγραμμένη κίνηση (CSV) κινεί το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>Who demonstrates</source>
+        <translation>Ποιος κάνει την επίδειξη</translation>
+    </message>
+    <message>
+        <source>The session is listed as simulated and is nobody&apos;s score.</source>
+        <translation>Η συνεδρία καταχωρίζεται ως προσομοιωμένη και δεν βαθμολογεί κανέναν.</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Επιλογή αρχείου …</translation>
+    </message>
+    <message>
+        <source>No file is chosen yet.</source>
+        <translation>Δεν έχει επιλεγεί αρχείο.</translation>
+    </message>
+    <message>
+        <source>Choose a recorded movement</source>
+        <translation>Επιλογή καταγεγραμμένης κίνησης</translation>
+    </message>
+    <message>
+        <source>Traces (*.csv)</source>
+        <translation>Καταγραφές κίνησης (*.csv)</translation>
+    </message>
+    <message>
+        <source>Reading the file …</source>
+        <translation>Ανάγνωση του αρχείου …</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ready: %n rows, %1 s.</source>
+        <translation>
+            <numerusform>Έτοιμο: %n γραμμή, %1 s.</numerusform>
+            <numerusform>Έτοιμο: %n γραμμές, %1 s.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This file cannot be played. Correct it or choose another.
+%1</source>
+        <translation>Αυτό το αρχείο δεν αναπαράγεται. Διορθώστε το ή επιλέξτε άλλο.
+%1</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::ExerciseCard</name>
     <message>
         <source>Passed, felt and shown</source>
@@ -1691,8 +1786,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message numerus="yes">
         <source>%n attempt(s), not passed yet</source>
         <translation>
-            <numerusform>%n προσπάθεια, όχι ακόμη επιτυχία</numerusform>
-            <numerusform>%n προσπάθειες, όχι ακόμη επιτυχία</numerusform>
+            <numerusform>%n προσπάθεια, χωρίς επιτυχία ακόμη</numerusform>
+            <numerusform>%n προσπάθειες, χωρίς επιτυχία ακόμη</numerusform>
         </translation>
     </message>
     <message>
@@ -1706,6 +1801,77 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ExerciseSetupScreen</name>
+    <message>
+        <source>What is measured</source>
+        <translation>Τι μετράται</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Όριο επιτυχίας</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Επίπεδο</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Συσκευή</translation>
+    </message>
+    <message>
+        <source>Familiarisation: recorded, but not counted</source>
+        <translation>Εξοικείωση: καταγράφεται, δεν μετράει</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Έναρξη</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Άσκηση</translation>
+    </message>
+    <message>
+        <source>Here you see what an exercise asks for, what is measured and when it is passed.
+
+Everything is chosen already: Start (or Enter) begins. Choose another level, or a device, if you want. Demonstrate lets you watch a scripted operator; its session is nobody&apos;s score. A file with a recorded movement can be replayed through the same exercise.
+
+Hand and workspace says with which hand you work, how far the tool moves for your hand&apos;s movement, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
+        <translation>Εδώ βλέπετε τι ζητά μια άσκηση, τι μετράται και πότε υπάρχει επιτυχία.
+
+Όλα είναι ήδη επιλεγμένα: η «Έναρξη» (ή Enter) ξεκινά. Επιλέξτε άλλο επίπεδο ή συσκευή, αν θέλετε. Με την «Επίδειξη» παρακολουθείτε έναν προγραμματισμένο χειριστή· η συνεδρία του δεν βαθμολογεί κανέναν. Ένα αρχείο με καταγεγραμμένη κίνηση μπορεί να αναπαραχθεί στην ίδια άσκηση.
+
+Το «Χέρι και χώρος εργασίας» ορίζει με ποιο χέρι εργάζεστε, πόσο κινείται το εργαλείο ως προς το χέρι σας και πού είναι το κέντρο του πεδίου. Μια εξοικείωση καταγράφεται, αλλά δεν μετράει ποτέ.</translation>
+    </message>
+    <message>
+        <source>This exercise is not there</source>
+        <translation>Αυτή η άσκηση δεν υπάρχει</translation>
+    </message>
+    <message>
+        <source>The content on this station has no exercise of that name.</source>
+        <translation>Το περιεχόμενο αυτού του σταθμού δεν έχει άσκηση με αυτό το όνομα.</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Αρχική</translation>
+    </message>
+    <message>
+        <source>Your earlier results could not be read; training works all the same.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση των προηγούμενων αποτελεσμάτων σας· η εκπαίδευση γίνεται κανονικά.</translation>
+    </message>
+    <message>
+        <source>This level has no pass mark.</source>
+        <translation>Αυτό το επίπεδο δεν έχει όριο επιτυχίας.</translation>
+    </message>
+    <message>
+        <source>Level %1. %2</source>
+        <translation>Επίπεδο %1. %2</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Παρακολούθηση</translation>
     </message>
 </context>
 <context>
@@ -1983,7 +2149,7 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
     <message>
         <source>Storage</source>
-        <translation>Αποθήκευση</translation>
+        <translation>Φύλαξη δεδομένων</translation>
     </message>
     <message>
         <source>The database takes %1; %2 are free.</source>
@@ -1991,7 +2157,7 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
     <message>
         <source>Open storage</source>
-        <translation>Άνοιγμα αποθήκευσης</translation>
+        <translation>Άνοιγμα φύλαξης δεδομένων</translation>
     </message>
     <message>
         <source>The last session ran with real-time priority.</source>
@@ -2015,7 +2181,7 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
     <message>
         <source>Home</source>
-        <translation>Home</translation>
+        <translation>Αρχική</translation>
     </message>
     <message>
         <source>What is next for you, by what you are here for.
@@ -2025,7 +2191,7 @@ Trainees continue with the next level by one button, choose any level from the e
 The list on the left leads everywhere else; Ctrl+K finds any command by its name.</source>
         <translation>Το επόμενο βήμα σας, ανάλογα με τον ρόλο σας.
 
-Οι εκπαιδευόμενοι συνεχίζουν με ένα κουμπί στο επόμενο επίπεδο, επιλέγουν οποιοδήποτε επίπεδο από τις ασκήσεις και βλέπουν τα τελευταία τους αποτελέσματα. Οι εκπαιδευτές βλέπουν τις συνεδρίες που χρειάζονται εξέταση, πρώτα όσες διακόπηκαν ή δεν πέτυχαν, και ποιοι εκπαιδεύτηκαν πρόσφατα. Οι διαχειριστές βλέπουν αν άτομα, αποθήκευση και σταθμός είναι εντάξει.
+Οι εκπαιδευόμενοι συνεχίζουν με ένα κουμπί στο επόμενο επίπεδο, επιλέγουν οποιοδήποτε επίπεδο από τις ασκήσεις και βλέπουν τα τελευταία τους αποτελέσματα. Οι εκπαιδευτές βλέπουν τις συνεδρίες που χρειάζονται εξέταση, πρώτα όσες διακόπηκαν ή δεν πέτυχαν, και ποιοι εκπαιδεύτηκαν πρόσφατα. Οι διαχειριστές βλέπουν αν άτομα, δεδομένα και σταθμός είναι εντάξει.
 
 Η λίστα αριστερά οδηγεί παντού αλλού· το Ctrl+K βρίσκει κάθε εντολή με το όνομά της.</translation>
     </message>
@@ -2084,24 +2250,8 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
         <translation>mN·m</translation>
     </message>
     <message>
-        <source>Tip</source>
-        <translation>Άκρη</translation>
-    </message>
-    <message>
-        <source>to the right</source>
-        <translation>δεξιά</translation>
-    </message>
-    <message>
-        <source>away from you</source>
-        <translation>εμπρός</translation>
-    </message>
-    <message>
         <source>up</source>
         <translation>πάνω</translation>
-    </message>
-    <message>
-        <source>speed</source>
-        <translation>ταχύτητα</translation>
     </message>
     <message>
         <source>Force (N)</source>
@@ -2110,14 +2260,6 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
     <message>
         <source>Speed (mm/s)</source>
         <translation>Ταχύτητα (mm/s)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm/s</source>
-        <translation>%1 mm/s</translation>
     </message>
     <message numerus="yes">
         <source>%n samples could not be recorded: this session will be incomplete.</source>
@@ -2136,6 +2278,18 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
     <message>
         <source>Recording complete; every tick on time</source>
         <translation>Πλήρης καταγραφή· κανένας κύκλος με καθυστέρηση</translation>
+    </message>
+    <message>
+        <source>Tip of the tool (mm)</source>
+        <translation>Άκρη εργαλείου (mm)</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>δεξιά</translation>
+    </message>
+    <message>
+        <source>away</source>
+        <translation>εμπρός</translation>
     </message>
 </context>
 <context>
@@ -2163,6 +2317,32 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LevelChooser</name>
+    <message>
+        <source>Level %1: %2</source>
+        <translation>Επίπεδο %1: %2</translation>
+    </message>
+    <message>
+        <source>Not tried yet</source>
+        <translation>Καμία προσπάθεια ακόμη</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Επιτυχία</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tried %n times, not passed yet</source>
+        <translation>
+            <numerusform>%n προσπάθεια, χωρίς επιτυχία ακόμη</numerusform>
+            <numerusform>%n προσπάθειες, χωρίς επιτυχία ακόμη</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · recommended next</source>
+        <translation>%1 · προτείνεται τώρα</translation>
     </message>
 </context>
 <context>
@@ -2868,7 +3048,7 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
     </message>
     <message>
         <source>Search: person, exercise, number</source>
-        <translation>Αναζήτηση: άτομο, άσκηση, αριθμός</translation>
+        <translation>Άτομο, άσκηση, αριθμός</translation>
     </message>
     <message>
         <source>Archived too</source>
@@ -3338,7 +3518,7 @@ With real-time priority the loop keeps its time whatever else the computer does.
     <name>chiron::desktop::StorageScreen</name>
     <message>
         <source>Storage</source>
-        <translation>Αποθήκευση</translation>
+        <translation>Φύλαξη δεδομένων</translation>
     </message>
     <message>
         <source>Where everything that was recorded is kept, and whether it is safe.
@@ -3493,11 +3673,11 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
     </message>
     <message>
         <source>Looking at the storage …</source>
-        <translation>Έλεγχος της αποθήκευσης …</translation>
+        <translation>Έλεγχος της φύλαξης δεδομένων …</translation>
     </message>
     <message>
         <source>The storage could not be looked at.</source>
-        <translation>Δεν ήταν δυνατός ο έλεγχος της αποθήκευσης.</translation>
+        <translation>Δεν ήταν δυνατός ο έλεγχος της φύλαξης δεδομένων.</translation>
     </message>
     <message>
         <source>Where to export to</source>
@@ -3757,6 +3937,41 @@ After the last trial the debrief opens by itself.</source>
     <message>
         <source>Void the session</source>
         <translation>Ακύρωση συνεδρίας</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::WorkspaceBox</name>
+    <message>
+        <source>Hand and workspace</source>
+        <translation>Χέρι και χώρος εργασίας</translation>
+    </message>
+    <message>
+        <source>Movement of the tool for that of the hand</source>
+        <translation>Κίνηση του εργαλείου ως προς το χέρι</translation>
+    </message>
+    <message>
+        <source>Shift to the right</source>
+        <translation>Μετατόπιση δεξιά</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Shift away from you</source>
+        <translation>Μετατόπιση εμπρός</translation>
+    </message>
+    <message>
+        <source>Shift up</source>
+        <translation>Μετατόπιση πάνω</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Δεξί χέρι</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Αριστερό χέρι</translation>
     </message>
 </context>
 <context>
@@ -4115,7 +4330,7 @@ After the last trial the debrief opens by itself.</source>
     </message>
     <message>
         <source>Speed (mm/s)</source>
-        <translation>Ταχύτητα (mm/s)</translation>
+        <translation>Ταχύτ. (mm/s)</translation>
     </message>
     <message>
         <source>speed</source>
@@ -4127,11 +4342,11 @@ After the last trial the debrief opens by itself.</source>
     </message>
     <message>
         <source>Error in x (% of radius)</source>
-        <translation>Σφάλμα σε x (% της ακτίνας)</translation>
+        <translation>Σφάλμα x (% ακτίνας)</translation>
     </message>
     <message>
         <source>Error in y (% of radius)</source>
-        <translation>Σφάλμα σε y (% της ακτίνας)</translation>
+        <translation>Σφάλμα y (% ακτίνας)</translation>
     </message>
     <message>
         <source>outline</source>
@@ -4159,7 +4374,7 @@ After the last trial the debrief opens by itself.</source>
     </message>
     <message>
         <source>Error (% of radius)</source>
-        <translation>Σφάλμα (% της ακτίνας)</translation>
+        <translation>Σφάλμα (% ακτίνας)</translation>
     </message>
     <message>
         <source>session</source>
