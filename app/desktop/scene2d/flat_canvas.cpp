@@ -34,6 +34,7 @@ void FlatCanvas::setState(const SceneState& state) {
 void FlatCanvas::setSetup(const SceneSetup& setup) {
     m_setup = setup;
     m_content = makeFlatContent(setup);
+    setAccessibleName(tr("Operating field from above and from the side")); // the language may have changed
     updateGeometry();
     update();
 }

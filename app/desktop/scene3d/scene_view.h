@@ -29,7 +29,7 @@ public:
     /// Draws this state with the next frame; cheap, called up to 60 times a second. Nothing is drawn between
     /// calls.
     virtual void show(const SceneState& state) = 0;
-    /// Takes other colours, cues, limit or scale without loading anything again (theme or level changed).
+    /// Takes other colours, cues, limit or scale without loading anything again (theme, language or level changed).
     virtual void change(const SceneSetup& setup) = 0;
     /// Frames drawn since it was made, for the frame rate.
     virtual std::uint64_t framesDrawn() const = 0;

@@ -88,6 +88,7 @@ int main(int argc, char** argv) {
             pass(1200);
             SceneSetup setup = samples::setup();
             setup.colours = colours;
+            setup.leftHanded = qEnvironmentVariableIsSet("SCENE_LEFT");
             setup.scale = qEnvironmentVariableIsSet("SCENE_SCALE")
                               ? qEnvironmentVariable("SCENE_SCALE").toDouble()
                               : 1.0;

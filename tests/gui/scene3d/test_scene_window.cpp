@@ -202,6 +202,32 @@ private slots:
         QVERIFY(reddish(larger) > 700 * 500 / 6);
     }
 
+    void survivesHidingAndMovingToAnotherWindow() {
+        Shown shown;
+        const QImage first = shown.picture(samples::inAir());
+        QVERIFY(!first.isNull());
+        QWidget* widget = shown.scene.view->widget();
+        widget->hide(); // another screen is shown
+        shown.scene.view->show(samples::pressed(2.0));
+        QTest::qWait(100);
+        widget->show();
+        QTRY_COMPARE_WITH_TIMEOUT(shown.picture(samples::inAir()), first, 20000);
+        QWidget other;
+        other.resize(480, 360);
+        other.move(0, 0);
+        auto* layout = new QVBoxLayout(&other);
+        layout->setContentsMargins(0, 0, 0, 0);
+        layout->addWidget(widget);
+        shown.window.hide();
+        other.show();
+        const auto before = shown.scene.view->framesDrawn();
+        shown.scene.view->show(samples::pressed(2.0));
+        QTRY_VERIFY_WITH_TIMEOUT(shown.scene.view->framesDrawn() > before, 20000);
+        const QImage moved = other.screen()->grabWindow(other.winId()).toImage();
+        QVERIFY2(reddish(moved) > 480 * 360 / 6, qPrintable(QString::number(reddish(moved))));
+        shown.scene.view.reset();
+    }
+
     void widgetAndViewMayGoInEitherOrder() {
         for (bool viewFirst : {true, false}) {
             auto shown = std::make_unique<Shown>();
