@@ -56,6 +56,11 @@ void PlotView::setEqualScale(bool equal) {
     m_impl->equalScale = equal;
 }
 
+void PlotView::setLegendShown(bool shown) {
+    m_impl->plot->legend->setVisible(shown);
+    m_impl->plot->legend->setMaximumSize(QWIDGETSIZE_MAX, shown ? QWIDGETSIZE_MAX : 0);
+}
+
 void PlotView::addLine(const QString& name, std::span<const double> x, std::span<const double> y,
                        PlotStyle style) {
     QCPGraph* graph = m_impl->addGraph(name);

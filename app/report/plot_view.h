@@ -47,6 +47,8 @@ public:
     void setXCategories(const std::vector<QString>& names);
     /// The same scale on both axes (the shorter range is widened).
     void setEqualScale(bool equal);
+    /// Off where a plot beside it explains the lines already.
+    void setLegendShown(bool shown);
 
     /// A line; long series are reduced to first, minimum, maximum, last of each pixel column, so that every
     /// peak stays.

@@ -2,6 +2,7 @@
 #include "desktop/playback/mark_list.h"
 
 #include "desktop/playback/mark_words.h"
+#include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
 #include "desktop/widgets/kit.h"
 
@@ -17,6 +18,8 @@ MarkList::MarkList(const Theme& theme, const QLocale& locale, std::vector<sessio
     column->setSpacing(theme.px(6));
     m_penaltiesOnly = new QCheckBox(tr("Penalties only"));
     m_penaltiesOnly->setObjectName(QStringLiteral("playback.penalties_only"));
+    m_contacts = new QCheckBox(tr("Contacts too"));
+    m_contacts->setObjectName(QStringLiteral("playback.contacts"));
     m_list = new QListWidget;
     m_list->setObjectName(QStringLiteral("playback.marks"));
     m_list->setAccessibleName(tr("Events"));
@@ -25,10 +28,14 @@ MarkList::MarkList(const Theme& theme, const QLocale& locale, std::vector<sessio
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setIconSize(QSize(theme.px(18), theme.px(18)));
     m_none = kit::label(theme, tr("Nothing of this kind happened."), TextStyle::body, "muted");
-    column->addWidget(m_penaltiesOnly);
+    auto* filters = new ResponsiveRow(theme.px(260), theme.px(2));
+    filters->add(m_penaltiesOnly);
+    filters->add(m_contacts);
+    column->addWidget(filters);
     column->addWidget(m_none);
     column->addWidget(m_list, 1);
     connect(m_penaltiesOnly, &QCheckBox::toggled, this, &MarkList::fill);
+    connect(m_contacts, &QCheckBox::toggled, this, &MarkList::fill);
     const auto jump = [this](const QListWidgetItem* item) {
         if (item)
             emit seekAsked(item->data(Qt::UserRole).toDouble());
@@ -44,6 +51,8 @@ void MarkList::fill() {
     m_list->clear();
     for (const session::PlaybackMark& mark : m_marks) {
         if (m_penaltiesOnly->isChecked() && !session::isPenalty(mark.kind))
+            continue;
+        if (mark.kind == session::PlaybackMarkKind::contact && !m_contacts->isChecked())
             continue;
         auto* item = new QListWidgetItem(m_theme.icon(markIcon(mark.kind), markColour(mark.kind)),
                                          tr("%1  %2").arg(clockText(mark.t_s, m_locale), markText(mark, m_locale)));

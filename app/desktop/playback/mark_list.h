@@ -13,7 +13,8 @@ class QListWidget;
 
 namespace chiron::desktop {
 
-/// What happened, by time, each a step away: choosing one seeks. Can be narrowed to what cost something. GUI thread.
+/// What happened, by time, each a step away: choosing one seeks. Can be narrowed to what cost something; contacts are many and are
+/// shown on demand. GUI thread.
 class MarkList : public QWidget {
     Q_OBJECT
 public:
@@ -29,6 +30,7 @@ private:
     QLocale m_locale;
     std::vector<session::PlaybackMark> m_marks;
     QCheckBox* m_penaltiesOnly;
+    QCheckBox* m_contacts;
     QListWidget* m_list;
     class QLabel* m_none;
 };

@@ -87,7 +87,7 @@ void PlaybackScreen::chooseGhost() {
 
 void PlaybackScreen::showGhost(PlaybackData ghost) {
     m_ghost = std::move(ghost.track);
-    m_plots->setGhost(session::ghostSeries(m_data->track, *m_ghost), whoText(ghost.record.summary));
+    m_plots->setGhost(session::ghostSeries(m_data->track, *m_ghost), tr("second session"));
     showMoment(m_clock.position_s());
 }
 

@@ -15,6 +15,7 @@
 
 #include <QComboBox>
 #include <QTabWidget>
+#include <algorithm>
 
 // The parts that a playback is put together from.
 namespace chiron::desktop {
@@ -33,6 +34,7 @@ void PlaybackScreen::build() {
     page->column()->addWidget(row, 1);
     page->installEventFilter(this);
     m_panel->setContent(page);
+    fitScene();
 }
 
 QWidget* PlaybackScreen::headBox() {
@@ -68,6 +70,15 @@ QWidget* PlaybackScreen::headBox() {
     return row;
 }
 
+void PlaybackScreen::fitScene() {
+    if (!m_sceneFrame)
+        return;
+    // As high as leaves head, time bar and both plots in sight; where the window is too low for that, still high enough to see.
+    constexpr int kRest_px = 500;
+    const Theme& theme = context().theme();
+    m_sceneFrame->setFixedHeight(std::clamp(height() - theme.px(kRest_px), theme.px(240), theme.px(700)));
+}
+
 QWidget* PlaybackScreen::stageColumn() {
     const Theme& theme = context().theme();
     const QLocale locale = context().locale();
@@ -77,7 +88,7 @@ QWidget* PlaybackScreen::stageColumn() {
     column->setSpacing(theme.px(4));
     auto* holder = new QFrame;
     holder->setProperty("kind", QStringLiteral("raised"));
-    holder->setMinimumHeight(theme.px(220));
+    m_sceneFrame = holder;
     m_sceneHolder = new QVBoxLayout(holder);
     m_sceneHolder->setContentsMargins(theme.px(1), theme.px(1), theme.px(1), theme.px(1));
     column->addWidget(holder, 1);

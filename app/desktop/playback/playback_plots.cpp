@@ -12,8 +12,8 @@ namespace chiron::desktop {
 
 namespace {
 constexpr double kLeftMargin = 64.0;
-constexpr int kForceHeight_px = 178;
-constexpr int kSpeedHeight_px = 150;
+constexpr int kForceHeight_px = 170;
+constexpr int kSpeedHeight_px = 118;
 } // namespace
 
 PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, QWidget* parent)
@@ -56,6 +56,7 @@ void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, c
     };
     slim(*force, {});
     slim(*speed, tr("Time (s)"));
+    speed->setLegendShown(false); // the same lines as above
     put(std::move(force), m_force, "playback.force", kForceHeight_px);
     put(std::move(speed), m_speed, "playback.speed_plot", kSpeedHeight_px);
 }

@@ -79,10 +79,9 @@ void PlaybackScreen::load() {
         [this](core::Result<PlaybackData> loaded) {
             if (loaded)
                 return showData(std::move(*loaded));
-            const bool damaged = loaded.error().code == core::ErrorCode::doesNotHold;
-            m_panel->showError(damaged ? tr("This recording is damaged and cannot be played back. Its scores are kept.")
-                                       : tr("This session could not be opened"),
-                               loaded.error(), [this] { load(); });
+            if (loaded.error().code == core::ErrorCode::doesNotHold) // trying again would find the same
+                return m_panel->showError(tr("This recording is damaged and cannot be played back. Its scores are kept."), loaded.error());
+            m_panel->showError(tr("This session could not be opened"), loaded.error(), [this] { load(); });
         });
     m_panel->showLoading(tr("Reading the recording …"), m_work);
 }
@@ -175,6 +174,11 @@ bool PlaybackScreen::handleKey(QKeyEvent* event) {
 void PlaybackScreen::keyPressEvent(QKeyEvent* event) {
     if (!handleKey(event))
         Screen::keyPressEvent(event);
+}
+
+void PlaybackScreen::resizeEvent(QResizeEvent* event) {
+    Screen::resizeEvent(event);
+    fitScene();
 }
 
 bool PlaybackScreen::eventFilter(QObject* watched, QEvent* event) {

@@ -43,6 +43,7 @@ public:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -55,6 +56,7 @@ private:
     QWidget* sideColumn();
     QWidget* ghostBox();
     void makeScene();
+    void fitScene();
     void showMoment(double t_s);
     void notePlace();
     bool handleKey(QKeyEvent* event);
@@ -75,6 +77,7 @@ private:
     std::optional<session::PlaybackTrack> m_ghost;
     std::shared_ptr<WorkToken> m_work;
     std::shared_ptr<WorkToken> m_ghostWork;
+    QWidget* m_sceneFrame = nullptr;
     QVBoxLayout* m_sceneHolder = nullptr;
     std::unique_ptr<scene3d::ISceneView> m_scene;
     QLabel* m_readout = nullptr;

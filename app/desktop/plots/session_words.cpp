@@ -45,13 +45,15 @@ QString stateIcon(SessionState state) {
 }
 
 QString outcomeText(const database::SessionSummary& session) {
+    if (session.familiarisation && session.state == SessionState::completed)
+        return words(QT_TRANSLATE_NOOP("Sessions", "Not counted"));
     if (session.state != SessionState::completed || !session.passed)
         return stateTitle(session.state);
     return *session.passed ? words(QT_TRANSLATE_NOOP("Sessions", "Passed")) : words(QT_TRANSLATE_NOOP("Sessions", "Not passed"));
 }
 
 QString outcomeIcon(const database::SessionSummary& session) {
-    if (session.state != SessionState::completed || !session.passed)
+    if (session.familiarisation || session.state != SessionState::completed || !session.passed)
         return stateIcon(session.state);
     return *session.passed ? QStringLiteral("dialog-ok-apply") : QStringLiteral("dialog-close");
 }

@@ -17,7 +17,7 @@ constexpr int kMostRowsSeen = 14; // beyond these the table scrolls by itself
 Colour outcomeColour(const database::SessionSummary& session) {
     if (session.state != database::SessionState::completed)
         return Colour::warning;
-    return session.passed.value_or(false) ? Colour::good : Colour::muted;
+    return session.passed.value_or(false) && !session.familiarisation ? Colour::good : Colour::muted;
 }
 
 } // namespace

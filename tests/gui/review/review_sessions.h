@@ -9,6 +9,8 @@
 #include "support/made_session.h"
 
 #include <QDir>
+#include <QScreen>
+#include <QWindow>
 
 namespace chiron::tests {
 
@@ -86,7 +88,10 @@ template <class Show> void takePictures(DesktopFixture& site, const QString& nam
         site.window->resize(1280, 720);
         show();
         QTest::qWait(400);
-        site.window->grab().save(QDir(folder).filePath(QStringLiteral("%1_%2.png").arg(name, QLatin1String(suffix))));
+        // The 3D scene is a window of its own: only the screen has it.
+        const bool onScreen = QGuiApplication::platformName() == QLatin1String("xcb");
+        const QPixmap picture = onScreen ? site.window->windowHandle()->screen()->grabWindow(site.window->winId()) : site.window->grab();
+        picture.save(QDir(folder).filePath(QStringLiteral("%1_%2.png").arg(name, QLatin1String(suffix))));
     };
     look(desktop::ThemeName::dark, 1.0, "dark");
     look(desktop::ThemeName::highContrast, 1.0, "contrast");

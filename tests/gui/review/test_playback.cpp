@@ -152,6 +152,8 @@ void TestPlayback::marksJump() {
     auto* list = find<QListWidget>("playback.marks");
     QVERIFY(list->count() > 5);
     const int all = list->count();
+    find<QCheckBox>("playback.contacts")->setChecked(true);
+    QVERIFY(list->count() > all);
     find<QCheckBox>("playback.penalties_only")->setChecked(true);
     QVERIFY(list->count() > 0 && list->count() < all);
     list->setCurrentRow(list->count() - 1);
