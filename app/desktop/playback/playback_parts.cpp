@@ -124,6 +124,9 @@ QWidget* PlaybackScreen::sideColumn() {
     m_comments = new CommentPanel(theme, context().locale());
     connect(m_comments, &CommentPanel::seekAsked, &m_clock, &PlaybackClock::seek);
     connect(m_comments, &CommentPanel::addAsked, this, &PlaybackScreen::addComment);
+    const bool mine = m_data->record.summary.person == context().actor().personId();
+    m_comments->setMayAdd(mine || context().has(database::Role::trainer) || context().has(database::Role::researcher) ||
+                          context().has(database::Role::admin));
     tabs->addTab(m_comments, tr("Comments"));
     column->addWidget(tabs, 1);
     return side;

@@ -78,7 +78,7 @@ void ResultsScreen::showAttempts(std::vector<Attempt> attempts) {
     m_attempts = std::move(attempts);
     if (m_attempts.empty()) {
         m_panel->showEmpty(tr("No results yet"), tr("Your first session will be here, with its scores and its playback."), tr("Choose an exercise"),
-                           [this] { context().navigator().go(QStringLiteral("home")); });
+                           [this] { context().navigator().go(QStringLiteral("exercises")); });
         return;
     }
     build();

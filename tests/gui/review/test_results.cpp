@@ -65,7 +65,7 @@ void TestResults::emptyLeadsToExercises() {
     if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
         m_site->window->grab().save(QDir(folder).filePath(QStringLiteral("results_empty.png")));
     find<QPushButton>("state.action")->click();
-    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("home"));
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("exercises"));
 }
 
 void TestResults::attemptsAndCurve() {
