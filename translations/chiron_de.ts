@@ -258,6 +258,29 @@ Einzelheiten: %2</translation>
     </message>
 </context>
 <context>
+    <name>GateWords</name>
+    <message>
+        <source>%1 % of the radius</source>
+        <translation>%1 % des Radius</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3</source>
+        <translation>%1: von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1: at least %2</source>
+        <translation>%1: mindestens %2</translation>
+    </message>
+    <message>
+        <source>%1: at most %2</source>
+        <translation>%1: höchstens %2</translation>
+    </message>
+</context>
+<context>
     <name>HelpDialogs</name>
     <message>
         <source>Close</source>
@@ -902,6 +925,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Station</source>
         <translation>Arbeitsplatz</translation>
     </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
 </context>
 <context>
     <name>SessionWords</name>
@@ -1056,6 +1083,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Level %1: %2</source>
         <translation>Stufe %1: %2</translation>
+    </message>
+    <message>
+        <source>Not counted</source>
+        <translation>Zählt nicht</translation>
     </message>
 </context>
 <context>
@@ -1675,6 +1706,74 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
 </context>
 <context>
+    <name>chiron::desktop::DeviceChooser</name>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>Ready. Force is shown, not felt.</source>
+        <translation>Bereit. Kraft wird gezeigt, nicht gefühlt.</translation>
+    </message>
+    <message>
+        <source>Demonstrate</source>
+        <translation>Vorführen</translation>
+    </message>
+    <message>
+        <source>Ready. Watch a scripted operator on the simulated gimbal.</source>
+        <translation>Bereit. Sehen Sie einer programmierten Hand am simulierten Gimbal zu.</translation>
+    </message>
+    <message>
+        <source>Replay a file</source>
+        <translation>Datei abspielen</translation>
+    </message>
+    <message>
+        <source>A recorded movement (CSV) moves the tool.</source>
+        <translation>Eine aufgezeichnete Bewegung (CSV) führt das Instrument.</translation>
+    </message>
+    <message>
+        <source>Who demonstrates</source>
+        <translation>Wer führt vor</translation>
+    </message>
+    <message>
+        <source>The session is listed as simulated and is nobody&apos;s score.</source>
+        <translation>Die Sitzung gilt als simuliert und ist niemandes Wertung.</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>No file is chosen yet.</source>
+        <translation>Noch keine Datei gewählt.</translation>
+    </message>
+    <message>
+        <source>Choose a recorded movement</source>
+        <translation>Aufgezeichnete Bewegung wählen</translation>
+    </message>
+    <message>
+        <source>Traces (*.csv)</source>
+        <translation>Bewegungsdateien (*.csv)</translation>
+    </message>
+    <message>
+        <source>Reading the file …</source>
+        <translation>Datei wird gelesen …</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ready: %n rows, %1 s.</source>
+        <translation>
+            <numerusform>Bereit: %n Zeile, %1 s.</numerusform>
+            <numerusform>Bereit: %n Zeilen, %1 s.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This file cannot be played. Correct it or choose another.
+%1</source>
+        <translation>Diese Datei kann nicht abgespielt werden. Berichtigen Sie sie oder wählen Sie eine andere.
+%1</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::ExerciseCard</name>
     <message>
         <source>Passed, felt and shown</source>
@@ -1706,6 +1805,77 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ExerciseSetupScreen</name>
+    <message>
+        <source>What is measured</source>
+        <translation>Was gemessen wird</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Familiarisation: recorded, but not counted</source>
+        <translation>Eingewöhnung: aufgezeichnet, aber nicht gezählt</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Here you see what an exercise asks for, what is measured and when it is passed.
+
+Everything is chosen already: Start (or Enter) begins. Choose another level, or a device, if you want. Demonstrate lets you watch a scripted operator; its session is nobody&apos;s score. A file with a recorded movement can be replayed through the same exercise.
+
+Hand and workspace says with which hand you work, how far the tool moves for your hand&apos;s movement, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
+        <translation>Hier sehen Sie, was eine Übung verlangt, was gemessen wird und wann sie bestanden ist.
+
+Alles ist schon gewählt: „Starten“ (oder die Eingabetaste) beginnt. Wählen Sie auf Wunsch eine andere Stufe oder ein anderes Gerät. Bei „Vorführen“ sehen Sie einer programmierten Hand zu; deren Sitzung ist niemandes Wertung. Eine Datei mit einer aufgezeichneten Bewegung lässt sich durch dieselbe Übung abspielen.
+
+„Hand und Arbeitsraum“ legt fest, mit welcher Hand Sie arbeiten, wie weit sich das Instrument bei einer Handbewegung bewegt und wo die Mitte des Feldes liegt. Eine Eingewöhnung wird aufgezeichnet, aber nie gezählt.</translation>
+    </message>
+    <message>
+        <source>This exercise is not there</source>
+        <translation>Diese Übung gibt es nicht</translation>
+    </message>
+    <message>
+        <source>The content on this station has no exercise of that name.</source>
+        <translation>Der Inhalt an diesem Arbeitsplatz enthält keine Übung dieses Namens.</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Your earlier results could not be read; training works all the same.</source>
+        <translation>Ihre früheren Ergebnisse konnten nicht gelesen werden; das Training geht trotzdem.</translation>
+    </message>
+    <message>
+        <source>This level has no pass mark.</source>
+        <translation>Diese Stufe hat keine Bestehensgrenze.</translation>
+    </message>
+    <message>
+        <source>Level %1. %2</source>
+        <translation>Stufe %1. %2</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Zusehen</translation>
     </message>
 </context>
 <context>
@@ -2084,24 +2254,8 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
         <translation>mN·m</translation>
     </message>
     <message>
-        <source>Tip</source>
-        <translation>Spitze</translation>
-    </message>
-    <message>
-        <source>to the right</source>
-        <translation>nach rechts</translation>
-    </message>
-    <message>
-        <source>away from you</source>
-        <translation>von Ihnen weg</translation>
-    </message>
-    <message>
         <source>up</source>
         <translation>nach oben</translation>
-    </message>
-    <message>
-        <source>speed</source>
-        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Force (N)</source>
@@ -2110,14 +2264,6 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
     <message>
         <source>Speed (mm/s)</source>
         <translation>Geschwindigkeit (mm/s)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm/s</source>
-        <translation>%1 mm/s</translation>
     </message>
     <message numerus="yes">
         <source>%n samples could not be recorded: this session will be incomplete.</source>
@@ -2136,6 +2282,18 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
     <message>
         <source>Recording complete; every tick on time</source>
         <translation>Aufzeichnung vollständig; jeder Takt pünktlich</translation>
+    </message>
+    <message>
+        <source>Tip of the tool (mm)</source>
+        <translation>Instrumentenspitze (mm)</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>away</source>
+        <translation>weg</translation>
     </message>
 </context>
 <context>
@@ -2163,6 +2321,32 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LevelChooser</name>
+    <message>
+        <source>Level %1: %2</source>
+        <translation>Stufe %1: %2</translation>
+    </message>
+    <message>
+        <source>Not tried yet</source>
+        <translation>Noch nicht versucht</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tried %n times, not passed yet</source>
+        <translation>
+            <numerusform>%n-mal versucht, noch nicht bestanden</numerusform>
+            <numerusform>%n-mal versucht, noch nicht bestanden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · recommended next</source>
+        <translation>%1 · als Nächstes empfohlen</translation>
     </message>
 </context>
 <context>
@@ -2310,6 +2494,10 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
     <message>
         <source>%1  %2</source>
         <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>Contacts too</source>
+        <translation>Auch Kontakte</translation>
     </message>
 </context>
 <context>
@@ -2631,6 +2819,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>The session is void. Recording and scores are kept.</source>
         <translation>Die Sitzung ist ungültig. Aufzeichnung und Wertungen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>second session</source>
+        <translation>zweite Sitzung</translation>
     </message>
 </context>
 <context>
@@ -3757,6 +3949,41 @@ Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
     <message>
         <source>Void the session</source>
         <translation>Für ungültig erklären</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::WorkspaceBox</name>
+    <message>
+        <source>Hand and workspace</source>
+        <translation>Hand und Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>Movement of the tool for that of the hand</source>
+        <translation>Bewegung des Instruments je Handbewegung</translation>
+    </message>
+    <message>
+        <source>Shift to the right</source>
+        <translation>Verschiebung nach rechts</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Shift away from you</source>
+        <translation>Verschiebung von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>Shift up</source>
+        <translation>Verschiebung nach oben</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
     </message>
 </context>
 <context>

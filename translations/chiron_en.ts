@@ -63,6 +63,16 @@
     </message>
 </context>
 <context>
+    <name>chiron::desktop::DeviceChooser</name>
+    <message numerus="yes">
+        <source>Ready: %n rows, %1 s.</source>
+        <translation>
+            <numerusform>Ready: %n row, %1 s.</numerusform>
+            <numerusform>Ready: %n rows, %1 s.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::ExerciseCard</name>
     <message numerus="yes">
         <source>%n attempt(s), not passed yet</source>
@@ -110,6 +120,16 @@
         <translation>
             <numerusform>Recording complete; %n tick late</numerusform>
             <numerusform>Recording complete; %n ticks late</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LevelChooser</name>
+    <message numerus="yes">
+        <source>Tried %n times, not passed yet</source>
+        <translation>
+            <numerusform>Tried %n time, not passed yet</numerusform>
+            <numerusform>Tried %n times, not passed yet</numerusform>
         </translation>
     </message>
 </context>
