@@ -891,7 +891,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>My results</source>
-        <translation>Τα αποτελέσματά μου</translation>
+        <translation>Αποτελέσματα</translation>
     </message>
     <message>
         <source>Debrief</source>
@@ -919,7 +919,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Storage</source>
-        <translation>Φύλαξη δεδομένων</translation>
+        <translation>Φύλαξη</translation>
     </message>
     <message>
         <source>Station</source>
@@ -1083,6 +1083,10 @@ Do you want to replace it?</source>
     <message>
         <source>Level %1: %2</source>
         <translation>Επίπεδο %1: %2</translation>
+    </message>
+    <message>
+        <source>Not counted</source>
+        <translation>Δεν μετράει</translation>
     </message>
 </context>
 <context>
@@ -1277,7 +1281,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Demonstration on the simulated gimbal (%1): shown, not felt</source>
-        <translation>Επίδειξη με την προσομοιωμένη καρδανική συσκευή (%1): μόνο προβολή δύναμης</translation>
+        <translation>Επίδειξη, προσομοιωμένη συσκευή (%1): μόνο προβολή δύναμης</translation>
     </message>
     <message>
         <source>Replayed file %1: shown, not felt</source>
@@ -1551,7 +1555,7 @@ Recording and scores are kept; they count for nothing.</source>
     <name>chiron::desktop::ControlBar</name>
     <message>
         <source>Stop force (Esc)</source>
-        <translation>Διακοπή δύναμης (Esc)</translation>
+        <translation>Στοπ δύναμης (Esc)</translation>
     </message>
     <message>
         <source>Resume here</source>
@@ -2021,7 +2025,7 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
     <message>
         <source>%1 s left</source>
-        <translation>απομένουν %1 s</translation>
+        <translation>ακόμη %1 s</translation>
     </message>
     <message>
         <source>Sound on</source>
@@ -2491,6 +2495,10 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <source>%1  %2</source>
         <translation>%1  %2</translation>
     </message>
+    <message>
+        <source>Contacts too</source>
+        <translation>Και επαφές</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::MessageBar</name>
@@ -2811,6 +2819,10 @@ Choose a second session to see it beside this one: each of its trials starts whe
     <message>
         <source>The session is void. Recording and scores are kept.</source>
         <translation>Η συνεδρία ακυρώθηκε. Καταγραφή και βαθμολογίες διατηρούνται.</translation>
+    </message>
+    <message>
+        <source>second session</source>
+        <translation>δεύτερη συνεδρία</translation>
     </message>
 </context>
 <context>
@@ -3817,13 +3829,13 @@ After the last trial the debrief opens by itself.</source>
 
 %1
 
-Η «Διακοπή δύναμης» αφαιρεί αμέσως τη δύναμη και ο χρόνος σταματά. Η «Ενεργοποίηση» την επαναφέρει αργά. Η «Παύση» κρατά τα πάντα όπως είναι.
+Το «Στοπ δύναμης» αφαιρεί αμέσως τη δύναμη και ο χρόνος σταματά. Η «Ενεργοποίηση» την επαναφέρει αργά. Η «Παύση» κρατά τα πάντα όπως είναι.
 
 Μετά την τελευταία δοκιμή ο απολογισμός ανοίγει μόνος του.</translation>
     </message>
     <message>
         <source>Stop force</source>
-        <translation>Διακοπή δύναμης</translation>
+        <translation>Στοπ δύναμης</translation>
     </message>
     <message>
         <source>Pause or go on</source>
