@@ -98,10 +98,46 @@ private slots:
                  qPrintable(QString::number(reddish(image)))); // tissue, textured
     }
 
+    /// A still picture is whole after one call, whatever it shows for the first time.
+    void oneCallIsEnough() {
+        Shown shown;
+        SceneState state = samples::pressed(2.0);
+        state.objectShown = false;
+        shown.scene.view->show(state);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
+        SceneState later = samples::pressed(2.0);
+        later.tool[1] = later.tool[0];
+        later.tool[1].p_WT.x() += 0.01;
+        later.ghost = later.tool[0];
+        later.marked = true;
+        shown.scene.view->show(later);
+        QTest::qWait(500);
+        const QImage once = shown.window.screen()->grabWindow(shown.window.winId()).toImage();
+        QCOMPARE(shown.picture(later), once.convertToFormat(QImage::Format_RGB32));
+        QVERIFY(reddish(once) > 480 * 360 / 6);
+    }
+
+    /// The object comes and goes with the trials: no frame may lack the field.
+    void noFrameLacksTheField() {
+        Shown shown;
+        SceneState state = samples::inAir();
+        state.objectShown = false;
+        state.tool[0].present = false;
+        shown.scene.view->show(state);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
+        QTest::qWait(300);
+        state.objectShown = true;
+        const auto before = shown.scene.view->framesDrawn();
+        shown.scene.view->show(state);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.scene.view->framesDrawn() > before, 20000);
+        const QImage image = shown.window.screen()->grabWindow(shown.window.winId()).toImage();
+        QVERIFY2(reddish(image) > 480 * 360 / 6, qPrintable(QString::number(reddish(image))));
+    }
+
     void nothingIsDrawnBetweenCalls() {
         Shown shown;
         QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
-        QTest::qWait(200);
+        QTest::qWait(600);
         const auto before = shown.scene.view->framesDrawn();
         QTest::qWait(300);
         QCOMPARE(shown.scene.view->framesDrawn(), before);

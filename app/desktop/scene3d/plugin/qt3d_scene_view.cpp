@@ -9,6 +9,7 @@ Qt3DSceneView::Qt3DSceneView(const SceneSetup& setup, QWidget* parent) : m_windo
     m_stage = std::make_unique<SceneStage>(setup, m_window);
     m_window->setRoot(m_stage->root());
     m_window->onResize([this] { takeSize(); });
+    m_window->onWhole([this] { m_stage->warm(); });
     m_container = QWidget::createWindowContainer(m_window, parent);
     m_container->setObjectName(QStringLiteral("scene.container"));
     m_container->setAccessibleName(

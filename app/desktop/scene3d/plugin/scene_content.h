@@ -16,6 +16,8 @@ public:
     virtual ~ISceneContent() = default;
     virtual void change(const SceneSetup& setup) = 0;
     virtual void show(const SceneState& state) = 0;
+    /// Has the driver compile looks that will come later, so that no frame lacks the field when they do.
+    virtual void warm() = 0;
     /// z of what lies under this place, as shown: where a shadow falls. Metres, W.
     virtual double groundHeight_m(double x_m, double y_m) const = 0;
     virtual double fieldRadius_m() const = 0; ///< of the workspace round W's origin

@@ -25,6 +25,8 @@ public:
     Qt3DCore::QEntity* root() { return m_root; }
     void change(const SceneSetup& setup);
     void show(const SceneState& state);
+    /// Loads what has not been seen yet, after the first frame.
+    void warm() { m_content->warm(); }
     /// Size in device pixels, and device pixels a logical one.
     void setPicture(const QSize& size_px, double ratio);
 

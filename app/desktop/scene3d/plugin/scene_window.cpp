@@ -14,6 +14,8 @@ namespace chiron::scene3d {
 namespace {
 
 constexpr std::uint64_t kWholeFrame = 3;
+constexpr int kSettling = 2;
+constexpr int kSettle_ms = 60; // longer than from one picture to the next
 
 QSurfaceFormat sceneFormat() {
     QSurfaceFormat format;
@@ -31,6 +33,9 @@ SceneWindow::SceneWindow() {
     setSurfaceType(QSurface::OpenGLSurface);
     setFormat(sceneFormat());
     setObjectName(QStringLiteral("scene.window"));
+    m_settle.setSingleShot(true);
+    m_settle.setInterval(kSettle_ms);
+    m_settle.callOnTimeout(this, &SceneWindow::settle);
 }
 
 SceneWindow::~SceneWindow() {
@@ -58,10 +63,23 @@ void SceneWindow::start() {
 }
 
 void SceneWindow::requestFrame() {
+    m_settling = kSettling;
+    m_settle.stop();
+    post();
+}
+
+void SceneWindow::post() {
     // Not requestUpdate(), which waits some milliseconds to gather requests: callers come at most once a
     // picture.
     if (isExposed() && !std::exchange(m_asked, true))
         QCoreApplication::postEvent(this, new QEvent(QEvent::UpdateRequest));
+}
+
+void SceneWindow::settle() {
+    if (m_settling <= 0)
+        return;
+    --m_settling;
+    post();
 }
 
 void SceneWindow::onFirstFrame(std::function<void()> call) {
@@ -105,6 +123,8 @@ void SceneWindow::draw() {
     m_engine->processFrame();
     m_drawing = false;
     ++m_frames;
+    if (m_settling > 0)
+        m_settle.start();
     if (m_whole)
         return;
     // Qt3D loads over the first frames: in the first it starts, in the second it learns of shaders and
@@ -112,6 +132,8 @@ void SceneWindow::draw() {
     // hand, so frames are counted.
     if (m_frames >= kWholeFrame) {
         m_whole = true;
+        if (m_becameWhole)
+            m_becameWhole();
         tellFirstFrame();
     }
     requestFrame();

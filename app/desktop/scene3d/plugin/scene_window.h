@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QPointer>
+#include <QTimer>
 #include <QWindow>
 #include <Qt3DCore/QEntity>
 #include <cstdint>
@@ -24,10 +24,14 @@ public:
 
     /// The scene; once, before the window is shown. Its frame graph draws into this window.
     void setRoot(Qt3DCore::QEntity* root);
-    /// Draws soon; calls before that are one frame.
+    /// Draws soon; calls before that are one frame. Two more frames follow when no other call comes, because
+    /// what is shown for the first time is loaded with one frame and drawn with the next.
     void requestFrame();
     std::uint64_t framesDrawn() const { return m_frames; }
     void onFirstFrame(std::function<void()> call);
+    /// Called after the first whole frame was drawn, before anybody is told: time to load what is not seen
+    /// yet.
+    void onWhole(std::function<void()> call) { m_becameWhole = std::move(call); }
     /// Called when the size has changed, before the frame is drawn.
     void onResize(std::function<void()> call) { m_resized = std::move(call); }
 
@@ -39,14 +43,19 @@ protected:
 private:
     void start();
     void draw();
+    void post();
+    void settle();
     void tellFirstFrame();
 
     Qt3DCore::QEntityPtr m_root;
     std::unique_ptr<Qt3DCore::QAspectEngine> m_engine;
     std::function<void()> m_firstFrame;
     std::function<void()> m_resized;
+    std::function<void()> m_becameWhole;
     std::uint64_t m_frames = 0;
     bool m_asked = false;
+    int m_settling = 0; ///< frames still to follow
+    QTimer m_settle;
     bool m_whole = false;
     bool m_drawing = false;
 };

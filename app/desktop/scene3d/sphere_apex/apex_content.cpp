@@ -37,22 +37,36 @@ ApexContent::ApexContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::
     m_presses = parameter("presses", QMatrix4x4() * 0.0F, parent);
     m_plain = parameter("plain", coverColour(setup.colours), parent);
     auto* skin = parameter("skin", QVariant::fromValue(makeSkinTexture(parent)), parent);
-    auto* material = new Qt3DRender::QMaterial(parent);
-    for (Qt3DRender::QParameter* p :
-         {light.lamp, light.lens, m_dentPlace, m_dentNormal, m_tips, m_presses, m_plain, skin})
-        material->addParameter(p);
-    m_part = new Part(apexMesh(m_surface), material, parent);
+    const auto material = [&] {
+        auto* made = new Qt3DRender::QMaterial(parent);
+        for (Qt3DRender::QParameter* p :
+             {light.lamp, light.lens, m_dentPlace, m_dentNormal, m_tips, m_presses, m_plain, skin})
+            made->addParameter(p);
+        return made;
+    };
+    m_part = new Part(apexMesh(m_surface), material(), parent);
+    m_warm = new Part(TriangleMesh{std::vector<MeshVertex>(3), {0, 1, 2}}, material(), parent);
+    m_warm->setEnabled(false);
     chooseLook();
 }
 
+Qt3DRender::QEffect* ApexContent::look(bool shown) const {
+    const char* look = !shown ? "cover.frag" : m_setup.colours.highContrast ? "outlined.frag" : "tissue.frag";
+    return m_light.effects.effect("tissue.vert", look, Blend::opaque, std::max(1, m_tools));
+}
+
 void ApexContent::chooseLook() {
-    const char* look = !m_surface.shown               ? "cover.frag"
-                       : m_setup.colours.highContrast ? "outlined.frag"
-                                                      : "tissue.frag";
-    Qt3DRender::QEffect* effect = m_light.effects.effect("tissue.vert", look, Blend::opaque, m_tools);
-    if (m_part->material()->effect() != effect)
-        m_part->material()->setEffect(effect);
+    const auto wear = [](Part& part, Qt3DRender::QEffect* effect) {
+        if (part.material()->effect() != effect)
+            part.material()->setEffect(effect);
+    };
+    wear(*m_part, look(m_surface.shown));
+    wear(*m_warm, look(!m_surface.shown));
     m_plain->setValue(coverColour(m_setup.colours));
+}
+
+void ApexContent::warm() {
+    m_warm->setEnabled(true);
 }
 
 void ApexContent::change(const SceneSetup& setup) {

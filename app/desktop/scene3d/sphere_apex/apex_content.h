@@ -15,6 +15,7 @@ public:
 
     void change(const SceneSetup& setup) override;
     void show(const SceneState& state) override;
+    void warm() override;
     double groundHeight_m(double x_m, double y_m) const override { return m_surface.height_m(x_m, y_m); }
     double fieldRadius_m() const override { return m_parameters.workspaceRadius_m; }
     double planeHeight_m() const override { return m_parameters.planeHeight_m; }
@@ -22,6 +23,7 @@ public:
 
 private:
     void chooseLook();
+    Qt3DRender::QEffect* look(bool shown) const;
     void showTips(const SceneState& state);
     Qt3DRender::QParameter* parameter(const char* name, const QVariant& value, Qt3DCore::QNode* parent);
 
@@ -36,6 +38,7 @@ private:
     SharedLight& m_light;
     int m_tools = 0; ///< tips that are drawn
     Part* m_part = nullptr;
+    Part* m_warm = nullptr; ///< a triangle without extent that wears the look that is not shown
 };
 
 } // namespace chiron::scene3d
