@@ -2025,7 +2025,7 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
     <message>
         <source>%1 s left</source>
-        <translation>ακόμη %1 s</translation>
+        <translation>ακόμη %1 s</translation>
     </message>
     <message>
         <source>Sound on</source>
