@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/exercise_setup/device_chooser.h"
 
+#include "desktop/exercise_setup/choice_tile.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/kit.h"
@@ -59,10 +60,9 @@ DeviceChooser::DeviceChooser(AppContext& context, const std::vector<std::string>
     show(PlanDevice::mouse);
 }
 
-QPushButton* DeviceChooser::addTile(PlanDevice device, const QString& title, const QString& health) {
-    auto* tile = kit::button(m_context.theme(), title + QLatin1Char('\n') + health, "tile", deviceIcon(device));
+QWidget* DeviceChooser::addTile(PlanDevice device, const QString& title, const QString& health) {
+    auto* tile = new ChoiceTile(m_context.theme(), title, health, deviceIcon(device));
     tile->setObjectName(QStringLiteral("setup.device.%1").arg(static_cast<int>(device)));
-    tile->setCheckable(true);
     m_group->addButton(tile, static_cast<int>(device));
     return tile;
 }

@@ -12,7 +12,6 @@ class QButtonGroup;
 class QComboBox;
 class QFrame;
 class QLabel;
-class QPushButton;
 class QStackedWidget;
 
 namespace chiron::desktop {
@@ -34,7 +33,7 @@ signals:
     void changed();
 
 private:
-    QPushButton* addTile(PlanDevice device, const QString& title, const QString& health);
+    QWidget* addTile(PlanDevice device, const QString& title, const QString& health);
     QWidget* demonstrationPage(const std::vector<std::string>& operators);
     QWidget* tracePage();
     void show(PlanDevice device);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/exercise_setup/level_chooser.h"
 
-#include "desktop/widgets/kit.h"
+#include "desktop/exercise_setup/choice_tile.h"
 
 #include <QButtonGroup>
+#include <QVBoxLayout>
 
 namespace chiron::desktop {
 
@@ -13,10 +14,9 @@ LevelChooser::LevelChooser(const Theme& theme, const catalogue::Exercise& exerci
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(8));
     for (const catalogue::ExerciseLevel& level : exercise.levels) {
-        m_titles[level.number] = tr("Level %1: %2").arg(level.number).arg(QString::fromStdString(catalogue::textIn(level.title, language)));
-        auto* tile = kit::button(theme, m_titles[level.number], "tile");
+        auto* tile = new ChoiceTile(
+            theme, tr("Level %1: %2").arg(level.number).arg(QString::fromStdString(catalogue::textIn(level.title, language))), {});
         tile->setObjectName(QStringLiteral("setup.level.%1").arg(level.number));
-        tile->setCheckable(true);
         m_group->addButton(tile, level.number);
         m_tiles[level.number] = tile;
         column->addWidget(tile);
@@ -43,7 +43,7 @@ void LevelChooser::setStandings(std::span<const session::LevelStanding> standing
             words = tr("Tried %n times, not passed yet", nullptr, standing.attempts);
         if (standing.level == next)
             words = tr("%1 · recommended next").arg(words);
-        tile->second->setText(m_titles[standing.level] + QLatin1Char('\n') + words);
+        tile->second->setWords(words);
     }
 }
 

@@ -10,9 +10,10 @@
 #include <span>
 
 class QButtonGroup;
-class QPushButton;
 
 namespace chiron::desktop {
+
+class ChoiceTile;
 
 /// All levels of an exercise as tiles; where the person stands at each, and which one is next, in words. GUI thread.
 class LevelChooser final : public QWidget {
@@ -30,8 +31,7 @@ signals:
 
 private:
     QButtonGroup* m_group;
-    std::map<int, QPushButton*> m_tiles;
-    std::map<int, QString> m_titles;
+    std::map<int, ChoiceTile*> m_tiles;
 };
 
 } // namespace chiron::desktop

@@ -48,9 +48,18 @@ ForceWords armingWords(const haptics::DisplayState& state) {
     }
 }
 
-ForceWords shownWords(const haptics::DisplayState& state, bool ownHand) {
-    if (!ownHand)
-        return {"info", Words::tr("You are watching"), Words::tr("Force is shown, not felt.")};
+ForceWords watchedWords(const haptics::DisplayState& state, bool felt, const QLocale& locale) {
+    QString text = Words::tr("Force is shown, not felt.");
+    if (felt && state.force == ForceState::arming)
+        text = Words::tr("The operator's force waits until the tool is free.");
+    else if (felt && state.force == ForceState::ramping)
+        text = Words::tr("The operator's force rises slowly (%1 %).").arg(locale.toString(qRound(state.gain * 10.0) * 10));
+    else if (felt && (state.force == ForceState::heldByHeartbeat || state.force == ForceState::heldByWatchdog))
+        text = Words::tr("The operator's force is held for a moment and comes back by itself.");
+    return {"info", Words::tr("You are watching"), text};
+}
+
+ForceWords shownWords(const haptics::DisplayState& state) {
     if (state.tool[0].noMovement)
         return {"warning", Words::tr("No movement"), Words::tr("Nothing has moved for two seconds. Move the mouse over the scene or press an arrow key.")};
     return {"info", Words::tr("Shown, not felt"),
@@ -68,8 +77,10 @@ ForceWords forceWords(const haptics::DisplayState& state, const AskedFor& asked,
         return stoppedWords();
     if (asked.paused)
         return {"info", Words::tr("Paused"), Words::tr("The clock stands still. Press Resume or Space to go on.")};
-    if (!asked.felt || !asked.ownHand)
-        return shownWords(state, asked.ownHand);
+    if (!asked.ownHand)
+        return watchedWords(state, asked.felt, locale);
+    if (!asked.felt)
+        return shownWords(state);
     switch (state.force) {
     case ForceState::ramping:
         return {"info", Words::tr("Force is coming"),

@@ -36,7 +36,7 @@ LivePlot::LivePlot(const Theme& theme, const QLocale& locale, const QString& tit
     m_over.reserve(ColumnTrace::kCells);
 }
 
-QSize LivePlot::sizeHint() const { return {m_theme.px(260), m_theme.px(116)}; }
+QSize LivePlot::sizeHint() const { return minimumSizeHint(); } // it takes what room there is
 QSize LivePlot::minimumSizeHint() const { return {m_theme.px(160), m_theme.px(86)}; }
 
 QString LivePlot::numberOf(double value) const {

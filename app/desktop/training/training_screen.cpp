@@ -138,11 +138,11 @@ void TrainingScreen::onFrame() {
 
 void TrainingScreen::showControls() {
     const haptics::DisplayState& state = m_feed->state();
-    const bool felt = m_feed->training().felt() && m_plan.ownHand();
+    const bool felt = m_feed->training().felt();
     m_notice->show(forceWords(state, {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped()}, context().locale()));
     const bool latched = m_control->stopped() || state.force == core::ForceState::stopped || state.force == core::ForceState::fault;
     m_controls->setMain(latched ? ControlBar::Main::rearm : m_control->paused() ? ControlBar::Main::resume : ControlBar::Main::pause);
-    m_controls->setResumeHere(felt && state.force == core::ForceState::arming && state.waitsFor == haptics::ArmingWait::smallRequest);
+    m_controls->setResumeHere(felt && m_plan.ownHand() && state.force == core::ForceState::arming && state.waitsFor == haptics::ArmingWait::smallRequest);
     m_keys->setHeld(m_control->held());
 }
 

@@ -269,6 +269,8 @@ void TestTrainingParts::everyStateHasItsWords() {
     QCOMPARE(words(ForceState::off, ArmingWait::nothing, {.felt = false, .paused = true, .stopped = true}).title,
              QStringLiteral("Force is stopped"));
     QCOMPARE(words(ForceState::arming, ArmingWait::smallRequest).title, QStringLiteral("Force is waiting"));
+    QVERIFY(words(ForceState::ramping, ArmingWait::ramp, {.ownHand = false}).text.contains(QStringLiteral("rises")));
+    QVERIFY(words(ForceState::on, ArmingWait::nothing, {.ownHand = false}).text.contains(QStringLiteral("not felt")));
     QCOMPARE(words(ForceState::on, ArmingWait::nothing).title, QStringLiteral("Force is on"));
 }
 
