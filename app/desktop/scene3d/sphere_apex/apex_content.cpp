@@ -37,16 +37,11 @@ ApexContent::ApexContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::
     m_presses = parameter("presses", QMatrix4x4() * 0.0F, parent);
     m_plain = parameter("plain", coverColour(setup.colours), parent);
     auto* skin = parameter("skin", QVariant::fromValue(makeSkinTexture(parent)), parent);
-    const auto material = [&] {
-        auto* made = new Qt3DRender::QMaterial(parent);
-        for (Qt3DRender::QParameter* p :
-             {light.lamp, light.lens, m_dentPlace, m_dentNormal, m_tips, m_presses, m_plain, skin})
-            made->addParameter(p);
-        return made;
-    };
-    m_part = new Part(apexMesh(m_surface), material(), parent);
-    m_warm = new Part(TriangleMesh{std::vector<MeshVertex>(3), {0, 1, 2}}, material(), parent);
-    m_warm->setEnabled(false);
+    auto* material = new Qt3DRender::QMaterial(parent);
+    for (Qt3DRender::QParameter* p :
+         {light.lamp, light.lens, m_dentPlace, m_dentNormal, m_tips, m_presses, m_plain, skin})
+        material->addParameter(p);
+    m_part = new Part(apexMesh(m_surface), material, parent);
     chooseLook();
 }
 
@@ -56,17 +51,17 @@ Qt3DRender::QEffect* ApexContent::look(bool shown) const {
 }
 
 void ApexContent::chooseLook() {
-    const auto wear = [](Part& part, Qt3DRender::QEffect* effect) {
-        if (part.material()->effect() != effect)
-            part.material()->setEffect(effect);
-    };
-    wear(*m_part, look(m_surface.shown));
-    wear(*m_warm, look(!m_surface.shown));
+    Qt3DRender::QEffect* effect = look(m_surface.shown);
+    if (m_part->material()->effect() != effect)
+        m_part->material()->setEffect(effect);
+    if (m_warm)
+        (void)look(!m_surface.shown);
     m_plain->setValue(coverColour(m_setup.colours));
 }
 
 void ApexContent::warm() {
-    m_warm->setEnabled(true);
+    m_warm = true;
+    chooseLook();
 }
 
 void ApexContent::change(const SceneSetup& setup) {

@@ -38,7 +38,7 @@ private:
     SharedLight& m_light;
     int m_tools = 0; ///< tips that are drawn
     Part* m_part = nullptr;
-    Part* m_warm = nullptr; ///< a triangle without extent that wears the look that is not shown
+    bool m_warm = false; ///< the look that is not shown is loaded too
 };
 
 } // namespace chiron::scene3d
