@@ -7,6 +7,7 @@
 #include <Qt3DRender/QTextureImageData>
 #include <Qt3DRender/QTextureImageDataGenerator>
 #include <Qt3DRender/QTextureWrapMode>
+#include <future>
 
 namespace chiron::scene3d {
 
@@ -14,12 +15,16 @@ namespace {
 
 constexpr int kSide_px = 512;
 
+using Picture = std::shared_future<std::vector<std::uint8_t>>;
+
 class SkinGenerator final : public Qt3DRender::QTextureImageDataGenerator {
 public:
     QT3D_FUNCTOR(SkinGenerator)
 
+    explicit SkinGenerator(Picture picture) : m_picture(std::move(picture)) {}
+
     Qt3DRender::QTextureImageDataPtr operator()() override {
-        const std::vector<std::uint8_t> picture = skinPicture(kSide_px);
+        const std::vector<std::uint8_t>& picture = m_picture.get();
         auto data = Qt3DRender::QTextureImageDataPtr::create();
         data->setTarget(QOpenGLTexture::Target2D);
         data->setFormat(QOpenGLTexture::RGBA8_UNorm);
@@ -38,16 +43,23 @@ public:
     bool operator==(const Qt3DRender::QTextureImageDataGenerator& other) const override {
         return Qt3DCore::functor_cast<SkinGenerator>(&other) != nullptr;
     }
+
+private:
+    Picture m_picture;
 };
 
 class SkinImage final : public Qt3DRender::QAbstractTextureImage {
 public:
-    using QAbstractTextureImage::QAbstractTextureImage;
+    explicit SkinImage(Qt3DCore::QNode* parent)
+        : QAbstractTextureImage(parent), m_picture(std::async(skinPicture, kSide_px)) {}
 
 protected:
     Qt3DRender::QTextureImageDataGeneratorPtr dataGenerator() const override {
-        return QSharedPointer<SkinGenerator>::create();
+        return QSharedPointer<SkinGenerator>::create(m_picture);
     }
+
+private:
+    Picture m_picture; ///< painted while the context is made
 };
 
 } // namespace

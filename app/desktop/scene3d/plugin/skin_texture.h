@@ -5,7 +5,7 @@
 
 namespace chiron::scene3d {
 
-/// skinPicture() as a texture; painted by one of Qt3D's own worker threads while the window goes on.
+/// skinPicture() as a texture; painted by a thread of its own while the graphics context is made.
 Qt3DRender::QAbstractTexture* makeSkinTexture(Qt3DCore::QNode* parent);
 
 } // namespace chiron::scene3d
