@@ -8,6 +8,7 @@
 #include "desktop/home/exercises_screen.h"
 #include "desktop/home/home_screen.h"
 #include "desktop/login/login_screen.h"
+#include "desktop/people/people_screen.h"
 #include "desktop/sessions/sessions_screen.h"
 #include "desktop/playback/playback_screen.h"
 #include "desktop/results/results_screen.h"
@@ -42,6 +43,7 @@ const std::vector<ScreenEntry>& screenCatalogue() {
         {"exercise_setup", QT_TRANSLATE_NOOP("Screens", "Exercise"), "media-playback-start", {}, true, &make<ExerciseSetupScreen>},
         {"training", QT_TRANSLATE_NOOP("Screens", "Training"), "media-playback-start", {}, false, &make<TrainingScreen>},
         {"sessions", QT_TRANSLATE_NOOP("Screens", "Sessions"), "view-list-details", {trainer, researcher, admin}, true, &make<SessionsScreen>},
+        {"people", QT_TRANSLATE_NOOP("Screens", "People"), "system-users", {admin}, true, &make<PeopleScreen>},
         {"storage", QT_TRANSLATE_NOOP("Screens", "Storage"), "drive-harddisk", {admin}, true, &make<StorageScreen>},
         {"station", QT_TRANSLATE_NOOP("Screens", "Station"), "computer", everybody, true, &make<StationScreen>},
         {"results", QT_TRANSLATE_NOOP("Screens", "My results"), "office-chart-line", {trainee}, true, &make<ResultsScreen>},

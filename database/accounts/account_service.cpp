@@ -9,6 +9,7 @@
 #include "database/repositories/account_repository.h"
 #include "database/repositories/privacy_repository.h"
 
+#include <algorithm>
 #include <set>
 
 namespace chiron::database {
@@ -108,11 +109,14 @@ core::Result<Roster> AccountService::previewCsv(const Actor& actor, const std::s
                                        "name \"" + row.name + "\": somebody has it already"});
         }
     }
+    std::stable_sort(roster.problems.begin(), roster.problems.end(),
+                     [](const RosterProblem& a, const RosterProblem& b) { return a.line < b.line; });
     return roster;
 }
 
-core::Result<std::vector<PersonId>> AccountService::importCsv(const Actor& actor,
-                                                              const std::string& csvText) {
+core::Result<std::vector<PersonId>>
+AccountService::importCsv(const Actor& actor, const std::string& csvText,
+                          const std::function<bool(int done, int of)>& step) {
     const auto rows = parseUserCsv(csvText);
     if (!rows) {
         return tl::unexpected(rows.error());
@@ -120,6 +124,9 @@ core::Result<std::vector<PersonId>> AccountService::importCsv(const Actor& actor
     const PasswordHasher hasher(m_database.options().passwordCost);
     std::vector<NewPerson> people;
     for (const UserCsvRow& row : *rows) {
+        if (step && !step(static_cast<int>(people.size()), static_cast<int>(rows->size()))) {
+            return core::fail(core::ErrorCode::cancelled, "the import was stopped; nobody was added");
+        }
         const auto hash = hasher.hash(row.password);
         if (!hash) {
             return tl::unexpected(hash.error());

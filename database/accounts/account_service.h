@@ -6,6 +6,7 @@
 #include "database/accounts/user_csv.h"
 #include "database/database.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,7 +64,10 @@ public:
     /// CSV with a header line: name,display_name,roles,password (roles separated by ';' or quoted commas).
     /// All or nothing; every wrong row is named (line, column, value, expectation). People must change these
     /// passwords at first login.
-    core::Result<std::vector<PersonId>> importCsv(const Actor& actor, const std::string& csvText);
+    /// `step` hears how many passwords are hashed, of how many (that is what takes long); false from it ends
+    /// the import with cancelled, and nobody was added.
+    core::Result<std::vector<PersonId>> importCsv(const Actor& actor, const std::string& csvText,
+                                                  const std::function<bool(int done, int of)>& step = {});
     /// What importCsv would do, without doing it: people to be added (without their passwords) and everything
     /// wrong, by line; also names that are taken. Failure: notAllowed, storage.
     core::Result<Roster> previewCsv(const Actor& actor, const std::string& csvText);

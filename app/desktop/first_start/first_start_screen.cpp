@@ -80,6 +80,8 @@ void FirstStartScreen::setPage(QWidget* page) {
         m_page->hide();
     m_page = page;
     m_room->addWidget(page);
+    if (isVisible())
+        page->show(); // now, so that it can take the focus
 }
 
 QWidget* FirstStartScreen::choice(const QString& icon, const QString& title, const QString& text, QPushButton* button) {

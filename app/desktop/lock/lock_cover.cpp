@@ -92,6 +92,8 @@ void LockCover::showRefusal(const database::Refusal& refusal) {
     renew();
     if (m_password->isEnabled())
         m_password->setFocus();
+    else
+        setFocus(); // on no control, so that Return does nothing meanwhile
 }
 
 } // namespace chiron::desktop

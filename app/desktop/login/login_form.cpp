@@ -82,6 +82,8 @@ void LoginForm::showRefusal(const database::Refusal& refusal) {
     renew();
     if (m_password->isEnabled())
         m_password->setFocus();
+    else
+        setFocus(); // on no control, so that Return does nothing meanwhile
 }
 
 void LoginForm::focusFirst() {

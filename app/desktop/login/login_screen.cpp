@@ -127,8 +127,10 @@ void LoginScreen::setPage(QWidget* page) {
     }
     m_page = page;
     m_site->setVisible(page == nullptr);
-    if (page)
-        m_room->addWidget(page);
+    if (!page)
+        return;
+    m_room->addWidget(page);
+    page->show(); // now, so that it can take the focus
 }
 
 void LoginScreen::showForm() {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/accounts/person.h"
+#include "desktop/people/form_dialog.h"
+
+namespace chiron::desktop {
+
+class PasswordChoice;
+
+/// Gives somebody a new password, which they must change at the next login. GUI thread.
+class ResetPasswordDialog final : public FormDialog {
+    Q_OBJECT
+public:
+    ResetPasswordDialog(AppContext& context, database::Person person, QWidget* parent);
+
+protected:
+    void submit() override;
+
+private:
+    database::Person m_person;
+    PasswordChoice* m_password;
+};
+
+} // namespace chiron::desktop

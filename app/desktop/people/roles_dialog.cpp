@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/people/roles_dialog.h"
+
+#include "database/accounts/account_service.h"
+#include "desktop/frame/app_context.h"
+#include "desktop/people/role_choice.h"
+#include "desktop/widgets/kit.h"
+
+namespace chiron::desktop {
+
+RolesDialog::RolesDialog(AppContext& context, database::Person person, QWidget* parent)
+    : FormDialog(context, QStringLiteral("roles"), tr("Roles of %1").arg(QString::fromStdString(person.name)), parent),
+      m_person(std::move(person)) {
+    m_roles = new RoleChoice(theme(), QStringLiteral("roles"), m_person.roles);
+    column()->addWidget(m_roles);
+    column()->addWidget(kit::label(theme(), tr("It takes effect at once, also for somebody who is logged in."), TextStyle::small, "muted"));
+    setAccept(tr("Save"));
+    connect(m_roles, &RoleChoice::changed, this, [this] { setAcceptable(!m_roles->roles().empty() && m_roles->roles() != m_person.roles); });
+}
+
+void RolesDialog::submit() {
+    setWorking(true);
+    database::Database* database = &context().site().database();
+    context().background().run(
+        this,
+        [database, actor = context().actor(), id = m_person.id, roles = m_roles->roles()](WorkToken&) {
+            return database::AccountService(*database).setRoles(actor, id, roles);
+        },
+        [this](core::Result<void> done) {
+            setWorking(false);
+            const QString name = QString::fromStdString(m_person.name);
+            if (done) {
+                emit changed();
+                context().messages().done(tr("The roles of %1 are changed.").arg(name));
+                accept();
+            } else if (done.error().code == core::ErrorCode::wrongUse) { // the one rule that a choice of roles can break
+                say("bad", tr("%1 stays an administrator: a site needs one who can log in. Make another person an administrator first.").arg(name));
+            } else {
+                say("bad", tr("The roles of %1 were not changed.\n%2").arg(name, inWords(done.error())));
+            }
+        });
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hands.h"
+#include "support/desktop_fixture.h"
+
+#include "desktop/accounts/notice_area.h"
+#include "desktop/login/login_screen.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QListWidget>
+
+using namespace chiron;
+using namespace chiron::tests;
+
+/// Logging in: by name, with wrong passwords, with a password that somebody else has set.
+class TestLogin : public QObject {
+    Q_OBJECT
+private slots:
+    void namesAreFoundByTyping();
+    void wrongPasswordsMakeItWait();
+    void unknownNamesAreToldTheSame();
+    void disabledAccountsAreToldSo();
+    void resetForcesAPasswordOfOnesOwn();
+    void othersAreToldWhomToAsk();
+    void failedSiteCanBeTriedAgain();
+    void fitsAtEveryScale_data();
+    void fitsAtEveryScale();
+
+private:
+    static void openLogin(DesktopFixture& desktop);
+    static void tryPassword(DesktopFixture& desktop, const QString& name, const QString& password);
+    static QString notice(DesktopFixture& desktop, const char* name = "login.notice") {
+        return desktop.find<desktop::NoticeArea>(QLatin1String(name))->text();
+    }
+};
+
+void TestLogin::openLogin(DesktopFixture& desktop) {
+    desktop.context.navigator().replace({QStringLiteral("login"), {}});
+    QTRY_VERIFY(desktop.find<QListWidget>(QStringLiteral("login.people"))->count() > 0);
+    QTRY_VERIFY(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QLatin1String("login.name"));
+}
+
+void TestLogin::tryPassword(DesktopFixture& desktop, const QString& name, const QString& password) {
+    desktop.find<QLineEdit>(QStringLiteral("login.name"))->setText(name);
+    desktop.find<QLineEdit>(QStringLiteral("login.password"))->setText(password);
+    desktop.find<QPushButton>(QStringLiteral("login.enter"))->click();
+}
+
+void TestLogin::namesAreFoundByTyping() {
+    DesktopFixture desktop;
+    openLogin(desktop);
+    auto* list = desktop.find<QListWidget>(QStringLiteral("login.people"));
+    QCOMPARE(list->count(), 5);
+    picture(desktop.window.get(), QStringLiteral("login"));
+    type(QStringLiteral("trainee"));
+    int shown = 0;
+    for (int i = 0; i < list->count(); ++i)
+        shown += list->item(i)->isHidden() ? 0 : 1;
+    QCOMPARE(shown, 2); // by full name too
+    press(Qt::Key_Down);
+    press(Qt::Key_Down);
+    press(Qt::Key_Return);
+    QTRY_COMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("login.password"));
+    QCOMPARE(desktop.find<QLineEdit>(QStringLiteral("login.name"))->text(), QStringLiteral("tina"));
+    type(QLatin1String(kTestPassword));
+    press(Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.context.loggedIn(), 10000);
+    QCOMPARE(desktop.context.actor().name(), std::string("tina"));
+    QCOMPARE(desktop.context.navigator().current().screen, QStringLiteral("home"));
+}
+
+void TestLogin::wrongPasswordsMakeItWait() {
+    DesktopFixture desktop;
+    openLogin(desktop);
+    auto* password = desktop.find<QLineEdit>(QStringLiteral("login.password"));
+    auto* enter = desktop.find<QPushButton>(QStringLiteral("login.enter"));
+    for (int attempt = 1; attempt <= 3; ++attempt) {
+        tryPassword(desktop, QStringLiteral("tina"), QStringLiteral("wrong word %1").arg(attempt));
+        QVERIFY(!enter->isEnabled()); // nobody sends it twice
+        QTRY_VERIFY_WITH_TIMEOUT(password->text().isEmpty(), 10000);
+        QVERIFY(notice(desktop).contains(QStringLiteral("do not belong together")));
+    }
+    QVERIFY(!password->isEnabled() && enter->text().contains(QStringLiteral("again")));
+    picture(desktop.window.get(), QStringLiteral("login_wait"));
+    QTRY_VERIFY_WITH_TIMEOUT(password->isEnabled(), 10000);
+    QCOMPARE(enter->text(), QStringLiteral("Log in"));
+    tryPassword(desktop, QStringLiteral("tina"), QLatin1String(kTestPassword));
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.context.loggedIn(), 10000);
+}
+
+void TestLogin::unknownNamesAreToldTheSame() {
+    DesktopFixture desktop;
+    openLogin(desktop);
+    tryPassword(desktop, QStringLiteral("tina"), QStringLiteral("wrong word 1"));
+    QTRY_VERIFY_WITH_TIMEOUT(!notice(desktop).isEmpty(), 10000);
+    const QString known = notice(desktop);
+    tryPassword(desktop, QStringLiteral("nobody"), QStringLiteral("wrong word 1"));
+    QTRY_VERIFY_WITH_TIMEOUT(!notice(desktop).isEmpty(), 10000);
+    QCOMPARE(notice(desktop), known);
+    QVERIFY(!desktop.context.loggedIn());
+}
+
+void TestLogin::disabledAccountsAreToldSo() {
+    DesktopFixture desktop;
+    openLogin(desktop);
+    database::AccountService accounts(desktop.database());
+    const auto tina = desktop.actor("tina");
+    QVERIFY(accounts.setEnabled(desktop.actor("ada"), tina.personId(), false).has_value());
+    tryPassword(desktop, QStringLiteral("tina"), QLatin1String(kTestPassword));
+    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop).contains(QStringLiteral("disabled")), 10000);
+    openLogin(desktop);
+    QCOMPARE(desktop.find<QListWidget>(QStringLiteral("login.people"))->count(), 4);
+}
+
+void TestLogin::resetForcesAPasswordOfOnesOwn() {
+    DesktopFixture desktop;
+    database::AccountService accounts(desktop.database());
+    QVERIFY(accounts.resetPassword(desktop.actor("ada"), desktop.actor("tina").personId(), "given-by-ada-1").has_value());
+    openLogin(desktop);
+    tryPassword(desktop, QStringLiteral("tina"), QStringLiteral("given-by-ada-1"));
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPushButton>(QStringLiteral("change.save")), 10000);
+    QVERIFY(!desktop.context.loggedIn());
+    QTRY_COMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("change.password"));
+    type(QStringLiteral("given-by-ada-1"));
+    press(Qt::Key_Return);
+    type(QStringLiteral("given-by-ada-1"));
+    press(Qt::Key_Return);
+    QVERIFY(notice(desktop, "change.notice").contains(QStringLiteral("another one")));
+    VERIFY_READABLE(desktop.window->screen());
+    picture(desktop.window.get(), QStringLiteral("login_forced"));
+    for (const char* field : {"change.password", "change.repeat"})
+        desktop.find<QLineEdit>(QLatin1String(field))->setText(QStringLiteral("tinas-own-word-2"));
+    desktop.find<QLineEdit>(QStringLiteral("change.repeat"))->setFocus();
+    press(Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.context.loggedIn(), 10000);
+    QVERIFY(!desktop.context.actor().mustChangePassword());
+    QVERIFY(accounts.login("tina", "tinas-own-word-2").has_value());
+}
+
+void TestLogin::othersAreToldWhomToAsk() {
+    DesktopFixture desktop;
+    openLogin(desktop);
+    desktop.find<QLineEdit>(QStringLiteral("login.name"))->setText(QStringLiteral("tina"));
+    desktop.find<QPushButton>(QStringLiteral("login.forgotten"))->click();
+    QCOMPARE(desktop.find<QLineEdit>(QStringLiteral("recovery.name"))->text(), QStringLiteral("tina"));
+    QTRY_COMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("recovery.code_field"));
+    VERIFY_READABLE(desktop.window->screen());
+    type(QStringLiteral("AAAAA-AAAAA-AAAAA-AAAAA-AAAAA"));
+    for (const char* field : {"recovery.password", "recovery.repeat"})
+        desktop.find<QLineEdit>(QLatin1String(field))->setText(QStringLiteral("tinas-own-word-2"));
+    desktop.find<QPushButton>(QStringLiteral("recovery.save"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop, "recovery.notice").contains(QStringLiteral("recovery code")), 10000);
+    QVERIFY(!desktop.context.loggedIn());
+    desktop.find<QPushButton>(QStringLiteral("recovery.back"))->click();
+    QVERIFY(desktop.find<QPushButton>(QStringLiteral("login.enter"))->isVisible());
+}
+
+void TestLogin::failedSiteCanBeTriedAgain() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("site.db"));
+    QVERIFY(QDir().mkpath(file)); // a folder where the database should be
+    desktop::Settings settings(folder.filePath(QStringLiteral("desktop.ini")));
+    settings.setLanguage(QStringLiteral("en"));
+    desktop::DesktopSite site(file, DesktopFixture::options());
+    desktop::AppContext context(site, settings);
+    desktop::applyAppearance(*qApp, context);
+    desktop::MainWindow window(context);
+    context.navigator().replace({QStringLiteral("login"), {}});
+    window.show();
+    auto* panel = window.findChild<desktop::StatePanel*>(QStringLiteral("login.site"));
+    QCOMPARE(panel->state(), desktop::StatePanel::State::loading);
+    context.openSite();
+    QTRY_COMPARE_WITH_TIMEOUT(panel->state(), desktop::StatePanel::State::error, 10000);
+    picture(&window, QStringLiteral("login_failed"));
+    // Another theme builds the screen anew: it tries again by itself, and tells again.
+    settings.setTheme(desktop::ThemeName::dark);
+    context.applyAppearance();
+    QTRY_VERIFY_WITH_TIMEOUT(window.findChild<desktop::StatePanel*>(QStringLiteral("login.site")) &&
+                                 window.findChild<desktop::StatePanel*>(QStringLiteral("login.site"))->state() == desktop::StatePanel::State::error,
+                             10000);
+    context.background().cancelAndWait();
+}
+
+void TestLogin::fitsAtEveryScale_data() {
+    QTest::addColumn<double>("scale");
+    QTest::addColumn<int>("theme");
+    QTest::newRow("100 %") << 1.0 << 0;
+    QTest::newRow("200 % dark") << 2.0 << 1;
+}
+
+void TestLogin::fitsAtEveryScale() {
+    QFETCH(double, scale);
+    QFETCH(int, theme);
+    DesktopFixture desktop;
+    desktop.settings.setScale(scale);
+    desktop.settings.setTheme(static_cast<desktop::ThemeName>(theme));
+    desktop.context.applyAppearance();
+    openLogin(desktop);
+    VERIFY_READABLE(desktop.window->screen());
+    desktop.find<QPushButton>(QStringLiteral("login.forgotten"))->click();
+    QTest::qWait(50);
+    VERIFY_READABLE(desktop.window->screen());
+    picture(desktop.window.get(), QStringLiteral("login_recovery_%1").arg(scale));
+}
+
+QTEST_MAIN(TestLogin)
+#include "test_login.moc"
