@@ -134,7 +134,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The clock stands still and everything so far is kept. Press Re-arm (or R) to go on, or End.</source>
-        <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie „Freigeben“ (oder R), um weiterzumachen, oder „Beenden“.</translation>
+        <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie „Freigeben“ (oder R), um weiterzumachen, oder „Sitzung beenden“.</translation>
     </message>
     <message>
         <source>The safety supervisor took force away.</source>
@@ -234,7 +234,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The clock stands still. Press Resume or Space to go on.</source>
-        <translation>Die Uhr steht. Weiter mit „Fortsetzen“ oder der Leertaste.</translation>
+        <translation>Die Uhr steht. Weiter mit der Schaltfläche „Weiter“ oder der Leertaste.</translation>
     </message>
     <message>
         <source>Force is coming</source>
@@ -255,6 +255,18 @@ Einzelheiten: %2</translation>
     <message>
         <source>The device&apos;s data come late. Force comes back when they are on time.</source>
         <translation>Die Daten des Geräts kommen verspätet. Die Kraft kommt zurück, sobald sie pünktlich sind.</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s force waits until the tool is free.</source>
+        <translation>Die Kraft der programmierten Hand wartet, bis das Instrument frei ist.</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s force rises slowly (%1 %).</source>
+        <translation>Die Kraft der programmierten Hand steigt langsam an (%1 %).</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s force is held for a moment and comes back by itself.</source>
+        <translation>Die Kraft der programmierten Hand wird kurz zurückgehalten und kommt von selbst zurück.</translation>
     </message>
 </context>
 <context>
@@ -434,7 +446,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Apex error, mean</source>
-        <translation>Abweichung vom Scheitel, Mittelwert</translation>
+        <translation>Scheitelfehler, Mittelwert</translation>
     </message>
     <message>
         <source>How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses included.</source>
@@ -442,27 +454,27 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Apex error, standard deviation</source>
-        <translation>Abweichung vom Scheitel, Standardabweichung</translation>
+        <translation>Scheitelfehler, Standardabweichung</translation>
     </message>
     <message>
         <source>How much the error differed from mark to mark.</source>
-        <translation>Wie sehr sich die Abweichung von Markierung zu Markierung unterschied.</translation>
+        <translation>Wie sehr sich der Fehler von Markierung zu Markierung unterschied.</translation>
     </message>
     <message>
         <source>Apex bias, left to right</source>
-        <translation>Einseitigkeit, links-rechts</translation>
+        <translation>Scheitelfehler, links-rechts</translation>
     </message>
     <message>
         <source>Whether the marks lay to one side: the mean error to the right (positive) or left (negative).</source>
-        <translation>Ob die Markierungen zu einer Seite lagen: die mittlere Abweichung nach rechts (positiv) oder links (negativ).</translation>
+        <translation>Ob die Markierungen zu einer Seite lagen: der mittlere Fehler nach rechts (positiv) oder links (negativ).</translation>
     </message>
     <message>
         <source>Apex bias, front to back</source>
-        <translation>Einseitigkeit, vorn-hinten</translation>
+        <translation>Scheitelfehler, vorn-hinten</translation>
     </message>
     <message>
         <source>Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person.</source>
-        <translation>Ob die Markierungen zu einer Seite lagen: die mittlere Abweichung von der Person weg (positiv) oder zu ihr hin (negativ).</translation>
+        <translation>Ob die Markierungen zu einer Seite lagen: der mittlere Fehler von der Person weg (positiv) oder zu ihr hin (negativ).</translation>
     </message>
     <message>
         <source>Misses</source>
@@ -470,7 +482,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same.</source>
-        <translation>Durchgänge, die ohne Berührung, neben der Kugel oder nicht rechtzeitig markiert wurden. Ihre Abweichungen zählen trotzdem.</translation>
+        <translation>Durchgänge, die ohne Berührung, neben der Kugel oder nicht rechtzeitig markiert wurden. Ihre Fehler zählen trotzdem.</translation>
     </message>
     <message>
         <source>the trace has no forces</source>
@@ -876,6 +888,61 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
 </context>
 <context>
+    <name>RosterWords</name>
+    <message>
+        <source>a quotation mark is opened here and never closed</source>
+        <translation>hier beginnt ein Anführungszeichen, das nie geschlossen wird</translation>
+    </message>
+    <message>
+        <source>too many lines, %1 at most</source>
+        <translation>zu viele Zeilen, höchstens %1</translation>
+    </message>
+    <message>
+        <source>a heading line and at least one person are needed</source>
+        <translation>eine Kopfzeile und mindestens eine Person sind nötig</translation>
+    </message>
+    <message>
+        <source>the column &quot;%1&quot; is not known, or is there twice</source>
+        <translation>die Spalte „%1“ ist unbekannt oder doppelt vorhanden</translation>
+    </message>
+    <message>
+        <source>the columns name, roles and password are needed</source>
+        <translation>die Spalten name, roles und password sind nötig</translation>
+    </message>
+    <message>
+        <source>has %1 fields instead of %2</source>
+        <translation>hat %1 Felder statt %2</translation>
+    </message>
+    <message>
+        <source>roles &quot;%1&quot;: only trainee, trainer, researcher and admin, separated by semicolons</source>
+        <translation>Rollen „%1“: nur trainee, trainer, researcher und admin, durch Semikolon getrennt</translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; cannot be used</source>
+        <translation>der Name „%1“ ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>the full name is too long</source>
+        <translation>der vollständige Name ist zu lang</translation>
+    </message>
+    <message>
+        <source>the password needs %1 characters, %2 different ones, and must not be the name</source>
+        <translation>das Passwort braucht %1 Zeichen, davon %2 verschiedene, und darf nicht der Name sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is in line %2 already</source>
+        <translation>„%1“ steht schon in Zeile %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is on this site already</source>
+        <translation>„%1“ gibt es an diesem Standort schon</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>Screens</name>
     <message>
         <source>Welcome</source>
@@ -929,6 +996,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Exercise</source>
         <translation>Übung</translation>
     </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
 </context>
 <context>
     <name>SessionWords</name>
@@ -974,7 +1045,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Familiarisation</source>
-        <translation>Eingewöhnung</translation>
+        <translation>Nur Eingewöhnung</translation>
     </message>
     <message>
         <source>Felt</source>
@@ -1408,6 +1479,47 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::AddPersonDialog</name>
+    <message>
+        <source>Add a person</source>
+        <translation>Person hinzufügen</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Without commas. It cannot be changed later.</source>
+        <translation>Ohne Kommas. Er lässt sich später nicht ändern.</translation>
+    </message>
+    <message>
+        <source>Full name (may be left empty)</source>
+        <translation>Vollständiger Name (darf leer bleiben)</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>This name cannot be used: no commas, no spaces at the ends, at most %1 characters, and not a name that the program keeps for itself.</source>
+        <translation>Dieser Name ist nicht möglich: keine Kommas, keine Leerzeichen am Anfang oder Ende, höchstens %1 Zeichen und kein Name, den das Programm selbst benutzt.</translation>
+    </message>
+    <message>
+        <source>%1 was not added: somebody has this name already. Names differ by more than capital letters.</source>
+        <translation>%1 wurde nicht hinzugefügt: Dieser Name ist schon vergeben. Groß- und Kleinschreibung allein unterscheidet Namen nicht.</translation>
+    </message>
+    <message>
+        <source>%1 was not added.
+%2</source>
+        <translation>%1 wurde nicht hinzugefügt.
+%2</translation>
+    </message>
+    <message>
+        <source>%1 was added.</source>
+        <translation>%1 wurde hinzugefügt.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AdministratorPage</name>
     <message>
         <source>Who looks after this site?</source>
@@ -1479,6 +1591,13 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     <message>
         <source>Level %1</source>
         <translation>Stufe %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ChoiceTile</name>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
     </message>
 </context>
 <context>
@@ -1571,7 +1690,7 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     </message>
     <message>
         <source>Resume (Space)</source>
-        <translation>Fortsetzen (Leertaste)</translation>
+        <translation>Weiter (Leertaste)</translation>
     </message>
     <message>
         <source>Re-arm (R)</source>
@@ -1774,6 +1893,71 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
 </context>
 <context>
+    <name>chiron::desktop::EraseDialog</name>
+    <message>
+        <source>Erase %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>This cannot be undone. Disabling the account keeps everything and can be undone.</source>
+        <translation>Das lässt sich nicht rückgängig machen. Wer das Konto nur deaktiviert, behält alles und kann es zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Overwritten: name, code, password, comments and reasons in free text.</source>
+        <translation>Überschrieben werden: Name, Code, Passwort, Kommentare und Begründungen im Freitext.</translation>
+    </message>
+    <message>
+        <source>Kept without a name: sessions, scores, and that an erasure took place, when and why. Backups made before still hold the person until they are deleted; a restore erases the person again.</source>
+        <translation>Ohne Namen bleiben: Sitzungen, Wertungen und der Vermerk, dass, wann und warum gelöscht wurde. Ältere Sicherungen enthalten die Person, bis sie selbst gelöscht werden; beim Wiederherstellen wird die Person erneut gelöscht.</translation>
+    </message>
+    <message>
+        <source>Reason (kept)</source>
+        <translation>Begründung (bleibt gespeichert)</translation>
+    </message>
+    <message>
+        <source>Consent is withdrawn: overwrite the recordings too</source>
+        <translation>Einwilligung widerrufen: auch die Aufzeichnungen überschreiben</translation>
+    </message>
+    <message>
+        <source>Type the login name to confirm: %1</source>
+        <translation>Zur Bestätigung den Anmeldenamen eingeben: %1</translation>
+    </message>
+    <message>
+        <source>Your own password</source>
+        <translation>Ihr eigenes Passwort</translation>
+    </message>
+    <message>
+        <source>Erase for ever</source>
+        <translation>Endgültig löschen</translation>
+    </message>
+    <message>
+        <source>Nobody was erased: this is not your password.
+%1</source>
+        <translation>Es wurde niemand gelöscht: Das ist nicht Ihr Passwort.
+%1</translation>
+    </message>
+    <message>
+        <source>%1 is erased. Sessions and scores are kept without a name.</source>
+        <translation>%1 ist gelöscht. Sitzungen und Wertungen bleiben ohne Namen erhalten.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be erased now: nobody can erase themselves, and no session may be running.</source>
+        <translation>%1 kann jetzt nicht gelöscht werden: Niemand kann sich selbst löschen, und es darf keine Sitzung laufen.</translation>
+    </message>
+    <message>
+        <source>The erasure of %1 is not complete: old copies may still lie in the file. Press the button again; it goes on where it stopped.
+%2</source>
+        <translation>Die Löschung von %1 ist nicht vollständig: In der Datei können noch alte Kopien liegen. Drücken Sie die Schaltfläche erneut; es geht dort weiter, wo es aufhörte.
+%2</translation>
+    </message>
+    <message>
+        <source>%1 was not erased.
+%2</source>
+        <translation>%1 wurde nicht gelöscht.
+%2</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::ExerciseCard</name>
     <message>
         <source>Passed, felt and shown</source>
@@ -1827,7 +2011,7 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>Familiarisation: recorded, but not counted</source>
-        <translation>Eingewöhnung: aufgezeichnet, aber nicht gezählt</translation>
+        <translation>Eingewöhnung (zählt nicht)</translation>
     </message>
     <message>
         <source>Start</source>
@@ -2003,6 +2187,21 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::FormDialog</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Working …</source>
+        <translation>Bitte warten …</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -2597,6 +2796,37 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
     </message>
 </context>
 <context>
+    <name>chiron::desktop::PasswordChoice</name>
+    <message>
+        <source>First password</source>
+        <translation>Erstes Passwort</translation>
+    </message>
+    <message>
+        <source>Make one up (shown once)</source>
+        <translation>Erzeugen (wird einmal gezeigt)</translation>
+    </message>
+    <message>
+        <source>Type one</source>
+        <translation>Selbst eingeben</translation>
+    </message>
+    <message>
+        <source>It has to be changed at the next login, so that only its owner knows it.</source>
+        <translation>Es muss bei der nächsten Anmeldung geändert werden, damit nur die Person selbst es kennt.</translation>
+    </message>
+    <message>
+        <source>Hand this password to %1. It is shown only now and has to be changed at the next login.</source>
+        <translation>Geben Sie dieses Passwort an %1 weiter. Es wird nur jetzt gezeigt und muss bei der nächsten Anmeldung geändert werden.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Kopiert</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PasswordFields</name>
     <message>
         <source>New password</source>
@@ -2633,6 +2863,176 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
     <message>
         <source>Still missing: %1</source>
         <translation>Fehlt noch: %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PeopleModel</name>
+    <message>
+        <source>Disabled</source>
+        <translation>Deaktiviert</translation>
+    </message>
+    <message>
+        <source>Must change the password</source>
+        <translation>Muss das Passwort ändern</translation>
+    </message>
+    <message>
+        <source>Can log in</source>
+        <translation>Kann sich anmelden</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation>Vollständiger Name</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Account</source>
+        <translation>Konto</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PeopleScreen</name>
+    <message>
+        <source>Add a person</source>
+        <translation>Person hinzufügen</translation>
+    </message>
+    <message>
+        <source>Import roster</source>
+        <translation>Liste importieren</translation>
+    </message>
+    <message>
+        <source>Find a person</source>
+        <translation>Person suchen</translation>
+    </message>
+    <message>
+        <source>Choose a person in the list first.</source>
+        <translation>Wählen Sie zuerst eine Person in der Liste.</translation>
+    </message>
+    <message>
+        <source>Change roles</source>
+        <translation>Rollen ändern</translation>
+    </message>
+    <message>
+        <source>Reset password</source>
+        <translation>Passwort zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Disable or enable</source>
+        <translation>Deaktivieren oder aktivieren</translation>
+    </message>
+    <message>
+        <source>Export everything held</source>
+        <translation>Alle Daten exportieren</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>%1 can log in again.</source>
+        <translation>%1 kann sich wieder anmelden.</translation>
+    </message>
+    <message>
+        <source>%1 can no longer log in. What was recorded is kept.</source>
+        <translation>%1 kann sich nicht mehr anmelden. Aufgezeichnetes bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>%1 stays enabled: a site needs an administrator who can log in. Make another person an administrator first.</source>
+        <translation>%1 bleibt aktiviert: Ein Standort braucht eine Administration, die sich anmelden kann. Geben Sie zuerst einer anderen Person diese Rolle.</translation>
+    </message>
+    <message>
+        <source>The account of %1 is as it was.</source>
+        <translation>Das Konto von %1 ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Export everything held about %1</source>
+        <translation>Alle Daten über %1 exportieren</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Everything held about %1 is in %2.</source>
+        <translation>Alle Daten über %1 stehen in %2.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported about %1.</source>
+        <translation>Über %1 wurde nichts exportiert.</translation>
+    </message>
+    <message>
+        <source>Import people from a CSV file</source>
+        <translation>Personen aus einer CSV-Datei importieren</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv);;All files (*)</source>
+        <translation>CSV (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read, or is too large for a list of people. Nothing was changed.</source>
+        <translation>%1 ist nicht lesbar oder zu groß für eine Personenliste. Es wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Everybody who has an account on this site.
+
+Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A new password has to be changed by its owner at the next login.
+
+&quot;Import roster&quot; reads a CSV file with the columns name, display_name, roles and password, and shows first what it would do: everybody in it is added, or nobody.
+
+&quot;Export&quot; writes everything that is held about a person to one file. &quot;Erase&quot; overwrites who the person was, for ever.</source>
+        <translation>Alle, die an diesem Standort ein Konto haben.
+
+Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern und Deaktivieren wirken sofort und lassen sich rückgängig machen. Ein neues Passwort muss die Person bei der nächsten Anmeldung ändern.
+
+„Liste importieren“ liest eine CSV-Datei mit den Spalten name, display_name, roles und password und zeigt zuerst, was geschehen würde: Alle darin werden hinzugefügt oder niemand.
+
+„Exportieren“ schreibt alle Daten über eine Person in eine Datei. „Löschen“ überschreibt endgültig, wer die Person war.</translation>
+    </message>
+    <message>
+        <source>Reading the people …</source>
+        <translation>Personen werden gelesen …</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>Deaktivieren</translation>
+    </message>
+    <message>
+        <source>The people could not be read.</source>
+        <translation>Die Personen konnten nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Nobody is chosen</source>
+        <translation>Niemand ausgewählt</translation>
+    </message>
+    <message>
+        <source>Choose a person in the list to change or export something.</source>
+        <translation>Wählen Sie eine Person in der Liste, um etwas zu ändern oder zu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Code %1: what researchers see in the place of the name.</source>
+        <translation>Code %1: Das sehen Forschende anstelle des Namens.</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>Aktivieren</translation>
     </message>
 </context>
 <context>
@@ -2798,11 +3198,11 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     </message>
     <message>
         <source>Trial %1 · paused · force %2 · speed %3</source>
-        <translation>Durchgang %1 · Pause · Kraft %2 · Geschwindigkeit %3</translation>
+        <translation>Durchgang %1 · Pause · Kraft %2 · Tempo %3</translation>
     </message>
     <message>
         <source>Trial %1 · force %2 · speed %3</source>
-        <translation>Durchgang %1 · Kraft %2 · Geschwindigkeit %3</translation>
+        <translation>Durchgang %1 · Kraft %2 · Tempo %3</translation>
     </message>
     <message>
         <source>The comments could not be read.</source>
@@ -2905,6 +3305,31 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     <message>
         <source>Checking …</source>
         <translation>Wird geprüft …</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ResetPasswordDialog</name>
+    <message>
+        <source>New password for %1</source>
+        <translation>Neues Passwort für %1</translation>
+    </message>
+    <message>
+        <source>The present password stops working at once. Sessions and scores are kept.</source>
+        <translation>Das jetzige Passwort gilt ab sofort nicht mehr. Sitzungen und Wertungen bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>Set the password</source>
+        <translation>Passwort festlegen</translation>
+    </message>
+    <message>
+        <source>The password of %1 is as it was.
+%2</source>
+        <translation>Das Passwort von %1 ist unverändert.
+%2</translation>
+    </message>
+    <message>
+        <source>%1 has a new password.</source>
+        <translation>%1 hat ein neues Passwort.</translation>
     </message>
 </context>
 <context>
@@ -3046,6 +3471,146 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
     </message>
 </context>
 <context>
+    <name>chiron::desktop::RoleChoice</name>
+    <message>
+        <source>Trains, and sees own results</source>
+        <translation>Trainiert und sieht die eigenen Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Sees everybody&apos;s sessions, comments and voids them</source>
+        <translation>Sieht die Sitzungen aller, kommentiert sie und erklärt sie für ungültig</translation>
+    </message>
+    <message>
+        <source>Sees sessions by code, without names</source>
+        <translation>Sieht Sitzungen mit Code, ohne Namen</translation>
+    </message>
+    <message>
+        <source>Looks after people, storage and the station</source>
+        <translation>Betreut Personen, Speicher und Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>Roles (one at least)</source>
+        <translation>Rollen (mindestens eine)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RolesDialog</name>
+    <message>
+        <source>Roles of %1</source>
+        <translation>Rollen von %1</translation>
+    </message>
+    <message>
+        <source>It takes effect at once, also for somebody who is logged in.</source>
+        <translation>Die Änderung gilt sofort, auch für Personen, die gerade angemeldet sind.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>The roles of %1 are changed.</source>
+        <translation>Die Rollen von %1 sind geändert.</translation>
+    </message>
+    <message>
+        <source>%1 stays an administrator: a site needs one who can log in. Make another person an administrator first.</source>
+        <translation>%1 behält die Administration: Ein Standort braucht jemanden dafür, der sich anmelden kann. Geben Sie zuerst einer anderen Person diese Rolle.</translation>
+    </message>
+    <message>
+        <source>The roles of %1 were not changed.
+%2</source>
+        <translation>Die Rollen von %1 wurden nicht geändert.
+%2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RosterDialog</name>
+    <message>
+        <source>Import people</source>
+        <translation>Personen importieren</translation>
+    </message>
+    <message>
+        <source>From %1. Nothing is changed before you press Import.</source>
+        <translation>Aus %1. Es ändert sich nichts, bevor Sie „Importieren“ drücken.</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Reading the list …</source>
+        <translation>Liste wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The list could not be compared with the people on this site.</source>
+        <translation>Die Liste konnte nicht mit den Personen dieses Standorts verglichen werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people would be added. Each must choose a password of their own at the first login.</source>
+        <translation>
+            <numerusform>%n Person würde hinzugefügt. Sie muss bei der ersten Anmeldung ein eigenes Passwort wählen.</numerusform>
+            <numerusform>%n Personen würden hinzugefügt. Jede muss bei der ersten Anmeldung ein eigenes Passwort wählen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n people</source>
+        <translation>
+            <numerusform>%n Person importieren</numerusform>
+            <numerusform>%n Personen importieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing can be imported yet: put these lines right in the file, then choose it again.</source>
+        <translation>Es kann noch nichts importiert werden: Berichtigen Sie diese Zeilen in der Datei und wählen Sie sie erneut.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>People in the list</source>
+        <translation>Personen in der Liste</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation>Vollständiger Name</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Nobody was added.
+%1</source>
+        <translation>Es wurde niemand hinzugefügt.
+%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people were added.</source>
+        <translation>
+            <numerusform>%n Person wurde hinzugefügt.</numerusform>
+            <numerusform>%n Personen wurden hinzugefügt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Adding %n people …</source>
+        <translation>
+            <numerusform>%n Person wird hinzugefügt …</numerusform>
+            <numerusform>%n Personen werden hinzugefügt …</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::Scrubber</name>
     <message>
         <source>Position in the recording</source>
@@ -3060,7 +3625,7 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
     </message>
     <message>
         <source>Search: person, exercise, number</source>
-        <translation>Suchen: Person, Übung, Nummer</translation>
+        <translation>Person, Übung, Nummer</translation>
     </message>
     <message>
         <source>Archived too</source>
@@ -3402,7 +3967,7 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
     </message>
     <message>
         <source>Play contact and limit sounds while training</source>
-        <translation>Beim Training Töne für Kontakt und Grenze abspielen</translation>
+        <translation>Töne für Kontakt und Grenze</translation>
     </message>
     <message>
         <source>Everything that can be heard is also shown.</source>
@@ -4194,7 +4759,7 @@ Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
     </message>
     <message>
         <source>Error in locating the apex</source>
-        <translation>Abweichung vom Scheitel</translation>
+        <translation>Scheitelfehler</translation>
     </message>
     <message>
         <source>The session over time</source>
@@ -4354,11 +4919,11 @@ Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
     </message>
     <message>
         <source>Error in x (% of radius)</source>
-        <translation>Abweichung in x (% des Radius)</translation>
+        <translation>Fehler in x (% des Radius)</translation>
     </message>
     <message>
         <source>Error in y (% of radius)</source>
-        <translation>Abweichung in y (% des Radius)</translation>
+        <translation>Fehler in y (% des Radius)</translation>
     </message>
     <message>
         <source>outline</source>
@@ -4378,7 +4943,7 @@ Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
     </message>
     <message>
         <source>% error in locating virtual spheres</source>
-        <translation>% Abweichung beim Orten virtueller Kugeln</translation>
+        <translation>% Fehler beim Orten virtueller Kugeln</translation>
     </message>
     <message>
         <source>Trial</source>
@@ -4386,7 +4951,7 @@ Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
     </message>
     <message>
         <source>Error (% of radius)</source>
-        <translation>Abweichung (% des Radius)</translation>
+        <translation>Fehler (% des Radius)</translation>
     </message>
     <message>
         <source>session</source>

@@ -134,6 +134,44 @@
     </message>
 </context>
 <context>
+    <name>chiron::desktop::RosterDialog</name>
+    <message numerus="yes">
+        <source>%n people would be added. Each must choose a password of their own at the first login.</source>
+        <translation>
+            <numerusform>%n person would be added. They must choose a password of their own at the first login.</numerusform>
+            <numerusform>%n people would be added. Each must choose a password of their own at the first login.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n people</source>
+        <translation>
+            <numerusform>Import %n person</numerusform>
+            <numerusform>Import %n people</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people were added.</source>
+        <translation>
+            <numerusform>%n person was added.</numerusform>
+            <numerusform>%n people were added.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Adding %n people …</source>
+        <translation>
+            <numerusform>Adding %n person …</numerusform>
+            <numerusform>Adding %n people …</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::SessionsScreen</name>
     <message numerus="yes">
         <source>%n session(s)</source>
