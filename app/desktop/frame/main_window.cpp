@@ -112,6 +112,7 @@ void MainWindow::showPlace(const Place& place) {
     m_banner->setVisible(m_context.site().isOpen() && m_context.site().database().isDemonstration());
     m_screen = entry->make(m_context, place);
     m_stage->addWidget(m_screen);
+    m_screen->show(); // now, so that enter() can give one of its controls the focus
     m_sideBar->showCurrent(place.screen);
     setWindowTitle(tr("%1 - Chiron").arg(m_screen->title()));
     renewShortcuts();
