@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
+#include <QScrollBar>
 
 namespace chiron::desktop {
 
@@ -21,16 +22,16 @@ const QString kName = QStringLiteral("name");
 } // namespace
 
 FirstStartScreen::FirstStartScreen(AppContext& context, const Place& place) : Screen(context, place) {
-    auto* page = new ScrollPage(context.theme(), 640);
+    m_scroll = new ScrollPage(context.theme(), 640);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(page);
-    page->column()->addStretch(1);
+    column->addWidget(m_scroll);
+    m_scroll->column()->addStretch(1);
     m_room = new QVBoxLayout;
-    page->column()->addLayout(m_room);
-    page->column()->addStretch(1);
+    m_scroll->column()->addLayout(m_room);
+    m_scroll->column()->addStretch(1);
     m_language = form::languageChoice(context);
-    page->column()->addWidget(m_language, 0, Qt::AlignHCenter);
+    m_scroll->column()->addWidget(m_language, 0, Qt::AlignHCenter);
     // Built anew in another language or theme while the code was shown: it must not be lost.
     if (const QString code = place.parameters.value(kCode).toString(); !code.isEmpty())
         showRecoveryCode(place.parameters.value(kName).toString(), code);
@@ -82,6 +83,8 @@ void FirstStartScreen::setPage(QWidget* page) {
     m_room->addWidget(page);
     if (isVisible())
         page->show(); // now, so that it can take the focus
+    // A page begins at its top, once it has its size.
+    QMetaObject::invokeMethod(this, [this] { m_scroll->verticalScrollBar()->setValue(0); }, Qt::QueuedConnection);
 }
 
 QWidget* FirstStartScreen::choice(const QString& icon, const QString& title, const QString& text, QPushButton* button) {

@@ -13,6 +13,7 @@ namespace chiron::desktop {
 
 class AdministratorPage;
 class RecoveryCodePanel;
+class ScrollPage;
 class StatePanel;
 
 /// The first start on this station: set the site up with its administrator, or look at the demonstration. Also where a
@@ -44,6 +45,7 @@ private:
 
     std::shared_ptr<WorkToken> m_work; ///< of the demonstration
     QComboBox* m_language;
+    ScrollPage* m_scroll;
     QVBoxLayout* m_room = nullptr;
     QWidget* m_page = nullptr;
     QPointer<AdministratorPage> m_administrator;

@@ -14,6 +14,7 @@
 #include "session/demo_site.h"
 
 #include <QComboBox>
+#include <QScrollBar>
 
 namespace chiron::desktop {
 
@@ -39,10 +40,10 @@ Recovered recoverAndLogIn(database::Database& database, const std::string& name,
 
 LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(context, place) {
     const Theme& theme = context.theme();
-    auto* page = new ScrollPage(theme, 460);
+    m_scroll = new ScrollPage(theme, 460);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(page);
+    column->addWidget(m_scroll);
     auto* heading = kit::label(theme, QStringLiteral("Chiron"), TextStyle::display);
     heading->setAlignment(Qt::AlignCenter);
     const kit::Box box = kit::box(theme);
@@ -54,11 +55,11 @@ LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(conte
     m_form = new LoginForm(theme);
     m_site->setContent(m_form);
     m_room->addWidget(m_site);
-    page->column()->addStretch(1);
-    page->column()->addWidget(heading);
-    page->column()->addWidget(box.frame);
-    page->column()->addStretch(1);
-    page->column()->addWidget(form::languageChoice(context), 0, Qt::AlignHCenter);
+    m_scroll->column()->addStretch(1);
+    m_scroll->column()->addWidget(heading);
+    m_scroll->column()->addWidget(box.frame);
+    m_scroll->column()->addStretch(1);
+    m_scroll->column()->addWidget(form::languageChoice(context), 0, Qt::AlignHCenter);
     connect(m_form, &LoginForm::submitted, this, &LoginScreen::logIn);
     connect(m_form, &LoginForm::forgotten, this, &LoginScreen::showRecovery);
     m_site->showLoading(tr("Opening the site …"));
@@ -131,6 +132,8 @@ void LoginScreen::setPage(QWidget* page) {
         return;
     m_room->addWidget(page);
     page->show(); // now, so that it can take the focus
+    // A page begins at its top, once it has its size.
+    QMetaObject::invokeMethod(this, [this] { m_scroll->verticalScrollBar()->setValue(0); }, Qt::QueuedConnection);
 }
 
 void LoginScreen::showForm() {

@@ -16,6 +16,7 @@ namespace chiron::desktop {
 class LoginForm;
 class NewPasswordPage;
 class RecoveryPage;
+class ScrollPage;
 class StatePanel;
 
 /// Who is this? People by name, the password, what to do when it is forgotten. The first screen that is painted: its names
@@ -43,6 +44,7 @@ private:
     void changePassword(NewPasswordPage* page, const database::Actor& actor, const QString& oldPassword, const QString& newPassword);
     void recover(RecoveryPage* page, const QString& name, const QString& code, const QString& newPassword);
 
+    ScrollPage* m_scroll;
     StatePanel* m_site; ///< opening, failed, or there
     QVBoxLayout* m_room = nullptr;
     QWidget* m_page = nullptr;

@@ -26,6 +26,8 @@ FormDialog::FormDialog(AppContext& context, const QString& objectName, const QSt
     column->setContentsMargins(0, 0, 0, theme.px(16));
     m_page = new ScrollPage(theme, 0);
     column->addWidget(m_page, 1);
+    column->addWidget(kit::rule());
+    column->addSpacing(theme.px(10));
     m_body = new QWidget;
     m_form = new QVBoxLayout(m_body);
     m_form->setContentsMargins(0, 0, 0, 0);

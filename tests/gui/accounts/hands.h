@@ -18,13 +18,23 @@ inline void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
 inline void type(const QString& text) {
     QTest::keyClicks(QApplication::focusWidget(), text);
 }
+/// Name of the control with the focus; empty while there is none (a screen that is just coming up).
+inline QString focusName() {
+    return QApplication::focusWidget() ? QApplication::focusWidget()->objectName() : QString();
+}
+/// What was shown before is gone, and what came has its place: as it is when a person looks at it.
+inline void settle() {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QTest::qWait(50);
+}
+
 /// Tab until the control of this name has the focus; false where the keyboard does not reach it.
 inline bool tabTo(const QString& name) {
     QStringList passed;
     for (int i = 0; i < 60; ++i) {
-        if (QApplication::focusWidget() && QApplication::focusWidget()->objectName() == name)
+        if (focusName() == name)
             return true;
-        passed << (QApplication::focusWidget() ? QApplication::focusWidget()->objectName() : QStringLiteral("(nothing)"));
+        passed << focusName();
         press(Qt::Key_Tab);
     }
     qWarning("%s was not reached, but %s", qPrintable(name), qPrintable(passed.join(QLatin1Char(' '))));

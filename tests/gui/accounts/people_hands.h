@@ -21,6 +21,7 @@ public:
         go(QStringLiteral("people"));
         if (!QTest::qWaitFor([this] { return table()->model()->rowCount() > 0; }, 10000))
             qFatal("the people were not listed");
+        settle();
         QObject::connect(&context.messages(), &desktop::Messages::told, &context.messages(),
                          [this](const desktop::Message& message) { told << message.text; lastAction = message.action; });
     }

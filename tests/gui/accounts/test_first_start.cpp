@@ -89,7 +89,7 @@ void TestFirstStart::fillForm(const QString& name) {
 void TestFirstStart::setUpByKeyboardThenRecover() {
     EmptyStation station;
     station.show("first_start");
-    QTRY_VERIFY(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QLatin1String("first_start.set_up"));
+    QTRY_VERIFY(focusName() == QLatin1String("first_start.set_up"));
     press(Qt::Key_Space);
     fillForm(QStringLiteral("ada"));
     QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), 20000);
@@ -112,7 +112,7 @@ void TestFirstStart::setUpByKeyboardThenRecover() {
     station.context.logOut();
     QTRY_VERIFY(station.find<QPushButton>("login.forgotten") && station.find<QPushButton>("login.forgotten")->isVisible());
     QTest::mouseClick(station.find<QPushButton>("login.forgotten"), Qt::LeftButton);
-    QTRY_VERIFY(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QLatin1String("recovery.name"));
+    QTRY_VERIFY(focusName() == QLatin1String("recovery.name"));
     type(QStringLiteral("ada"));
     QVERIFY(tabTo(QStringLiteral("recovery.code_field")));
     type(code.toLower()); // however it is typed

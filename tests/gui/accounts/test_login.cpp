@@ -36,7 +36,7 @@ private:
 void TestLogin::openLogin(DesktopFixture& desktop) {
     desktop.context.navigator().replace({QStringLiteral("login"), {}});
     QTRY_VERIFY(desktop.find<QListWidget>(QStringLiteral("login.people"))->count() > 0);
-    QTRY_VERIFY(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QLatin1String("login.name"));
+    QTRY_VERIFY(focusName() == QLatin1String("login.name"));
 }
 
 void TestLogin::tryPassword(DesktopFixture& desktop, const QString& name, const QString& password) {
@@ -59,7 +59,7 @@ void TestLogin::namesAreFoundByTyping() {
     press(Qt::Key_Down);
     press(Qt::Key_Down);
     press(Qt::Key_Return);
-    QTRY_COMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("login.password"));
+    QTRY_COMPARE(focusName(), QStringLiteral("login.password"));
     QCOMPARE(desktop.find<QLineEdit>(QStringLiteral("login.name"))->text(), QStringLiteral("tina"));
     type(QLatin1String(kTestPassword));
     press(Qt::Key_Return);
@@ -119,7 +119,7 @@ void TestLogin::resetForcesAPasswordOfOnesOwn() {
     tryPassword(desktop, QStringLiteral("tina"), QStringLiteral("given-by-ada-1"));
     QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPushButton>(QStringLiteral("change.save")), 10000);
     QVERIFY(!desktop.context.loggedIn());
-    QTRY_COMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("change.password"));
+    QTRY_COMPARE(focusName(), QStringLiteral("change.password"));
     type(QStringLiteral("given-by-ada-1"));
     press(Qt::Key_Return);
     type(QStringLiteral("given-by-ada-1"));
@@ -142,7 +142,7 @@ void TestLogin::othersAreToldWhomToAsk() {
     desktop.find<QLineEdit>(QStringLiteral("login.name"))->setText(QStringLiteral("tina"));
     desktop.find<QPushButton>(QStringLiteral("login.forgotten"))->click();
     QCOMPARE(desktop.find<QLineEdit>(QStringLiteral("recovery.name"))->text(), QStringLiteral("tina"));
-    QTRY_COMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("recovery.code_field"));
+    QTRY_COMPARE(focusName(), QStringLiteral("recovery.code_field"));
     VERIFY_READABLE(desktop.window->screen());
     type(QStringLiteral("AAAAA-AAAAA-AAAAA-AAAAA-AAAAA"));
     for (const char* field : {"recovery.password", "recovery.repeat"})

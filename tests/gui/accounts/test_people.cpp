@@ -42,7 +42,7 @@ void TestPeople::addByKeyboardAndHandThePasswordOver() {
     picture(desk.window.get(), QStringLiteral("people"));
     press(Qt::Key_N, Qt::ControlModifier);
     QTRY_VERIFY(desk.dialog("add_person") && desk.dialog("add_person")->isActiveWindow());
-    QTRY_COMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("add_person.name"));
+    QTRY_COMPARE(focusName(), QStringLiteral("add_person.name"));
     QVERIFY(!desk.isEnabled("add_person.accept"));
     type(QStringLiteral("uma"));
     VERIFY_READABLE(desk.dialog("add_person"));
@@ -63,7 +63,7 @@ void TestPeople::addByKeyboardAndHandThePasswordOver() {
 
 void TestPeople::findByTyping() {
     PeopleDesk desk;
-    QTRY_COMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("people.search"));
+    QTRY_COMPARE(focusName(), QStringLiteral("people.search"));
     type(QStringLiteral("trainer"));
     QCOMPARE(desk.table()->model()->rowCount(), 1); // by role
     QVERIFY(desk.rowOf(QStringLiteral("tom")) == 0);
@@ -206,7 +206,7 @@ void TestPeople::fitsAtEveryScale() {
     desk.settings.setScale(scale);
     desk.settings.setTheme(static_cast<desktop::ThemeName>(theme));
     desk.context.applyAppearance();
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // what was shown before is gone
+    settle();
     QTRY_VERIFY(desk.table() && desk.table()->model()->rowCount() == 5);
     desk.choose(QStringLiteral("tina"));
     VERIFY_READABLE(desk.window->screen());
