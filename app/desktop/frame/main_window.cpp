@@ -74,7 +74,10 @@ void MainWindow::build() {
     column->addWidget(m_messages);
     row->addLayout(column, 1);
     connect(&m_context.messages(), &Messages::told, m_messages, &MessageBar::tell);
+    if (QWidget* before = centralWidget())
+        before->setEnabled(false); // work that ends before it is deleted must not move the focus into it
     setCentralWidget(m_frame); // deletes the frame before
+    m_frame->show(); // now: nothing in a hidden frame can take the focus
 }
 
 QWidget* MainWindow::banner() const {
@@ -106,6 +109,7 @@ void MainWindow::showPlace(const Place& place) {
     else if (m_screen) {
         m_stage->removeWidget(m_screen);
         m_screen->hide();
+        m_screen->setEnabled(false); // work that ends meanwhile must not move the focus into it
         m_screen->deleteLater(); // the call may come from one of its own buttons
     }
     m_sideBar->setVisible(entry->framed && m_context.loggedIn());
@@ -128,7 +132,10 @@ void MainWindow::renewShortcuts() {
                 continue;
             auto* shortcut = new QShortcut(command.keys, this);
             connect(shortcut, &QShortcut::activated, m_shortcuts, command.act, Qt::QueuedConnection); // the act may renew the shortcuts
-            connect(m_shortcuts, &QObject::destroyed, shortcut, &QObject::deleteLater);
+            connect(m_shortcuts, &QObject::destroyed, shortcut, [shortcut] {
+                shortcut->setEnabled(false); // at once: two for the same keys would be ambiguous, and neither would act
+                shortcut->deleteLater();
+            });
         }
     }
 }
