@@ -61,6 +61,14 @@ void PlotView::setLegendShown(bool shown) {
     m_impl->plot->legend->setMaximumSize(QWIDGETSIZE_MAX, shown ? QWIDGETSIZE_MAX : 0);
 }
 
+QStringList PlotView::legendTexts() const {
+    QStringList texts;
+    for (int i = 0; i < m_impl->plot->legend->itemCount(); ++i)
+        if (auto* item = qobject_cast<QCPPlottableLegendItem*>(m_impl->plot->legend->item(i)))
+            texts << item->plottable()->name();
+    return texts;
+}
+
 void PlotView::addLine(const QString& name, std::span<const double> x, std::span<const double> y,
                        PlotStyle style) {
     QCPGraph* graph = m_impl->addGraph(name);

@@ -5,6 +5,7 @@
 #include "report/plot_theme.h"
 #include "report/report_data.h"
 
+#include <QStringList>
 #include <QWidget>
 #include <functional>
 #include <memory>
@@ -49,6 +50,8 @@ public:
     void setEqualScale(bool equal);
     /// Off where a plot beside it explains the lines already.
     void setLegendShown(bool shown);
+    /// What the legend names, in its order.
+    QStringList legendTexts() const;
 
     /// A line; long series are reduced to first, minimum, maximum, last of each pixel column, so that every
     /// peak stays.

@@ -143,7 +143,7 @@ void PlotView::Impl::prepare(QSize size) {
     }
     const int axisWidth = plot->axisRect()->width();
     // Low plots have fewer numbers, so that none lies upon another.
-    plot->yAxis->ticker()->setTickCount(std::clamp(static_cast<int>(plot->axisRect()->height() / (24.0 * theme.scale)), 1, 5));
+    plot->yAxis->ticker()->setTickCount(std::clamp(static_cast<int>(plot->axisRect()->height() / (24.0 * theme.scale)), 2, 5));
     fillLines(2 *
               std::max(axisWidth, 50)); // two samples a logical pixel: pictures are written at twice the size
     placeEventLabels(axisWidth);

@@ -76,6 +76,8 @@ void DebriefScreen::load() {
 
 void DebriefScreen::showHead(DebriefHead head) {
     m_head = std::move(head);
+    for (report::MetricRow& row : m_head->report.metrics)
+        row.unit = unitText(row.unit);
     m_column->addWidget(headBox());
     m_column->addWidget(verdictBox());
     if (!m_head->report.metrics.empty())
@@ -120,7 +122,7 @@ void DebriefScreen::showDetails(const DebriefDetails& details) {
     m_worstMoment = details.worst;
     if (details.worst) {
         const QLocale locale = context().locale();
-        const QString value = report::formatValue(details.worst->value, QString::fromStdString(details.worst->unit), locale);
+        const QString value = report::formatValue(details.worst->value, unitText(QString::fromStdString(details.worst->unit)), locale);
         m_worst->setText(tr("Worst moment"));
         m_worst->setToolTip(tr("%1: %2 in trial %3, at %4")
                                 .arg(metricTitle(QString::fromStdString(details.worst->reason)), value,

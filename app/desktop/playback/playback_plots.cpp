@@ -13,7 +13,7 @@ namespace chiron::desktop {
 namespace {
 constexpr double kLeftMargin = 64.0;
 constexpr int kForceHeight_px = 170;
-constexpr int kSpeedHeight_px = 118;
+constexpr int kSpeedHeight_px = 134;
 } // namespace
 
 PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, QWidget* parent)
@@ -57,6 +57,8 @@ void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, c
     slim(*force, {});
     slim(*speed, tr("Time (s)"));
     speed->setLegendShown(false); // the same lines as above
+    speed->setYAxis({QString(), 0.0, {}}); // across the top instead: no language's word for it fits up the side of a low plot
+    speed->setTitle(tr("Speed (mm/s)"));
     put(std::move(force), m_force, "playback.force", kForceHeight_px);
     put(std::move(speed), m_speed, "playback.speed_plot", kSpeedHeight_px);
 }

@@ -50,6 +50,7 @@ void Scrubber::setPosition(double t_s) {
     m_position_s = t_s;
     const QSignalBlocker quiet(this);
     setValue(qRound(1e3 * t_s));
+    setAccessibleDescription(clockText(t_s, locale())); // its value alone would be read as thousands
     update();
 }
 

@@ -104,6 +104,12 @@ QString metricReason(const QString& reason) {
     return reason;
 }
 
+QString unitText(const QString& unit) {
+    constexpr const char* kOfRadius = QT_TRANSLATE_NOOP("Metrics", "% of R");
+    const QString words = inLanguage(unit, kOfRadius);
+    return words.isEmpty() ? unit : words;
+}
+
 QString bandSourceText(const QString& source) {
     for (const char* known : kBandSources)
         if (const QString text = inLanguage(source, known); !text.isEmpty())

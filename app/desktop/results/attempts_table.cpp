@@ -49,7 +49,7 @@ void AttemptsTable::show(const std::vector<Attempt>& attempts, const QString& me
         put(row, 2, feltText(summary.felt));
         put(row, 4, outcomeText(summary), outcomeIcon(summary), outcomeColour(summary));
         const scoring::MetricValue* value = attempt.metric(metric.toStdString());
-        put(row, 3, value ? report::formatValue(value->value, QString::fromStdString(value->unit), m_locale) : QStringLiteral("–"));
+        put(row, 3, value ? report::formatValue(value->value, unitText(QString::fromStdString(value->unit)), m_locale) : QStringLiteral("–"));
         item(row, 3)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
     setRowsSeen(std::clamp(rowCount(), 1, kMostRowsSeen));

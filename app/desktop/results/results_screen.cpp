@@ -201,7 +201,7 @@ report::MetricRow ResultsScreen::metricRow(const std::vector<Attempt>& attempts)
     row.id = m_metric->currentData().toString();
     for (const Attempt& attempt : attempts)
         if (const scoring::MetricValue* value = attempt.metric(row.id.toStdString()))
-            row.unit = QString::fromStdString(value->unit);
+            row.unit = unitText(QString::fromStdString(value->unit));
     const catalogue::ExerciseLevel* level =
         context().site().catalogue().find(m_exercise->currentData().toString().toStdString(), m_level->currentData().toInt());
     for (const scoring::Gate& gate : level ? level->gates : std::vector<scoring::Gate>{}) {

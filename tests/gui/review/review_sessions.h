@@ -61,16 +61,20 @@ inline bool isLoaded(DesktopFixture& site) {
     return panelOf(site) && panelOf(site)->state() == desktop::StatePanel::State::content;
 }
 
-/// Nothing cut off, nothing without a name, at 100 and 200 % of the present theme. `show` brings the screen back after each change.
+/// What is cut off or without a name, at 100 and 200 % in every language. `show` brings the screen back after each change.
 template <class Show> QStringList findingsOn(DesktopFixture& site, Show show) {
     QStringList findings;
-    for (const double scale : {2.0, 1.0}) {
-        site.settings.setScale(scale);
-        site.context.applyAppearance();
-        site.window->resize(1280, 720);
-        show();
-        QTest::qWait(50); // layouts settle
-        findings << clippedOn(site.window->screen()) << unnamedOn(site.window->screen());
+    for (const char* language : {"de", "el", "en"}) {
+        for (const double scale : {2.0, 1.0}) {
+            site.settings.setLanguage(QLatin1String(language));
+            site.settings.setScale(scale);
+            site.context.applyAppearance();
+            site.window->resize(1280, 720);
+            show();
+            QTest::qWait(50); // layouts settle
+            for (const QString& finding : clippedOn(site.window->screen()) + unnamedOn(site.window->screen()))
+                findings << QStringLiteral("%1 %2: %3").arg(QLatin1String(language)).arg(scale).arg(finding);
+        }
     }
     return findings;
 }
@@ -96,6 +100,9 @@ template <class Show> void takePictures(DesktopFixture& site, const QString& nam
     look(desktop::ThemeName::dark, 1.0, "dark");
     look(desktop::ThemeName::highContrast, 1.0, "contrast");
     look(desktop::ThemeName::light, 2.0, "light200");
+    site.settings.setLanguage(QStringLiteral("de"));
+    look(desktop::ThemeName::light, 1.0, "german");
+    site.settings.setLanguage(QStringLiteral("en"));
     look(desktop::ThemeName::light, 1.0, "light");
 }
 

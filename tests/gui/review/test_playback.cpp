@@ -171,7 +171,14 @@ void TestPlayback::ghostBesideIt() {
     QCOMPARE(choice->findData(qlonglong(m_bad)), -1); // not beside itself
     choice->setCurrentIndex(mine);
     emit choice->activated(mine);
-    QTRY_COMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("ghost")).toLongLong(), m_good);
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("ghost")).toLongLong(), m_good);
+    auto* plots = screen()->findChild<desktop::PlaybackPlots*>();
+    const QString second = QStringLiteral("second session");
+    QTRY_VERIFY(plots->force().legendTexts().contains(second));
+    QVERIFY(plots->speed().legendTexts().contains(second));
+    choice->setCurrentIndex(0);
+    emit choice->activated(0);
+    QVERIFY(!plots->force().legendTexts().contains(second));
     tests::takePictures(*m_site, QStringLiteral("playback_ghost"), [this] {
         open(m_bad, {{QStringLiteral("at_s"), 4.5}, {QStringLiteral("ghost"), qlonglong(m_good)}});
         QTest::qWait(800);
