@@ -544,6 +544,10 @@ Einzelheiten: %2</translation>
         <source>published, 5 subjects × 10</source>
         <translation>veröffentlicht, 5 Personen × 10</translation>
     </message>
+    <message>
+        <source>% of R</source>
+        <translation>% von R</translation>
+    </message>
 </context>
 <context>
     <name>PlaybackMarks</name>
@@ -3040,6 +3044,10 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Time (s)</source>
         <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Geschwindigkeit (mm/s)</translation>
     </message>
 </context>
 <context>

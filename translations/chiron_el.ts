@@ -532,6 +532,10 @@ Details: %2</source>
         <source>published, 5 subjects × 10</source>
         <translation>δημοσιευμένη, 5 άτομα × 10</translation>
     </message>
+    <message>
+        <source>% of R</source>
+        <translation>% του R</translation>
+    </message>
 </context>
 <context>
     <name>PlaybackMarks</name>
@@ -2640,6 +2644,10 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message>
         <source>Time (s)</source>
         <translation>Χρόνος (s)</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Ταχύτητα (mm/s)</translation>
     </message>
 </context>
 <context>
