@@ -11,7 +11,7 @@
 #include "desktop/training/scene_feed.h"
 #include "desktop/widgets/state_panel.h"
 
-#include <QGuiApplication>
+#include <QApplication>
 #include <QTimer>
 
 namespace chiron::desktop {
@@ -123,6 +123,8 @@ void TrainingScreen::onFrame() {
     m_control->look(state);
     if (m_control->held() && !wasHeld)
         hold();
+    if (m_pointer && !m_control->held() && !m_storing && QApplication::activeModalWidget())
+        pauseOrResume(); // a dialog lies over the scene: nobody can work now
     m_scene->show(sceneStateOf(state, m_cues, m_start_ns));
     m_header->show(state);
     m_info->show(state, m_feed->samples());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/sound/cue_source.h"
 #include "desktop/sound/cue_synthesiser.h"
 
 #include <QtTest>
@@ -60,6 +61,7 @@ private slots:
     void everythingStaysContinuousAndUnclipped();
     void fadesToNothing();
     void nonsenseIsHarmless();
+    void theStreamIsWholeFramesOnEveryChannel();
 };
 
 void TestCueSynthesiser::silentAtRest() {
@@ -150,6 +152,27 @@ void TestCueSynthesiser::nonsenseIsHarmless() {
         for (const float sample : rendered(synthesiser, 0.01))
             QVERIFY(std::isfinite(sample) && std::abs(sample) < 1.0f);
     }
+}
+
+void TestCueSynthesiser::theStreamIsWholeFramesOnEveryChannel() {
+    realtime::LatestValue<SoundCues> cues;
+    desktop::CueSource source(cues, 48'000, 2);
+    QVERIFY(source.open(QIODevice::ReadOnly | QIODevice::Unbuffered));
+    QVERIFY(source.isSequential() && source.bytesAvailable() > 0);
+    cues.publish({.force_N = 2.0, .limit_N = 4.0, .contacts = 0, .audible = true});
+    std::vector<std::int16_t> samples(2 * 4801);
+    QCOMPARE(source.read(reinterpret_cast<char*>(samples.data()), 4 * 4800 + 3), qint64{4 * 4800}); // no half frame
+    int loudest = 0;
+    for (std::size_t i = 0; i < 2 * 4800; i += 2) {
+        QCOMPARE(samples[i], samples[i + 1]);
+        loudest = std::max(loudest, std::abs(int(samples[i])));
+    }
+    QVERIFY(loudest > 3000 && loudest < 12000);
+    cues.publish({.force_N = 2.0, .limit_N = 4.0, .contacts = 0, .audible = false});
+    (void)source.read(reinterpret_cast<char*>(samples.data()), 4 * 4800);
+    QCOMPARE(source.read(reinterpret_cast<char*>(samples.data()), 4 * 4800), qint64{4 * 4800});
+    for (std::size_t i = 0; i < 2 * 4800; ++i)
+        QCOMPARE(samples[i], std::int16_t{0});
 }
 
 QTEST_APPLESS_MAIN(TestCueSynthesiser)

@@ -3,15 +3,11 @@
 #include "core/tool_state.h"
 #include "desktop/training/column_trace.h"
 #include "desktop/training/force_words.h"
-#include "desktop/training/key_filter.h"
+#include "desktop/training/live_plot.h"
 #include "desktop/training/pointer_control.h"
 #include "desktop/training/training_plan.h"
 
-#include <QDialog>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QWindow>
+#include <QElapsedTimer>
 #include <QtTest>
 #include <set>
 
@@ -24,14 +20,9 @@ private slots:
     void everyPeakStays();
     void theOldLeavesAndGapsStayEmpty();
     void traceIgnoresNonsense();
+    void aPlotIsQuicklyPainted();
     void pixelsBecomeMetres();
     void heldKeysBecomeASpeed();
-    void keysInTheNativeScene();
-    void tabLeavesTheScene();
-    void enterPressesTheFocusedButton();
-    void escStopsInsteadOfClosing();
-    void typingIsLeftAlone();
-    void keysRestAfterTheSession();
     void everyStateHasItsWords();
     void aPlanComesBackFromItsPlace();
 };
@@ -50,7 +41,6 @@ void TestTrainingParts::everyPeakStays() {
         QCOMPARE(columns.size(), count);
         double most = 0.0;
         double least = 10.0;
-        std::multiset<double> peaks;
         for (const ColumnRange& column : columns) {
             QVERIFY(column.any);
             most = std::max(most, column.highest);
@@ -107,6 +97,25 @@ void TestTrainingParts::traceIgnoresNonsense() {
     QCOMPARE(trace.highest(), 1.0);
 }
 
+/// Prints; the time is a machine's.
+void TestTrainingParts::aPlotIsQuicklyPainted() {
+    const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+    LivePlot plot(theme, QLocale::c(), QStringLiteral("Force (N)"), 5.0, 4.0);
+    core::Random random(3);
+    for (int n = 0; n < 10'000; ++n)
+        plot.add(n * 1e-3, 5.0 * random.uniform());
+    plot.resize(270, 120);
+    QPixmap picture(plot.size());
+    plot.render(&picture);
+    QElapsedTimer timer;
+    timer.start();
+    constexpr int kPictures = 200;
+    for (int n = 0; n < kPictures; ++n)
+        plot.render(&picture);
+    qInfo("%.3f ms a picture of 270 x 120", 1e-6 * static_cast<double>(timer.nsecsElapsed()) / kPictures);
+    QVERIFY(picture.toImage().pixelColor(150, 60) != picture.toImage().pixelColor(1, 119)); // something is drawn
+}
+
 void TestTrainingParts::pixelsBecomeMetres() {
     devices::PointerMailbox mailbox;
     PointerControl hand(mailbox, 2.0);
@@ -140,110 +149,6 @@ void TestTrainingParts::heldKeysBecomeASpeed() {
     QCOMPARE(mailbox.read().rate_m_per_s[0], v);
     hand.releaseKeys();
     QVERIFY((mailbox.read().rate_m_per_s == std::array{0.0, 0.0, 0.0}));
-}
-
-namespace {
-/// A screen with a button, and the scene's native window beside it.
-struct Keys {
-    Keys() {
-        screen.setFocusPolicy(Qt::StrongFocus);
-        screen.show();
-        scene.show();
-        filter.setScene(&scene);
-        filter.setActive(true);
-    }
-    QWidget screen;
-    QPushButton button{QStringLiteral("Pause"), &screen};
-    QLineEdit field{&screen};
-    QWindow scene;
-    KeyFilter filter{screen};
-};
-} // namespace
-
-void TestTrainingParts::keysInTheNativeScene() {
-    Keys keys;
-    QSignalSpy stop(&keys.filter, &KeyFilter::stopAsked);
-    QSignalSpy pause(&keys.filter, &KeyFilter::pauseAsked);
-    QSignalSpy mark(&keys.filter, &KeyFilter::markAsked);
-    QSignalSpy rearm(&keys.filter, &KeyFilter::rearmAsked);
-    QSignalSpy tool(&keys.filter, &KeyFilter::toolKey);
-    keys.scene.requestActivate();
-    QVERIFY(QTest::qWaitForWindowActive(&keys.scene));
-    QTest::keyClick(&keys.scene, Qt::Key_Escape);
-    QTest::keyClick(&keys.scene, Qt::Key_Space);
-    QTest::keyClick(&keys.scene, Qt::Key_Return);
-    QTest::keyClick(&keys.scene, Qt::Key_R);
-    QTest::keyClick(&keys.scene, Qt::Key_PageDown);
-    QCOMPARE(stop.count(), 1);
-    QCOMPARE(pause.count(), 1);
-    QCOMPARE(mark.count(), 1);
-    QCOMPARE(rearm.count(), 1);
-    QCOMPARE(tool.count(), 2);
-    QCOMPARE(tool.at(0).at(1).toBool(), true);
-    QCOMPARE(tool.at(1).at(1).toBool(), false);
-}
-
-void TestTrainingParts::tabLeavesTheScene() {
-    Keys keys;
-    QSignalSpy leave(&keys.filter, &KeyFilter::leaveSceneAsked);
-    QTest::keyClick(&keys.scene, Qt::Key_Tab);
-    QCOMPARE(leave.count(), 1);
-    QTest::keyClick(&keys.screen, Qt::Key_Tab); // among widgets it is as ever
-    QCOMPARE(leave.count(), 1);
-}
-
-void TestTrainingParts::enterPressesTheFocusedButton() {
-    Keys keys;
-    QSignalSpy mark(&keys.filter, &KeyFilter::markAsked);
-    QSignalSpy pressed(&keys.button, &QPushButton::clicked);
-    keys.screen.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&keys.screen));
-    keys.button.setFocus();
-    QTRY_VERIFY(keys.button.hasFocus());
-    QTest::keyClick(&keys.button, Qt::Key_Return);
-    QCOMPARE(pressed.count(), 1);
-    QCOMPARE(mark.count(), 0);
-    keys.screen.setFocus();
-    QTest::keyClick(&keys.screen, Qt::Key_Return);
-    QCOMPARE(mark.count(), 1);
-}
-
-void TestTrainingParts::escStopsInsteadOfClosing() {
-    Keys keys;
-    QSignalSpy stop(&keys.filter, &KeyFilter::stopAsked);
-    QSignalSpy pause(&keys.filter, &KeyFilter::pauseAsked);
-    QDialog dialog(&keys.screen);
-    dialog.setModal(true);
-    dialog.show();
-    QTest::keyClick(&dialog, Qt::Key_Escape);
-    QCOMPARE(stop.count(), 1);
-    QVERIFY(dialog.isVisible());
-    QTest::keyClick(&dialog, Qt::Key_Space); // everything else is the dialog's
-    QCOMPARE(pause.count(), 0);
-    keys.filter.setHeld(true);
-    QTest::keyClick(&dialog, Qt::Key_Escape);
-    QVERIFY(!dialog.isVisible());
-    QCOMPARE(stop.count(), 1);
-}
-
-void TestTrainingParts::typingIsLeftAlone() {
-    Keys keys;
-    QSignalSpy pause(&keys.filter, &KeyFilter::pauseAsked);
-    keys.screen.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&keys.screen));
-    keys.field.setFocus();
-    QTRY_VERIFY(keys.field.hasFocus());
-    QTest::keyClicks(&keys.field, QStringLiteral("r r"));
-    QCOMPARE(keys.field.text(), QStringLiteral("r r"));
-    QCOMPARE(pause.count(), 0);
-}
-
-void TestTrainingParts::keysRestAfterTheSession() {
-    Keys keys;
-    QSignalSpy stop(&keys.filter, &KeyFilter::stopAsked);
-    keys.filter.setActive(false);
-    QTest::keyClick(&keys.screen, Qt::Key_Escape);
-    QCOMPARE(stop.count(), 0);
 }
 
 void TestTrainingParts::everyStateHasItsWords() {

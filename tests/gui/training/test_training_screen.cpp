@@ -5,7 +5,9 @@
 #include "desktop/training/live_plot.h"
 #include "desktop/widgets/state_panel.h"
 
-#include <QMessageBox>
+#include <QDialog>
+#include <QElapsedTimer>
+#include <QWindow>
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -40,6 +42,8 @@ private slots:
     void initTestCase() { qputenv("CHIRON_NO_SOUND", "1"); }
     void aWholeSetWithTheMouse();
     void onlyKeys();
+    void keysWhileTheSceneHasTheFocus();
+    void aDialogPauses();
     void pauseAndResume();
     void escStopsAndRearms();
     void cuesFollowTheLevel_data();
@@ -69,7 +73,10 @@ void TestTrainingScreen::aWholeSetWithTheMouse() {
         }
         bench.click();
     }
+    QElapsedTimer sinceMark;
+    sinceMark.start();
     QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+    qInfo("from the last mark to the debrief: %lld ms", static_cast<long long>(sinceMark.elapsed()));
     QVERIFY(!bench.desktop.context.trialRuns());
     const auto id = bench.desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong();
     const database::SessionRecord record = recordOf(bench, id, bench.desktop.context.actor());
@@ -97,6 +104,45 @@ void TestTrainingScreen::onlyKeys() {
     QTest::keyRelease(bench.screen(), Qt::Key_Right);
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+}
+
+/// In 3D the scene is a native window of its own, in 2D a widget: keys work either way.
+void TestTrainingScreen::keysWhileTheSceneHasTheFocus() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QObject* source = bench.screen()->scene()->inputSource();
+    const auto press = [source](Qt::Key key) {
+        if (auto* window = qobject_cast<QWindow*>(source))
+            QTest::keyClick(window, key);
+        else
+            QTest::keyClick(static_cast<QWidget*>(source), key);
+    };
+    press(Qt::Key_Space);
+    QTRY_VERIFY(bench.state().paused);
+    press(Qt::Key_Space);
+    QTRY_VERIFY(!bench.state().paused);
+    press(Qt::Key_Return);
+    QTRY_COMPARE(int(bench.state().trial), 1);
+    QTRY_VERIFY(bench.runs());
+    press(Qt::Key_Escape);
+    QTRY_VERIFY(bench.state().paused);
+    QCOMPARE(bench.text("training.force.title"), QStringLiteral("Force is stopped"));
+    press(Qt::Key_R);
+    QTRY_VERIFY(!bench.state().paused);
+}
+
+void TestTrainingScreen::aDialogPauses() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QDialog dialog(bench.desktop.window.get());
+    dialog.setModal(true);
+    dialog.show();
+    QTRY_VERIFY(bench.state().paused);
+    dialog.close();
+    QTest::qWait(100);
+    QVERIFY(bench.state().paused); // going on is the person's to say
 }
 
 void TestTrainingScreen::pauseAndResume() {

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/training/key_filter.h"
+
+#include <QDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QWindow>
+#include <QtTest>
+
+using namespace chiron::desktop;
+
+namespace {
+/// A screen with a button, and the scene's native window beside it.
+struct Keys {
+    Keys() {
+        screen.setFocusPolicy(Qt::StrongFocus);
+        screen.show();
+        scene.show();
+        filter.setScene(&scene);
+        filter.setActive(true);
+    }
+    QWidget screen;
+    QPushButton button{QStringLiteral("Pause"), &screen};
+    QLineEdit field{&screen};
+    QWindow scene;
+    KeyFilter filter{screen};
+};
+} // namespace
+
+class TestKeyFilter : public QObject {
+    Q_OBJECT
+private slots:
+    void keysInTheNativeScene();
+    void tabLeavesTheScene();
+    void enterPressesTheFocusedButton();
+    void escStopsInsteadOfClosing();
+    void typingIsLeftAlone();
+    void keysRestAfterTheSession();
+};
+
+void TestKeyFilter::keysInTheNativeScene() {
+    Keys keys;
+    QSignalSpy stop(&keys.filter, &KeyFilter::stopAsked);
+    QSignalSpy pause(&keys.filter, &KeyFilter::pauseAsked);
+    QSignalSpy mark(&keys.filter, &KeyFilter::markAsked);
+    QSignalSpy rearm(&keys.filter, &KeyFilter::rearmAsked);
+    QSignalSpy tool(&keys.filter, &KeyFilter::toolKey);
+    keys.scene.requestActivate();
+    QVERIFY(QTest::qWaitForWindowActive(&keys.scene));
+    QTest::keyClick(&keys.scene, Qt::Key_Escape);
+    QTest::keyClick(&keys.scene, Qt::Key_Space);
+    QTest::keyClick(&keys.scene, Qt::Key_Return);
+    QTest::keyClick(&keys.scene, Qt::Key_R);
+    QTest::keyClick(&keys.scene, Qt::Key_PageDown);
+    QCOMPARE(stop.count(), 1);
+    QCOMPARE(pause.count(), 1);
+    QCOMPARE(mark.count(), 1);
+    QCOMPARE(rearm.count(), 1);
+    QCOMPARE(tool.count(), 2);
+    QCOMPARE(tool.at(0).at(1).toBool(), true);
+    QCOMPARE(tool.at(1).at(1).toBool(), false);
+}
+
+void TestKeyFilter::tabLeavesTheScene() {
+    Keys keys;
+    QSignalSpy leave(&keys.filter, &KeyFilter::leaveSceneAsked);
+    QTest::keyClick(&keys.scene, Qt::Key_Tab);
+    QCOMPARE(leave.count(), 1);
+    QTest::keyClick(&keys.screen, Qt::Key_Tab); // among widgets it is as ever
+    QCOMPARE(leave.count(), 1);
+}
+
+void TestKeyFilter::enterPressesTheFocusedButton() {
+    Keys keys;
+    QSignalSpy mark(&keys.filter, &KeyFilter::markAsked);
+    QSignalSpy pressed(&keys.button, &QPushButton::clicked);
+    keys.screen.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&keys.screen));
+    keys.button.setFocus();
+    QTRY_VERIFY(keys.button.hasFocus());
+    QTest::keyClick(&keys.button, Qt::Key_Return);
+    QCOMPARE(pressed.count(), 1);
+    QCOMPARE(mark.count(), 0);
+    keys.screen.setFocus();
+    QTest::keyClick(&keys.screen, Qt::Key_Return);
+    QCOMPARE(mark.count(), 1);
+}
+
+void TestKeyFilter::escStopsInsteadOfClosing() {
+    Keys keys;
+    QSignalSpy stop(&keys.filter, &KeyFilter::stopAsked);
+    QSignalSpy pause(&keys.filter, &KeyFilter::pauseAsked);
+    QDialog dialog(&keys.screen);
+    dialog.setModal(true);
+    dialog.show();
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    QCOMPARE(stop.count(), 1);
+    QVERIFY(dialog.isVisible());
+    QTest::keyClick(&dialog, Qt::Key_Space); // everything else is the dialog's
+    QCOMPARE(pause.count(), 0);
+    keys.filter.setHeld(true);
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    QVERIFY(!dialog.isVisible());
+    QCOMPARE(stop.count(), 1);
+}
+
+void TestKeyFilter::typingIsLeftAlone() {
+    Keys keys;
+    QSignalSpy pause(&keys.filter, &KeyFilter::pauseAsked);
+    keys.screen.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&keys.screen));
+    keys.field.setFocus();
+    QTRY_VERIFY(keys.field.hasFocus());
+    QTest::keyClicks(&keys.field, QStringLiteral("r r"));
+    QCOMPARE(keys.field.text(), QStringLiteral("r r"));
+    QCOMPARE(pause.count(), 0);
+}
+
+void TestKeyFilter::keysRestAfterTheSession() {
+    Keys keys;
+    QSignalSpy stop(&keys.filter, &KeyFilter::stopAsked);
+    keys.filter.setActive(false);
+    QTest::keyClick(&keys.screen, Qt::Key_Escape);
+    QCOMPARE(stop.count(), 0);
+}
+
+QTEST_MAIN(TestKeyFilter)
+#include "test_key_filter.moc"
