@@ -256,6 +256,18 @@ Details: %2</source>
         <source>The device&apos;s data come late. Force comes back when they are on time.</source>
         <translation>Τα δεδομένα της συσκευής καθυστερούν. Η δύναμη επανέρχεται όταν έρχονται εγκαίρως.</translation>
     </message>
+    <message>
+        <source>The operator&apos;s force waits until the tool is free.</source>
+        <translation>Η δύναμη του χειριστή περιμένει ώσπου να ελευθερωθεί το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s force rises slowly (%1 %).</source>
+        <translation>Η δύναμη του χειριστή αυξάνεται αργά (%1 %).</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s force is held for a moment and comes back by itself.</source>
+        <translation>Η δύναμη του χειριστή συγκρατείται για λίγο και επανέρχεται μόνη της.</translation>
+    </message>
 </context>
 <context>
     <name>GateWords</name>
@@ -534,7 +546,7 @@ Details: %2</source>
     </message>
     <message>
         <source>% of R</source>
-        <translation>% του R</translation>
+        <translation>% ακτίνας</translation>
     </message>
 </context>
 <context>
@@ -880,6 +892,61 @@ Do you want to replace it?</source>
     </message>
 </context>
 <context>
+    <name>RosterWords</name>
+    <message>
+        <source>a quotation mark is opened here and never closed</source>
+        <translation>εδώ ανοίγουν εισαγωγικά που δεν κλείνουν</translation>
+    </message>
+    <message>
+        <source>too many lines, %1 at most</source>
+        <translation>πάρα πολλές γραμμές, το πολύ %1</translation>
+    </message>
+    <message>
+        <source>a heading line and at least one person are needed</source>
+        <translation>χρειάζεται μια γραμμή επικεφαλίδων και τουλάχιστον ένα άτομο</translation>
+    </message>
+    <message>
+        <source>the column &quot;%1&quot; is not known, or is there twice</source>
+        <translation>η στήλη «%1» είναι άγνωστη ή υπάρχει δύο φορές</translation>
+    </message>
+    <message>
+        <source>the columns name, roles and password are needed</source>
+        <translation>χρειάζονται οι στήλες name, roles και password</translation>
+    </message>
+    <message>
+        <source>has %1 fields instead of %2</source>
+        <translation>έχει %1 πεδία αντί για %2</translation>
+    </message>
+    <message>
+        <source>roles &quot;%1&quot;: only trainee, trainer, researcher and admin, separated by semicolons</source>
+        <translation>ρόλοι «%1»: μόνο trainee, trainer, researcher και admin, με «;» ανάμεσα</translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; cannot be used</source>
+        <translation>το όνομα «%1» δεν επιτρέπεται</translation>
+    </message>
+    <message>
+        <source>the full name is too long</source>
+        <translation>το πλήρες όνομα είναι πολύ μεγάλο</translation>
+    </message>
+    <message>
+        <source>the password needs %1 characters, %2 different ones, and must not be the name</source>
+        <translation>ο κωδικός πρόσβασης χρειάζεται %1 χαρακτήρες, %2 διαφορετικούς, και δεν μπορεί να είναι το όνομα</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is in line %2 already</source>
+        <translation>το «%1» υπάρχει ήδη στη γραμμή %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is on this site already</source>
+        <translation>το «%1» υπάρχει ήδη σε αυτό το κέντρο</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Γραμμή %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>Screens</name>
     <message>
         <source>Welcome</source>
@@ -932,6 +999,10 @@ Do you want to replace it?</source>
     <message>
         <source>Exercise</source>
         <translation>Άσκηση</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Άτομα</translation>
     </message>
 </context>
 <context>
@@ -1412,6 +1483,47 @@ Recording and scores are kept; they count for nothing.</source>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::AddPersonDialog</name>
+    <message>
+        <source>Add a person</source>
+        <translation>Προσθήκη ατόμου</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>Without commas. It cannot be changed later.</source>
+        <translation>Χωρίς κόμματα. Δεν αλλάζει αργότερα.</translation>
+    </message>
+    <message>
+        <source>Full name (may be left empty)</source>
+        <translation>Πλήρες όνομα (προαιρετικό)</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Προσθήκη</translation>
+    </message>
+    <message>
+        <source>This name cannot be used: no commas, no spaces at the ends, at most %1 characters, and not a name that the program keeps for itself.</source>
+        <translation>Αυτό το όνομα δεν επιτρέπεται: χωρίς κόμματα, χωρίς κενά στα άκρα, το πολύ %1 χαρακτήρες και όχι όνομα που κρατά το πρόγραμμα για δική του χρήση.</translation>
+    </message>
+    <message>
+        <source>%1 was not added: somebody has this name already. Names differ by more than capital letters.</source>
+        <translation>Δεν προστέθηκε: %1. Αυτό το όνομα υπάρχει ήδη. Τα ονόματα πρέπει να διαφέρουν όχι μόνο στα κεφαλαία.</translation>
+    </message>
+    <message>
+        <source>%1 was not added.
+%2</source>
+        <translation>Δεν προστέθηκε: %1.
+%2</translation>
+    </message>
+    <message>
+        <source>%1 was added.</source>
+        <translation>Προστέθηκε: %1.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AdministratorPage</name>
     <message>
         <source>Who looks after this site?</source>
@@ -1483,6 +1595,13 @@ Recording and scores are kept; they count for nothing.</source>
     <message>
         <source>Level %1</source>
         <translation>Επίπεδο %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ChoiceTile</name>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
     </message>
 </context>
 <context>
@@ -1778,6 +1897,71 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
 </context>
 <context>
+    <name>chiron::desktop::EraseDialog</name>
+    <message>
+        <source>Erase %1</source>
+        <translation>Διαγραφή στοιχείων: %1</translation>
+    </message>
+    <message>
+        <source>This cannot be undone. Disabling the account keeps everything and can be undone.</source>
+        <translation>Αυτό δεν αναιρείται. Η απενεργοποίηση του λογαριασμού διατηρεί τα πάντα και αναιρείται.</translation>
+    </message>
+    <message>
+        <source>Overwritten: name, code, password, comments and reasons in free text.</source>
+        <translation>Αντικαθίστανται: όνομα, ψευδώνυμο, κωδικός πρόσβασης, σχόλια και αιτιολογίες σε ελεύθερο κείμενο.</translation>
+    </message>
+    <message>
+        <source>Kept without a name: sessions, scores, and that an erasure took place, when and why. Backups made before still hold the person until they are deleted; a restore erases the person again.</source>
+        <translation>Διατηρούνται χωρίς όνομα: συνεδρίες, βαθμολογίες και το ότι έγινε διαγραφή, πότε και γιατί. Παλαιότερα αντίγραφα ασφαλείας περιέχουν ακόμη το άτομο ώσπου να διαγραφούν· μια επαναφορά διαγράφει ξανά το άτομο.</translation>
+    </message>
+    <message>
+        <source>Reason (kept)</source>
+        <translation>Αιτιολογία (διατηρείται)</translation>
+    </message>
+    <message>
+        <source>Consent is withdrawn: overwrite the recordings too</source>
+        <translation>Η συγκατάθεση ανακλήθηκε: να αντικατασταθούν και οι καταγραφές</translation>
+    </message>
+    <message>
+        <source>Type the login name to confirm: %1</source>
+        <translation>Για επιβεβαίωση πληκτρολογήστε το όνομα χρήστη: %1</translation>
+    </message>
+    <message>
+        <source>Your own password</source>
+        <translation>Ο δικός σας κωδικός πρόσβασης</translation>
+    </message>
+    <message>
+        <source>Erase for ever</source>
+        <translation>Οριστική διαγραφή</translation>
+    </message>
+    <message>
+        <source>Nobody was erased: this is not your password.
+%1</source>
+        <translation>Δεν έγινε διαγραφή: αυτός δεν είναι ο κωδικός πρόσβασής σας.
+%1</translation>
+    </message>
+    <message>
+        <source>%1 is erased. Sessions and scores are kept without a name.</source>
+        <translation>Διαγράφηκε: %1. Οι συνεδρίες και οι βαθμολογίες διατηρούνται χωρίς όνομα.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be erased now: nobody can erase themselves, and no session may be running.</source>
+        <translation>Δεν γίνεται τώρα διαγραφή: %1. Κανείς δεν διαγράφει τον εαυτό του και δεν πρέπει να είναι συνεδρία σε εξέλιξη.</translation>
+    </message>
+    <message>
+        <source>The erasure of %1 is not complete: old copies may still lie in the file. Press the button again; it goes on where it stopped.
+%2</source>
+        <translation>Η διαγραφή δεν ολοκληρώθηκε (%1): ίσως υπάρχουν ακόμη παλιά αντίγραφα στο αρχείο. Πατήστε ξανά το κουμπί· συνεχίζει από εκεί που σταμάτησε.
+%2</translation>
+    </message>
+    <message>
+        <source>%1 was not erased.
+%2</source>
+        <translation>Δεν διαγράφηκε: %1.
+%2</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::ExerciseCard</name>
     <message>
         <source>Passed, felt and shown</source>
@@ -2007,6 +2191,21 @@ Each level says whether you have passed it. Choose one to see what is measured a
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::FormDialog</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Άκυρο</translation>
+    </message>
+    <message>
+        <source>Working …</source>
+        <translation>Σε εξέλιξη …</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Κλείσιμο</translation>
     </message>
 </context>
 <context>
@@ -2601,6 +2800,37 @@ Forgot your password? An administrator can give you a new one. The first adminis
     </message>
 </context>
 <context>
+    <name>chiron::desktop::PasswordChoice</name>
+    <message>
+        <source>First password</source>
+        <translation>Πρώτος κωδικός πρόσβασης</translation>
+    </message>
+    <message>
+        <source>Make one up (shown once)</source>
+        <translation>Αυτόματη δημιουργία (εμφανίζεται μία φορά)</translation>
+    </message>
+    <message>
+        <source>Type one</source>
+        <translation>Πληκτρολόγηση</translation>
+    </message>
+    <message>
+        <source>It has to be changed at the next login, so that only its owner knows it.</source>
+        <translation>Πρέπει να αλλάξει στην επόμενη σύνδεση, ώστε να τον γνωρίζει μόνο ο κάτοχός του.</translation>
+    </message>
+    <message>
+        <source>Hand this password to %1. It is shown only now and has to be changed at the next login.</source>
+        <translation>Κωδικός πρόσβασης για %1: παραδώστε τον. Εμφανίζεται μόνο τώρα και πρέπει να αλλάξει στην επόμενη σύνδεση.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Αντιγραφή</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Αντιγράφηκε</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PasswordFields</name>
     <message>
         <source>New password</source>
@@ -2637,6 +2867,176 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message>
         <source>Still missing: %1</source>
         <translation>Λείπει ακόμη: %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PeopleModel</name>
+    <message>
+        <source>Disabled</source>
+        <translation>Απενεργοποιημένος</translation>
+    </message>
+    <message>
+        <source>Must change the password</source>
+        <translation>Απαιτείται αλλαγή κωδικού</translation>
+    </message>
+    <message>
+        <source>Can log in</source>
+        <translation>Μπορεί να συνδεθεί</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation>Πλήρες όνομα</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Ρόλοι</translation>
+    </message>
+    <message>
+        <source>Account</source>
+        <translation>Λογαριασμός</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PeopleScreen</name>
+    <message>
+        <source>Add a person</source>
+        <translation>Προσθήκη ατόμου</translation>
+    </message>
+    <message>
+        <source>Import roster</source>
+        <translation>Εισαγωγή λίστας</translation>
+    </message>
+    <message>
+        <source>Find a person</source>
+        <translation>Εύρεση ατόμου</translation>
+    </message>
+    <message>
+        <source>Choose a person in the list first.</source>
+        <translation>Επιλέξτε πρώτα ένα άτομο στη λίστα.</translation>
+    </message>
+    <message>
+        <source>Change roles</source>
+        <translation>Αλλαγή ρόλων</translation>
+    </message>
+    <message>
+        <source>Reset password</source>
+        <translation>Επαναφορά κωδικού</translation>
+    </message>
+    <message>
+        <source>Disable or enable</source>
+        <translation>Απενεργοποίηση ή ενεργοποίηση</translation>
+    </message>
+    <message>
+        <source>Export everything held</source>
+        <translation>Εξαγωγή όλων των στοιχείων</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Διαγραφή στοιχείων</translation>
+    </message>
+    <message>
+        <source>%1 can log in again.</source>
+        <translation>Μπορεί να συνδεθεί ξανά: %1.</translation>
+    </message>
+    <message>
+        <source>%1 can no longer log in. What was recorded is kept.</source>
+        <translation>Δεν μπορεί πλέον να συνδεθεί: %1. Όσα καταγράφηκαν διατηρούνται.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Αναίρεση</translation>
+    </message>
+    <message>
+        <source>%1 stays enabled: a site needs an administrator who can log in. Make another person an administrator first.</source>
+        <translation>Ο λογαριασμός μένει ενεργός: %1. Ένα κέντρο χρειάζεται έναν διαχειριστή που μπορεί να συνδεθεί. Ορίστε πρώτα άλλο άτομο ως διαχειριστή.</translation>
+    </message>
+    <message>
+        <source>The account of %1 is as it was.</source>
+        <translation>Ο λογαριασμός έμεινε όπως ήταν: %1.</translation>
+    </message>
+    <message>
+        <source>Export everything held about %1</source>
+        <translation>Εξαγωγή όλων των στοιχείων: %1</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Everything held about %1 is in %2.</source>
+        <translation>Όλα τα στοιχεία για %1 είναι στο %2.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported about %1.</source>
+        <translation>Δεν έγινε εξαγωγή για %1.</translation>
+    </message>
+    <message>
+        <source>Import people from a CSV file</source>
+        <translation>Εισαγωγή ατόμων από αρχείο CSV</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv);;All files (*)</source>
+        <translation>CSV (*.csv);;Όλα τα αρχεία (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read, or is too large for a list of people. Nothing was changed.</source>
+        <translation>Το %1 δεν διαβάζεται ή είναι πολύ μεγάλο για λίστα ατόμων. Τίποτα δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Άτομα</translation>
+    </message>
+    <message>
+        <source>Everybody who has an account on this site.
+
+Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A new password has to be changed by its owner at the next login.
+
+&quot;Import roster&quot; reads a CSV file with the columns name, display_name, roles and password, and shows first what it would do: everybody in it is added, or nobody.
+
+&quot;Export&quot; writes everything that is held about a person to one file. &quot;Erase&quot; overwrites who the person was, for ever.</source>
+        <translation>Όλοι όσοι έχουν λογαριασμό σε αυτό το κέντρο.
+
+Επιλέξτε ένα άτομο στη λίστα και μετά μια ενέργεια από κάτω. Η αλλαγή ρόλων και η απενεργοποίηση ισχύουν αμέσως και αναιρούνται. Έναν νέο κωδικό πρόσβασης πρέπει να τον αλλάξει ο κάτοχός του στην επόμενη σύνδεση.
+
+Η «Εισαγωγή λίστας» διαβάζει ένα αρχείο CSV με τις στήλες name, display_name, roles και password και δείχνει πρώτα τι θα κάνει: προστίθενται όλοι ή κανείς.
+
+Η «Εξαγωγή» γράφει όλα τα στοιχεία ενός ατόμου σε ένα αρχείο. Η «Διαγραφή στοιχείων» σβήνει οριστικά ποιο ήταν το άτομο.</translation>
+    </message>
+    <message>
+        <source>Reading the people …</source>
+        <translation>Ανάγνωση ατόμων …</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>Απενεργοποίηση</translation>
+    </message>
+    <message>
+        <source>The people could not be read.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση των ατόμων.</translation>
+    </message>
+    <message>
+        <source>Nobody is chosen</source>
+        <translation>Κανένα επιλεγμένο άτομο</translation>
+    </message>
+    <message>
+        <source>Choose a person in the list to change or export something.</source>
+        <translation>Επιλέξτε ένα άτομο στη λίστα για αλλαγή ή εξαγωγή.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Code %1: what researchers see in the place of the name.</source>
+        <translation>Ψευδώνυμο %1: αυτό βλέπουν οι ερευνητές αντί για το όνομα.</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>Ενεργοποίηση</translation>
     </message>
 </context>
 <context>
@@ -2916,6 +3316,31 @@ Keep it where you keep keys.</source>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ResetPasswordDialog</name>
+    <message>
+        <source>New password for %1</source>
+        <translation>Νέος κωδικός πρόσβασης για %1</translation>
+    </message>
+    <message>
+        <source>The present password stops working at once. Sessions and scores are kept.</source>
+        <translation>Ο τωρινός κωδικός παύει αμέσως να ισχύει. Οι συνεδρίες και οι βαθμολογίες διατηρούνται.</translation>
+    </message>
+    <message>
+        <source>Set the password</source>
+        <translation>Ορισμός κωδικού</translation>
+    </message>
+    <message>
+        <source>The password of %1 is as it was.
+%2</source>
+        <translation>Ο κωδικός πρόσβασης έμεινε όπως ήταν: %1.
+%2</translation>
+    </message>
+    <message>
+        <source>%1 has a new password.</source>
+        <translation>Νέος κωδικός πρόσβασης ορίστηκε για %1.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::RestoreDialog</name>
     <message>
         <source>Restore a backup</source>
@@ -3051,6 +3476,146 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
     <message>
         <source>Your data could not be written completely.</source>
         <translation>Τα δεδομένα σας δεν γράφτηκαν ολόκληρα.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RoleChoice</name>
+    <message>
+        <source>Trains, and sees own results</source>
+        <translation>Εκπαιδεύεται και βλέπει τα δικά του αποτελέσματα</translation>
+    </message>
+    <message>
+        <source>Sees everybody&apos;s sessions, comments and voids them</source>
+        <translation>Βλέπει τις συνεδρίες όλων, τις σχολιάζει και τις ακυρώνει</translation>
+    </message>
+    <message>
+        <source>Sees sessions by code, without names</source>
+        <translation>Βλέπει συνεδρίες με ψευδώνυμο, χωρίς ονόματα</translation>
+    </message>
+    <message>
+        <source>Looks after people, storage and the station</source>
+        <translation>Φροντίζει άτομα, δεδομένα και σταθμό</translation>
+    </message>
+    <message>
+        <source>Roles (one at least)</source>
+        <translation>Ρόλοι (τουλάχιστον ένας)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RolesDialog</name>
+    <message>
+        <source>Roles of %1</source>
+        <translation>Ρόλοι: %1</translation>
+    </message>
+    <message>
+        <source>It takes effect at once, also for somebody who is logged in.</source>
+        <translation>Ισχύει αμέσως, και για όποιον είναι συνδεδεμένος.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Αποθήκευση</translation>
+    </message>
+    <message>
+        <source>The roles of %1 are changed.</source>
+        <translation>Οι ρόλοι άλλαξαν: %1.</translation>
+    </message>
+    <message>
+        <source>%1 stays an administrator: a site needs one who can log in. Make another person an administrator first.</source>
+        <translation>Παραμένει διαχειριστής: %1. Ένα κέντρο χρειάζεται έναν που μπορεί να συνδεθεί. Ορίστε πρώτα άλλο άτομο ως διαχειριστή.</translation>
+    </message>
+    <message>
+        <source>The roles of %1 were not changed.
+%2</source>
+        <translation>Οι ρόλοι δεν άλλαξαν: %1.
+%2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RosterDialog</name>
+    <message>
+        <source>Import people</source>
+        <translation>Εισαγωγή ατόμων</translation>
+    </message>
+    <message>
+        <source>From %1. Nothing is changed before you press Import.</source>
+        <translation>Από το %1. Τίποτα δεν αλλάζει πριν πατήσετε «Εισαγωγή».</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Εισαγωγή</translation>
+    </message>
+    <message>
+        <source>Reading the list …</source>
+        <translation>Ανάγνωση της λίστας …</translation>
+    </message>
+    <message>
+        <source>The list could not be compared with the people on this site.</source>
+        <translation>Δεν ήταν δυνατή η σύγκριση της λίστας με τα άτομα του κέντρου.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people would be added. Each must choose a password of their own at the first login.</source>
+        <translation>
+            <numerusform>Θα προστεθεί %n άτομο. Πρέπει να επιλέξει δικό του κωδικό πρόσβασης στην πρώτη σύνδεση.</numerusform>
+            <numerusform>Θα προστεθούν %n άτομα. Καθένα πρέπει να επιλέξει δικό του κωδικό πρόσβασης στην πρώτη σύνδεση.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n people</source>
+        <translation>
+            <numerusform>Εισαγωγή %n ατόμου</numerusform>
+            <numerusform>Εισαγωγή %n ατόμων</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing can be imported yet: put these lines right in the file, then choose it again.</source>
+        <translation>Η εισαγωγή δεν γίνεται ακόμη: διορθώστε αυτές τις γραμμές στο αρχείο και επιλέξτε το ξανά.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>και %n ακόμη</numerusform>
+            <numerusform>και %n ακόμη</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>People in the list</source>
+        <translation>Άτομα στη λίστα</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Γραμμή</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation>Πλήρες όνομα</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Ρόλοι</translation>
+    </message>
+    <message>
+        <source>Nobody was added.
+%1</source>
+        <translation>Δεν προστέθηκε κανείς.
+%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people were added.</source>
+        <translation>
+            <numerusform>Προστέθηκε %n άτομο.</numerusform>
+            <numerusform>Προστέθηκαν %n άτομα.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Adding %n people …</source>
+        <translation>
+            <numerusform>Προσθήκη %n ατόμου …</numerusform>
+            <numerusform>Προσθήκη %n ατόμων …</numerusform>
+        </translation>
     </message>
 </context>
 <context>
