@@ -95,12 +95,12 @@ QWidget* SettingsScreen::scaleBox() {
 QWidget* SettingsScreen::soundBox() {
     const kit::Box box = kit::box(context().theme());
     box.layout->addWidget(kit::label(context().theme(), tr("Sound"), TextStyle::title));
-    auto* check = new QCheckBox(tr("Play contact and limit sounds while training"));
+    auto* check = new QCheckBox(tr("Play sounds while training"));
     check->setObjectName(QStringLiteral("settings.sound"));
     check->setChecked(context().settings().sound());
     connect(check, &QCheckBox::toggled, this, [this](bool on) { context().settings().setSound(on); });
     box.layout->addWidget(check);
-    box.layout->addWidget(kit::label(context().theme(), tr("Everything that can be heard is also shown."), TextStyle::small, "muted"));
+    box.layout->addWidget(kit::label(context().theme(), tr("Contact and limit can be heard. Everything that can be heard is also shown."), TextStyle::small, "muted"));
     return box.frame;
 }
 
