@@ -2247,11 +2247,11 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
     <message>
         <source>Met: pass mark %1</source>
-        <translation>Επετεύχθη: όριο επιτυχίας %1</translation>
+        <translation>Εντός: όριο επιτυχίας %1</translation>
     </message>
     <message>
         <source>Not met: pass mark %1</source>
-        <translation>Δεν επετεύχθη: όριο επιτυχίας %1</translation>
+        <translation>Εκτός: όριο επιτυχίας %1</translation>
     </message>
     <message>
         <source>Benchmark %1 (%2)</source>
@@ -2746,11 +2746,11 @@ Forgot your password? An administrator can give you a new one. The first adminis
     </message>
     <message>
         <source>Met</source>
-        <translation>Επετεύχθη</translation>
+        <translation>Εντός ορίου</translation>
     </message>
     <message>
         <source>Not met</source>
-        <translation>Δεν επετεύχθη</translation>
+        <translation>Εκτός ορίου</translation>
     </message>
 </context>
 <context>
@@ -3974,12 +3974,12 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <translation>Ήχος</translation>
     </message>
     <message>
-        <source>Play contact and limit sounds while training</source>
-        <translation>Ήχοι επαφής και ορίου στην εκπαίδευση</translation>
+        <source>Play sounds while training</source>
+        <translation>Ήχοι κατά την εκπαίδευση</translation>
     </message>
     <message>
-        <source>Everything that can be heard is also shown.</source>
-        <translation>Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
+        <source>Contact and limit can be heard. Everything that can be heard is also shown.</source>
+        <translation>Ακούγονται η επαφή και το όριο. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
     </message>
 </context>
 <context>
@@ -4635,15 +4635,15 @@ After the last trial the debrief opens by itself.</source>
     </message>
     <message>
         <source>pass mark %1</source>
-        <translation>όριο επιτυχίας %1</translation>
+        <translation>όριο %1</translation>
     </message>
     <message>
         <source>✓ met: %1</source>
-        <translation>✓ επετεύχθη: %1</translation>
+        <translation>✓ εντός: %1</translation>
     </message>
     <message>
         <source>✗ not met: %1</source>
-        <translation>✗ δεν επετεύχθη: %1</translation>
+        <translation>✗ εκτός: %1</translation>
     </message>
     <message>
         <source>Benchmark %1</source>
@@ -4735,11 +4735,11 @@ After the last trial the debrief opens by itself.</source>
     </message>
     <message>
         <source>✓ met</source>
-        <translation>✓ επετεύχθη</translation>
+        <translation>✓ εντός</translation>
     </message>
     <message>
         <source>✗ not met</source>
-        <translation>✗ δεν επετεύχθη</translation>
+        <translation>✗ εκτός</translation>
     </message>
     <message>
         <source>No metrics were computed</source>
@@ -4763,7 +4763,7 @@ After the last trial the debrief opens by itself.</source>
     </message>
     <message>
         <source>Result</source>
-        <translation>Αποτέλεσμα</translation>
+        <translation>Έκβαση</translation>
     </message>
     <message>
         <source>Error in locating the apex</source>
