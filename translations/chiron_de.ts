@@ -546,7 +546,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>% of R</source>
-        <translation>% von R</translation>
+        <translation>%&#xa0;von&#xa0;R</translation>
     </message>
 </context>
 <context>
@@ -3974,12 +3974,12 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <translation>Ton</translation>
     </message>
     <message>
-        <source>Play contact and limit sounds while training</source>
-        <translation>Töne für Kontakt und Grenze</translation>
+        <source>Play sounds while training</source>
+        <translation>Töne beim Training</translation>
     </message>
     <message>
-        <source>Everything that can be heard is also shown.</source>
-        <translation>Alles Hörbare wird auch angezeigt.</translation>
+        <source>Contact and limit can be heard. Everything that can be heard is also shown.</source>
+        <translation>Kontakt und Grenze sind zu hören. Alles Hörbare wird auch angezeigt.</translation>
     </message>
 </context>
 <context>
