@@ -1348,7 +1348,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Novice</source>
-        <translation>Anfänger/-in</translation>
+        <translation>Unerfahren</translation>
     </message>
     <message>
         <source>Unsafe (presses too hard)</source>
@@ -2346,8 +2346,8 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     <message numerus="yes">
         <source>%n account(s) can log in.</source>
         <translation>
-            <numerusform>%n Konto kann sich anmelden.</numerusform>
-            <numerusform>%n Konten können sich anmelden.</numerusform>
+            <numerusform>%n Person kann sich anmelden.</numerusform>
+            <numerusform>%n Personen können sich anmelden.</numerusform>
         </translation>
     </message>
     <message>
@@ -2458,7 +2458,7 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
     </message>
     <message>
         <source>up</source>
-        <translation>nach oben</translation>
+        <translation>oben</translation>
     </message>
     <message>
         <source>Force (N)</source>
@@ -3697,7 +3697,7 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
     </message>
     <message>
         <source>Any time</source>
-        <translation>Jederzeit</translation>
+        <translation>Alle Zeiten</translation>
     </message>
     <message>
         <source>When it was recorded</source>
