@@ -2,6 +2,7 @@
 #include "desktop/training/scene_pointer.h"
 
 #include <QCursor>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <QWidget>
@@ -11,6 +12,7 @@ namespace chiron::desktop {
 
 namespace {
 constexpr double kEdgeShare = 0.15; // nearer to an edge than this share of the scene: back to the middle
+constexpr double kJumpShare = 0.15; // no hand jumps this share of the scene between two events; a pointer that is led back does
 } // namespace
 
 ScenePointer::ScenePointer(PointerControl& control, QObject& source, QWidget& area, QObject* parent)
@@ -26,6 +28,7 @@ void ScenePointer::capture() {
         return;
     m_captured = true;
     m_known = false;
+    m_onItsWay = false;
     setCursorShape(Qt::BlankCursor);
     if (m_area->window()->isActiveWindow())
         backToMiddle();
@@ -46,10 +49,14 @@ void ScenePointer::setCursorShape(Qt::CursorShape shape) {
 }
 
 void ScenePointer::backToMiddle() {
-    const QPoint middle = m_area->rect().center();
-    m_last = middle;
-    m_known = true;
-    QCursor::setPos(m_area->mapToGlobal(middle));
+    m_onItsWay = true;
+    QCursor::setPos(m_area->mapToGlobal(m_area->rect().center()));
+}
+
+bool ScenePointer::isArrival(QPointF at) const {
+    const QPointF middle = QRectF(m_area->rect()).center();
+    const double jump = QLineF(at, m_last).length();
+    return m_onItsWay && jump > kJumpShare * m_area->width() && QLineF(at, middle).length() < jump;
 }
 
 bool ScenePointer::eventFilter(QObject*, QEvent* event) {
@@ -57,6 +64,10 @@ bool ScenePointer::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseMove:
         moved(static_cast<QMouseEvent&>(*event));
         return m_captured;
+    case QEvent::Leave:
+        if (m_captured && m_area->window()->isActiveWindow())
+            backToMiddle(); // a movement too quick for the edge
+        return false;
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick: // two quick marks are two marks
         if (static_cast<QMouseEvent&>(*event).button() == Qt::LeftButton) {
@@ -82,14 +93,17 @@ void ScenePointer::moved(const QMouseEvent& event) {
     if (!m_captured || !m_area)
         return;
     const QPointF at = event.position();
+    if (m_known && isArrival(at)) {
+        m_last = QRectF(m_area->rect()).center();
+        m_onItsWay = false;
+    }
     if (m_known)
         m_control.drag(at - m_last, (event.buttons() & Qt::RightButton) != 0);
     m_last = at;
     m_known = true;
-    const QRectF inner = QRectF(m_area->rect())
-                             .adjusted(kEdgeShare * m_area->width(), kEdgeShare * m_area->height(), -kEdgeShare * m_area->width(),
-                                       -kEdgeShare * m_area->height());
-    if (!inner.contains(at))
+    const QMarginsF edge(kEdgeShare * m_area->width(), kEdgeShare * m_area->height(), kEdgeShare * m_area->width(),
+                         kEdgeShare * m_area->height());
+    if (!m_onItsWay && !QRectF(m_area->rect()).marginsRemoved(edge).contains(at))
         backToMiddle();
 }
 

@@ -34,6 +34,7 @@ protected:
 private:
     void moved(const QMouseEvent& event);
     void backToMiddle();
+    bool isArrival(QPointF at) const; ///< the pointer was led back, and this is the first event from there
     void setCursorShape(Qt::CursorShape shape);
 
     PointerControl& m_control;
@@ -41,6 +42,7 @@ private:
     QPointer<QWidget> m_area;
     bool m_captured = false;
     bool m_known = false;   ///< m_last is a place of this capture
+    bool m_onItsWay = false; ///< led back to the middle; events from before may still come, or (Wayland) it never arrives
     QPointF m_last;
 };
 

@@ -60,8 +60,10 @@ void TrainingScreen::loadScene(core::Result<session::TrainingRequest> request) {
     }
     m_request = std::move(*request);
     if (m_cues.sound)
-        if (const QString why = m_sound.open(); !why.isEmpty())
+        if (const QString why = m_sound.open(); !why.isEmpty()) {
             m_header->setSilent(why);
+            m_keysText->setText(tr("%1 %2").arg(m_keysText->text(), why)); // whole sentences, said once and quietly
+        }
     auto loaded = scene3d::makeSceneView(sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded), m_stage);
     m_scene = std::move(loaded.view);
     m_scene->widget()->setAccessibleName(tr("Scene"));

@@ -5,9 +5,11 @@
 #include "desktop/training/force_words.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/pointer_control.h"
+#include "desktop/training/scene_pointer.h"
 #include "desktop/training/training_plan.h"
 
 #include <QElapsedTimer>
+#include <QMouseEvent>
 #include <QtTest>
 #include <set>
 
@@ -22,6 +24,7 @@ private slots:
     void traceIgnoresNonsense();
     void aPlotIsQuicklyPainted();
     void pixelsBecomeMetres();
+    void aPointerLedBackMakesNoJump();
     void heldKeysBecomeASpeed();
     void everyStateHasItsWords();
     void aPlanComesBackFromItsPlace();
@@ -134,6 +137,31 @@ void TestTrainingParts::pixelsBecomeMetres() {
     PointerControl left(mailbox, 1.0, true);
     left.drag({50.0, 0.0}, false);
     QCOMPARE(mailbox.read().moved_m[0], 0.0); // mirrored workspace: right stays right in the scene
+}
+
+/// The pointer nears the edge and is led back to the middle; events of before still come, then the first from the middle. The
+/// tool only ever moves as the hand did.
+void TestTrainingParts::aPointerLedBackMakesNoJump() {
+    devices::PointerMailbox mailbox;
+    PointerControl hand(mailbox, 1.0);
+    QWidget area;
+    area.resize(800, 600);
+    ScenePointer pointer(hand, area, area);
+    const auto moveTo = [&](double x) {
+        QMouseEvent event(QEvent::MouseMove, QPointF(x, 300.0), QPointF(x, 300.0), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(&area, &event);
+        return mailbox.read().moved_m[0] / PointerControl::kMetresPerPixel;
+    };
+    QCOMPARE(moveTo(100.0), 0.0); // free: nobody's hand
+    pointer.capture();
+    QCOMPARE(moveTo(600.0), 0.0); // where it is when it is captured
+    QVERIFY(qFuzzyCompare(moveTo(690.0), 90.0)); // near the edge: led back from here on
+    QVERIFY(qFuzzyCompare(moveTo(720.0), 120.0)); // of before, on its way
+    QVERIFY(qFuzzyCompare(moveTo(410.0), 130.0)); // arrived at 400, moved on by 10
+    QVERIFY(qFuzzyCompare(moveTo(400.0), 120.0)); // a movement over the middle is a movement
+    QVERIFY(qFuzzyCompare(moveTo(500.0), 220.0));
+    pointer.release();
+    QVERIFY(qFuzzyCompare(moveTo(100.0), 220.0));
 }
 
 void TestTrainingParts::heldKeysBecomeASpeed() {
