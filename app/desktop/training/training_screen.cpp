@@ -18,6 +18,7 @@ namespace chiron::desktop {
 
 namespace {
 constexpr int kSceneWait_ms = 4000; // a scene that is never drawn (a covered window) does not keep a session from beginning
+constexpr int kSilentWords_ms = 10'000;
 } // namespace
 
 TrainingScreen::~TrainingScreen() {
@@ -62,7 +63,9 @@ void TrainingScreen::loadScene(core::Result<session::TrainingRequest> request) {
     if (m_cues.sound)
         if (const QString why = m_sound.open(); !why.isEmpty()) {
             m_header->setSilent(why);
-            m_keysText->setText(tr("%1 %2").arg(m_keysText->text(), why)); // whole sentences, said once and quietly
+            const QString keys = m_keysText->text();
+            m_keysText->setText(tr("%1 %2").arg(keys, why)); // whole sentences; said once, quietly, and gone again
+            QTimer::singleShot(kSilentWords_ms, this, [this, keys] { m_keysText->setText(keys); });
         }
     auto loaded = scene3d::makeSceneView(sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded), m_stage);
     m_scene = std::move(loaded.view);
@@ -215,19 +218,19 @@ void TrainingScreen::end() {
 }
 
 bool TrainingScreen::mayLeave() {
-    if (!running())
-        return true;
-    m_control->pause();
-    hold();
-    bool leave = false;
-    askToEnd(tr("A session is running. End it and leave?"), tr("End and leave"), [&leave] { leave = true; });
+    bool leave = m_storing; // it has ended by itself: leaving only waits until it is stored
+    if (running() && !leave) {
+        m_control->pause();
+        hold();
+        askToEnd(tr("A session is running. End it and leave?"), tr("End and leave"), [&leave] { leave = true; });
+    }
     if (leave && running()) { // its end is nobody's news any more: no debrief
         disconnect(m_feed.get(), nullptr, this, nullptr);
         m_over = true;
         m_keys->setActive(false);
         m_feed->training().requestStop();
     }
-    return leave || !running();
+    return !running();
 }
 
 void TrainingScreen::hold() {

@@ -3,6 +3,7 @@
 #include "gui/training/training_bench.h"
 
 #include <QDir>
+#include <QElapsedTimer>
 #include <QScreen>
 #include <cstdio>
 
@@ -69,7 +70,12 @@ void takeDemonstration(TrainingBench& bench, Album& album) {
     untilForce(bench, core::ForceState::ramping);
     album.take("demo_arming", 300);
     untilForce(bench, core::ForceState::on);
-    album.take("demo_running", 6000);
+    const std::uint64_t frames = bench.screen()->scene()->framesDrawn();
+    QElapsedTimer timer;
+    timer.start();
+    QTest::qWait(6000);
+    std::printf("scene: %.1f frames a second\n", 1e3 * double(bench.screen()->scene()->framesDrawn() - frames) / double(timer.elapsed()));
+    album.take("demo_running");
     bench.key(Qt::Key_Escape);
     album.take("demo_stopped");
 }
