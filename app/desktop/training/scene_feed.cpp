@@ -54,4 +54,10 @@ scene3d::SceneState sceneStateOf(const haptics::DisplayState& shown, const sessi
     return state;
 }
 
+haptics::DisplayState withoutForce(haptics::DisplayState shown) {
+    for (haptics::ToolDisplay& tool : shown.tool)
+        tool.tissue = tool.commanded = tool.measured = {};
+    return shown;
+}
+
 } // namespace chiron::desktop

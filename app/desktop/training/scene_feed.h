@@ -17,4 +17,7 @@ scene3d::SceneSetup sceneSetupOf(const catalogue::ExerciseLevel& level, const se
 /// What is drawn of a tick: only what the level lets be seen. `startedAt_ns`: now_ns of the first tick.
 scene3d::SceneState sceneStateOf(const haptics::DisplayState& shown, const session::LevelCues& cues, std::int64_t startedAt_ns);
 
+/// The same tick with nothing of its force: while force is stopped none is shown either.
+haptics::DisplayState withoutForce(haptics::DisplayState shown);
+
 } // namespace chiron::desktop

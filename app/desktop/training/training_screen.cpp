@@ -130,9 +130,11 @@ void TrainingScreen::onFrame() {
         hold();
     if (m_pointer && !m_control->held() && !m_storing && QApplication::activeModalWidget())
         pauseOrResume(); // a dialog lies over the scene: nobody can work now
-    m_scene->show(sceneStateOf(state, m_cues, m_start_ns));
-    m_header->show(state);
-    m_info->show(state, m_feed->samples());
+    const bool stopped = m_control->stopped();
+    const haptics::DisplayState shown = stopped ? withoutForce(state) : state;
+    m_scene->show(sceneStateOf(shown, m_cues, m_start_ns));
+    m_header->show(shown);
+    m_info->show(shown, stopped ? std::span<const session::LiveSample>() : m_feed->samples());
     m_sound.play(state, m_feed->contacts(), m_control->held());
     showControls();
     if (state.ended && !m_storing) {

@@ -46,13 +46,13 @@ private slots:
     void aDialogPauses();
     void pauseAndResume();
     void escStopsAndRearms();
+    void aStopShowsNoForce();
     void cuesFollowTheLevel_data();
     void cuesFollowTheLevel();
     void aStallCostsNoTick();
     void leavingAsks();
     void endKeepsWhatIsRecorded();
     void errorsHaveTheirWords();
-    void anUnknownLevelIsSaid();
     void soundCanBeSilent();
 };
 
@@ -188,6 +188,22 @@ void TestTrainingScreen::escStopsAndRearms() {
     QVERIFY(!bench.state().paused);
 }
 
+void TestTrainingScreen::aStopShowsNoForce() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    auto* bar = bench.desktop.find<desktop::ForceBar>(QStringLiteral("training.force_bar"));
+    for (int n = 0; n < 60 && !bar->isOver(); ++n) { // through the ball or into the plane
+        bench.wheel(-240);
+        QTest::qWait(30);
+    }
+    QVERIFY(bar->isOver());
+    bench.key(Qt::Key_Escape);
+    QTRY_VERIFY(!bar->isOver());
+    bench.key(Qt::Key_R);
+    QTRY_VERIFY(bar->isOver()); // the hand is where it was
+}
+
 void TestTrainingScreen::cuesFollowTheLevel_data() {
     QTest::addColumn<int>("level");
     QTest::newRow("visible") << 1;
@@ -269,10 +285,6 @@ void TestTrainingScreen::errorsHaveTheirWords() {
     QTRY_VERIFY(panel->state() == desktop::StatePanel::State::error);
     QVERIFY(!bench.desktop.context.trialRuns());
     QVERIFY(bench.screen()->mayLeave());
-}
-
-void TestTrainingScreen::anUnknownLevelIsSaid() {
-    TrainingBench bench;
     bench.train({{QStringLiteral("level"), 99}});
     QTRY_VERIFY(bench.screen()->findChild<desktop::StatePanel*>()->state() == desktop::StatePanel::State::error);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/live_training.h"
+#include "session/replayer.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>
@@ -78,6 +79,11 @@ void TestLiveTraining::aPersonsSetEndsWithItsLastTrial() {
     QCOMPARE(live->result()->session, live->sessionId());
     QCOMPARE(live->droppedSamples(), std::uint64_t{0});
     QVERIFY(stateOf(site, live->sessionId()) == SessionState::completed);
+    tests::OpenStored stored(*site.database, live->sessionId()); // a person's hand replays to the same bits, too
+    const auto replay = session::replaySession(*stored.session);
+    QVERIFY2(replay, replay ? "" : replay.error().message.c_str());
+    QVERIFY(replay->identical && replay->comparable);
+    QVERIFY(replay->frames > 100);
 }
 
 void TestLiveTraining::theEndCommandEndsIt() {
