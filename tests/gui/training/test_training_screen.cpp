@@ -225,8 +225,7 @@ void TestTrainingScreen::cuesFollowTheLevel() {
     QVERIFY(bench.text("training.device").contains(QStringLiteral("shown, not felt")));
 }
 
-/// The window does nothing for a second. What is asserted stands in the recording; lateness is printed (the same run without
-/// a stall: test_live_training).
+/// The window does nothing for a second; lateness is printed beside the same run without that.
 void TestTrainingScreen::aStallCostsNoTick() {
     for (const bool stall : {false, true}) {
         TrainingBench bench;
