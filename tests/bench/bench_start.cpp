@@ -38,6 +38,35 @@ std::string makeSite(const std::filesystem::path& folder) {
     return file;
 }
 
+/// What one program's starts took, step by step.
+struct Starts {
+    std::map<std::string, std::vector<double>> wall_ms;
+    std::map<std::string, std::vector<double>> cpu_ms;
+
+    void add(const std::map<std::string, StartStep>& steps) {
+        if (steps.empty())
+            giveUp("a program did not paint itself within ten seconds");
+        for (const auto& [what, step] : steps) {
+            wall_ms[what].push_back(step.wall_ms);
+            cpu_ms[what].push_back(step.cpu_ms);
+        }
+    }
+    void print(const char* program) {
+        for (const auto& [what, times] : wall_ms)
+            std::printf("  %-13s exec to %-14s %7.1f ms, processor %6.1f ms\n", program, what.c_str(), median(times), median(cpu_ms[what]));
+    }
+};
+
+BenchRow rowOf(const char* work, std::map<std::string, std::vector<double>>& ours, std::map<std::string, std::vector<double>>& peer) {
+    BenchRow row{.work = work, .peer = "empty QMainWindow", .unit = "ms"};
+    row.peerMedian = median(peer["first_paint"]);
+    row.oursMedian = median(ours["first_paint"]);
+    row.p99 = percentile(ours["first_paint"], 0.99);
+    row.goal = "ours <= 1.3 x peer";
+    row.reached = verdict(*row.oursMedian <= kGoal * *row.peerMedian);
+    return row;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -55,28 +84,19 @@ int main(int argc, char** argv) {
     printHeading("From exec to first paint");
     startUntil(ours, "first_paint"); // files into the page cache
     startUntil(peer, "first_paint");
-    std::vector<double> oursTimes, peerTimes;
-    std::map<std::string, std::vector<double>> steps;
+    Starts starts;
+    Starts empty;
     for (int n = 0; n < kRepeats; ++n) {
-        const auto empty = startUntil(peer, "first_paint");
-        const auto login = startUntil(ours, "first_paint");
-        if (empty.empty() || login.empty())
-            giveUp("a program did not paint itself within ten seconds");
-        peerTimes.push_back(empty.at("first_paint"));
-        oursTimes.push_back(login.at("first_paint"));
-        for (const auto& [what, time_ms] : login)
-            steps[what].push_back(time_ms);
+        empty.add(startUntil(peer, "first_paint"));
+        starts.add(startUntil(ours, "first_paint"));
     }
-    BenchRow row{.work = "login", .peer = "empty QMainWindow", .unit = "ms"};
-    row.peerMedian = median(peerTimes);
-    row.oursMedian = median(oursTimes);
-    row.p99 = percentile(oursTimes, 0.99);
-    row.goal = "ours <= 1.3 x peer";
-    row.reached = verdict(*row.oursMedian <= kGoal * *row.peerMedian);
-    printTable({row});
-    std::printf("ours / peer: %.2f\n", *row.oursMedian / *row.peerMedian);
-    for (const auto& [what, times] : steps)
-        std::printf("  exec to %-18s %7.1f ms\n", what.c_str(), median(times));
+    printTable({rowOf("login, by the wall clock", starts.wall_ms, empty.wall_ms),
+                rowOf("login, processor time of the process", starts.cpu_ms, empty.cpu_ms)});
+    std::printf("ours / peer: %.2f by the wall clock, %.2f in processor time\n",
+                median(starts.wall_ms["first_paint"]) / median(empty.wall_ms["first_paint"]),
+                median(starts.cpu_ms["first_paint"]) / median(empty.cpu_ms["first_paint"]));
+    starts.print("chiron");
+    empty.print("empty window");
     std::filesystem::remove_all(folder);
     return 0;
 }

@@ -20,7 +20,9 @@ protected:
 } // namespace
 
 int main(int argc, char** argv) {
+    chiron::desktop::traceStart("main");
     QApplication application(argc, argv);
+    chiron::desktop::traceStart("application");
     EmptyWindow window;
     window.resize(1280, 720);
     window.show();

@@ -25,12 +25,13 @@ long long now_ns() {
 }
 
 /// Adds the times of whole lines; true when `last` was among them.
-bool readLines(std::string& text, long long begin_ns, const std::string& last, std::map<std::string, double>& times) {
+bool readLines(std::string& text, long long begin_ns, const std::string& last, std::map<std::string, StartStep>& times) {
     for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n')) {
         char what[64] = {};
         long long at_ns = 0;
-        if (std::sscanf(text.c_str(), "chiron-start %63s %lld", what, &at_ns) == 2)
-            times.emplace(what, static_cast<double>(at_ns - begin_ns) * 1e-6);
+        long long cpu_ns = 0;
+        if (std::sscanf(text.c_str(), "chiron-start %63s %lld %lld", what, &at_ns, &cpu_ns) == 3)
+            times.emplace(what, StartStep{static_cast<double>(at_ns - begin_ns) * 1e-6, static_cast<double>(cpu_ns) * 1e-6});
         text.erase(0, end + 1);
     }
     return times.contains(last);
@@ -38,7 +39,7 @@ bool readLines(std::string& text, long long begin_ns, const std::string& last, s
 
 } // namespace
 
-std::map<std::string, double> startUntil(const std::vector<std::string>& command, const std::string& last) {
+std::map<std::string, StartStep> startUntil(const std::vector<std::string>& command, const std::string& last) {
     setenv("CHIRON_START_TRACE", "1", 1);
     int ends[2] = {};
     if (pipe(ends) != 0)
@@ -56,7 +57,7 @@ std::map<std::string, double> startUntil(const std::vector<std::string>& command
     const int failed = posix_spawn(&child, command.front().c_str(), &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[1]);
-    std::map<std::string, double> times;
+    std::map<std::string, StartStep> times;
     std::string text;
     bool there = false;
     char buffer[4096];
@@ -73,7 +74,7 @@ std::map<std::string, double> startUntil(const std::vector<std::string>& command
         kill(child, SIGKILL);
         waitpid(child, nullptr, 0);
     }
-    return there ? times : std::map<std::string, double>{};
+    return there ? times : std::map<std::string, StartStep>{};
 }
 
 } // namespace chiron::bench

@@ -7,8 +7,14 @@
 
 namespace chiron::bench {
 
-/// Runs a program until it says "chiron-start <last> <ns>" on its standard error, then ends it. Returns the milliseconds from
-/// just before it was made to each such line; empty where the last one does not come within ten seconds.
-std::map<std::string, double> startUntil(const std::vector<std::string>& command, const std::string& last);
+/// When a program said something: milliseconds since just before it was made, and its processor time until then.
+struct StartStep {
+    double wall_ms = 0.0;
+    double cpu_ms = 0.0;
+};
+
+/// Runs a program until it says "chiron-start <last> ..." on its standard error (app/desktop/frame/start_trace.h), then ends
+/// it. Returns each such step; empty where the last one does not come within ten seconds.
+std::map<std::string, StartStep> startUntil(const std::vector<std::string>& command, const std::string& last);
 
 } // namespace chiron::bench

@@ -33,6 +33,7 @@ MainWindow::MainWindow(AppContext& context) : m_context(context) {
     build();
     new LockController(context, *this);
     connect(&context.navigator(), &Navigator::moved, this, &MainWindow::showPlace);
+    connect(&context.messages(), &Messages::told, this, &MainWindow::tell);
     context.navigator().setGuard([this] { return !m_screen || m_screen->mayLeave(); });
     connect(&context, &AppContext::appearanceChanged, this, [this] {
         if (m_context.trialRuns())
@@ -53,27 +54,27 @@ MainWindow::~MainWindow() {
 
 void MainWindow::build() {
     m_rebuildWanted = false;
-    const Theme& theme = m_context.theme();
     m_frame = new QWidget;
     m_frame->setProperty("kind", QStringLiteral("page"));
     auto* row = new QHBoxLayout(m_frame);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
-    m_sideBar = new SideBar(m_context);
-    connect(m_sideBar, &SideBar::paletteAsked, this, m_actions.palette);
-    connect(m_sideBar, &SideBar::helpAsked, this, m_actions.help);
-    row->addWidget(m_sideBar);
-    auto* column = new QVBoxLayout;
-    column->setSpacing(0);
-    m_banner = banner();
-    column->addWidget(m_banner);
+    // Only what is seen now: the login must be there as soon as an empty window would.
+    m_sideBar = nullptr;
+    if (m_context.loggedIn()) {
+        m_sideBar = new SideBar(m_context);
+        connect(m_sideBar, &SideBar::paletteAsked, this, m_actions.palette);
+        connect(m_sideBar, &SideBar::helpAsked, this, m_actions.help);
+        row->addWidget(m_sideBar);
+    }
+    m_column = new QVBoxLayout;
+    m_column->setSpacing(0);
+    m_banner = nullptr;
     m_stage = new QVBoxLayout;
     m_stage->setContentsMargins(0, 0, 0, 0);
-    column->addLayout(m_stage, 1);
-    m_messages = new MessageBar(theme);
-    column->addWidget(m_messages);
-    row->addLayout(column, 1);
-    connect(&m_context.messages(), &Messages::told, m_messages, &MessageBar::tell);
+    m_column->addLayout(m_stage, 1);
+    m_messages = nullptr;
+    row->addLayout(m_column, 1);
     if (QWidget* before = centralWidget())
         before->setEnabled(false); // work that ends before it is deleted must not move the focus into it
     setCentralWidget(m_frame); // deletes the frame before
@@ -89,8 +90,15 @@ QWidget* MainWindow::banner() const {
     row->setContentsMargins(theme.px(16), theme.px(4), theme.px(16), theme.px(4));
     row->addWidget(kit::label(theme, tr("Demonstration site: invented people and scripted sessions. Do not record real training here."),
                               TextStyle::small));
-    banner->setVisible(false);
     return banner;
+}
+
+void MainWindow::tell(const Message& message) {
+    if (!m_messages) {
+        m_messages = new MessageBar(m_context.theme());
+        m_column->addWidget(m_messages);
+    }
+    m_messages->tell(message);
 }
 
 void MainWindow::rebuild() {
@@ -112,12 +120,20 @@ void MainWindow::showPlace(const Place& place) {
         m_screen->setEnabled(false); // work that ends meanwhile must not move the focus into it
         m_screen->deleteLater(); // the call may come from one of its own buttons
     }
-    m_sideBar->setVisible(entry->framed && m_context.loggedIn());
-    m_banner->setVisible(m_context.site().isOpen() && m_context.site().database().isDemonstration());
+    if (m_sideBar)
+        m_sideBar->setVisible(entry->framed && m_context.loggedIn());
+    const bool demonstration = m_context.site().isOpen() && m_context.site().database().isDemonstration();
+    if (demonstration && !m_banner) {
+        m_banner = banner();
+        m_column->insertWidget(0, m_banner);
+    }
+    if (m_banner)
+        m_banner->setVisible(demonstration);
     m_screen = entry->make(m_context, place);
     m_stage->addWidget(m_screen);
     m_screen->show(); // now, so that enter() can give one of its controls the focus
-    m_sideBar->showCurrent(place.screen);
+    if (m_sideBar)
+        m_sideBar->showCurrent(place.screen);
     setWindowTitle(tr("%1 - Chiron").arg(m_screen->title()));
     renewShortcuts();
     m_screen->enter();

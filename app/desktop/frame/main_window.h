@@ -13,6 +13,7 @@ namespace chiron::desktop {
 
 class AppContext;
 class MessageBar;
+struct Message;
 class Screen;
 class SideBar;
 
@@ -40,13 +41,15 @@ private:
     void renewShortcuts();
     void showCommandPalette();
     QWidget* banner() const;
+    void tell(const Message& message);
 
     AppContext& m_context;
     WindowActions m_actions;
     QObject* m_shortcuts = nullptr; ///< parent of the keys that work now
     QWidget* m_frame = nullptr;
-    SideBar* m_sideBar = nullptr;
-    QWidget* m_banner = nullptr;
+    SideBar* m_sideBar = nullptr;     ///< null before somebody is logged in
+    QVBoxLayout* m_column = nullptr;
+    QWidget* m_banner = nullptr;      ///< made when it is first needed, as the messages are
     MessageBar* m_messages = nullptr;
     QVBoxLayout* m_stage = nullptr;
     Screen* m_screen = nullptr;

@@ -52,7 +52,7 @@ ExerciseCard::ExerciseCard(AppContext& context, const catalogue::Exercise& exerc
     column->setSpacing(theme.px(12));
     auto* head = new QHBoxLayout;
     head->setSpacing(theme.px(16));
-    if (!exercise.levels.empty())
+    if (!exercise.levels.empty() && theme.scale() < kNoPictureScale)
         head->addWidget(new ExercisePicture(theme, exercise.levels.front(), {168, 112}), 0, Qt::AlignTop);
     auto* words = new QVBoxLayout;
     words->addWidget(kit::label(theme, textIn(exercise.title, context), TextStyle::title));

@@ -8,6 +8,9 @@
 
 namespace chiron::desktop {
 
+/// From this scale on words need the room that a picture would take.
+inline constexpr double kNoPictureScale = 1.5;
+
 /// A picture of a level, painted from its content: the ball in its true proportions, dashed where it is not shown, its dimple
 /// where it has one, and the instrument on its apex. Decorative: what it shows is said in words beside it.
 class ExercisePicture final : public QWidget {

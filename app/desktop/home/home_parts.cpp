@@ -42,7 +42,8 @@ QWidget* HomeScreen::continueCard(const HomeData& home) {
     }
     auto* row = new QHBoxLayout;
     row->setSpacing(theme.px(20));
-    row->addWidget(new ExercisePicture(theme, *level, {228, 152}), 0, Qt::AlignTop);
+    if (theme.scale() < kNoPictureScale)
+        row->addWidget(new ExercisePicture(theme, *level, {228, 152}), 0, Qt::AlignTop);
     auto* words = new QVBoxLayout;
     words->setSpacing(theme.px(6));
     words->addWidget(kit::label(theme, next->attempts > 0 ? tr("Go on where you were") : tr("Your next step"), TextStyle::small, "muted"));
@@ -54,6 +55,7 @@ QWidget* HomeScreen::continueCard(const HomeData& home) {
                       {{QStringLiteral("exercise"), QString::fromStdString(next->exercise)}, {QStringLiteral("level"), next->level}}, "primary");
     go->setObjectName(QStringLiteral("home.continue"));
     go->setIcon(theme.icon(QStringLiteral("media-playback-start"), Colour::accentText));
+    go->setIconSize(QSize(theme.px(20), theme.px(20)));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(go);
     buttons->addStretch();

@@ -52,17 +52,23 @@ LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(conte
     m_room = box.layout;
     m_site = new StatePanel(theme);
     m_site->setObjectName(QStringLiteral("login.site"));
-    m_form = new LoginForm(theme);
-    m_site->setContent(m_form);
     m_room->addWidget(m_site);
     m_scroll->column()->addStretch(1);
     m_scroll->column()->addWidget(heading);
     m_scroll->column()->addWidget(box.frame);
     m_scroll->column()->addStretch(1);
     m_scroll->column()->addWidget(form::languageChoice(context), 0, Qt::AlignHCenter);
+    m_site->showLoading(tr("Opening the site …"));
+}
+
+// After the first paint: a form of many controls that nobody can use before the names are there.
+void LoginScreen::makeForm() {
+    if (m_form)
+        return;
+    m_form = new LoginForm(context().theme());
+    m_site->setContent(m_form);
     connect(m_form, &LoginForm::submitted, this, &LoginScreen::logIn);
     connect(m_form, &LoginForm::forgotten, this, &LoginScreen::showRecovery);
-    m_site->showLoading(tr("Opening the site …"));
 }
 
 QString LoginScreen::title() const {
@@ -113,6 +119,7 @@ void LoginScreen::namesLoaded(core::Result<std::vector<database::LoginName>> nam
         context().navigator().replace({QStringLiteral("first_start"), {}});
         return;
     }
+    makeForm();
     m_form->setNames(*names);
     if (context().site().database().isDemonstration())
         m_form->showDemonstrationHint(tr("This is a demonstration: choose anybody. The password of all of them is %1")

@@ -31,6 +31,7 @@ public:
     void enter() override;
 
 private:
+    void makeForm();
     void showForm();
     void showForced(const database::Actor& actor, const QString& password);
     void showRecovery();

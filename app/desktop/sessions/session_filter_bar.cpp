@@ -7,6 +7,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDateEdit>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QSignalBlocker>
@@ -105,7 +106,7 @@ void SessionFilterBar::buildChoices(const catalogue::Catalogue& catalogue, const
     m_device->addItem(SessionWords::device(false), false);
 }
 
-void SessionFilterBar::buildPeriod(const Theme&) {
+void SessionFilterBar::buildPeriod(const Theme& theme) {
     m_period = choice(QStringLiteral("period"), tr("Any time"), tr("When it was recorded"));
     m_period->setItemData(0, anyTime);
     m_period->addItem(tr("Today"), today);
@@ -114,37 +115,48 @@ void SessionFilterBar::buildPeriod(const Theme&) {
     m_period->addItem(tr("Chosen days"), chosen);
     disconnect(m_period, &QComboBox::currentIndexChanged, this, nullptr);
     connect(m_period, &QComboBox::currentIndexChanged, this, &SessionFilterBar::choosePeriod);
+    m_dates = new QWidget; // empty until days are chosen
+    auto* row = new QHBoxLayout(m_dates);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(theme.px(8));
+    m_dates->hide();
+    layout()->addWidget(m_dates);
+}
+
+// Seldom wanted, and slow to make: only with "Chosen days".
+void SessionFilterBar::makeDates() {
+    if (m_from)
+        return;
+    m_showing = true;
     for (auto [member, name, label] : {std::tuple{&m_from, "from", tr("From this day")}, std::tuple{&m_to, "to", tr("To this day")}}) {
         auto* edit = new QDateEdit(QDate::currentDate());
         edit->setObjectName(QStringLiteral("sessions.") + QLatin1String(name));
         edit->setAccessibleName(label);
         edit->setToolTip(label);
         connect(edit, &QDateEdit::dateChanged, this, &SessionFilterBar::read);
-        layout()->addWidget(edit);
+        m_dates->layout()->addWidget(edit);
         *member = edit;
     }
+    m_showing = false;
 }
 
 void SessionFilterBar::choosePeriod() {
     if (m_showing)
         return;
     const auto period = static_cast<Period>(m_period->currentData().toInt());
-    const QSignalBlocker quietFrom(m_from);
-    const QSignalBlocker quietTo(m_to);
     if (period == chosen) {
+        makeDates();
+        const QSignalBlocker quietFrom(m_from);
+        const QSignalBlocker quietTo(m_to);
         m_from->setDate(m_filter.from.isValid() ? m_filter.from : QDate::currentDate().addDays(-29));
         m_to->setDate(m_filter.to.isValid() ? m_filter.to : QDate::currentDate());
-    } else if (period != anyTime) {
-        m_from->setDate(firstDayOf(period));
     }
     showDates();
     read();
 }
 
 void SessionFilterBar::showDates() {
-    const bool own = m_period->currentData().toInt() == chosen;
-    m_from->setVisible(own);
-    m_to->setVisible(own);
+    m_dates->setVisible(m_period->currentData().toInt() == chosen);
     updateGeometry();
 }
 
@@ -163,10 +175,12 @@ void SessionFilterBar::read() {
     if (m_outcome->currentIndex() > 0)
         filter.outcome = static_cast<Outcome>(m_outcome->currentData().toInt());
     const auto period = static_cast<Period>(m_period->currentData().toInt());
-    if (period != anyTime)
+    if (period == chosen) {
         filter.from = m_from->date();
-    if (period == chosen)
         filter.to = m_to->date();
+    } else if (period != anyTime) {
+        filter.from = firstDayOf(period);
+    }
     filter.archived = m_archived->isChecked();
     m_clear->setEnabled(!filter.isEmpty());
     if (filter == m_filter)
@@ -187,10 +201,12 @@ void SessionFilterBar::setFilter(const SessionListFilter& filter) {
     select(m_device, filter.felt ? QVariant(*filter.felt) : QVariant());
     select(m_outcome, filter.outcome ? QVariant(static_cast<int>(*filter.outcome)) : QVariant());
     select(m_period, periodOf(filter));
-    if (filter.from.isValid())
-        m_from->setDate(filter.from);
-    if (filter.to.isValid())
-        m_to->setDate(filter.to);
+    if (periodOf(filter) == chosen) {
+        makeDates();
+        m_showing = true;
+        m_from->setDate(filter.from.isValid() ? filter.from : filter.to);
+        m_to->setDate(filter.to.isValid() ? filter.to : QDate::currentDate());
+    }
     m_archived->setChecked(filter.archived);
     m_clear->setEnabled(!filter.isEmpty());
     m_showing = false;

@@ -39,6 +39,7 @@ private:
     QComboBox* choice(const QString& name, const QString& any, const QString& label);
     void buildChoices(const catalogue::Catalogue& catalogue, const QString& language);
     void buildPeriod(const Theme& theme);
+    void makeDates();
     void choosePeriod();
     void read();
     void showDates();
@@ -53,7 +54,8 @@ private:
     QComboBox* m_device = nullptr;
     QComboBox* m_outcome = nullptr;
     QComboBox* m_period = nullptr;
-    QDateEdit* m_from = nullptr;
+    QWidget* m_dates = nullptr;
+    QDateEdit* m_from = nullptr; ///< made when days are first chosen
     QDateEdit* m_to = nullptr;
     QCheckBox* m_archived = nullptr;
     QPushButton* m_clear = nullptr;

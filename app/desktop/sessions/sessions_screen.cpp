@@ -2,15 +2,18 @@
 #include "desktop/sessions/sessions_screen.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/sessions/plain_cell_delegate.h"
 #include "desktop/sessions/session_filter_bar.h"
 #include "desktop/sessions/session_table_model.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QTableView>
+#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -28,22 +31,27 @@ database::SessionFilter pageBefore(database::SessionId before, int limit) {
 }
 
 /// Widths from words that are as long as they get, instead of from thousands of rows.
-void setWidths(QTableView& table, const Theme& theme, const QLocale& locale) {
+void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, const ExerciseTitles& titles) {
     const QFontMetrics metrics(theme.font(TextStyle::body));
+    if (titles.isEmpty())
+        return;
     const QString date = locale.toString(QDateTime(QDate(2026, 12, 28), QTime(20, 48)), QLocale::ShortFormat);
     const QStringList longest{QStringLiteral("00000"),
                               date,
-                              QStringLiteral("Nikos Newcomers-Long"),
-                              QStringLiteral("Find the apex by touch"),
+                              QStringLiteral("Nikos Newcomer"),
+                              *std::max_element(titles.begin(), titles.end(), [](const QString& a, const QString& b) { return a.size() < b.size(); }),
                               {},
-                              SessionWords::state(database::SessionState::interrupted) + QStringLiteral("  +++++"),
-                              SessionWords::outcome(Outcome::practice) + QStringLiteral("  ++"),
+                              SessionWords::state(database::SessionState::interrupted) + QStringLiteral("+++"),
+                              std::max({SessionWords::outcome(Outcome::practice), SessionWords::outcome(Outcome::notScored),
+                                        SessionWords::outcome(Outcome::notPassed)},
+                                       [](const QString& a, const QString& b) { return a.size() < b.size(); }) +
+                                  QStringLiteral("+++"),
                               SessionWords::device(false),
                               SessionWords::length(3'599'000, locale)};
     for (int column = 0; column < SessionTableModel::columns; ++column) {
-        const QString head = table.model()->headerData(column, Qt::Horizontal).toString() + QStringLiteral("   ");
+        const QString head = table.model()->headerData(column, Qt::Horizontal).toString() + QStringLiteral("     ");
         const int width = std::max(metrics.horizontalAdvance(longest.at(column)), metrics.horizontalAdvance(head) * 11 / 10);
-        table.setColumnWidth(column, width + theme.px(24));
+        table.setColumnWidth(column, width + theme.px(14));
     }
 }
 
@@ -52,8 +60,11 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale) {
 SessionsScreen::SessionsScreen(AppContext& context, const Place& place)
     : Screen(context, place), m_titles(exerciseTitles(context.site().catalogue(), context.language())) {
     const Theme& theme = context.theme();
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(theme.px(24), theme.px(18), theme.px(24), theme.px(14));
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    auto* page = new ScrollPage(theme, 0); // a large scale leaves too little room for controls and rows together
+    all->addWidget(page);
+    QVBoxLayout* column = page->column();
     column->setSpacing(theme.px(10));
     column->addWidget(buildHead());
     m_filterBar = new SessionFilterBar(theme, context.site().catalogue(), context.language());
@@ -99,6 +110,7 @@ QWidget* SessionsScreen::buildTable() {
     m_table->setAccessibleName(tr("Sessions"));
     m_table->setFont(theme.font(TextStyle::body));
     m_table->setModel(m_model);
+    m_table->setItemDelegate(new PlainCellDelegate(theme, m_table));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setShowGrid(false);
@@ -108,7 +120,7 @@ QWidget* SessionsScreen::buildTable() {
     m_table->setIconSize(QSize(theme.px(18), theme.px(18)));
     m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setMinimumHeight(theme.px(100));
+    m_table->setMinimumHeight(theme.px(190));
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed); // else every row is measured
     m_table->verticalHeader()->setDefaultSectionSize(theme.px(34));
@@ -117,7 +129,7 @@ QWidget* SessionsScreen::buildTable() {
     head->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     head->setStretchLastSection(true);
     head->setSortIndicator(SessionTableModel::number, Qt::DescendingOrder);
-    setWidths(*m_table, theme, context().locale());
+    setWidths(*m_table, theme, context().locale(), m_titles);
     m_table->setSortingEnabled(true);
     return m_table;
 }

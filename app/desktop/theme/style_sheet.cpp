@@ -74,11 +74,11 @@ QRadioButton::indicator { border-radius: #11#; }
 QCheckBox::indicator:checked { background: @accent; border-color: @accent; image: url(:/theme/check_%ONACCENT%.svg); }
 QRadioButton::indicator:checked { border-color: @accent; background: qradialgradient(cx: 0.5, cy: 0.5, radius: 0.5, fx: 0.5, fy: 0.5,
     stop: 0 @accent, stop: 0.55 @accent, stop: 0.62 @surface, stop: 1 @surface); }
-QTableView, QListView, QTreeView, QTableWidget, QListWidget { background: @surface; color: @text; border: 1px solid @border;
+QTableView, QListView, QTreeView, QTableWidget, QListWidget { background: @surface; color: @text; border: 1px solid @border; padding: 1px;
     border-radius: #8#; gridline-color: @grid; alternate-background-color: @raised; outline: none; selection-background-color: @accentSoft;
     selection-color: @text; }
 QTableView::item, QListView::item { padding: #4# #8#; border: none; }
-QTableView:focus, QListView:focus { border: 2px solid @focus; }
+QTableView:focus, QListView:focus { border: 2px solid @focus; padding: 0; }
 QTableView::item:selected, QListView::item:selected { background: @accentSoft; color: @text; }
 QListView::item:selected { border-left: #3# solid @accent; }
 QHeaderView { background: @raised; border: none; }

@@ -2,8 +2,9 @@
 #include "desktop/theme/theme.h"
 
 #include <QFile>
+#include <QIconEngine>
 #include <QPainter>
-#include <QPixmap>
+#include <QPixmapCache>
 
 namespace chiron::desktop {
 
@@ -19,39 +20,65 @@ QString fileOf(const QString& name) {
     return {};
 }
 
-QPixmap dot(int size, const QColor& ink) {
-    QPixmap pixmap(size, size);
+QPixmap dot(const QSize& size, const QColor& ink) {
+    QPixmap pixmap(size);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(ink);
     painter.setPen(Qt::NoPen);
-    painter.drawEllipse(QRectF(size * 0.3, size * 0.3, size * 0.4, size * 0.4));
+    painter.drawEllipse(QRectF(size.width() * 0.3, size.height() * 0.3, size.width() * 0.4, size.height() * 0.4));
     return pixmap;
 }
 
-/// The same shape in one ink: Breeze's own colours belong to a desktop's palette, not to ours.
-QPixmap inked(QPixmap pixmap, const QColor& ink) {
-    QPainter painter(&pixmap);
-    painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
-    painter.fillRect(pixmap.rect(), ink);
-    return pixmap;
-}
+/// Breeze's shape in one ink (its own colours belong to a desktop's palette, not to ours), drawn in the size that is asked for
+/// when it is asked for: a screen has many icons, and most sizes and modes of most of them are never seen.
+class InkedIcon final : public QIconEngine {
+public:
+    InkedIcon(QString name, QColor ink, QColor disabled) : m_name(std::move(name)), m_ink(ink), m_disabled(disabled) {}
+
+    QIconEngine* clone() const override { return new InkedIcon(m_name, m_ink, m_disabled); }
+    bool isNull() override { return false; }
+    QSize actualSize(const QSize& size, QIcon::Mode, QIcon::State) override { return size; }
+
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State) override {
+        const QColor ink = mode == QIcon::Disabled ? m_disabled : m_ink;
+        const QString key = QStringLiteral("chiron-icon/%1/%2/%3x%4").arg(m_name, ink.name()).arg(size.width()).arg(size.height());
+        QPixmap pixmap;
+        if (QPixmapCache::find(key, &pixmap))
+            return pixmap;
+        const QString file = fileOf(m_name);
+        if (!file.isEmpty())
+            pixmap = QIcon(file).pixmap(size, 1.0);
+        pixmap = pixmap.isNull() ? dot(size, ink) : inked(pixmap, ink);
+        QPixmapCache::insert(key, pixmap);
+        return pixmap;
+    }
+
+    void paint(QPainter* painter, const QRect& area, QIcon::Mode mode, QIcon::State state) override {
+        const qreal ratio = painter->device()->devicePixelRatio();
+        QPixmap drawn = pixmap(area.size() * ratio, mode, state);
+        drawn.setDevicePixelRatio(ratio);
+        painter->drawPixmap(area, drawn);
+    }
+
+private:
+    static QPixmap inked(QPixmap pixmap, const QColor& ink) {
+        QPainter painter(&pixmap);
+        painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+        painter.fillRect(pixmap.rect(), ink);
+        return pixmap;
+    }
+
+    QString m_name;
+    QColor m_ink;
+    QColor m_disabled;
+};
 
 } // namespace
 
 QIcon Theme::icon(const QString& name, Colour ink) const {
-    const QString file = fileOf(name);
-    const QIcon source = file.isEmpty() ? QIcon() : QIcon(file);
-    QIcon icon;
-    for (const int size : {px(22), 2 * px(22)}) {
-        QPixmap pixmap = source.pixmap(QSize(size, size));
-        if (pixmap.isNull())
-            pixmap = dot(size, color(ink));
-        icon.addPixmap(inked(pixmap, color(ink)));
-        icon.addPixmap(inked(pixmap, color(Colour::muted)), QIcon::Disabled);
-    }
-    return icon;
+    return QIcon(new InkedIcon(name, color(ink), color(Colour::muted)));
 }
 
 } // namespace chiron::desktop

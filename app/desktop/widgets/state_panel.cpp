@@ -18,7 +18,6 @@ constexpr int kShowCancel_ms = 2000;
 
 StatePanel::StatePanel(const Theme& theme, QWidget* parent) : QStackedWidget(parent), m_theme(theme) {
     buildLoading();
-    buildNote();
     m_timer = new QTimer(this);
     m_timer->setInterval(kStep_ms);
     connect(m_timer, &QTimer::timeout, this, &StatePanel::revealProgress);
@@ -31,6 +30,14 @@ void StatePanel::buildLoading() {
     column->addStretch();
     m_loadingText = kit::label(m_theme, {}, TextStyle::body, "muted");
     m_loadingText->setAlignment(Qt::AlignCenter);
+    column->addWidget(m_loadingText);
+    column->addStretch();
+    addWidget(m_loading);
+}
+
+// Most of what is loaded is there before anybody could see these.
+void StatePanel::buildProgress() {
+    auto* column = static_cast<QVBoxLayout*>(m_loading->layout());
     m_progress = new QProgressBar;
     m_progress->setAccessibleName(tr("Progress"));
     m_progress->setMaximumWidth(m_theme.px(320));
@@ -41,11 +48,9 @@ void StatePanel::buildLoading() {
             m_token->cancel();
         m_cancel->setEnabled(false);
     });
-    column->addWidget(m_loadingText);
-    column->addWidget(m_progress, 0, Qt::AlignHCenter);
-    column->addWidget(m_cancel, 0, Qt::AlignHCenter);
-    column->addStretch();
-    addWidget(m_loading);
+    column->insertWidget(column->count() - 1, m_progress, 0, Qt::AlignHCenter);
+    column->insertWidget(column->count() - 1, m_cancel, 0, Qt::AlignHCenter);
+    m_cancel->hide();
 }
 
 void StatePanel::buildNote() {
@@ -85,9 +90,11 @@ void StatePanel::showLoading(const QString& what, std::shared_ptr<WorkToken> tok
     m_state = State::loading;
     m_token = std::move(token);
     m_loadingText->setText(what);
-    m_progress->hide();
-    m_cancel->hide();
-    m_cancel->setEnabled(true);
+    if (m_progress) {
+        m_progress->hide();
+        m_cancel->hide();
+        m_cancel->setEnabled(true);
+    }
     m_elapsed_ms = 0;
     m_timer->start();
     setCurrentWidget(m_loading);
@@ -95,8 +102,11 @@ void StatePanel::showLoading(const QString& what, std::shared_ptr<WorkToken> tok
 
 void StatePanel::revealProgress() {
     m_elapsed_ms += kStep_ms;
-    if (m_elapsed_ms >= kShowProgress_ms)
-        m_progress->show();
+    if (m_elapsed_ms < kShowProgress_ms)
+        return;
+    if (!m_progress)
+        buildProgress();
+    m_progress->show();
     if (m_elapsed_ms >= kShowCancel_ms)
         m_cancel->setVisible(m_token != nullptr);
     m_progress->setRange(0, m_token ? m_token->of() : 0);
@@ -114,6 +124,8 @@ void StatePanel::showNote(const QString& icon, Colour ink, const QString& title,
                           const QString& actionText, std::function<void()> action) {
     m_timer->stop();
     m_token.reset();
+    if (!m_note)
+        buildNote();
     m_noteIcon->setPixmap(m_theme.icon(icon, ink).pixmap(m_theme.px(44), m_theme.px(44)));
     m_noteTitle->setText(title);
     m_noteText->setText(text);

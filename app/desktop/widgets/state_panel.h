@@ -44,6 +44,7 @@ private:
                   std::function<void()> action);
     void buildNote();
     void buildLoading();
+    void buildProgress();
     void revealProgress();
 
     const Theme& m_theme;

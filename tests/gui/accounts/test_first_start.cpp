@@ -211,7 +211,7 @@ void TestFirstStart::demonstrationOpensWithItsHint() {
     station.show("first_start");
     QTest::mouseClick(station.find<QPushButton>("first_start.demonstration"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(station.context.navigator().current().screen, QStringLiteral("login"), 20000);
-    QTRY_VERIFY(station.find<QListWidget>("login.people")->count() == 1);
+    QTRY_VERIFY(station.find<QListWidget>("login.people") && station.find<QListWidget>("login.people")->count() == 1);
     bool told = false;
     for (const QLabel* label : station.window->screen()->findChildren<QLabel*>())
         told = told || label->text().contains(QLatin1String(session::kDemoPassword));

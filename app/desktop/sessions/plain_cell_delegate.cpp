@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/sessions/plain_cell_delegate.h"
+
+#include <QPainter>
+
+namespace chiron::desktop {
+
+void PlainCellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    if (option.state & QStyle::State_Selected)
+        painter->fillRect(option.rect, m_theme.color(Colour::accentSoft));
+    QRect room = option.rect.adjusted(m_theme.px(6), 0, -m_theme.px(6), 0);
+    const QVariant picture = index.data(Qt::DecorationRole);
+    if (picture.isValid()) {
+        QRect place(QPoint(room.left(), 0), option.decorationSize);
+        place.moveCenter(QPoint(place.center().x(), room.center().y()));
+        picture.value<QIcon>().paint(painter, place);
+        room.setLeft(place.right() + m_theme.px(8));
+    }
+    const QVariant ink = index.data(Qt::ForegroundRole);
+    painter->setPen(ink.isValid() ? ink.value<QColor>() : m_theme.color(Colour::text));
+    painter->setFont(option.font);
+    const auto alignment = index.data(Qt::TextAlignmentRole).value<Qt::Alignment>();
+    const QString text = index.data().toString();
+    const bool fits = option.fontMetrics.horizontalAdvance(text) <= room.width();
+    painter->drawText(room, static_cast<int>(alignment) | Qt::TextSingleLine,
+                      fits ? text : option.fontMetrics.elidedText(text, Qt::ElideRight, room.width()));
+    if (option.state & QStyle::State_HasFocus) {
+        painter->setPen(QPen(m_theme.color(Colour::focus), m_theme.px(2)));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(option.rect.adjusted(1, 1, -2, -2));
+    }
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+
+#include <QStyledItemDelegate>
+
+namespace chiron::desktop {
+
+/// Cells of a sign and a text, painted without the style sheet: a page of a table has two hundred of them, and the style sheet
+/// takes ten times as long for each. Looks as the style sheet's tables do.
+class PlainCellDelegate final : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    explicit PlainCellDelegate(const Theme& theme, QObject* parent = nullptr) : QStyledItemDelegate(parent), m_theme(theme) {}
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+private:
+    const Theme& m_theme;
+};
+
+} // namespace chiron::desktop
