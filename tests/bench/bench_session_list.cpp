@@ -26,6 +26,17 @@ double now_ms() {
     return seconds(CLOCK_MONOTONIC) * 1e3;
 }
 
+/// All threads of the process: what it costs, whoever else runs.
+double cpu_ms() {
+    return seconds(CLOCK_PROCESS_CPUTIME_ID) * 1e3;
+}
+
+/// How long something took, and what it cost.
+struct Took {
+    double wall_ms = 0.0;
+    double cpu_ms = 0.0;
+};
+
 class EmptyWindow final : public QMainWindow {
 public:
     bool painted = false;
@@ -38,14 +49,15 @@ protected:
     }
 };
 
-double emptyWindow_ms() {
+Took emptyWindow() {
     const double begin = now_ms();
+    const double cpuBegin = cpu_ms();
     EmptyWindow window;
     window.resize(1280, 720);
     window.show();
     while (!window.painted)
         QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    return now_ms() - begin;
+    return {now_ms() - begin, cpu_ms() - cpuBegin};
 }
 
 /// Sees when a table has painted rows.
@@ -66,19 +78,20 @@ private:
 };
 
 struct ListTimes {
-    double firstPaint_ms = 0.0;
+    Took firstPaint;
     double complete_ms = 0.0;
 };
 
-ListTimes list_ms(tests::DesktopFixture& desktop) {
+ListTimes showList(tests::DesktopFixture& desktop) {
     const double begin = now_ms();
+    const double cpuBegin = cpu_ms();
     desktop.go(QStringLiteral("sessions"));
     auto* screen = desktop.screen<desktop::SessionsScreen>();
     PaintedRows rows(*screen->findChild<QTableView*>());
     ListTimes times;
     while (!rows.painted)
         QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    times.firstPaint_ms = now_ms() - begin;
+    times.firstPaint = {now_ms() - begin, cpu_ms() - cpuBegin};
     while (!screen->isComplete())
         QApplication::processEvents(QEventLoop::WaitForMoreEvents);
     times.complete_ms = now_ms() - begin;
@@ -99,6 +112,16 @@ double filter_ms(tests::DesktopFixture& desktop) {
     return now_ms() - begin;
 }
 
+BenchRow rowOf(const char* work, const std::vector<double>& ours, const std::vector<double>& peer) {
+    BenchRow row{.work = work, .peer = "empty QMainWindow", .unit = "ms"};
+    row.peerMedian = median(peer);
+    row.oursMedian = median(ours);
+    row.p99 = percentile(ours, 0.99);
+    row.goal = "ours <= 1.3 x peer";
+    row.reached = verdict(*row.oursMedian <= kGoal * *row.peerMedian);
+    return row;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -114,27 +137,24 @@ int main(int argc, char** argv) {
     tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo")}, kSessions, true);
     desktop.logIn("tom");
     QTest::qWait(500);
-    list_ms(desktop); // the icons and fonts that the rest of the program has loaded by then
-    emptyWindow_ms();
-    std::vector<double> peer, ours, whole, filter;
+    showList(desktop); // the icons and fonts that the rest of the program has loaded by then
+    emptyWindow();
+    std::vector<double> peer, peerCpu, ours, oursCpu, whole, filter;
     for (int n = 0; n < kRepeats; ++n) {
-        peer.push_back(emptyWindow_ms());
-        const ListTimes times = list_ms(desktop);
-        ours.push_back(times.firstPaint_ms);
+        const Took empty = emptyWindow();
+        peer.push_back(empty.wall_ms);
+        peerCpu.push_back(empty.cpu_ms);
+        const ListTimes times = showList(desktop);
+        ours.push_back(times.firstPaint.wall_ms);
+        oursCpu.push_back(times.firstPaint.cpu_ms);
         whole.push_back(times.complete_ms);
         filter.push_back(filter_ms(desktop));
     }
-    BenchRow first{.work = "first paint with rows", .peer = "empty QMainWindow", .unit = "ms"};
-    first.peerMedian = median(peer);
-    first.oursMedian = median(ours);
-    first.p99 = percentile(ours, 0.99);
-    first.goal = "ours <= 1.3 x peer";
-    first.reached = verdict(*first.oursMedian <= kGoal * *first.peerMedian);
     BenchRow all{.work = "all 5,000 in the list", .unit = "ms"};
     all.oursMedian = median(whole);
     BenchRow narrow{.work = "a filter of three words", .unit = "ms"};
     narrow.oursMedian = median(filter);
-    printTable({first, all, narrow});
-    std::printf("ours / peer: %.2f\n", *first.oursMedian / *first.peerMedian);
+    printTable({rowOf("first paint with rows, by the wall clock", ours, peer), rowOf("the same, processor time", oursCpu, peerCpu), all, narrow});
+    std::printf("ours / peer: %.2f by the wall clock, %.2f in processor time\n", median(ours) / median(peer), median(oursCpu) / median(peerCpu));
     return 0;
 }

@@ -133,6 +133,7 @@ void SessionFilterBar::makeDates() {
         edit->setObjectName(QStringLiteral("sessions.") + QLatin1String(name));
         edit->setAccessibleName(label);
         edit->setToolTip(label);
+        edit->setButtonSymbols(QAbstractSpinBox::NoButtons); // the arrow keys do what they would
         connect(edit, &QDateEdit::dateChanged, this, &SessionFilterBar::read);
         m_dates->layout()->addWidget(edit);
         *member = edit;

@@ -14,6 +14,7 @@
 #include <QLineEdit>
 #include <QTableView>
 #include <algorithm>
+#include <array>
 
 namespace chiron::desktop {
 
@@ -33,25 +34,34 @@ database::SessionFilter pageBefore(database::SessionId before, int limit) {
 /// Widths from words that are as long as they get, instead of from thousands of rows.
 void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, const ExerciseTitles& titles) {
     const QFontMetrics metrics(theme.font(TextStyle::body));
-    if (titles.isEmpty())
-        return;
-    const QString date = locale.toString(QDateTime(QDate(2026, 12, 28), QTime(20, 48)), QLocale::ShortFormat);
-    const QStringList longest{QStringLiteral("00000"),
-                              date,
-                              QStringLiteral("Nikos Newcomer"),
-                              *std::max_element(titles.begin(), titles.end(), [](const QString& a, const QString& b) { return a.size() < b.size(); }),
-                              {},
-                              SessionWords::state(database::SessionState::interrupted) + QStringLiteral("+++"),
-                              std::max({SessionWords::outcome(Outcome::practice), SessionWords::outcome(Outcome::notScored),
-                                        SessionWords::outcome(Outcome::notPassed)},
-                                       [](const QString& a, const QString& b) { return a.size() < b.size(); }) +
-                                  QStringLiteral("+++"),
-                              SessionWords::device(false),
-                              SessionWords::length(3'599'000, locale)};
+    const QFontMetrics heads(theme.font(TextStyle::strong));
+    const auto widest = [&metrics](const QStringList& words) {
+        int width = 0;
+        for (const QString& word : words)
+            width = std::max(width, metrics.horizontalAdvance(word));
+        return width;
+    };
+    using enum database::SessionState;
+    QStringList states;
+    for (const database::SessionState state : {running, completed, stopped, interrupted, incomplete, faulted, voided})
+        states << SessionWords::state(state);
+    QStringList outcomes;
+    for (const Outcome outcome : {Outcome::passed, Outcome::notPassed, Outcome::notScored, Outcome::practice})
+        outcomes << SessionWords::outcome(outcome);
+    const int sign = theme.px(26);
+    std::array<int, SessionTableModel::columns> widths{};
+    widths[SessionTableModel::number] = widest({QStringLiteral("00000")});
+    widths[SessionTableModel::started] = widest({locale.toString(QDateTime(QDate(2026, 10, 20), QTime(20, 40)), QLocale::ShortFormat)});
+    widths[SessionTableModel::person] = widest({QStringLiteral("Nikos Newcomer")});
+    widths[SessionTableModel::exercise] = widest(titles.values());
+    widths[SessionTableModel::state] = widest(states) + sign;
+    widths[SessionTableModel::outcome] = widest(outcomes) + sign;
+    widths[SessionTableModel::device] = widest({SessionWords::device(true), SessionWords::device(false)});
+    widths[SessionTableModel::length] = widest({SessionWords::length(3'599'000, locale)});
     for (int column = 0; column < SessionTableModel::columns; ++column) {
-        const QString head = table.model()->headerData(column, Qt::Horizontal).toString() + QStringLiteral("     ");
-        const int width = std::max(metrics.horizontalAdvance(longest.at(column)), metrics.horizontalAdvance(head) * 11 / 10);
-        table.setColumnWidth(column, width + theme.px(14));
+        const int arrow = theme.px(column == SessionTableModel::number ? 30 : 14); // of the column that it is sorted by at first
+        const int head = heads.horizontalAdvance(table.model()->headerData(column, Qt::Horizontal).toString()) + arrow;
+        table.setColumnWidth(column, std::max(widths[static_cast<std::size_t>(column)] + theme.px(16), head));
     }
 }
 
