@@ -4426,6 +4426,10 @@ After the last trial the debrief opens by itself.</source>
         <source>Sound on or off</source>
         <translation>Ήχος ναι ή όχι</translation>
     </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TransportBar</name>
