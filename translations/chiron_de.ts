@@ -4426,6 +4426,10 @@ Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
         <source>Sound on or off</source>
         <translation>Ton an oder aus</translation>
     </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TransportBar</name>
