@@ -1049,7 +1049,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Familiarisation</source>
-        <translation>Nur Eingewöhnung</translation>
+        <translation>Eingewöhnung</translation>
     </message>
     <message>
         <source>Felt</source>
