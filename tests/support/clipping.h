@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QStringList>
 #include <QRegularExpression>
@@ -54,7 +55,7 @@ inline QString clippedText(const QWidget* widget) {
         if (height > label->height() + 1)
             return QStringLiteral("needs %1 px height, has %2: %3").arg(height).arg(label->height()).arg(nameOf(widget));
         // A single word longer than the line is cut by the label.
-        for (const QString& word : label->text().split(QRegularExpression(QStringLiteral("\\s+"))))
+        for (const QString& word : label->text().split(QRegularExpression(QStringLiteral("[\\s\\x{200B}]+"))))
             if (label->fontMetrics().horizontalAdvance(word) > label->contentsRect().width() + 1)
                 return QStringLiteral("the word \"%1\" is wider than %2").arg(word, nameOf(widget));
         return {};
@@ -73,6 +74,14 @@ inline QString clippedText(const QWidget* widget) {
     return {};
 }
 
+/// Pages scroll down only: what lies to the side is not found.
+inline QString widerThanItsPage(const QWidget* widget) {
+    const auto* area = qobject_cast<const QScrollArea*>(widget);
+    if (!area || area->horizontalScrollBar()->maximum() == 0)
+        return {};
+    return QStringLiteral("must be scrolled sideways by %1 px: %2").arg(area->horizontalScrollBar()->maximum()).arg(nameOf(widget));
+}
+
 /// Everything on this page whose words are cut off, or that lies outside its parent where nobody can scroll to it.
 inline QStringList clippedOn(const QWidget* page) {
     QStringList findings;
@@ -81,6 +90,8 @@ inline QStringList clippedOn(const QWidget* page) {
             continue;
         if (const QString cut = clippedText(widget); !cut.isEmpty())
             findings << cut;
+        if (const QString wide = widerThanItsPage(widget); !wide.isEmpty())
+            findings << wide;
         const QWidget* parent = widget->parentWidget();
         const bool words = qobject_cast<const QLabel*>(widget) || qobject_cast<const QAbstractButton*>(widget);
         if (words && parent && !parent->rect().adjusted(-1, -1, 1, 1).contains(widget->geometry()) && !canBeScrolledTo(widget))

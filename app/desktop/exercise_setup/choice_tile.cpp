@@ -9,29 +9,20 @@
 namespace chiron::desktop {
 
 ChoiceTile::ChoiceTile(const Theme& theme, const QString& title, const QString& words, const QString& icon, QWidget* parent)
-    : QPushButton(parent), m_title(title) {
-    setProperty("kind", QStringLiteral("tile"));
+    : TileButton(theme, parent), m_title(title) {
     setCheckable(true);
-    setAutoDefault(false);
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(theme.px(14), theme.px(10), theme.px(14), theme.px(10));
-    row->setSpacing(theme.px(12));
     if (!icon.isEmpty()) {
         auto* picture = new QLabel;
         picture->setPixmap(theme.icon(icon).pixmap(theme.px(24), theme.px(24)));
-        row->addWidget(picture, 0, Qt::AlignVCenter);
+        row()->addWidget(picture, 0, Qt::AlignVCenter);
     }
     auto* column = new QVBoxLayout;
     column->setSpacing(theme.px(2));
     column->addWidget(kit::label(theme, title, TextStyle::strong));
     m_words = kit::label(theme, words, TextStyle::small);
     column->addWidget(m_words);
-    row->addLayout(column, 1);
-    for (QLabel* label : findChildren<QLabel*>())
-        label->setAttribute(Qt::WA_TransparentForMouseEvents); // the whole tile is the button
+    row()->addLayout(column, 1);
+    seal();
     setWords(words);
 }
 
@@ -41,9 +32,5 @@ void ChoiceTile::setWords(const QString& words) {
     setAccessibleName(words.isEmpty() ? m_title : tr("%1. %2").arg(m_title, words));
     updateGeometry();
 }
-
-QSize ChoiceTile::sizeHint() const { return layout()->sizeHint(); }
-QSize ChoiceTile::minimumSizeHint() const { return layout()->minimumSize(); }
-int ChoiceTile::heightForWidth(int width) const { return layout()->heightForWidth(width); }
 
 } // namespace chiron::desktop

@@ -3,7 +3,7 @@
 
 #include "desktop/theme/theme.h"
 
-#include <QPushButton>
+#include "desktop/widgets/tile_button.h"
 
 class QLabel;
 
@@ -11,17 +11,13 @@ namespace chiron::desktop {
 
 /// A choice as a tile of two texts that wrap: what it is, and how it stands. An ordinary checkable button otherwise; its
 /// accessible name is both texts. GUI thread.
-class ChoiceTile final : public QPushButton {
+class ChoiceTile final : public TileButton {
     Q_OBJECT
 public:
     /// `icon`: a Breeze name, may be empty.
     ChoiceTile(const Theme& theme, const QString& title, const QString& words, const QString& icon = {}, QWidget* parent = nullptr);
 
     void setWords(const QString& words);
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override;
-    bool hasHeightForWidth() const override { return true; }
-    int heightForWidth(int width) const override;
 
 private:
     QString m_title;

@@ -4,6 +4,7 @@
 #include "desktop/home/exercise_picture.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/tile_button.h"
 
 #include <QHBoxLayout>
 #include <algorithm>
@@ -71,12 +72,10 @@ ExerciseCard::ExerciseCard(AppContext& context, const catalogue::Exercise& exerc
 QWidget* ExerciseCard::levelButton(const catalogue::ExerciseLevel& level, const session::LevelStanding* standing) {
     const Theme& theme = m_context.theme();
     const QString title = tr("Level %1: %2").arg(m_context.locale().toString(level.number), textIn(level.title, m_context));
-    auto* button = kit::button(theme, {}, "tile");
+    auto* button = new TileButton(theme);
     button->setObjectName(QStringLiteral("exercise.%1.%2").arg(QString::fromStdString(level.exercise)).arg(level.number));
     button->setAccessibleName(standing ? tr("%1. %2").arg(title, standingWords(*standing)) : title);
-    auto* row = new QHBoxLayout(button);
-    row->setContentsMargins(theme.px(14), theme.px(8), theme.px(14), theme.px(8));
-    row->setSpacing(theme.px(10));
+    QHBoxLayout* row = button->row();
     row->addWidget(kit::label(theme, title, TextStyle::strong), 1);
     if (standing) {
         const WordSign sign = signOf(standing->standing());
@@ -85,8 +84,7 @@ QWidget* ExerciseCard::levelButton(const catalogue::ExerciseLevel& level, const 
         row->addWidget(picture);
         row->addWidget(kit::label(theme, standingWords(*standing), TextStyle::body, "muted"), 1);
     }
-    // The button's own size knows nothing of a layout inside it.
-    button->setMinimumHeight(row->sizeHint().height());
+    button->seal();
     connect(button, &QPushButton::clicked, this, [this, exercise = level.exercise, number = level.number] {
         m_context.navigator().go(QStringLiteral("exercise_setup"),
                                  {{QStringLiteral("exercise"), QString::fromStdString(exercise)}, {QStringLiteral("level"), number}});

@@ -8,6 +8,7 @@
 #include "desktop/storage/storage_words.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/tile_button.h"
 
 #include <QHBoxLayout>
 
@@ -105,17 +106,16 @@ QWidget* HomeScreen::peopleCard(const HomeData& home) {
     box.layout->addWidget(kit::label(theme, tr("Who trained lately"), TextStyle::title));
     const QDateTime now = QDateTime::currentDateTimeUtc();
     for (const RecentPerson& person : home.people) {
-        auto* button = kit::button(theme, {}, "tile");
+        auto* button = new TileButton(theme);
         const QString when = SessionWords::ago(SessionWords::timeOf(person.latestUtc), now, context().locale());
         const QString count = tr("%n session(s) in the last 7 days", nullptr, person.sessions);
         button->setObjectName(QStringLiteral("home.person.%1").arg(person.person));
         button->setAccessibleName(tr("%1. %2. Opens the sessions.").arg(person.name, when));
-        auto* row = new QHBoxLayout(button);
-        row->setContentsMargins(theme.px(12), theme.px(6), theme.px(12), theme.px(6));
+        QHBoxLayout* row = button->row();
         row->addWidget(kit::label(theme, person.name, TextStyle::strong), 2);
         row->addWidget(kit::label(theme, count, TextStyle::body), 2);
         row->addWidget(kit::label(theme, when, TextStyle::small, "muted"), 1);
-        button->setMinimumHeight(row->sizeHint().height());
+        button->seal();
         connect(button, &QPushButton::clicked, this,
                 [this, id = person.person] { context().navigator().go(QStringLiteral("sessions"), {{QStringLiteral("person"), id}}); });
         box.layout->addWidget(button);

@@ -3,6 +3,7 @@
 
 #include "desktop/sessions/session_words.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/tile_button.h"
 
 #include <QHBoxLayout>
 
@@ -29,19 +30,17 @@ QWidget* SessionLines::line(const SessionRow& row, bool names) {
     const QString came = ended ? SessionWords::outcome(outcome) : SessionWords::state(session.state);
     const WordSign sign = ended ? SessionWords::sign(outcome) : SessionWords::sign(session.state);
 
-    auto* button = kit::button(theme, {}, "tile");
+    auto* button = new TileButton(theme);
     button->setObjectName(QStringLiteral("home.session.%1").arg(session.id));
     button->setAccessibleName(tr("%1. %2. %3. Opens the debrief.").arg(what, came, when));
-    auto* line = new QHBoxLayout(button);
-    line->setContentsMargins(theme.px(12), theme.px(6), theme.px(12), theme.px(6));
-    line->setSpacing(theme.px(10));
+    QHBoxLayout* line = button->row();
     auto* picture = new QLabel;
     picture->setPixmap(theme.icon(QLatin1String(sign.icon), sign.ink).pixmap(theme.px(20), theme.px(20)));
     line->addWidget(picture);
     line->addWidget(kit::label(theme, what, TextStyle::body), 4);
     line->addWidget(kit::label(theme, came, TextStyle::strong), 2);
     line->addWidget(kit::label(theme, when, TextStyle::small, "muted"), 2);
-    button->setMinimumHeight(line->sizeHint().height());
+    button->seal();
     connect(button, &QPushButton::clicked, this, [this, id = session.id] {
         m_context.navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), static_cast<qint64>(id)}});
     });

@@ -3,10 +3,10 @@
 
 #include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
+#include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <array>
 
@@ -23,12 +23,9 @@ TransportBar::TransportBar(const Theme& theme, const QLocale& locale, PlaybackCl
     auto* parts = new ResponsiveRow(theme.px(480), theme.px(6));
     column->addWidget(parts);
     auto* controls = new QWidget;
-    auto* row = new QHBoxLayout(controls);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(theme.px(4));
+    auto* row = new FlowLayout(theme.px(4), controls);
     buildButtons(*row);
     buildSpeed(*row);
-    row->addStretch();
     parts->add(controls, 1);
     m_time = kit::line(theme, {}, TextStyle::mono);
     m_time->setObjectName(QStringLiteral("playback.time"));
@@ -40,7 +37,7 @@ TransportBar::TransportBar(const Theme& theme, const QLocale& locale, PlaybackCl
     showTime();
 }
 
-void TransportBar::buildButtons(QHBoxLayout& row) {
+void TransportBar::buildButtons(QLayout& row) {
     const auto add = [&](const char* name, const char* icon, const QString& text, auto act) {
         QPushButton* button = kit::iconButton(m_theme, QLatin1String(icon), text);
         button->setObjectName(QLatin1String(name));
@@ -58,7 +55,7 @@ void TransportBar::buildButtons(QHBoxLayout& row) {
     add("playback.end", "media-skip-forward", tr("To the end (End)"), [this] { m_clock.seek(m_clock.duration_s()); });
 }
 
-void TransportBar::buildSpeed(QHBoxLayout& row) {
+void TransportBar::buildSpeed(QLayout& row) {
     m_speed = new QComboBox;
     m_speed->setObjectName(QStringLiteral("playback.speed"));
     m_speed->setAccessibleName(tr("Speed"));

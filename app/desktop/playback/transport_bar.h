@@ -20,8 +20,8 @@ public:
     TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, QWidget* parent = nullptr);
 
 private:
-    void buildButtons(class QHBoxLayout& row);
-    void buildSpeed(class QHBoxLayout& row);
+    void buildButtons(class QLayout& row);
+    void buildSpeed(class QLayout& row);
     void showPlaying(bool playing);
     void showTime();
 

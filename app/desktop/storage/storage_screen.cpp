@@ -179,7 +179,7 @@ void StorageScreen::show(StorageFacts facts) {
     backupNotice->setObjectName(QStringLiteral("storage.backup_notice"));
     m_notices->addWidget(roomNotice);
     m_notices->addWidget(backupNotice);
-    m_database->setText(tr("%1 in %2").arg(SessionWords::bytes(m_facts.room.database_bytes, locale), context().site().file()));
+    m_database->setText(tr("%1 in %2").arg(SessionWords::bytes(m_facts.room.database_bytes, locale), kit::breakablePath(context().site().file())));
     m_recordings->setText(tr("%1 of %n session(s)", nullptr, m_facts.sessions).arg(SessionWords::bytes(m_facts.recordings_bytes, locale)));
     m_free->setText(tr("%1 of %2").arg(SessionWords::bytes(m_facts.room.diskFree_bytes, locale), SessionWords::bytes(m_facts.room.disk_bytes, locale)));
     m_place->setText(tr("Kept in %1").arg(backupPlace(context())));

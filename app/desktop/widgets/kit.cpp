@@ -85,6 +85,10 @@ QFrame* rule() {
     return rule;
 }
 
+QString breakablePath(QString path) {
+    return path.replace(QLatin1Char('/'), QStringLiteral("/\u200B"));
+}
+
 QFrame* notice(const Theme& theme, const char* kind, const QString& text) {
     auto* frame = new QFrame;
     frame->setProperty("kind", QLatin1String(kind));

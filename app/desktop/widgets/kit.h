@@ -31,6 +31,9 @@ struct Box {
 Box box(const Theme& theme, const char* kind = "card");
 QFrame* rule();
 
+/// A path that a label may break after each slash (by a space of no width): it has no other place to be broken at.
+QString breakablePath(QString path);
+
 /// A notice: sign, text and kind ("good", "warning", "bad", "info"), so that colour is never alone.
 QFrame* notice(const Theme& theme, const char* kind, const QString& text);
 

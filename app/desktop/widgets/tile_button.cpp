@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/widgets/tile_button.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace chiron::desktop {
+
+TileButton::TileButton(const Theme& theme, QWidget* parent) : QPushButton(parent), m_row(new QHBoxLayout(this)) {
+    setProperty("kind", QStringLiteral("tile"));
+    setAutoDefault(false);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    m_row->setContentsMargins(theme.px(14), theme.px(8), theme.px(14), theme.px(8));
+    m_row->setSpacing(theme.px(10));
+}
+
+void TileButton::seal() {
+    for (QLabel* label : findChildren<QLabel*>())
+        label->setAttribute(Qt::WA_TransparentForMouseEvents);
+}
+
+QSize TileButton::sizeHint() const {
+    return m_row->totalSizeHint();
+}
+
+QSize TileButton::minimumSizeHint() const {
+    return m_row->totalMinimumSize();
+}
+
+int TileButton::heightForWidth(int width) const {
+    return m_row->totalHeightForWidth(width);
+}
+
+void TileButton::resizeEvent(QResizeEvent* event) {
+    QPushButton::resizeEvent(event);
+    // A scroll area asks for the smallest size only: without this it would squeeze the second line of words.
+    setMinimumHeight(heightForWidth(width()));
+}
+
+} // namespace chiron::desktop

