@@ -4443,7 +4443,7 @@ After the last trial the debrief opens by itself.</source>
     </message>
     <message>
         <source>Play</source>
-        <translation>Αναπαραγωγή</translation>
+        <translation>Έναρξη</translation>
     </message>
     <message>
         <source>One picture on (Right)</source>
