@@ -17,12 +17,17 @@ core::Vec3 onNanometres(const core::Vec3& p) {
     return {scoring::onNanometres(p.x()), scoring::onNanometres(p.y()), scoring::onNanometres(p.z())};
 }
 
+/// Neither its place nor its time is to be believed, and the clock of those to come must not follow it.
+bool isRefused(const core::ToolFrame& tool) {
+    return (tool.status & core::sample_status::kRefused) != 0;
+}
+
 } // namespace
 
 void TraceAssembler::add(std::span<const core::HapticFrame> frames) {
     using namespace core::event_bits;
     for (const core::HapticFrame& frame : frames) {
-        if (!m_haveOrigin) {
+        if (!m_haveOrigin && !isRefused(frame.tool[0])) {
             m_origin_us = frame.tool[0].deviceTime_us;
             m_haveOrigin = true;
         }
@@ -43,7 +48,11 @@ void TraceAssembler::begin(const core::HapticFrame& frame) {
 }
 
 void TraceAssembler::append(const core::HapticFrame& frame) {
+    if (!isRefused(frame.tool[0]))
+        m_lastGood = frame.tool[0];
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_tools); ++i) {
+        if (isRefused(frame.tool[i]))
+            continue;
         const bool isNew = m_clocks[i].advances(frame.tool[i].deviceTime_us); // also between trials
         if (isNew && m_inTrial)
             appendTool(frame, i);
@@ -74,7 +83,7 @@ void TraceAssembler::end(const core::HapticFrame& frame) {
     scoring::TrialTrace& trial = m_trials.back();
     trial.marked = (frame.header.events & core::event_bits::kMarked) != 0 && !isMarkOfTraceEnd(frame);
     trial.timedOut = (frame.header.events & core::event_bits::kTimedOut) != 0;
-    trial.p_WMark_m = onNanometres(m_positions.p_WT_m(0, frame.tool[0]));
+    trial.p_WMark_m = onNanometres(m_positions.p_WT_m(0, m_lastGood));
     // Contact as models.md §6 has it for every metric: more than 0.02 N of tissue force.
     trial.markInContact = forceOf(frame.tool[0].tissue).norm() > 0.02;
 }

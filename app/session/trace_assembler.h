@@ -31,7 +31,8 @@ private:
 /// Stored frames -> what metrics see. Frames are given in order, chunk by chunk, so a long session is never held as
 /// frames; a trial runs from its kTrialStarted frame to its kMarked or kTimedOut frame, both included. A trial that has
 /// neither end (stopped, interrupted) stays, unmarked, as does one that ended with its trace (trace_mark.h). A packet read twice (device time not later than the last kept one
-/// of that tool, over the whole recording) gives one sample. Live scoring, review and verify all come through here.
+/// of that tool, over the whole recording) gives one sample; one that the supervisor refused gives none, and a mark that came with
+/// it is where the last good one left the tool. Live scoring, review and verify all come through here.
 class TraceAssembler {
 public:
     TraceAssembler(const recording::IPositionOf& positions, int tools) : m_positions(positions), m_tools(tools) {}
@@ -51,6 +52,7 @@ private:
     bool m_haveOrigin = false;
     std::uint64_t m_origin_us = 0; ///< device time of tool 0's first frame
     std::array<SampleClock, core::kMaxTools> m_clocks{};
+    core::ToolFrame m_lastGood{}; ///< of tool 0: where a mark is taken
     std::vector<scoring::TrialTrace> m_trials;
 };
 

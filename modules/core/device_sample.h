@@ -14,6 +14,9 @@ inline constexpr std::uint32_t kSaturated = 1u << 1;     ///< a motor ran at its
 inline constexpr std::uint32_t kHomed = 1u << 2;
 inline constexpr std::uint32_t kDeviceFault = 1u << 3; ///< the device itself reports a fault
 inline constexpr std::uint32_t kInvalid = 1u << 4;     ///< driver could not decode a usable pose (non-finite)
+/// In recorded frames only, set by the loop: the supervisor refused this packet (models.md §5, sample sanity), so the tool
+/// was taken to be where the last good one left it. Metrics leave it out.
+inline constexpr std::uint32_t kRefused = 1u << 31;
 } // namespace sample_status
 
 /// One packet of one tool, in integers on the device's declared grid (DeviceDescriptor::axes), as recorded:

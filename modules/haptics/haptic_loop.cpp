@@ -77,9 +77,12 @@ void HapticLoop::admitTool(const realtime::HapticTick& now, std::size_t i) noexc
     const ToolInput& in = m_in.tools[i];
     const devices::IToolKinematics& kinematics = m_devices[i]->kinematics();
     const core::ToolState pose_D = kinematics.pose(in.sample);
-    if (m_supervisor.admit(now, static_cast<int>(i), in.sample, pose_D, in.age_us) != Admission::fresh)
-        return; // the last good state goes on
     Tool& tool = m_tools[i];
+    const Admission admission = m_supervisor.admit(now, static_cast<int>(i), in.sample, pose_D, in.age_us);
+    if (admission != Admission::repeated) // a packet read again stays what it was
+        tool.refused = admission == Admission::dropped;
+    if (admission != Admission::fresh)
+        return; // the last good state goes on
     const simulation::VelocityEstimator::Rates& rates = tool.velocity.update(in.sample);
     core::Vec3 v_DT = core::Vec3::Zero();
     core::Vec3 w_DT = core::Vec3::Zero();

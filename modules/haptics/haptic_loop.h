@@ -85,6 +85,7 @@ private:
         devices::WorkspaceMap map;
         simulation::VelocityEstimator velocity;
         bool hasPose = false; ///< a good packet has come
+        bool refused = false; ///< the packet that is there now was refused
     };
 
     std::size_t m_count;

@@ -43,6 +43,8 @@ void HapticLoop::fillFrame(const realtime::HapticTick& now) noexcept {
     for (std::size_t i = 0; i < m_count; ++i) {
         core::ToolFrame& frame = m_frame.tool[i];
         frame = frameOf(m_in.tools[i]);
+        frame.status = m_tools[i].refused ? frame.status | core::sample_status::kRefused
+                                          : frame.status & ~core::sample_status::kRefused;
         frame.tissue = core::toArray(m_out.tissue.tools[i]);
         frame.commanded = core::toArray(m_safe.tools[i].wrench_W);
         frame.display = arrayOf(m_out.display[i]);

@@ -14,7 +14,7 @@ void RecordedInputs::gather(const realtime::HapticTick& now, std::span<devices::
         tool.sample.jawCounts = recorded.jawCounts;
         tool.sample.buttons = recorded.buttons;
         tool.sample.packet = recorded.packet;
-        tool.sample.status = recorded.status;
+        tool.sample.status = recorded.status & ~core::sample_status::kRefused; // the supervisor judges again
         tool.sample.deviceTime_us = recorded.deviceTime_us;
         tool.sample.arrival_ns = now.now_ns() - static_cast<std::int64_t>(recorded.age_us) * 1'000;
         tool.sample.measured = recorded.measured;

@@ -33,6 +33,10 @@ void SecondSummaries::add(const core::HapticFrame& frame, std::vector<SecondSumm
 void SecondSummaries::addTool(int tool, const core::HapticFrame& frame, std::vector<SecondSummary>& done) {
     Tool& state = m_tools[static_cast<std::size_t>(tool)];
     const core::ToolFrame& sample = frame.tool[static_cast<std::size_t>(tool)];
+    if ((sample.status & core::sample_status::kRefused) != 0) { // neither its place nor its time is to be believed
+        state.sum.events |= state.open ? frame.header.events : 0u;
+        return;
+    }
     if (!state.started) {
         state.started = true;
         state.zero_us = sample.deviceTime_us;

@@ -121,6 +121,8 @@ private slots:
         QCOMPARE(watched->last.tools.tools[0].p_WT.x(), 50.0);
         QVERIFY((store.frames.back().header.guards & core::guard_bits::kBadSample) != 0);
         QCOMPARE(store.frames.back().tool[0].counts[0], 49'000'000); // recorded as read
+        QVERIFY((store.frames.back().tool[0].status & core::sample_status::kRefused) != 0); // and marked, for the metrics
+        QVERIFY((store.frames.front().tool[0].status & core::sample_status::kRefused) == 0);
     }
 
     void scenesAreSwappedInTheTickAndDeletedByTheirOwner() {

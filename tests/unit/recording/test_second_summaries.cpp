@@ -66,6 +66,7 @@ private slots:
     void pausedSpansCountInNothing();
     void nonFiniteForcesAreLeftOut();
     void clockSetBackReordersNothing();
+    void refusedPacketsCountInNothing();
 };
 
 void TestSecondSummaries::summariesMatchBruteForce() {
@@ -164,6 +165,32 @@ void TestSecondSummaries::clockSetBackReordersNothing() {
             QVERIFY(f.store.summaries()[i].second > f.store.summaries()[i - 1].second);
     }
     QCOMPARE(counted, 3000u);
+}
+
+void TestSecondSummaries::refusedPacketsCountInNothing() {
+    const Position position;
+    const auto sums = [&](bool withRefused) {
+        SecondSummaries summaries(position, 4.0);
+        std::vector<SecondSummary> done;
+        for (core::HapticFrame frame : HapticTrace(5, 1).take(900)) {
+            const bool bad = frame.header.index % 100 == 50;
+            if (bad && !withRefused)
+                continue;
+            if (bad) {
+                frame.tool[0].counts[0] += 500'000;
+                frame.tool[0].deviceTime_us += 9'000'000'000;
+                frame.tool[0].status |= core::sample_status::kRefused;
+            }
+            summaries.add(frame, done);
+        }
+        summaries.finish(done);
+        return done;
+    };
+    const auto with = sums(true);
+    const auto without = sums(false);
+    QCOMPARE(with.size(), without.size());
+    for (std::size_t i = 0; i < with.size(); ++i)
+        QVERIFY(sameSummary(with[i], without[i]));
 }
 
 QTEST_APPLESS_MAIN(TestSecondSummaries)

@@ -21,6 +21,7 @@ private slots:
     void pausedSamplesAreFlagged();
     void packetReadTwiceIsOneSample();
     void markOnARepeatedPacketCounts();
+    void refusedPacketsAreLeftOut();
     void storedGrids();
     void contactAtTheMark();
     void measuredForceOnlyWhereMeasured();
@@ -54,6 +55,24 @@ void TestTraceAssembler::trialIsCutAtItsEvents() {
     QCOMPARE(trials[1].trial, 1);
     QCOMPARE(trials[1].tools[0].t_s.size(), std::size_t{4});
     QCOMPARE(trials[1].tools[0].t_s.front(), 0.012); // since the session's first frame, not the trial's
+}
+
+void TestTraceAssembler::refusedPacketsAreLeftOut() {
+    auto frames = someFrames(12);
+    frames[2].header.events = bits::kTrialStarted;
+    frames[9].header.events = bits::kMarked;
+    for (const std::size_t bad : {std::size_t{0}, std::size_t{5}, std::size_t{9}}) { // first frame, mid-trial, at the mark
+        frames[bad].tool[0].counts = {900, 900, 900};
+        frames[bad].tool[0].deviceTime_us = 4'000'000'000; // a clock that jumped: later good packets are not older than it
+        frames[bad].tool[0].status |= core::sample_status::kRefused;
+    }
+    const auto trials = assemble(frames);
+    QCOMPARE(trials.size(), std::size_t{1});
+    QCOMPARE(trials[0].tools[0].t_s, (std::vector<double>{0.001, 0.002, 0.003, 0.005, 0.006, 0.007})); // since the first good one
+    for (const core::Vec3& p : trials[0].tools[0].p_WT_m)
+        QVERIFY(p.x() < 0.1);
+    QVERIFY(trials[0].marked);
+    QCOMPARE(trials[0].p_WMark_m.x(), 0.008); // where the last good packet left the tool
 }
 
 void TestTraceAssembler::timedOutTrial() {
