@@ -34,7 +34,6 @@ database::SessionFilter pageBefore(database::SessionId before, int limit) {
 /// Widths from words that are as long as they get, instead of from thousands of rows.
 void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, const ExerciseTitles& titles) {
     const QFontMetrics metrics(theme.font(TextStyle::body));
-    const QFontMetrics heads(theme.font(TextStyle::strong));
     const auto widest = [&metrics](const QStringList& words) {
         int width = 0;
         for (const QString& word : words)
@@ -59,8 +58,8 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     widths[SessionTableModel::device] = widest({SessionWords::device(true), SessionWords::device(false)});
     widths[SessionTableModel::length] = widest({SessionWords::length(3'599'000, locale)});
     for (int column = 0; column < SessionTableModel::columns; ++column) {
-        const int arrow = theme.px(column == SessionTableModel::number ? 30 : 14); // of the column that it is sorted by at first
-        const int head = heads.horizontalAdvance(table.model()->headerData(column, Qt::Horizontal).toString()) + arrow;
+        const int arrow = theme.px(26); // any column may become the one that it is sorted by
+        const int head = table.horizontalHeader()->sectionSizeHint(column) + arrow;
         table.setColumnWidth(column, std::max(widths[static_cast<std::size_t>(column)] + theme.px(16), head));
     }
 }

@@ -5,7 +5,9 @@
 #include "support/every_place.h"
 
 #include <QDir>
+#include <QPushButton>
 #include <QScreen>
+#include <QTimer>
 #include <cstdio>
 
 using namespace chiron;
@@ -46,6 +48,15 @@ void takeTraining(tests::DesktopFixture& desktop, const QDir& folder, const Look
     QTest::keyClick(desktop.window.get(), Qt::Key_Escape);
     QTest::qWait(300);
     take(desktop, folder.filePath(QStringLiteral("training_stopped_%1.png").arg(QLatin1String(look.name))));
+    // Out of the session, or the next look waits for its end.
+    QTimer::singleShot(600, [&desktop] {
+        if (auto* end = desktop.find<QPushButton>(QStringLiteral("training.ask.end")))
+            end->click();
+    });
+    desktop.find<QPushButton>(QStringLiteral("training.end"))->click();
+    if (!QTest::qWaitFor([&desktop] { return !desktop.context.trialRuns(); }, 10000))
+        std::fprintf(stderr, "the session did not end\n");
+    tests::waitUntilLoaded(desktop);
 }
 
 } // namespace

@@ -75,13 +75,16 @@ public:
 /// From the home screen, by keys alone, through both spheres of the first level to the debrief.
 void trainByKeys(Station& station) {
     QTRY_VERIFY(station.isOn("home"));
-    QTRY_VERIFY(station.window->findChild<QPushButton*>(QStringLiteral("home.continue")));
-    QVERIFY(tabTo(QStringLiteral("home.continue"))); // action 1
+    QVERIFY(tabTo(QStringLiteral("nav.exercises"))); // action 1
+    press(Qt::Key_Space);
+    QTRY_VERIFY(station.isOn("exercises"));
+    QTRY_VERIFY(station.window->findChild<QPushButton*>(QStringLiteral("exercise.sphere_apex.1")));
+    QVERIFY(tabTo(QStringLiteral("exercise.sphere_apex.1"))); // action 2
     press(Qt::Key_Space);
     QTRY_VERIFY(station.isOn("exercise_setup"));
     QTRY_VERIFY(station.window->findChild<QPushButton*>(QStringLiteral("setup.start")));
     QTRY_VERIFY(station.window->findChild<QPushButton*>(QStringLiteral("setup.start"))->isEnabled());
-    QVERIFY(tabTo(QStringLiteral("setup.start"))); // action 2
+    QVERIFY(tabTo(QStringLiteral("setup.start"))); // action 3
     press(Qt::Key_Space);
     QTRY_VERIFY(station.isOn("training"));
     QTRY_VERIFY_WITH_TIMEOUT(station.context.trialRuns(), 20000);
