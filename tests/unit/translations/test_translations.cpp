@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every text that a person reads is translated, whole and in the form that the program relies on; none can be
+// forgotten, because lupdate reads the sources again here.
+#include "unit/translations/text_rules.h"
+
+#include <QDirIterator>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace chiron::test;
+
+namespace {
+
+const QStringList kLocales{QStringLiteral("de"), QStringLiteral("el"), QStringLiteral("en")};
+constexpr int kPluralForms = 2; ///< German, Greek and English alike: one, and any other number
+
+QString catalogue(const QString& locale) {
+    return QStringLiteral(CHIRON_SOURCE_DIR "/translations/chiron_%1.ts").arg(locale);
+}
+
+TsMessage text(const char* source, const char* translation) {
+    TsMessage message;
+    message.source = QString::fromUtf8(source);
+    message.translations << QString::fromUtf8(translation);
+    message.finished = true;
+    return message;
+}
+
+/// The bare names of the QObject classes of the desktop that live in a namespace.
+QSet<QString> namespacedClasses() {
+    static const QRegularExpression pattern(QStringLiteral("\\bclass (\\w+)[^;{]*\\{\\s*Q_OBJECT"));
+    QSet<QString> names;
+    for (QDirIterator it(QStringLiteral(CHIRON_SOURCE_DIR "/app"), {QStringLiteral("*.h")}, QDir::Files,
+                         QDirIterator::Subdirectories);
+         it.hasNext();) {
+        QFile file(it.next());
+        if (!file.open(QIODevice::ReadOnly))
+            continue;
+        const QString source = QString::fromUtf8(file.readAll());
+        if (!source.contains(QLatin1String("\nnamespace chiron::")))
+            continue;
+        for (auto match = pattern.globalMatch(source); match.hasNext();)
+            names << match.next().captured(1);
+    }
+    return names;
+}
+
+} // namespace
+
+class TestTranslations : public QObject {
+    Q_OBJECT
+private slots:
+    void rulesNoticeFaults_data() {
+        QTest::addColumn<QString>("source");
+        QTest::addColumn<QString>("translation");
+        QTest::addColumn<bool>("good");
+        const auto row = [](const char* name, const char* source, const char* translation, bool good) {
+            QTest::newRow(name) << QString::fromUtf8(source) << QString::fromUtf8(translation) << good;
+        };
+        row("good", "%1 of %2: \"&Save\" …", "%2, davon %1: „&Sichern“ …", true);
+        row("Greek question", "Leave?", "Έξοδος;", true);
+        row("empty", "Save", "", false);
+        row("only spaces", "Save", " ", false);
+        row("placeholder lost", "%1 of %2", "%1 von 2", false);
+        row("placeholder twice", "%1", "%1 %1", false);
+        row("localised placeholder lost", "%L1", "%1", false);
+        row("line break lost", "One\nTwo", "Eins Zwei", false);
+        row("space lost", "Name: ", "Name:", false);
+        row("ellipsis lost", "End …", "Ende", false);
+        row("full stop too many", "Saved", "Gespeichert.", false);
+        row("full stop within quotation marks", "Say \"yes.\"", "Sagen Sie „ja“.", true);
+        row("mnemonic lost", "&Save", "Sichern", false);
+        row("mnemonic escaped", "Force && torque", "Kraft && Moment", true);
+    }
+    void rulesNoticeFaults() {
+        QFETCH(QString, source);
+        QFETCH(QString, translation);
+        QFETCH(bool, good);
+        const QStringList faults =
+            faultsOf(text(source.toUtf8().constData(), translation.toUtf8().constData()), kPluralForms);
+        QVERIFY2(faults.isEmpty() == good, qPrintable(faults.join(QLatin1String("; "))));
+    }
+
+    void rulesNoticeUnfinishedAndMissingForms() {
+        TsMessage message = text("%n days", "%n Tage");
+        message.counts = true;
+        QCOMPARE(faultsOf(message, kPluralForms).size(), 1);
+        message.translations.prepend(QStringLiteral("%n Tag"));
+        QVERIFY(faultsOf(message, kPluralForms).isEmpty());
+        message.finished = false;
+        QCOMPARE(faultsOf(message, kPluralForms).size(), 1);
+        message.finished = true;
+        message.translations[0].clear();
+        QCOMPARE(faultsOf(message, kPluralForms).size(), 1);
+    }
+
+    void everyTextIsTranslated_data() { eachLocale(); }
+    void everyTextIsTranslated() {
+        QFETCH(QString, locale);
+        const auto messages = readTs(catalogue(locale));
+        QVERIFY(messages.has_value());
+        QVERIFY(!messages->empty());
+        QStringList faults;
+        for (const TsMessage& message : *messages)
+            for (const QString& fault : faultsOf(message, kPluralForms))
+                faults << message.key() + QLatin1String(" -- ") + fault;
+        QVERIFY2(faults.isEmpty(), qPrintable(report(faults)));
+    }
+
+    void noTextIsForgotten_data() { eachLocale(); }
+    void noTextIsForgotten() {
+        QFETCH(QString, locale);
+        QTemporaryDir folder;
+        QVERIFY(folder.isValid());
+        const QString copy = folder.filePath(QStringLiteral("chiron_%1.ts").arg(locale));
+        QVERIFY(QFile::copy(catalogue(locale), copy));
+        QVERIFY(QFile::setPermissions(copy, QFile::ReadOwner | QFile::WriteOwner));
+        QVERIFY2(update(copy, locale), "lupdate did not run");
+        const auto known = readTs(catalogue(locale));
+        const auto found = readTs(copy);
+        QVERIFY(known.has_value() && found.has_value());
+        QSet<QString> keys;
+        for (const TsMessage& message : *known)
+            keys << message.key();
+        QStringList forgotten;
+        for (const TsMessage& message : *found)
+            if (!keys.contains(message.key()))
+                forgotten << message.key();
+        QVERIFY2(forgotten.isEmpty(), qPrintable(report(forgotten)));
+    }
+
+    /// tr() asks for the name with its namespace; a text filed under the bare name is never shown.
+    void textsAreFiledWhereTheProgramAsks_data() { eachLocale(); }
+    void textsAreFiledWhereTheProgramAsks() {
+        QFETCH(QString, locale);
+        const auto messages = readTs(catalogue(locale));
+        QVERIFY(messages.has_value());
+        const QSet<QString> classes = namespacedClasses();
+        QVERIFY(classes.contains(QStringLiteral("MainWindow")));
+        QStringList misfiled;
+        for (const TsMessage& message : *messages)
+            if (classes.contains(message.context))
+                misfiled << message.key();
+        QVERIFY2(misfiled.isEmpty(), qPrintable(report(misfiled)));
+    }
+
+    /// A text that lupdate does not see, because it is in a folder that it does not read, could never be
+    /// translated.
+    void everyFolderWithTextsIsRead() {
+        static const QRegularExpression pattern(
+            QStringLiteral("\\b(tr|translate|QT_TR_NOOP|QT_TRANSLATE_NOOP)\\(\""));
+        const QStringList read = QStringLiteral(CHIRON_TRANSLATED_FOLDERS).split(QLatin1Char(':'));
+        QStringList unread;
+        for (const char* tree : {"/app", "/database", "/modules", "/curriculum"})
+            for (QDirIterator it(QStringLiteral(CHIRON_SOURCE_DIR) + QLatin1String(tree),
+                                 {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
+                                 QDirIterator::Subdirectories);
+                 it.hasNext();) {
+                const QString path = it.next();
+                const bool covered = std::any_of(read.begin(), read.end(), [&](const QString& one) {
+                    return path.startsWith(one + QLatin1Char('/'));
+                });
+                QFile file(path);
+                if (!covered && file.open(QIODevice::ReadOnly) &&
+                    QString::fromUtf8(file.readAll()).contains(pattern))
+                    unread << path;
+            }
+        QVERIFY2(unread.isEmpty(), qPrintable(report(unread)));
+    }
+
+private:
+    static void eachLocale() {
+        QTest::addColumn<QString>("locale");
+        for (const QString& locale : kLocales)
+            QTest::newRow(qPrintable(locale)) << locale;
+    }
+
+    static QString report(const QStringList& lines) {
+        constexpr int kShown = 30;
+        return QStringLiteral("%1:\n%2").arg(lines.size()).arg(lines.mid(0, kShown).join(QLatin1Char('\n')));
+    }
+
+    /// As the target update_translations does it.
+    static bool update(const QString& path, const QString& locale) {
+        QStringList arguments{QStringLiteral("-silent"),
+                              QStringLiteral("-locations"),
+                              QStringLiteral("none"),
+                              QStringLiteral("-no-obsolete"),
+                              QStringLiteral("-no-ui-lines"),
+                              QStringLiteral("-I"),
+                              QStringLiteral(CHIRON_SOURCE_DIR "/app")};
+        if (locale == QLatin1String("en"))
+            arguments << QStringLiteral("-pluralonly");
+        arguments << QStringLiteral(CHIRON_TRANSLATED_FOLDERS).split(QLatin1Char(':'))
+                  << QStringLiteral("-ts") << path;
+        QProcess lupdate;
+        lupdate.start(QStringLiteral(CHIRON_LUPDATE), arguments);
+        constexpr int kLimitMs = 120'000;
+        return lupdate.waitForFinished(kLimitMs) && lupdate.exitStatus() == QProcess::NormalExit &&
+               lupdate.exitCode() == 0;
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTranslations)
+#include "test_translations.moc"
