@@ -1844,7 +1844,7 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>Ready. Watch a scripted operator on the simulated gimbal.</source>
-        <translation>Bereit. Sehen Sie einer programmierten Hand am simulierten Gimbal zu.</translation>
+        <translation>Bereit. Eine programmierte Hand am simulierten Gimbal.</translation>
     </message>
     <message>
         <source>Replay a file</source>
