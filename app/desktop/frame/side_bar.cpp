@@ -10,6 +10,10 @@
 
 namespace chiron::desktop {
 
+namespace {
+constexpr double kCompactAbove = 1.5; // of the scale: a window of 720 pixels then has no room for every word
+}
+
 SideBar::SideBar(AppContext& context, QWidget* parent) : QWidget(parent), m_context(context) {
     const Theme& theme = context.theme();
     setProperty("kind", QStringLiteral("sidebar"));
@@ -63,6 +67,23 @@ QWidget* SideBar::entries() {
     return list;
 }
 
+/// One below the other; at a large scale side by side and without words, so that there is room for the places above.
+QBoxLayout* SideBar::inOnePlace(std::initializer_list<QPushButton*> buttons) const {
+    const bool compact = m_context.theme().scale() > kCompactAbove;
+    auto* place = new QBoxLayout(compact ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    place->setSpacing(m_context.theme().px(compact ? 0 : 4));
+    for (QPushButton* button : buttons) {
+        if (compact) {
+            button->setAccessibleName(button->text());
+            button->setToolTip(button->text());
+            button->setText({});
+            button->setProperty("compact", true);
+        }
+        place->addWidget(button);
+    }
+    return place;
+}
+
 QWidget* SideBar::personArea() {
     auto* area = new QWidget;
     auto* column = new QVBoxLayout(area);
@@ -79,8 +100,7 @@ QWidget* SideBar::personArea() {
     connect(lock, &QPushButton::clicked, &m_context, &AppContext::lockAsked);
     auto* leave = entry(QStringLiteral("system-switch-user"), tr("Switch user"), QStringLiteral("nav.switch_user"));
     connect(leave, &QPushButton::clicked, this, [this] { m_context.logOut(); });
-    for (QPushButton* button : {search, help, lock, leave})
-        column->addWidget(button);
+    column->addLayout(inOnePlace({search, help, lock, leave}));
     return area;
 }
 

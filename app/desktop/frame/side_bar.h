@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QBoxLayout;
 class QPushButton;
 
 namespace chiron::desktop {
@@ -24,6 +25,7 @@ signals:
 private:
     QWidget* entries();
     QWidget* personArea();
+    QBoxLayout* inOnePlace(std::initializer_list<QPushButton*> buttons) const;
     QPushButton* entry(const QString& icon, const QString& text, const QString& name);
 
     AppContext& m_context;

@@ -24,6 +24,8 @@ QWidget[kind="sidebar"] { background: @sidebar; }
 QWidget[kind="sidebar"] QLabel { color: @sidebarText; }
 QWidget[kind="sidebar"] QPushButton { background: transparent; color: @sidebarText; border: 2px solid transparent;
     border-radius: #8#; padding: #8# #12#; text-align: left; }
+QWidget[kind="sidebar"] QPushButton[compact="true"] { padding: #8# #4#; text-align: center; }
+QWidget[kind="sidebar"] QScrollBar:vertical { background: @sidebar; }
 QWidget[kind="sidebar"] QPushButton:hover { background: @sidebarActive; }
 QWidget[kind="sidebar"] QPushButton:checked { background: @sidebarActive; font-weight: 600; border-left: #4# solid @accent; }
 QWidget[kind="sidebar"] QPushButton:focus { border: 2px solid @focus; }
