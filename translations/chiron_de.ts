@@ -125,6 +125,38 @@ Details: %2</source>
         <translation>%1
 Einzelheiten: %2</translation>
     </message>
+    <message>
+        <source>Your account does not permit this. Ask an administrator if it should.</source>
+        <translation>Ihr Konto erlaubt das nicht. Fragen Sie die Administration, falls es das sollte.</translation>
+    </message>
+    <message>
+        <source>It is no longer there, or was never made. Nothing was changed.</source>
+        <translation>Es ist nicht mehr da oder wurde nie angelegt. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The storage refused it. What was recorded before is kept; check the free space and try again.</source>
+        <translation>Der Speicher hat es nicht angenommen. Was bisher aufgezeichnet wurde, bleibt erhalten; prüfen Sie den freien Platz und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Another program is using this database for writing. Close it there, then try again.</source>
+        <translation>Ein anderes Programm schreibt in diese Datenbank. Schließen Sie sie dort und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The device did not answer as it should. Check its cable and power, then try again.</source>
+        <translation>Das Gerät hat nicht geantwortet, wie es sollte. Prüfen Sie Kabel und Stromversorgung und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>It was stopped before the end. Nothing was changed.</source>
+        <translation>Es wurde vor dem Ende angehalten. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>What was checked does not hold.</source>
+        <translation>Die Prüfung ist nicht bestanden.</translation>
+    </message>
+    <message>
+        <source>Something in what was given is not as expected. Nothing was changed.</source>
+        <translation>Etwas an den Angaben ist nicht wie erwartet. Nichts wurde geändert.</translation>
+    </message>
 </context>
 <context>
     <name>ForceWords</name>
@@ -1162,6 +1194,18 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Not counted</source>
         <translation>Zählt nicht</translation>
+    </message>
+    <message>
+        <source>Simulated gimbal</source>
+        <translation>Simulierter Gimbal</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>Recorded trace</source>
+        <translation>Aufgezeichnete Bewegung</translation>
     </message>
 </context>
 <context>

@@ -125,6 +125,38 @@ Details: %2</source>
         <translation>%1
 Λεπτομέρειες: %2</translation>
     </message>
+    <message>
+        <source>Your account does not permit this. Ask an administrator if it should.</source>
+        <translation>Ο λογαριασμός σας δεν το επιτρέπει. Αν θα έπρεπε, απευθυνθείτε σε διαχειριστή.</translation>
+    </message>
+    <message>
+        <source>It is no longer there, or was never made. Nothing was changed.</source>
+        <translation>Δεν υπάρχει πλέον ή δεν δημιουργήθηκε ποτέ. Τίποτα δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>The storage refused it. What was recorded before is kept; check the free space and try again.</source>
+        <translation>Η αποθήκευση δεν έγινε δεκτή. Όσα καταγράφηκαν πριν διατηρούνται· ελέγξτε τον ελεύθερο χώρο και δοκιμάστε ξανά.</translation>
+    </message>
+    <message>
+        <source>Another program is using this database for writing. Close it there, then try again.</source>
+        <translation>Ένα άλλο πρόγραμμα γράφει σε αυτή τη βάση δεδομένων. Κλείστε την εκεί και δοκιμάστε ξανά.</translation>
+    </message>
+    <message>
+        <source>The device did not answer as it should. Check its cable and power, then try again.</source>
+        <translation>Η συσκευή δεν ανταποκρίθηκε σωστά. Ελέγξτε το καλώδιο και την τροφοδοσία και δοκιμάστε ξανά.</translation>
+    </message>
+    <message>
+        <source>It was stopped before the end. Nothing was changed.</source>
+        <translation>Σταμάτησε πριν από το τέλος. Τίποτα δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>What was checked does not hold.</source>
+        <translation>Ο έλεγχος βρήκε πρόβλημα.</translation>
+    </message>
+    <message>
+        <source>Something in what was given is not as expected. Nothing was changed.</source>
+        <translation>Κάτι από όσα δόθηκαν δεν είναι όπως αναμενόταν. Τίποτα δεν άλλαξε.</translation>
+    </message>
 </context>
 <context>
     <name>ForceWords</name>
@@ -1162,6 +1194,18 @@ Do you want to replace it?</source>
     <message>
         <source>Not counted</source>
         <translation>Δεν μετράει</translation>
+    </message>
+    <message>
+        <source>Simulated gimbal</source>
+        <translation>Προσομοιωμένη καρδανική συσκευή</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Ποντίκι και πληκτρολόγιο</translation>
+    </message>
+    <message>
+        <source>Recorded trace</source>
+        <translation>Καταγεγραμμένη κίνηση</translation>
     </message>
 </context>
 <context>
@@ -2228,7 +2272,7 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
     <message>
         <source>%1 s left</source>
-        <translation>ακόμη %1 s</translation>
+        <translation>ακόμη %1&#xa0;s</translation>
     </message>
     <message>
         <source>Sound on</source>

@@ -108,7 +108,7 @@ void ReportBlocks::addVerdict() {
                                    formatGate(row, m_theme.locale));
         }
         if (!failed.isEmpty())
-            words += QStringLiteral(": ") + failed.join(QStringLiteral("; "));
+            words += QStringLiteral(": ") + failed.join(QStringLiteral(" · ")); // no semicolon: it asks a question in Greek
     }
     const QFont font = m_theme.font(13, true);
     const double height = textHeight(words, font, m_width - 24) + 14;

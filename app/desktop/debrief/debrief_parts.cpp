@@ -23,7 +23,7 @@ QWidget* DebriefScreen::headBox() {
     const QString exercise = exerciseTitle(context().site().catalogue(), summary.exercise, context().language());
     const QString level = QString::fromStdString(catalogue::textIn(m_head->setup.level.title, context().language().toStdString()));
     column->addWidget(kit::label(theme, tr("%1, level %2: %3").arg(exercise, context().locale().toString(summary.level), level), TextStyle::heading));
-    const QString device = QString::fromStdString(m_head->setup.devices.front().model);
+    const QString device = deviceText(m_head->setup.devices.front());
     auto* facts = kit::label(theme, tr("%1 · %2 · %3 · %4").arg(whoText(summary), whenText(summary, context().locale()), device, forceText(summary.felt)),
                              TextStyle::body, "muted");
     facts->setObjectName(QStringLiteral("debrief.facts"));

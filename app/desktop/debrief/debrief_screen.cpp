@@ -2,6 +2,7 @@
 #include "desktop/debrief/debrief_screen.h"
 
 #include "desktop/debrief/metrics_table.h"
+#include "desktop/debrief/report_words.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/plots/metric_words.h"
 #include "desktop/plots/plot_theme_of.h"
@@ -193,6 +194,10 @@ void DebriefScreen::writeReport(const QString& path) {
         },
         [this, path](core::Result<report::ReportData> loaded) {
             m_report->setEnabled(true);
+            if (loaded)
+                translateReport(*loaded, {whoText(m_head->record.summary),
+                                          exerciseTitle(context().site().catalogue(), m_head->record.summary.exercise, context().language()),
+                                          deviceText(m_head->setup.devices.front())});
             // Paper is always light: the report's own theme, not the screen's.
             const core::Result<void> written = loaded ? report::writeSessionPdf(path, *loaded, report::lightTheme(context().locale()))
                                                     : core::Result<void>(tl::unexpected(loaded.error()));

@@ -10,33 +10,33 @@ void Messages::error(const QString& what, const core::Error& error) {
 }
 
 QString inWords(const core::Error& error) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("ErrorWords", text); };
+    const auto words = [](const char* text) { return QCoreApplication::translate("ErrorWords", text); };
     QString advice;
     switch (error.code) {
     case core::ErrorCode::notAllowed:
-        advice = tr(QT_TRANSLATE_NOOP("ErrorWords", "Your account does not permit this. Ask an administrator if it should."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "Your account does not permit this. Ask an administrator if it should."));
         break;
     case core::ErrorCode::notFound:
-        advice = tr(QT_TRANSLATE_NOOP("ErrorWords", "It is no longer there, or was never made. Nothing was changed."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "It is no longer there, or was never made. Nothing was changed."));
         break;
     case core::ErrorCode::storage:
-        advice = tr(QT_TRANSLATE_NOOP("ErrorWords", "The storage refused it. What was recorded before is kept; check the free space and try again."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "The storage refused it. What was recorded before is kept; check the free space and try again."));
         break;
     case core::ErrorCode::locked:
-        advice = tr(QT_TRANSLATE_NOOP("ErrorWords", "Another program is using this database for writing. Close it there, then try again."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "Another program is using this database for writing. Close it there, then try again."));
         break;
     case core::ErrorCode::device:
-        advice = tr(QT_TRANSLATE_NOOP("ErrorWords", "The device did not answer as it should. Check its cable and power, then try again."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "The device did not answer as it should. Check its cable and power, then try again."));
         break;
     case core::ErrorCode::cancelled:
-        advice = tr(QT_TRANSLATE_NOOP("ErrorWords", "It was stopped before the end. Nothing was changed."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "It was stopped before the end. Nothing was changed."));
         break;
     case core::ErrorCode::doesNotHold:
-        advice = tr(QT_TRANSLATE_NOOP("ErrorWords", "What was checked does not hold."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "What was checked does not hold."));
         break;
     case core::ErrorCode::wrongUse:
     case core::ErrorCode::badInput:
-        advice = tr(QT_TRANSLATE_NOOP("ErrorWords", "Something in what was given is not as expected. Nothing was changed."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "Something in what was given is not as expected. Nothing was changed."));
         break;
     }
     return QCoreApplication::translate("ErrorWords", "%1\nDetails: %2").arg(advice, QString::fromStdString(error.message));

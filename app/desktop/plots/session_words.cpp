@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/plots/session_words.h"
 
+#include "desktop/training/training_words.h"
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <algorithm>
@@ -68,8 +70,18 @@ QString forceText(bool felt) {
 
 QString whoText(const database::SessionSummary& session) {
     if (!session.operatorName.empty())
-        return words(QT_TRANSLATE_NOOP("Sessions", "%1 (scripted)")).arg(QString::fromStdString(session.operatorName));
+        return words(QT_TRANSLATE_NOOP("Sessions", "%1 (scripted)")).arg(operatorTitle(session.operatorName));
     return QString::fromStdString(session.personName);
+}
+
+QString deviceText(const devices::DeviceDescriptor& device) {
+    if (device.driver == "simulated")
+        return words(QT_TRANSLATE_NOOP("Sessions", "Simulated gimbal"));
+    if (device.driver == "keyboard_mouse")
+        return words(QT_TRANSLATE_NOOP("Sessions", "Mouse and keyboard"));
+    if (device.driver == "replay")
+        return words(QT_TRANSLATE_NOOP("Sessions", "Recorded trace"));
+    return QString::fromStdString(device.model);
 }
 
 QString whenText(const database::SessionSummary& session, const QLocale& locale) {

@@ -3,6 +3,7 @@
 
 #include "catalogue/catalogue.h"
 #include "database/repositories/session_types.h"
+#include "devices/api/device_descriptor.h"
 
 #include <QLocale>
 #include <QString>
@@ -22,6 +23,8 @@ QString feltText(bool felt);
 QString forceText(bool felt);
 /// Who did it: the person's name, or "expert (scripted)".
 QString whoText(const database::SessionSummary& session);
+/// What it was done on.
+QString deviceText(const devices::DeviceDescriptor& device);
 /// When it began, on the clock of the place where it was recorded.
 QString whenText(const database::SessionSummary& session, const QLocale& locale);
 /// The title in the content's language, or the id where the content no longer has it.

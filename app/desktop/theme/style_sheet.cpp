@@ -72,7 +72,7 @@ QCheckBox, QRadioButton { color: @text; spacing: #8#; background: transparent; p
 QCheckBox:focus, QRadioButton:focus { border: 2px solid @focus; }
 QCheckBox::indicator, QRadioButton::indicator { width: #18#; height: #18#; border: 2px solid @borderStrong; background: @surface; }
 QCheckBox::indicator { border-radius: #4#; }
-QRadioButton::indicator { border-radius: #11#; }
+QRadioButton::indicator { border-radius: #10#; }
 QCheckBox::indicator:checked { background: @accent; border-color: @accent; image: url(:/theme/check_%ONACCENT%.svg); }
 QRadioButton::indicator:checked { border-color: @accent; background: qradialgradient(cx: 0.5, cy: 0.5, radius: 0.5, fx: 0.5, fy: 0.5,
     stop: 0 @accent, stop: 0.55 @accent, stop: 0.62 @surface, stop: 1 @surface); }

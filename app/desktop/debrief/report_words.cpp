@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/debrief/report_words.h"
+
+#include "desktop/plots/metric_words.h"
+
+namespace chiron::desktop {
+
+void translateReport(report::ReportData& data, const ReportNames& names) {
+    data.person = names.person;
+    data.exerciseTitle = names.exercise;
+    data.device = names.device;
+    for (report::MetricRow& row : data.metrics) {
+        row.name = metricTitle(row.id);
+        if (row.unit != QLatin1String("count")) // a token by which numbers are written whole
+            row.unit = unitText(row.unit);
+        if (!row.reason.isEmpty())
+            row.reason = metricReason(row.reason);
+        if (!row.bandSource.isEmpty())
+            row.bandSource = bandSourceText(row.bandSource);
+    }
+}
+
+} // namespace chiron::desktop
