@@ -87,7 +87,7 @@ QHeaderView { background: @raised; border: none; }
 QHeaderView::section { background: @raised; color: @text; border: none; border-bottom: 1px solid @borderStrong; padding: #6# #8#; font-weight: 600; }
 QTableCornerButton::section { background: @raised; border: none; }
 QProgressBar { background: @raised; border: 1px solid @borderStrong; border-radius: #6#; text-align: center; color: @text; min-height: #18#; }
-QProgressBar::chunk { background: @accent; border-radius: #5#; }
+QProgressBar::chunk { background: @accentSoft; border: 1px solid @accent; border-radius: #5#; }
 QSlider::groove:horizontal { background: @border; height: #6#; border-radius: #3#; }
 QSlider::sub-page:horizontal { background: @accent; border-radius: #3#; }
 QSlider::handle:horizontal { background: @accent; border: 2px solid @surface; width: #16#; margin: -#7# 0; border-radius: #9#; }

@@ -40,7 +40,7 @@ void StatePanel::buildProgress() {
     auto* column = static_cast<QVBoxLayout*>(m_loading->layout());
     m_progress = new QProgressBar;
     m_progress->setAccessibleName(tr("Progress"));
-    m_progress->setMaximumWidth(m_theme.px(320));
+    m_progress->setFixedWidth(m_theme.px(280));
     m_cancel = kit::button(m_theme, tr("Cancel"));
     m_cancel->setObjectName(QStringLiteral("state.cancel"));
     connect(m_cancel, &QPushButton::clicked, this, [this] {
