@@ -90,7 +90,19 @@ void DebriefScreen::showHead(DebriefHead head) {
     }
     m_column->addStretch();
     m_panel->showContent();
+    focusNextStep();
     loadDetails();
+}
+
+// The keyboard begins at what there is to do now, instead of at the navigation.
+void DebriefScreen::focusNextStep() {
+    for (const char* name : {"debrief.next", "debrief.again", "debrief.playback"}) {
+        auto* button = findChild<QPushButton*>(QLatin1String(name));
+        if (button && button->isEnabled()) {
+            button->setFocus();
+            return;
+        }
+    }
 }
 
 void DebriefScreen::loadDetails() {

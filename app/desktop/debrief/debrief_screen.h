@@ -35,6 +35,7 @@ private:
     database::SessionId sessionId() const;
     void load();
     void showHead(DebriefHead head);
+    void focusNextStep();
     void loadDetails();
     void showDetails(const DebriefDetails& details);
     void showNoDetails(const core::Error& error);
