@@ -16,7 +16,7 @@ struct VisitedPlace {
     desktop::Place place;
 };
 
-/// Sessions to look at: one completed, one that failed its gates, one timed out, all tina's.
+/// Sessions to look at: one that passed, one that failed its gates, both tina's. Theo has none.
 struct VisitedSessions {
     database::SessionId good = 0;
     database::SessionId bad = 0;
@@ -26,11 +26,11 @@ inline VisitedSessions addVisitedSessions(DesktopFixture& desktop) {
     VisitedSessions sessions;
     sessions.good = desktop.addSession("tina", 1, "expert", 1, 2, 20.0);
     sessions.bad = desktop.addSession("tina", 1, "unsafe", 2, 2, 20.0);
-    desktop.addSession("theo", 1, "novice", 3, 1, 20.0);
+    desktop.addSession("tom", 1, "novice", 3, 1, 20.0);
     return sessions;
 }
 
-/// Every screen of the program, empty ones too.
+/// Every screen of the program, empty and failed ones too.
 inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions) {
     const auto place = [](const char* screen, const QVariantMap& parameters = {}) { return desktop::Place{QLatin1String(screen), parameters}; };
     const QVariantMap good{{"session", qlonglong(sessions.good)}};
@@ -48,7 +48,11 @@ inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions) {
             {"debrief_failed", "tina", place("debrief", bad)},
             {"playback", "tina", place("playback", good)},
             {"playback_trainer", "tom", place("playback", bad)},
+            {"debrief_error", "tina", place("debrief", {{"session", 9999}})},
+            {"playback_error", "tina", place("playback", {{"session", 9999}})},
+            {"exercise_setup_error", "tina", place("exercise_setup", {{"exercise", "no_such_exercise"}})},
             {"results", "tina", place("results")},
+            {"results_empty", "theo", place("results")},
             {"sessions", "tom", place("sessions")},
             {"people", "ada", place("people")},
             {"storage", "ada", place("storage")},

@@ -12,6 +12,23 @@
 
 namespace chiron::desktop {
 
+namespace {
+
+void addHead(const Theme& theme, QVBoxLayout& column, const QString& loginName) {
+    auto* sign = new QLabel;
+    sign->setPixmap(theme.icon(QStringLiteral("system-lock-screen"), Colour::accent).pixmap(theme.px(44), theme.px(44)));
+    sign->setAlignment(Qt::AlignCenter);
+    column.addWidget(sign);
+    auto* heading = kit::label(theme, LockCover::tr("Locked"), TextStyle::heading);
+    heading->setAlignment(Qt::AlignCenter);
+    column.addWidget(heading);
+    auto* words = kit::label(theme, LockCover::tr("%1 is logged in. Everything goes on and is kept; it is only covered.").arg(loginName), TextStyle::body, "muted");
+    words->setAlignment(Qt::AlignCenter);
+    column.addWidget(words);
+}
+
+} // namespace
+
 LockCover::LockCover(const Theme& theme, const QString& loginName, QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("lock.cover"));
     setProperty("kind", QStringLiteral("page"));
@@ -24,16 +41,7 @@ LockCover::LockCover(const Theme& theme, const QString& loginName, QWidget* pare
     const kit::Box box = kit::box(theme);
     const int padding = theme.px(28);
     box.layout->setContentsMargins(padding, padding, padding, padding);
-    auto* sign = new QLabel;
-    sign->setPixmap(theme.icon(QStringLiteral("system-lock-screen"), Colour::accent).pixmap(theme.px(44), theme.px(44)));
-    sign->setAlignment(Qt::AlignCenter);
-    box.layout->addWidget(sign);
-    auto* heading = kit::label(theme, tr("Locked"), TextStyle::heading);
-    heading->setAlignment(Qt::AlignCenter);
-    box.layout->addWidget(heading);
-    auto* words = kit::label(theme, tr("%1 is logged in. Everything goes on and is kept; it is only covered.").arg(loginName), TextStyle::body, "muted");
-    words->setAlignment(Qt::AlignCenter);
-    box.layout->addWidget(words);
+    addHead(theme, *box.layout, loginName);
     m_password = form::passwordField(theme, box.layout, tr("Password of %1").arg(loginName), QStringLiteral("lock.password"));
     m_notice = new NoticeArea(theme);
     m_notice->setObjectName(QStringLiteral("lock.notice"));

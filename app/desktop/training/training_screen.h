@@ -51,6 +51,7 @@ protected:
 private:
     // training_screen_build.cpp
     void build();
+    void makeHeader();
     QWidget* buildSide();
     void buildKeys();
     void askToEnd(const QString& question, const QString& endText, std::function<void()> end);

@@ -41,12 +41,7 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
     buildKeys();
 }
 
-void TrainingScreen::build() {
-    const Theme& theme = context().theme();
-    auto* column = new QVBoxLayout(this);
-    const int margin = theme.px(12);
-    column->setContentsMargins(margin, margin, margin, margin);
-    column->setSpacing(theme.px(10));
+void TrainingScreen::makeHeader() {
     const std::string language = context().language().toStdString();
     HeaderBar::Titles titles;
     titles.exercise = title();
@@ -57,9 +52,18 @@ void TrainingScreen::build() {
     if (m_level)
         if (const auto kind = session::exerciseKind(m_level->exercise))
             titles.trials = (*kind)->trialCount(*m_level);
-    m_header = new HeaderBar(theme, context().locale(), titles);
+    m_header = new HeaderBar(context().theme(), context().locale(), titles);
     m_header->setMuted(m_sound.muted());
     connect(m_header, &HeaderBar::muteAsked, this, &TrainingScreen::toggleMute);
+}
+
+void TrainingScreen::build() {
+    const Theme& theme = context().theme();
+    auto* column = new QVBoxLayout(this);
+    const int margin = theme.px(12);
+    column->setContentsMargins(margin, margin, margin, margin);
+    column->setSpacing(theme.px(10));
+    makeHeader();
     column->addWidget(m_header);
 
     auto* middle = new QHBoxLayout;
