@@ -23,6 +23,8 @@ struct ScriptedTrainee {
     mechanisms::HandParameters hand;
 };
 
+enum class PointerTool { point, endoscope };
+
 /// How one kind of exercise is run: the only place that knows its scene, its operators and its truth by type. A new
 /// kind adds a class and one line in exercise_kind.cpp. Stateless.
 class ExerciseKind {
@@ -33,6 +35,10 @@ public:
     virtual ~ExerciseKind() = default;
 
     virtual std::string_view id() const noexcept = 0;
+    /// The simulated mechanism that a scripted operator holds: kinematics id "gimbal_hprd" (P2) or "five_bar_spherical" (P1).
+    virtual std::string_view mechanism() const noexcept { return "gimbal_hprd"; }
+    /// How a mouse and a keyboard move the tool: a point, or an endoscope that is advanced along its axis and turned.
+    virtual PointerTool pointerTool() const noexcept { return PointerTool::point; }
     virtual std::unique_ptr<simulation::IScene> makeScene(const catalogue::ExerciseLevel& level,
                                                           std::uint64_t seed) const = 0;
     /// Failure: notFound naming the operators that exist.

@@ -16,7 +16,9 @@ LevelCues cuesOf(const catalogue::ExerciseLevel& level, bool felt) {
             .numbers = has("numbers"),
             .plots = has("plots"),
             .sound = has("sound"),
-            .coverage = has("coverage")};
+            .coverage = has("coverage"),
+            .overview = has("overview"),
+            .guidance = has("guidance")};
 }
 
 } // namespace chiron::session

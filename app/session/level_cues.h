@@ -15,6 +15,8 @@ struct LevelCues {
     bool plots = false;
     bool sound = false;
     bool coverage = false;
+    bool overview = false; ///< endoscopy: a second picture, from outside
+    bool guidance = false; ///< endoscopy: the way is marked in the picture
 };
 
 /// A level that needs force, done on a device that renders none, has cues of its own (its shown-force variant). Pure.

@@ -3,6 +3,7 @@
 
 #include "scoring/score_card.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_parameters.h"
+#include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
 
 #include <map>
 #include <optional>
@@ -19,7 +20,7 @@ using Translated = std::map<std::string, std::string>;
 const std::string& textIn(const Translated& text, const std::string& language);
 
 /// What a kind of exercise is set up with; each kind adds its struct here and a line in exercise_kinds.cpp.
-using ExerciseParameters = std::variant<simulation::SphereApexParameters>;
+using ExerciseParameters = std::variant<simulation::SphereApexParameters, simulation::UrethraInsertionParameters>;
 
 struct MetricChoice {
     std::string id;

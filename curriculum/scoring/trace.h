@@ -21,6 +21,24 @@ struct ToolTrace {
     std::vector<core::Vec3> commanded_N; ///< after the supervisor; empty if the file has none
     std::vector<core::Vec3> measured_N;  ///< empty if the device measures none
     std::vector<std::uint8_t> paused;    ///< 1: left out of every metric
+    std::vector<core::Quat> q_WT; ///< unit; empty where orientation means nothing (a Cartesian device, a file without it)
+    std::vector<core::Vec3> tissueTorque_Nm; ///< about the tip, on the tool, at the stored 0.01 mN·m; empty as q_WT
+};
+
+/// What the tool did with respect to a canal, sample by sample of tool 0: derived from stored poses and wrenches by the
+/// exercise's own geometry (app/session), or read from a trace file's columns. All vectors have tool 0's length.
+struct InsertionSeries {
+    std::vector<double> s_m;             ///< arc length of the tip's foot; < 0 before the entrance
+    std::vector<double> offset_m;        ///< distance from the centre-line, ≥ 0
+    std::vector<double> alignment_rad;   ///< angle between the instrument's axis and the centre-line's tangent, ≥ 0
+    std::vector<double> lateral_N;       ///< tissue force perpendicular to the centre-line's tangent, ≥ 0
+    std::vector<double> axialTorque_Nm;  ///< |T_z|
+    std::vector<std::uint8_t> stage;     ///< core::ProcedureStage
+    double length_m = 0.0;               ///< L
+    double bend_m = 0.0;                 ///< s_B: where the orientation has to change
+    double goal_m = 0.0;                 ///< depth that ends the insertion
+    double lateralLimit_N = 2.0;         ///< trauma events
+    std::vector<double> landmarkSeen_s;  ///< time each landmark was seen, NaN where it was not; empty: the level has none
 };
 
 /// What is true of a sphere-apex trial, from its seed and content; needed for the apex errors only.
@@ -39,6 +57,8 @@ struct TrialTrace {
     core::Vec3 p_WMark_m = core::Vec3::Zero(); ///< tool 0 at the mark (last position if the file had no mark)
     bool markInContact = false;
     std::optional<ApexTruth> apex;
+    std::optional<InsertionSeries> insertion; ///< exercises through a canal
+    bool completed = false; ///< the procedure was done to its end (kCompleted); marks end other exercises
     bool forcesKnown = true; ///< false: a file without force columns; tissue_N is zero and means nothing
 };
 

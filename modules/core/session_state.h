@@ -55,6 +55,9 @@ inline constexpr std::uint32_t kTimedOut = 1u << 3;
 inline constexpr std::uint32_t kContactBegan = 1u << 4;
 inline constexpr std::uint32_t kContactEnded = 1u << 5;
 inline constexpr std::uint32_t kFinished = 1u << 6;      ///< the last trial ended
+inline constexpr std::uint32_t kCompleted = 1u << 7;     ///< the trial's procedure is done: ends the trial as a mark does
+inline constexpr std::uint32_t kStageChanged = 1u << 8;  ///< core::ProcedureStage moved on
+inline constexpr std::uint32_t kLandmarkSeen = 1u << 9;  ///< one more landmark was inspected
 } // namespace event_bits
 
 } // namespace chiron::core

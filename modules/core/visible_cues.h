@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/endoscope_cues.h"
 #include "core/geometry.h"
 #include "core/session_state.h"
 
@@ -20,6 +21,7 @@ struct VisibleCues {
     double objectRadius_m = 0.0;   ///< zero unless objectShown
     double shownForce_N = 0.0;     ///< ‖tissue force‖ on this tool, filled by the loop for input-only devices (slowed
                                    ///< motion); zero on a device that renders force, whose hand feels it instead
+    EndoscopeCues endoscope;       ///< endoscopic exercises only
 };
 
 } // namespace chiron::core

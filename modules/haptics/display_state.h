@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/endoscope_cues.h"
 #include "core/geometry.h"
 #include "core/session_state.h"
 #include "core/tool_state.h"
@@ -56,6 +57,7 @@ struct DisplayState {
     bool objectShown = false;      ///< the level lets it be seen
     std::array<double, 3> p_WObject_m{};
     double objectRadius_m = 0.0;
+    core::EndoscopeCues endoscope; ///< endoscopic exercises only
 
     std::uint64_t lateTicks = 0;
     std::uint64_t skippedDeadlines = 0;

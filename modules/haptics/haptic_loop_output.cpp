@@ -95,6 +95,7 @@ void HapticLoop::fillDisplay(const realtime::HapticTick& now) noexcept {
     m_shown.objectShown = m_out.cues.objectShown;
     m_shown.p_WObject_m = arrayOf(m_out.cues.p_WObject);
     m_shown.objectRadius_m = m_out.cues.objectRadius_m;
+    m_shown.endoscope = m_out.cues.endoscope;
     m_shown.lateTicks = m_statistics.late();
     m_shown.skippedDeadlines = m_statistics.skippedDeadlines();
     m_shown.droppedFrames = m_droppedFrames;

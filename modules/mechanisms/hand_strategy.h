@@ -19,12 +19,17 @@ struct HandPerception {
     core::VisibleCues cues; ///< what the screen shows (object in W)
     core::Vec3 p_DObject =
         core::Vec3::Zero(); ///< the shown object's centre in D; zero unless cues.objectShown
+    core::Quat q_DT = core::Quat::Identity(); ///< how the hand holds the tool; identity where the device does not turn
+    core::Vec3 w_DT = core::Vec3::Zero();     ///< rad/s
+    core::Vec3 t_T_D = core::Vec3::Zero(); ///< torque that the plant really puts on the hand, D (N·m), mean over the last tick
 };
 
 /// What a hand wants: where to be, and which buttons to hold.
 struct HandIntention {
     core::Vec3 p_DDesired = core::Vec3::Zero();
     core::Vec3 v_DDesired = core::Vec3::Zero();
+    core::Quat q_DDesired = core::Quat::Identity(); ///< used by devices that turn
+    core::Vec3 w_DDesired = core::Vec3::Zero();     ///< rad/s
     std::uint32_t buttons = 0;
     double jaw_rad = 0.0;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulation/exercises/sphere_apex/sphere_apex_parameters.h"
+#include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
 
 #include <QColor>
 #include <QString>
@@ -14,6 +15,9 @@ namespace chiron::scene3d {
 struct SceneCues {
     bool tool = true;
     bool arrow = false; ///< force arrow with the limit line
+    bool object = true; ///< endoscopy: the camera's picture
+    bool overview = false; ///< endoscopy: the second picture, from outside
+    bool guidance = false; ///< endoscopy: the way is marked in the picture
 };
 
 /// Colours of the theme that the scene uses; tissue and instrument keep their own, believable ones.
@@ -31,10 +35,11 @@ struct SceneColours {
 /// is computed from the same geometry as the force.
 struct SceneSetup {
     std::string exercise; ///< id of the exercise: which geometry is drawn
-    std::variant<simulation::SphereApexParameters> parameters;
+    std::variant<simulation::SphereApexParameters, simulation::UrethraInsertionParameters> parameters;
     double forceLimit_N = 4.0; ///< of the arrow's limit line
     SceneCues cues;
     SceneColours colours;
+    bool depthOfField = false; ///< endoscopy: the camera's picture is sharp at one distance only (P1)
     bool leftHanded = false; ///< the entry point of a tool without orientation lies on the left
     double scale = 1.0;      ///< of lines and words: 1..2
     QString family;          ///< font

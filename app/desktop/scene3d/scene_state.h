@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/endoscope_cues.h"
 #include "core/geometry.h"
 #include "core/haptic_frame.h"
 
@@ -36,6 +37,7 @@ struct SceneState {
     core::Vec2 dimpleCentre_m = core::Vec2::Zero(); ///< x, y in W
     bool marked = false;                            ///< playback: the place where the person marked
     core::Vec3 p_WMark = core::Vec3::Zero();
+    core::EndoscopeCues endoscope; ///< endoscopic exercises: stage, landmarks, guidance; the pose is tool[0]'s
     double time_s = 0.0;
 };
 

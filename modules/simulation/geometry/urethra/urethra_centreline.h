@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+
+namespace chiron::simulation {
+
+/// A place on the centre-line with its frame in A. x̂ = (1,0,0) is normal to the plane of symmetry; n points to the concave
+/// side (n = (0, cos ψ, −sin ψ)), t = (0, sin ψ, cos ψ), ψ = atan(2cz): right-handed (x̂, n, t).
+struct CentrelinePoint {
+    double s_m = 0.0;
+    double z_m = 0.0;
+    core::Vec3 p_A = core::Vec3::Zero();
+    core::Vec3 n_A = core::Vec3::UnitY();
+    core::Vec3 t_A = core::Vec3::UnitZ();
+    double psi_rad = 0.0;
+    double curvature_per_m = 0.0; ///< κ_c = 2c cos³ψ; 0 before A
+};
+
+/// Where a point lies with respect to the centre-line.
+struct CentrelineFoot {
+    CentrelinePoint at;
+    double ex_m = 0.0; ///< offset along x̂
+    double en_m = 0.0; ///< offset along n, positive to the concave side
+    /// ∇s in A: ds = gradient · dp. On the parabola t/(1 − κ_c e_n).
+    core::Vec3 gradientOfS_A = core::Vec3::UnitZ();
+};
+
+/// Centre-line of the urethra, A (models.md §1.1): y = c z² for z ≥ 0 (beyond the bladder neck C the same parabola),
+/// straight on along −z before the entrance A. s(z) = ½ z √(1+4c²z²) + asinh(2cz)/(4c), s = z before A. Pure; haptic thread.
+///
+/// foot(): the nearest point of the parabola for p_z > 0 (its one root with z > 0 of 2c²z³ + (1−2c p_y) z − p_z = 0).
+/// Before A the curvature would jump from 0 to 2c, and with it every force along t of a tool beside the line; so over the
+/// last kLeadIn_m before A the arc length of an off-line point is blended, s = p_z/(1 − 2c e_n g), g = smoothstep(1 + p_z/kLeadIn),
+/// whose gradient is continuous at A (denominator held ≥ ¼). The line itself stays straight.
+class UrethraCentreline {
+public:
+    static constexpr double kLeadIn_m = 0.010;
+
+    /// c > 0, zEnd > 0.
+    UrethraCentreline(double curvature_per_m, double zEnd_m) noexcept;
+
+    double length_m() const noexcept { return m_length_m; } ///< L = s(zEnd)
+    double arcLengthAt(double z_m) const noexcept;
+    double zAt(double s_m) const noexcept; ///< inverse, to a few ulp (Newton); s itself before A
+    CentrelinePoint at(double s_m) const noexcept;
+    CentrelinePoint atZ(double z_m) const noexcept;
+    CentrelineFoot foot(const core::Vec3& p_A) const noexcept;
+    double curvatureParameter_per_m() const noexcept { return m_c; }
+
+private:
+    double m_c;
+    double m_zEnd_m;
+    double m_length_m;
+};
+
+} // namespace chiron::simulation
