@@ -33,6 +33,9 @@ struct CentrelineFoot {
 /// Before A the curvature would jump from 0 to 2c, and with it every force along t of a tool beside the line; so over the
 /// last kLeadIn_m before A the arc length of an off-line point is blended, s = p_z/(1 − 2c e_n g), g = smoothstep(1 + p_z/kLeadIn),
 /// whose gradient is continuous at A (denominator held ≥ ¼). The line itself stays straight.
+/// On the parabola the gradient's denominator is held ≥ ¼ too: further than ¾ of the radius of curvature from the line (28.8 mm
+/// with P1's c at A) it is bounded instead of exact. Beyond the centre of curvature at A, 1/(2c) above it, the nearest point jumps
+/// as p_z passes 0: nothing is drawn or felt there by any tool that came in through A.
 class UrethraCentreline {
 public:
     static constexpr double kLeadIn_m = 0.010;
@@ -49,6 +52,9 @@ public:
     double curvatureParameter_per_m() const noexcept { return m_c; }
 
 private:
+    CentrelineFoot footOnParabola(const core::Vec3& p_A) const noexcept;
+    CentrelineFoot footBeforeEntrance(const core::Vec3& p_A) const noexcept;
+
     double m_c;
     double m_zEnd_m;
     double m_length_m;

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/geometry/urethra/urethra_centreline.h"
+
+#include "simulation/geometry/urethra/smoothstep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::simulation {
+
+namespace {
+
+using core::Vec3;
+
+/// Both equations below are convex and increasing right of their root, and Newton starts right of it: it comes down
+/// monotonically and at least halves its distance until it is quadratic. 5 to 7 steps from these starts.
+constexpr int kMostSteps = 12;
+/// Along the centre-line nothing is steeper than this: past three quarters of the way to the centre of curvature the
+/// nearest point runs away from the tool, and at the centre itself it is not one point.
+constexpr double kLeastDenominator = 0.25;
+
+/// u of 4cs = u√(1+u²) + asinh u, for s ≥ 0; u = 2cz.
+double scaledRoot(double target) noexcept {
+    double u = std::min(0.5 * target, std::sqrt(target)); // the sum is ≥ 2u and ≥ u²
+    for (int step = 0; step < kMostSteps; ++step) {
+        const double root = std::sqrt(1.0 + u * u);
+        const double change = (u * root + std::asinh(u) - target) / (2.0 * root);
+        u -= change;
+        if (std::abs(change) <= 1e-16 * u)
+            break;
+    }
+    return u;
+}
+
+/// The positive root of z³ + qz − r, r > 0.
+double cubicRoot(double q, double r) noexcept {
+    const double edge = std::cbrt(r);
+    double z = q >= 0.0 ? std::min(edge, q > 0.0 ? r / q : edge) : std::sqrt(-q) + edge;
+    for (int step = 0; step < kMostSteps; ++step) {
+        const double change = ((z * z + q) * z - r) / (3.0 * z * z + q);
+        z -= change;
+        if (std::abs(change) <= 1e-16 * z)
+            break;
+    }
+    return z;
+}
+
+} // namespace
+
+UrethraCentreline::UrethraCentreline(double curvature_per_m, double zEnd_m) noexcept
+    : m_c(curvature_per_m), m_zEnd_m(zEnd_m), m_length_m(arcLengthAt(zEnd_m)) {}
+
+double UrethraCentreline::arcLengthAt(double z_m) const noexcept {
+    if (z_m <= 0.0)
+        return z_m;
+    const double u = 2.0 * m_c * z_m;
+    return 0.5 * z_m * std::sqrt(1.0 + u * u) + std::asinh(u) / (4.0 * m_c);
+}
+
+double UrethraCentreline::zAt(double s_m) const noexcept {
+    if (s_m <= 0.0)
+        return s_m;
+    return scaledRoot(4.0 * m_c * s_m) / (2.0 * m_c);
+}
+
+CentrelinePoint UrethraCentreline::at(double s_m) const noexcept {
+    CentrelinePoint point = atZ(zAt(s_m));
+    point.s_m = s_m;
+    return point;
+}
+
+CentrelinePoint UrethraCentreline::atZ(double z_m) const noexcept {
+    CentrelinePoint point;
+    point.z_m = z_m;
+    point.s_m = arcLengthAt(z_m);
+    if (z_m < 0.0) {
+        point.p_A = Vec3(0.0, 0.0, z_m);
+        return point;
+    }
+    const double slope = 2.0 * m_c * z_m;
+    const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
+    point.p_A = Vec3(0.0, m_c * z_m * z_m, z_m);
+    point.t_A = Vec3(0.0, slope * cosine, cosine);
+    point.n_A = Vec3(0.0, cosine, -slope * cosine);
+    point.psi_rad = std::atan(slope);
+    point.curvature_per_m = 2.0 * m_c * cosine * cosine * cosine;
+    return point;
+}
+
+CentrelineFoot UrethraCentreline::foot(const Vec3& p_A) const noexcept {
+    return p_A.z() > 0.0 ? footOnParabola(p_A) : footBeforeEntrance(p_A);
+}
+
+CentrelineFoot UrethraCentreline::footOnParabola(const Vec3& p_A) const noexcept {
+    const double scale = 1.0 / (2.0 * m_c * m_c);
+    CentrelineFoot foot;
+    foot.at = atZ(cubicRoot((1.0 - 2.0 * m_c * p_A.y()) * scale, p_A.z() * scale));
+    const Vec3 offset = p_A - foot.at.p_A;
+    foot.ex_m = offset.x();
+    foot.en_m = foot.at.n_A.dot(offset);
+    foot.gradientOfS_A =
+        foot.at.t_A / std::max(kLeastDenominator, 1.0 - foot.at.curvature_per_m * foot.en_m);
+    return foot;
+}
+
+CentrelineFoot UrethraCentreline::footBeforeEntrance(const Vec3& p_A) const noexcept {
+    const double u = 1.0 + p_A.z() / kLeadIn_m;
+    const double bend = 2.0 * m_c * p_A.y(); // curvature at A times the offset
+    const double g = smoothstep(u);
+    const double denominator = 1.0 - bend * g;
+    CentrelineFoot foot;
+    double alongZ = 1.0 / kLeastDenominator;
+    double alongY = 0.0;
+    if (denominator > kLeastDenominator) {
+        const double pull = p_A.z() / (denominator * denominator);
+        alongZ = 1.0 / denominator + pull * bend * smoothstepSlope(u) / kLeadIn_m;
+        alongY = pull * 2.0 * m_c * g;
+    }
+    const double s = p_A.z() / std::max(kLeastDenominator, denominator);
+    foot.at.s_m = s;
+    foot.at.z_m = s;
+    foot.at.p_A = Vec3(0.0, 0.0, s);
+    foot.at.curvature_per_m = s < 0.0 ? 0.0 : 2.0 * m_c;
+    foot.ex_m = p_A.x();
+    foot.en_m = p_A.y();
+    foot.gradientOfS_A = Vec3(0.0, alongY, alongZ);
+    return foot;
+}
+
+} // namespace chiron::simulation
