@@ -12,11 +12,12 @@ namespace {
 
 using core::Vec3;
 
-/// Both equations below are convex and increasing right of their root, and Newton starts right of it: it comes down
-/// monotonically and at least halves its distance until it is quadratic. 5 to 7 steps from these starts.
+/// Both equations below are convex and increasing right of their root, and Newton starts right of it: it
+/// comes down monotonically and at least halves its distance until it is quadratic. 5 to 7 steps from these
+/// starts.
 constexpr int kMostSteps = 12;
-/// Along the centre-line nothing is steeper than this: past three quarters of the way to the centre of curvature the
-/// nearest point runs away from the tool, and at the centre itself it is not one point.
+/// Along the centre-line nothing is steeper than this: past three quarters of the way to the centre of
+/// curvature the nearest point runs away from the tool, and at the centre itself it is not one point.
 constexpr double kLeastDenominator = 0.25;
 
 /// u of 4cs = u√(1+u²) + asinh u, for s ≥ 0; u = 2cz.
@@ -98,8 +99,7 @@ CentrelineFoot UrethraCentreline::footOnParabola(const Vec3& p_A) const noexcept
     const Vec3 offset = p_A - foot.at.p_A;
     foot.ex_m = offset.x();
     foot.en_m = foot.at.n_A.dot(offset);
-    foot.gradientOfS_A =
-        foot.at.t_A / std::max(kLeastDenominator, 1.0 - foot.at.curvature_per_m * foot.en_m);
+    foot.gradientOfS_A = foot.at.t_A / std::max(kLeastDenominator, 1.0 - foot.at.curvature_per_m * foot.en_m);
     return foot;
 }
 

@@ -15,10 +15,11 @@ namespace chiron::simulation {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kShortestCanal_m = 0.010;  ///< 401 sections of it stay 25 µm apart, far more than they are nudged by
+constexpr double kShortestCanal_m =
+    0.010; ///< 401 sections of it stay 25 µm apart, far more than they are nudged by
 constexpr double kShortestBeak_m = 0.001;   ///< 33 moving sections stay 31 µm apart
 constexpr double kShortestChange_m = 0.010; ///< models.md §1.1: a shorter ring would fall between sections
-constexpr int kWallSamples = 1024;          ///< finer than the shortest change's edge can bend the radius unseen
+constexpr int kWallSamples = 1024; ///< finer than the shortest change's edge can bend the radius unseen
 
 std::string number(double value) {
     char text[32];
@@ -65,12 +66,13 @@ void checkWallNumbers(Check& check, const UrethraAnatomy& a) {
 
 void checkFreePart(Check& check, const UrethraAnatomy& a, double length_m) {
     if (check.range("freeLength_m", a.freeLength_m, 0.0, true) && a.freeLength_m >= length_m)
-        check.add("freeLength_m", "is " + number(a.freeLength_m) + ", but the canal ends at " + number(length_m));
+        check.add("freeLength_m",
+                  "is " + number(a.freeLength_m) + ", but the canal ends at " + number(length_m));
     else if (check.positive("angularCorner_m", a.angularCorner_m) &&
              a.freeLength_m + 2.0 * a.angularCorner_m > length_m)
         check.add("angularCorner_m", "is " + number(a.angularCorner_m) + ": the rounded corners at " +
-                                         number(a.freeLength_m) + " and at the canal's end, " + number(length_m) +
-                                         ", run into one another");
+                                         number(a.freeLength_m) + " and at the canal's end, " +
+                                         number(length_m) + ", run into one another");
     check.positive("freeBlend_m", a.freeBlend_m);
 }
 
@@ -83,8 +85,9 @@ bool checkChange(Check& check, const UrethraLocalChange& change, const std::stri
     const double reach = 0.5 * (change.length_m + change.edge_m);
     if (good && !(change.centre_m - reach >= 0.0 && change.centre_m + reach <= length_m)) {
         check.add(at + "centre_m", "is " + number(change.centre_m) + ": the change reaches from " +
-                                       number(change.centre_m - reach) + " to " + number(change.centre_m + reach) +
-                                       ", out of the canal, 0 to " + number(length_m));
+                                       number(change.centre_m - reach) + " to " +
+                                       number(change.centre_m + reach) + ", out of the canal, 0 to " +
+                                       number(length_m));
         return false;
     }
     return good;
@@ -101,8 +104,8 @@ void checkChanges(Check& check, const UrethraAnatomy& a, double length_m) {
             continue;
         for (std::size_t other = 0; other < i; ++other) {
             const double apart = std::abs(a.changes[i].centre_m - a.changes[other].centre_m);
-            const double reach = 0.5 * (a.changes[i].length_m + a.changes[i].edge_m + a.changes[other].length_m +
-                                        a.changes[other].edge_m);
+            const double reach = 0.5 * (a.changes[i].length_m + a.changes[i].edge_m +
+                                        a.changes[other].length_m + a.changes[other].edge_m);
             if (apart < reach)
                 check.add(place(i) + "centre_m", "is " + number(apart) + " from that of changes[" +
                                                      std::to_string(other) + "]: they overlap below " +
@@ -115,7 +118,8 @@ void checkBladder(Check& check, const UrethraAnatomy& a, const Endoscope& scope)
     check.notNegative("bladderStiffness_N_per_m", a.bladderStiffness_N_per_m);
     const bool radius = check.positive("bladderRadius_m", a.bladderRadius_m);
     const bool edge = check.positive("bladderOpeningEdge_rad", a.bladderOpeningEdge_rad);
-    if (!check.range("bladderOpening_rad", a.bladderOpening_rad, 0.0, false, 0.5 * core::kPi) || !radius || !edge)
+    if (!check.range("bladderOpening_rad", a.bladderOpening_rad, 0.0, false, 0.5 * core::kPi) || !radius ||
+        !edge)
         return;
     if (a.bladderOpening_rad + a.bladderOpeningEdge_rad >= core::kPi)
         check.add("bladderOpeningEdge_rad", "is " + number(a.bladderOpeningEdge_rad) +
@@ -123,7 +127,8 @@ void checkBladder(Check& check, const UrethraAnatomy& a, const Endoscope& scope)
     const double opening = a.bladderRadius_m * std::sin(a.bladderOpening_rad);
     if (opening < std::max(a.radius_m, scope.radius_m))
         check.add("bladderOpening_rad", "is " + number(a.bladderOpening_rad) + ": an opening of radius " +
-                                            number(opening) + " m, narrower than the canal with the endoscope in it, " +
+                                            number(opening) +
+                                            " m, narrower than the canal with the endoscope in it, " +
                                             number(std::max(a.radius_m, scope.radius_m)));
 }
 
@@ -131,8 +136,10 @@ void checkEndoscope(Check& check, const Endoscope& scope) {
     check.positive("endoscope.radius_m", scope.radius_m);
     check.range("endoscope.beak_m", scope.beak_m, kShortestBeak_m, true);
     check.positive("endoscope.behind_m", scope.behind_m);
-    if (check.positive("endoscope.fieldOfView_rad", scope.fieldOfView_rad) && scope.fieldOfView_rad >= core::kPi)
-        check.add("endoscope.fieldOfView_rad", "is " + number(scope.fieldOfView_rad) + "; it must be below pi");
+    if (check.positive("endoscope.fieldOfView_rad", scope.fieldOfView_rad) &&
+        scope.fieldOfView_rad >= core::kPi)
+        check.add("endoscope.fieldOfView_rad",
+                  "is " + number(scope.fieldOfView_rad) + "; it must be below pi");
 }
 
 void checkMesh(Check& check, const UrethraMeshSettings& mesh) {
@@ -142,8 +149,8 @@ void checkMesh(Check& check, const UrethraMeshSettings& mesh) {
     check.range("mesh.movingSections", mesh.movingSections, 3, true, 33);
 }
 
-// Neighbouring sections meet on the concave side where the radius reaches the radius of curvature. A parabola and the
-// straight line before it come near themselves nowhere else.
+// Neighbouring sections meet on the concave side where the radius reaches the radius of curvature. A parabola
+// and the straight line before it come near themselves nowhere else.
 void checkWallCrossesItself(Check& check, const UrethraAnatomy& a, const Endoscope& scope,
                             const UrethraCentreline& line) {
     const UrethraWall wall(a, scope);
@@ -154,8 +161,9 @@ void checkWallCrossesItself(Check& check, const UrethraAnatomy& a, const Endosco
         if (widest * at.curvature_per_m < 1.0)
             continue;
         check.add(rest >= scope.radius_m ? "radius_m" : "endoscope.radius_m",
-                  "the wall crosses itself at s = " + number(at.s_m) + ": there its radius is " + number(widest) +
-                      " and the centre-line's radius of curvature only " + number(1.0 / at.curvature_per_m));
+                  "the wall crosses itself at s = " + number(at.s_m) + ": there its radius is " +
+                      number(widest) + " and the centre-line's radius of curvature only " +
+                      number(1.0 / at.curvature_per_m));
         return;
     }
 }

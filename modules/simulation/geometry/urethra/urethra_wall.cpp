@@ -29,8 +29,8 @@ double weight(const UrethraLocalChange& change, double s_m) noexcept {
            smoothstep((0.5 * change.length_m - fromCentre) / change.edge_m + 0.5);
 }
 
-/// base + Σ w (changed − base): changes do not overlap (validity), so this is each one's own value at full weight, and
-/// exactly the base value away from them.
+/// base + Σ w (changed − base): changes do not overlap (validity), so this is each one's own value at full
+/// weight, and exactly the base value away from them.
 template <class ChangedValue>
 double varied(const UrethraAnatomy& anatomy, double s_m, double base, ChangedValue changed) noexcept {
     double value = base;
@@ -63,7 +63,8 @@ double UrethraWall::constrained(double s_m) const noexcept {
 }
 
 double UrethraWall::opening(double s_m, double tip_s_m) const noexcept {
-    // The end is tested as the sum that the drawn surface ends at: a quotient may round to just below 1 there.
+    // The end is tested as the sum that the drawn surface ends at: a quotient may round to just below 1
+    // there.
     return s_m >= tip_s_m + m_scope.beak_m ? 0.0 : raisedCosine((s_m - tip_s_m) / m_scope.beak_m);
 }
 
