@@ -11,8 +11,8 @@ namespace chiron::mechanisms {
 using core::Vec3;
 
 GimbalPlant::GimbalPlant(const GimbalPlantParameters& parameters) noexcept
-    : m_parameters(parameters), m_kinematics(parameters.pivotHeight_m) {
-    m_parameters.sampleDelay_ticks = std::clamp(parameters.sampleDelay_ticks, 0, kLine - 1);
+    : m_parameters(parameters), m_kinematics(parameters.pivotHeight_m),
+      m_encoders(parameters.resolution, parameters.sampleDelay_ticks) {
     m_parameters.substeps = std::max(parameters.substeps, 4);
     reset(m_q);
 }
@@ -28,8 +28,7 @@ void GimbalPlant::reset(const GimbalCoordinates& q) noexcept {
     for (LugreFriction& friction : m_friction)
         friction.reset();
     updateTip();
-    for (auto& counts : m_counts)
-        readEncoders(counts);
+    m_encoders.settle(coordinates());
 }
 
 GimbalVector GimbalPlant::inertia(const GimbalCoordinates& q) const noexcept {
@@ -56,9 +55,8 @@ double GimbalPlant::energy_J() const noexcept {
 }
 
 GimbalCoordinates GimbalPlant::sensed() const noexcept {
-    const auto& c = counts();
-    const auto& size = m_parameters.resolution;
-    return {c[0] * size[0], c[1] * size[1], c[2] * size[2], c[3] * size[3]};
+    const auto q = m_encoders.sensed();
+    return {q[0], q[1], q[2], q[3]};
 }
 
 void GimbalPlant::beginTick(const GimbalVector& renderEfforts, bool enabled) noexcept {
@@ -141,20 +139,16 @@ void GimbalPlant::updateTip() noexcept {
              m_rates[3] * m_alongDepth_D;
 }
 
-void GimbalPlant::readEncoders(std::array<std::int32_t, 4>& counts) const noexcept {
-    const std::array<double, 4> q{m_q.h, m_q.p, m_q.r, m_q.d};
-    for (std::size_t axis = 0; axis < 4; ++axis)
-        counts[axis] = static_cast<std::int32_t>(std::floor(q[axis] / m_parameters.resolution[axis] + 0.5));
-}
-
 void GimbalPlant::endTick() noexcept {
-    m_newest = (m_newest + 1) % kLine;
-    readEncoders(m_counts[static_cast<std::size_t>(m_newest)]);
+    m_encoders.push(coordinates());
     m_measured_D = GimbalKinematics::force_D(m_q, m_motor - m_feedForward);
 }
 
-const std::array<std::int32_t, 4>& GimbalPlant::counts() const noexcept {
-    return m_counts[static_cast<std::size_t>((m_newest + kLine - m_parameters.sampleDelay_ticks) % kLine)];
+ToolMotion GimbalPlant::motion() const noexcept {
+    ToolMotion motion;
+    motion.p_DT = m_p_DT;
+    motion.v_DT = m_v_DT;
+    return motion;
 }
 
 } // namespace chiron::mechanisms

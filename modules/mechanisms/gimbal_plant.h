@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mechanisms/encoder_line.h"
 #include "mechanisms/gimbal_plant_parameters.h"
+#include "mechanisms/plant.h"
 
 #include <array>
 #include <cstdint>
@@ -14,7 +16,7 @@ namespace chiron::mechanisms {
 ///   the thin rod about its own axis is left out), Coriolis terms from ∂M, g from V = −m g s cos h cos p.
 /// Semi-implicit Euler, viscous terms implicit, bristles implicit (LugreFriction); positions are clamped at
 /// the end stops. Deterministic, no allocation, haptic thread. D, SI. Source: models.md §4, devices.md §5.
-class GimbalPlant {
+class GimbalPlant final : public Plant {
 public:
     explicit GimbalPlant(const GimbalPlantParameters& parameters) noexcept;
 
@@ -23,10 +25,16 @@ public:
     /// Once a tick: efforts asked of the motors for rendering (N·m, N·m, –, N); gravity feed-forward is added
     /// from the newest counts. `enabled` false opens the amplifiers: no effort at all.
     void beginTick(const GimbalVector& renderEfforts, bool enabled) noexcept;
+    void beginTick(const AxisEfforts& render, bool enabled) noexcept override {
+        beginTick(GimbalVector(render[0], render[1], render[2], render[3]), enabled);
+    }
     /// One integration step of 1 ms / substeps under a force on the tool at the tip (D).
     void integrate(double dt_s, const core::Vec3& f_T_D) noexcept;
+    void step(double dt_s, const core::Wrench& onTool_D) noexcept override { integrate(dt_s, onTool_D.force); }
     /// Once a tick, after the steps: the encoders are read.
-    void endTick() noexcept;
+    void endTick() noexcept override;
+
+    ToolMotion motion() const noexcept override; ///< the hand holds a point: no orientation
 
     const GimbalKinematics& kinematics() const noexcept { return m_kinematics; }
     const GimbalPlantParameters& parameters() const noexcept { return m_parameters; }
@@ -35,13 +43,15 @@ public:
     const core::Vec3& p_DT() const noexcept { return m_p_DT; } ///< true tip
     const core::Vec3& v_DT() const noexcept { return m_v_DT; }
     /// Encoder counts as the host sees them (delayed by sampleDelay_ticks), h, p, r, d.
-    const std::array<std::int32_t, 4>& counts() const noexcept;
+    const std::array<std::int32_t, 4>& counts() const noexcept { return m_encoders.counts(); }
+    std::span<const std::int32_t> encoderCounts() const noexcept override { return counts(); }
     /// Force on the tool in D that the motors really gave over the last tick, without the gravity
     /// feed-forward.
     const core::Vec3& measuredForce_D() const noexcept { return m_measured_D; }
-    bool saturated() const noexcept {
-        return m_saturated;
-    } ///< a motor ran at its current limit in the last tick
+    core::Wrench measured_D() const noexcept override { return {m_measured_D, core::Vec3::Zero()}; }
+    bool saturated() const noexcept override { return m_saturated; }
+    int substeps() const noexcept override { return m_parameters.substeps; }
+    bool turns() const noexcept override { return false; }
 
     GimbalVector inertia(const GimbalCoordinates& q) const noexcept; ///< diagonal of M
     GimbalVector
@@ -49,11 +59,10 @@ public:
     double energy_J() const noexcept;                   ///< kinetic + gravity + spring
 
 private:
-    static constexpr int kLine = 4;
     GimbalVector coriolisAndWeight(double across, double acrossPerMetre) const noexcept;
     void updateTip() noexcept;
     void stopAtEnds() noexcept;
-    void readEncoders(std::array<std::int32_t, 4>& counts) const noexcept;
+    std::array<double, 4> coordinates() const noexcept { return {m_q.h, m_q.p, m_q.r, m_q.d}; }
     GimbalCoordinates sensed() const noexcept;
 
     GimbalPlantParameters m_parameters;
@@ -64,8 +73,7 @@ private:
     GimbalVector m_motor = GimbalVector::Zero();       ///< motor efforts now, after the amplifier
     GimbalVector m_feedForward = GimbalVector::Zero(); ///< share of m_target that carries the weight
     std::array<LugreFriction, 4> m_friction{};
-    std::array<std::array<std::int32_t, 4>, kLine> m_counts{};
-    int m_newest = 0;
+    EncoderLine<4> m_encoders;
     core::Vec3 m_p_DT = core::Vec3::Zero();
     core::Vec3 m_v_DT = core::Vec3::Zero();
     core::Vec3 m_measured_D = core::Vec3::Zero();

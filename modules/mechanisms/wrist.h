@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mechanisms/hand_parameters.h"
+#include "mechanisms/hand_strategy.h"
+#include "mechanisms/tremor.h"
+
+#include <cstdint>
+
+namespace chiron::mechanisms {
+
+/// What turns the tool, the rotational counterpart of Hand: an isotropic inertia drawn to the desired orientation by a spring
+/// and a damper, holding the tool through a stiff damped grip:
+///   I ω˙ = k log(q_d q⁻¹) + b (ω_d − ω) + τ_tremor − τ_grip,  τ_grip = k_g log(q q_T⁻¹) + b_g (ω − ω_T)  (on the tool).
+/// log: the rotation vector, whose spring torque is the gradient of ½ k angle². The reaction delay is the hand's: it hands
+/// over the intention that acts. D, SI. Haptic thread; no allocation. Source: models.md §4.
+class Wrist {
+public:
+    /// `toolInertia_kgm2`: of what it holds, so that tremor moves the free hand by its displacement.
+    Wrist(const HandParameters& parameters, std::uint64_t seed, double toolInertia_kgm2) noexcept;
+
+    void reset(const core::Quat& q_D) noexcept; ///< at rest there, wanting to stay
+    /// Once a tick: the intention that acts now (Hand::acting()); tremor moves on.
+    void beginTick(const HandIntention& acting) noexcept;
+    core::Vec3 gripTorqueOnTool(const core::Quat& q_DT, const core::Vec3& w_DT) const noexcept; ///< N·m, D
+    /// One integration step (semi-implicit Euler, damping implicit) under the reaction to the grip's torque.
+    void integrate(double dt_s, const core::Vec3& gripTorqueOnTool_D) noexcept;
+
+    const core::Quat& q_D() const noexcept { return m_q; }
+    const core::Vec3& w_D() const noexcept { return m_w; }
+
+private:
+    HandParameters m_parameters;
+    core::Random m_random;
+    Tremor m_tremor; ///< its displacement is an angle here
+    double m_movedInertia_kgm2;
+    core::Quat m_wanted = core::Quat::Identity();
+    core::Vec3 m_wantedRate = core::Vec3::Zero();
+    core::Vec3 m_tremorTorque = core::Vec3::Zero();
+    core::Quat m_q = core::Quat::Identity();
+    core::Vec3 m_w = core::Vec3::Zero();
+};
+
+} // namespace chiron::mechanisms
