@@ -25,7 +25,8 @@ struct EndoscopeCues {
     bool guided = false;       ///< cue "guidance": the way is marked in the picture
     ProcedureStage stage = ProcedureStage::outside;
     double depth_m = 0.0; ///< how far the tip is in, by the marks on the shaft (arc length of the urethra); < 0 before A
-    /// Unit direction, in T, to the middle of the lumen as far ahead as it can be seen (pictureShown), else zero.
+    /// Unit direction, in T, to the middle of the lumen as far ahead as it can be seen (pictureShown), else zero; zero, too,
+    /// where the picture shows wall alone (simulation's LumenSight has the rule).
     std::array<double, 3> toLumen_T{};
     double lumenDistance_m = 0.0;
     bool landmarkShown = false;          ///< the next landmark of the bladder lies in the picture

@@ -41,8 +41,8 @@ struct UrethraAnatomy {
 
     double bladderRadius_m = 0.035;               ///< a sphere whose wall meets the centre-line at C
     double bladderStiffness_N_per_m = 400.0;      ///< assumption: soft wall, between P3's 227 and 650 N/m
-    double bladderOpening_rad = 0.25;             ///< half-angle of the neck seen from the bladder's centre: no wall there
-    double bladderOpeningEdge_rad = 0.12;         ///< the wall grows to full over this angle
+    double bladderOpening_rad = 0.24434609527920614; ///< 14°, half-angle of the neck seen from the bladder's centre: no wall there
+    double bladderOpeningEdge_rad = 0.12217304763960307; ///< 7°: the wall grows to full over this angle
 };
 
 /// The rigid instrument (models.md §1.1).

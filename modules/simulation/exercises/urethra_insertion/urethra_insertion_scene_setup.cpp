@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Set-up of the scene, apart from what the tick runs: this file may allocate.
+#include "core/units.h"
+#include "simulation/exercises/urethra_insertion/procedure_plan.h"
+#include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::simulation {
+
+namespace {
+
+bool has(const std::vector<std::string>& cues, const char* cue) { return std::find(cues.begin(), cues.end(), cue) != cues.end(); }
+
+} // namespace
+
+UrethraInsertionScene::UrethraInsertionScene(const UrethraInsertionParameters& parameters)
+    : m_forces(parameters.anatomy, parameters.endoscope, parameters.forces), m_pose(parameters.pose), m_drawn(parameters),
+      m_sight(parameters), m_tracker(procedurePlan(parameters)),
+      m_limitTicks(static_cast<std::uint64_t>(
+          std::max<long long>(1, std::llround(std::max(0.0, parameters.trialLimit_s) / core::kTickSeconds)))),
+      m_cosHalfView(std::cos(0.5 * parameters.endoscope.fieldOfView_rad)), m_showsPicture(has(parameters.cues, "object")),
+      m_showsGuidance(m_showsPicture && has(parameters.cues, "guidance")) {}
+
+UrethraInsertionScene::~UrethraInsertionScene() = default;
+
+} // namespace chiron::simulation
