@@ -36,6 +36,11 @@ void checkName(const QJsonObject& json, const QString& expected, Problems& probl
                             QStringLiteral("the name of its file or folder, %1").arg(quoted(expected))});
 }
 
+/// The parameter that names a preset.
+QString presetKeyOf(const ExerciseKind& kind) {
+    return QString::fromUtf8(kind.presetKey.data(), static_cast<qsizetype>(kind.presetKey.size()));
+}
+
 } // namespace
 
 core::Result<const Schema*> ContentReader::schema(const QString& name) {
@@ -45,6 +50,67 @@ core::Result<const Schema*> ContentReader::schema(const QString& name) {
     if (!read)
         return tl::unexpected(read.error());
     return &m_schemas.emplace(name, std::move(*read)).first->second;
+}
+
+core::Result<QJsonObject> ContentReader::withPreset(const QString& folder, const ExerciseKind& kind,
+                                                    const Schema& parameterSchema, const QJsonObject& given,
+                                                    Problems& problems) {
+    const QString key = presetKeyOf(kind);
+    const QString name = given.contains(key) ? given[key].toString()
+                                             : parameterSchema.properties.at(key)->defaultValue.toString();
+    if (given.contains(key) && !given[key].isString())
+        return given; // refused by its own schema
+    QStringList known = QDir(folder).entryList({"*.json"}, QDir::Files, QDir::Name);
+    known.replaceInStrings(QStringLiteral(".json"), QString());
+    if (!known.contains(name)) {
+        problems.push_back({memberPath(QStringLiteral("$.parameters"), key), quoted(name),
+                            QStringLiteral("a preset of the exercise: ") + known.join(QStringLiteral(", ")) +
+                                didYouMean(name, {known.begin(), known.end()})});
+        return given;
+    }
+    auto preset = presetParameters(QDir(folder).filePath(name + QStringLiteral(".json")), key, parameterSchema);
+    if (!preset)
+        return preset;
+    for (auto it = given.begin(); it != given.end(); ++it)
+        preset->insert(it.key(), it.value());
+    return preset;
+}
+
+core::Result<void> ContentReader::checkPresets(const QString& folder, const ExerciseKind& kind) {
+    if (kind.presetKey.empty())
+        return {};
+    const auto parameterSchema = schema(QString::fromUtf8(kind.parametersSchema.data()));
+    if (!parameterSchema)
+        return tl::unexpected(parameterSchema.error());
+    for (const QFileInfo& file : QDir(folder).entryInfoList({"*.json"}, QDir::Files, QDir::Name))
+        if (auto preset = presetParameters(file.filePath(), presetKeyOf(kind), **parameterSchema); !preset)
+            return tl::unexpected(preset.error());
+    return {};
+}
+
+core::Result<QJsonObject> ContentReader::presetParameters(const QString& path, const QString& key, const Schema& parameterSchema) {
+    const auto json = JsonFile::read(QDir::cleanPath(path));
+    if (!json)
+        return tl::unexpected(json.error());
+    const auto presetSchema = schema(QStringLiteral("preset"));
+    if (!presetSchema)
+        return tl::unexpected(presetSchema.error());
+    Problems problems;
+    QJsonObject preset = json->root();
+    const QJsonValue parameters = preset["parameters"];
+    if (parameters.isObject())
+        validated(parameters, parameterSchema, QStringLiteral("$.parameters"), problems);
+    if (parameters.toObject().contains(key))
+        problems.push_back({memberPath(QStringLiteral("$.parameters"), key), QStringLiteral("given"),
+                            QStringLiteral("none: a preset names no other")});
+    if (parameters.isObject())
+        preset["parameters"] = QJsonObject{}; // the preset's own schema knows only that it is an object
+    validated(preset, **presetSchema, QStringLiteral("$"), problems);
+    if (problems.empty())
+        checkName(preset, QFileInfo(path).completeBaseName(), problems);
+    if (!problems.empty())
+        return tl::unexpected(json->error(problems));
+    return parameters.toObject();
 }
 
 core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJsonObject& exercise) {
@@ -59,8 +125,15 @@ core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJso
             return tl::unexpected(read->error());
     Problems problems;
     QJsonObject resolved = json->root();
-    const QJsonValue parameters =
-        validated(resolved["parameters"], **parameterSchema, QStringLiteral("$.parameters"), problems);
+    QJsonValue given = resolved["parameters"];
+    if (!kind->presetKey.empty() && given.isObject()) {
+        const auto merged = withPreset(QFileInfo(path).dir().filePath(QStringLiteral("../presets")), *kind,
+                                       **parameterSchema, given.toObject(), problems);
+        if (!merged)
+            return tl::unexpected(merged.error());
+        given = *merged;
+    }
+    const QJsonValue parameters = validated(given, **parameterSchema, QStringLiteral("$.parameters"), problems);
     resolved["parameters"] = QJsonObject{}; // the level's own schema knows only that it is an object
     resolved = validated(resolved, **levelSchema, QStringLiteral("$"), problems).toObject();
     resolved["parameters"] = parameters;
@@ -87,7 +160,8 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
         validated(json->root(), **exerciseSchema, QStringLiteral("$"), problems).toObject();
     const QString id = resolved["id"].toString();
     checkName(resolved, QFileInfo(folder).fileName(), problems);
-    if (findExerciseKind(id.toStdString()) == nullptr)
+    const ExerciseKind* kind = findExerciseKind(id.toStdString());
+    if (kind == nullptr)
         problems.push_back(
             {QStringLiteral("$.id"), quoted(id), QStringLiteral("an exercise this program knows")});
     if (!problems.empty())
@@ -98,6 +172,8 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
     out.version = reader.integer("version");
     out.title = reader.translated("title");
     out.objective = reader.translated("objective");
+    if (auto presets = checkPresets(folder + "/presets", *kind); !presets)
+        return tl::unexpected(presets.error());
     for (const QFileInfo& file :
          QDir(folder + "/levels").entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
         auto read = level(file.filePath(), resolved);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/exercise.h"
+#include "catalogue/exercise_kinds.h"
 #include "catalogue/json_file.h"
 #include "catalogue/schema.h"
 #include "core/result.h"
@@ -25,6 +26,12 @@ private:
     core::Result<Exercise> exercise(const QString& folder);
     core::Result<ExerciseLevel> level(const QString& path, const QJsonObject& exercise);
     core::Result<const Schema*> schema(const QString& name);
+    core::Result<void> checkPresets(const QString& folder, const ExerciseKind& kind);
+    /// `given` over the parameters of the preset that it names, or the schema's default one.
+    core::Result<QJsonObject> withPreset(const QString& folder, const ExerciseKind& kind, const Schema& parameterSchema,
+                                         const QJsonObject& given, Problems& problems);
+    /// Of a preset's file, checked against the parameters' schema; a fault is told with its place in that file.
+    core::Result<QJsonObject> presetParameters(const QString& path, const QString& key, const Schema& parameterSchema);
 
     QString m_directory;
     std::map<QString, Schema> m_schemas;

@@ -2,6 +2,7 @@
 #include "catalogue/exercise_kinds.h"
 
 #include "catalogue/sphere_apex_content.h"
+#include "catalogue/urethra_insertion_content.h"
 
 #include <array>
 
@@ -11,6 +12,7 @@ std::span<const ExerciseKind> exerciseKinds() {
     // One line a kind of exercise.
     static constexpr auto kKinds = std::to_array<ExerciseKind>({
         {"sphere_apex", "sphere_apex_parameters", readSphereApex, checkSphereApex},
+        {"urethra_insertion", "urethra_insertion_parameters", readUrethraInsertion, checkUrethraInsertion, "tissue"},
     });
     return kKinds;
 }

@@ -19,6 +19,9 @@ struct ExerciseKind {
     ExerciseParameters (*read)(const ObjectReader& parameters, const std::vector<std::string>& cues);
     /// What no single key's range can say.
     void (*check)(const ExerciseParameters& parameters, const QString& path, Problems& problems);
+    /// The parameter that names a preset of the exercise (exercises/<id>/presets/<name>.json), whose parameters hold where the
+    /// level gives none of its own; "" where the kind has none.
+    std::string_view presetKey = "";
 };
 
 std::span<const ExerciseKind> exerciseKinds();

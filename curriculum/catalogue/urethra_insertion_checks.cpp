@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/urethra_insertion_content.h"
+
+#include "core/units.h"
+#include "simulation/exercises/urethra_insertion/procedure_plan.h"
+#include "simulation/geometry/urethra/urethra_validity_setup.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace chiron::catalogue {
+
+namespace {
+
+using Parameters = simulation::UrethraInsertionParameters;
+
+QString mm(double length_m) { return QStringLiteral("%1 mm").arg(core::mmFromM(length_m), 0, 'g', 4); }
+
+/// `changes[1].radius_m` of the structs is `local_changes[1].radius_mm` of the content.
+QString contentKey(const QString& field) {
+    static const std::pair<const char*, const char*> kNames[] = {
+        {"curvature_per_m", "centreline_curvature_per_m"},
+        {"zEnd_m", "bladder_neck_z_mm"},
+        {"endoscope.radius_m", "endoscope_size_Fr"},
+        {"endoscope.beak_m", "beak_mm"},
+        {"endoscope.behind_m", "behind_mm"},
+        {"endoscope.fieldOfView_rad", "field_of_view_deg"},
+        {"mesh.n", "mesh_points"},
+        {"mesh.w", "mesh_sections"},
+        {"mesh.perPatch", "mesh_per_patch"},
+        {"mesh.movingSections", "mesh_moving_sections"},
+        {"radius_m", "rest_radius_mm"},
+        {"wallStiffness_N_per_m3", "wall_stiffness_N_per_m3"},
+        {"wallStiffening_per_m", "wall_stiffening_per_m"},
+        {"viscosity_Ns_per_m2", "viscosity_N_s_per_m2"},
+        {"freeLength_m", "free_length_mm"},
+        {"freeBlend_m", "free_blend_mm"},
+        {"angularStiffness_Nm_per_rad", "angular_stiffness_N_m_per_rad"},
+        {"angularCorner_m", "angular_corner_mm"},
+        {"bladderRadius_m", "bladder_radius_mm"},
+        {"bladderStiffness_N_per_m", "bladder_stiffness_N_per_m"},
+        {"bladderOpening_rad", "bladder_opening_deg"},
+        {"bladderOpeningEdge_rad", "bladder_opening_edge_deg"},
+        {"changeCount", "local_changes"},
+        {"centre_m", "centre_mm"},
+        {"length_m", "length_mm"},
+        {"edge_m", "edge_mm"},
+        {"stiffnessFactor", "stiffness_factor"},
+        {"frictionFactor", "friction_factor"},
+    };
+    if (field.startsWith(QLatin1String("changes["))) {
+        const qsizetype dot = field.indexOf(u'.');
+        const QString inner = field.mid(dot + 1);
+        const QString name = inner == QLatin1String("radius_m") ? QStringLiteral("radius_mm") : contentKey(inner);
+        return QStringLiteral("local_") + field.left(dot + 1) + name;
+    }
+    for (const auto& [member, key] : kNames)
+        if (field == QLatin1String(member))
+            return QLatin1String(key);
+    return field;
+}
+
+/// One level's checks, each adding what is wrong.
+class Checks {
+public:
+    Checks(const Parameters& p, const QString& path, Problems& problems)
+        : m_p(p), m_path(path), m_problems(problems), m_length_m(lengthOf(p.anatomy)) {}
+
+    void all() {
+        if (!(m_length_m > 0.0)) {
+            add("bladder_neck_z_mm", mm(m_p.anatomy.zEnd_m), QStringLiteral("a canal of some length"));
+            return;
+        }
+        geometry();
+        forces();
+        goal();
+        landmarks();
+        cues();
+    }
+
+private:
+    static double lengthOf(const simulation::UrethraAnatomy& anatomy) {
+        if (!(anatomy.curvature_per_m > 0.0) || !(anatomy.zEnd_m > 0.0))
+            return 0.0;
+        return simulation::UrethraCentreline(anatomy.curvature_per_m, anatomy.zEnd_m).length_m();
+    }
+
+    void add(const char* key, const QString& found, const QString& expected) {
+        m_problems.push_back({memberPath(m_path, QLatin1String(key)), found, expected});
+    }
+
+    /// What makes a urethra impossible is known where it is built; here it only gets the content's names and values.
+    void geometry() {
+        for (const simulation::UrethraProblem& problem : simulation::urethraProblems(m_p.anatomy, m_p.endoscope, m_p.mesh)) {
+            const QString key = contentKey(QString::fromStdString(problem.field));
+            m_problems.push_back({m_path + u'.' + key, QStringLiteral("impossible"),
+                                  QStringLiteral("a urethra that can exist (in SI units: %1)")
+                                      .arg(QString::fromStdString(problem.reason))});
+        }
+    }
+
+    void forces() {
+        const double free_m = m_p.anatomy.freeLength_m;
+        if (m_p.anatomy.freeBlend_m > free_m)
+            add("free_blend_mm", mm(m_p.anatomy.freeBlend_m), QStringLiteral("at most free_length_mm = %1").arg(mm(free_m)));
+        if (m_p.anatomy.bladderRadius_m < 3.0 * m_p.endoscope.radius_m)
+            add("bladder_radius_mm", mm(m_p.anatomy.bladderRadius_m),
+                QStringLiteral("at least three times the endoscope's radius, %1").arg(mm(3.0 * m_p.endoscope.radius_m)));
+    }
+
+    void goal() {
+        const double deepest_m = m_length_m + m_p.anatomy.bladderRadius_m;
+        if (m_p.goalDepth_m > deepest_m)
+            add("goal_depth_mm", mm(m_p.goalDepth_m), QStringLiteral("at most the bladder's middle, %1").arg(mm(deepest_m)));
+        if (!m_p.landmarks.empty() && m_p.goalDepth_m > 0.0 && m_p.goalDepth_m < m_length_m)
+            add("goal_depth_mm", mm(m_p.goalDepth_m),
+                QStringLiteral("in the bladder, at least %1, since landmarks are inspected from there").arg(mm(m_length_m)));
+    }
+
+    void landmarks() {
+        const QString list = memberPath(m_path, QStringLiteral("landmarks"));
+        for (std::size_t i = 0; i < m_p.landmarks.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k)
+                if (m_p.landmarks[k].id == m_p.landmarks[i].id)
+                    m_problems.push_back({memberPath(elementPath(list, static_cast<qsizetype>(i)), QStringLiteral("id")),
+                                          quoted(QString::fromStdString(m_p.landmarks[i].id)), QStringLiteral("each landmark once")});
+        }
+        if (2.0 * m_p.landmarkHalfAngle_rad > m_p.endoscope.fieldOfView_rad)
+            add("landmark_half_angle_deg", QString::number(core::degFromRad(m_p.landmarkHalfAngle_rad)),
+                QStringLiteral("inside the picture, at most %1").arg(0.5 * core::degFromRad(m_p.endoscope.fieldOfView_rad)));
+    }
+
+    void cues() {
+        const auto has = [&](const char* cue) { return std::find(m_p.cues.begin(), m_p.cues.end(), cue) != m_p.cues.end(); };
+        if (has("guidance") && !has("object"))
+            m_problems.push_back({QStringLiteral("$.cues"), QStringLiteral("\"guidance\" without \"object\""),
+                                  QStringLiteral("the picture that the way is marked in")});
+    }
+
+    const Parameters& m_p;
+    QString m_path;
+    Problems& m_problems;
+    double m_length_m;
+};
+
+} // namespace
+
+void checkUrethraInsertion(const ExerciseParameters& parameters, const QString& path, Problems& problems) {
+    Checks(std::get<Parameters>(parameters), path, problems).all();
+}
+
+} // namespace chiron::catalogue
