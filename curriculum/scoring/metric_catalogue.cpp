@@ -20,6 +20,17 @@ namespace chiron::scoring {
     METRIC(forcePeakRateMetric)                                                                              \
     METRIC(forceImpulseOverLimitMetric)                                                                      \
     METRIC(forceTimeOverLimitMetric)                                                                         \
+    METRIC(offsetRmsMetric)                                                                                  \
+    METRIC(offsetMaxMetric)                                                                                  \
+    METRIC(alignmentRmsMetric)                                                                               \
+    METRIC(bendAlignmentMetric)                                                                              \
+    METRIC(traumaEventsMetric)                                                                               \
+    METRIC(torqueMaxMetric)                                                                                  \
+    METRIC(torqueRmsMetric)                                                                                  \
+    METRIC(reversalsMetric)                                                                                  \
+    METRIC(landmarksSeenMetric)                                                                              \
+    METRIC(inspectionTravelMetric)                                                                           \
+    METRIC(insertionDepthMetric)                                                                             \
     METRIC(apexErrorMeanMetric)                                                                              \
     METRIC(apexErrorSdMetric)                                                                                \
     METRIC(apexBiasXMetric)                                                                                  \

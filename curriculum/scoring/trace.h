@@ -3,12 +3,15 @@
 
 #include "core/geometry.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace chiron::scoring {
+
+inline constexpr std::size_t kMostLandmarks = 32; ///< a trace file tells which were seen in one bit each
 
 /// One tool's samples of one trial as metrics see them. All vectors have the same length. Times are the
 /// device's clock (s, from the session's first frame, whole microseconds); positions are rounded to 1 nm and

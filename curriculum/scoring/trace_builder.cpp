@@ -5,6 +5,8 @@
 #include "scoring/trace_grid.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace chiron::scoring {
@@ -24,6 +26,10 @@ void append(ToolTrace& tool, const TraceColumns& columns, const TraceRow& row) {
     if (columns.measured)
         tool.measured_N.push_back(row.measured_N);
     tool.paused.push_back(row.paused ? 1 : 0);
+    if (columns.orientation)
+        tool.q_WT.push_back(row.q_WT);
+    if (columns.torque)
+        tool.tissueTorque_Nm.push_back(row.tissueTorque_Nm);
 }
 
 /// Index of the first row of tool 0 whose mark button is newly down, or rows.size().
@@ -73,6 +79,53 @@ core::Result<void> setTruth(TrialTrace& trial, const RowList& rows, const std::s
     return {};
 }
 
+/// Name of the first column that is the trial's own but differs between two of its rows, or null.
+const char* differing(const InsertionRow& a, const InsertionRow& b) {
+    return a.completed != b.completed             ? "completed"
+           : a.length_m != b.length_m             ? "length_mm"
+           : a.bend_m != b.bend_m                 ? "bend_mm"
+           : a.goal_m != b.goal_m                 ? "goal_mm"
+           : a.lateralLimit_N != b.lateralLimit_N ? "lateral_limit_N"
+           : a.landmarks != b.landmarks           ? "landmarks"
+                                                  : nullptr;
+}
+
+void append(InsertionSeries& series, const TraceRow& row) {
+    const InsertionRow& canal = row.insertion;
+    series.s_m.push_back(canal.arc_m);
+    series.offset_m.push_back(canal.offset_m);
+    series.alignment_rad.push_back(canal.alignment_rad);
+    series.lateral_N.push_back(canal.lateral_N);
+    series.axialTorque_Nm.push_back(canal.axialTorque_Nm);
+    series.stage.push_back(static_cast<std::uint8_t>(canal.stage));
+    for (std::size_t k = 0; k < series.landmarkSeen_s.size(); ++k)
+        if (std::isnan(series.landmarkSeen_s[k]) && (canal.landmarksSeen >> k & 1u) != 0)
+            series.landmarkSeen_s[k] = row.t_s;
+}
+
+/// The columns of a canal, from tool 0's rows.
+core::Result<void> setInsertion(TrialTrace& trial, const RowList& rows, const std::string& source) {
+    const InsertionRow& first = rows.front()->insertion;
+    InsertionSeries series;
+    series.length_m = first.length_m;
+    series.bend_m = first.bend_m;
+    series.goal_m = first.goal_m;
+    series.lateralLimit_N = first.lateralLimit_N;
+    series.landmarkSeen_s.assign(first.landmarks, std::numeric_limits<double>::quiet_NaN());
+    for (const TraceRow* row : rows) {
+        if (const char* column = differing(first, row->insertion))
+            return core::fail(core::ErrorCode::badInput,
+                              source + ": trial " + std::to_string(trial.trial + 1) + ": " + column +
+                                  " changes at t_s " + std::to_string(row->t_s) +
+                                  ": expected the same on each row of a trial");
+        if (row->tool == 0)
+            append(series, *row);
+    }
+    trial.completed = first.completed;
+    trial.insertion = std::move(series);
+    return {};
+}
+
 std::map<std::int32_t, RowList> rowsByTrial(const TraceRows& rows, bool endsAtMark) {
     std::map<std::int32_t, RowList> trials;
     for (const TraceRow& row : rows.rows)
@@ -109,6 +162,9 @@ core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_
         if (rows.columns.target)
             if (auto truth = setTruth(trial, list, rows.source); !truth)
                 return tl::unexpected(truth.error());
+        if (rows.columns.insertion)
+            if (auto canal = setInsertion(trial, list, rows.source); !canal)
+                return tl::unexpected(canal.error());
         trace.trials.push_back(std::move(trial));
     }
     return trace;

@@ -15,13 +15,19 @@ namespace chiron::scoring {
 /// `sphere_apex` ends at the first mark. Mark: the mark columns, else the first row of tool 0 whose button
 /// bit 0 is newly down; without one the last position is scored and `marked` stays false. Contact at the
 /// mark: the column, else tissue force over 0.02 N at that row, else (no forces in the file) not judged and
-/// taken as contact. Apex truth: the target columns. Limit: `force_limit_N`, else `defaultForceLimit_N`.
-/// Failure (badInput): no row left to score; target columns that change inside a trial.
+/// taken as contact. Apex truth: the target columns. Canal: the insertion columns, from the rows of tool 0; a
+/// landmark was seen at the first row that has its bit. Limit: `force_limit_N`, else `defaultForceLimit_N`.
+/// Failure (badInput): no row left to score; a column of the trial that changes inside it.
 core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_view exercise,
                                              double defaultForceLimit_N = 4.0);
 
 /// The rows of a session's trials in time order, with every column it has; buildSessionTrace gives the same
 /// scores.
 TraceRows rowsOf(const SessionTrace& trace);
+
+/// What rowsOf writes of a canal, for who writes rows of his own: of the trial on each of its rows; of tool 0's
+/// sample `i`, taken at `t_s`, on that one's. The trial must have an insertion series.
+void setTrialOfCanal(InsertionRow& row, const TrialTrace& trial);
+void setSampleOfCanal(InsertionRow& row, const InsertionSeries& series, std::size_t i, double t_s);
 
 } // namespace chiron::scoring

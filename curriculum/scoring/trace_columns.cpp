@@ -13,6 +13,9 @@ constexpr double kStrongest_N = 1e6;
 constexpr std::string_view kTimeText = "seconds, -1e7 to 1e7";
 constexpr std::string_view kLengthText = "millimetres, -1e6 to 1e6";
 constexpr std::string_view kForceText = "newtons, -1e6 to 1e6";
+constexpr double kStrongest_mNm = 1e6;
+constexpr std::string_view kTorqueText = "millinewton metres, -1e6 to 1e6";
+constexpr std::string_view kDistanceText = "millimetres, 0 to 1e6";
 
 #define CHIRON_ACCESS(expression)                                                                            \
     [](const TraceRow& row) -> double { return static_cast<double>(row.expression); },                       \
@@ -40,7 +43,17 @@ constexpr std::string_view kForceText = "newtons, -1e6 to 1e6";
         name, ColumnKind::integer, group, 0.0, 1.0, "0 or 1", CHIRON_ACCESS(member)                          \
     }
 
-constexpr double kMostButtons = 4294967295.0;
+#define CHIRON_TORQUE(name, axis)                                                                            \
+    TraceColumn {                                                                                            \
+        name, ColumnKind::torque, &TraceColumns::torque, -kStrongest_mNm, kStrongest_mNm, kTorqueText,       \
+            CHIRON_VECTOR_ACCESS(tissueTorque_Nm, axis)                                                      \
+    }
+#define CHIRON_CANAL(name, kind, member, least, most, text)                                                  \
+    TraceColumn {                                                                                            \
+        name, ColumnKind::kind, &TraceColumns::insertion, least, most, text, CHIRON_ACCESS(insertion.member) \
+    }
+
+constexpr double kMostBits = 4294967295.0;
 
 const auto kColumns = std::to_array<TraceColumn>({
     {"t_s", ColumnKind::time, nullptr, -kLongest_s, kLongest_s, kTimeText, CHIRON_ACCESS(t_s)},
@@ -53,7 +66,7 @@ const auto kColumns = std::to_array<TraceColumn>({
     CHIRON_QUATERNION("qz", z),
     {"jaw_deg", ColumnKind::angle, &TraceColumns::jaw, -360.0, 360.0, "degrees, -360 to 360",
      CHIRON_ACCESS(jaw_rad)},
-    {"buttons", ColumnKind::integer, &TraceColumns::buttons, 0.0, kMostButtons,
+    {"buttons", ColumnKind::integer, &TraceColumns::buttons, 0.0, kMostBits,
      "a whole number, 0 to 4294967295", CHIRON_ACCESS(buttons)},
     {"tool", ColumnKind::integer, &TraceColumns::tool, 0.0, 3.0, "a whole number, 0 to 3",
      CHIRON_ACCESS(tool)},
@@ -84,6 +97,23 @@ const auto kColumns = std::to_array<TraceColumn>({
      "millimetres, 1e-6 to 1e6", CHIRON_ACCESS(targetRadius_m)},
     {"force_limit_N", ColumnKind::force, &TraceColumns::forceLimit, 0.001, kStrongest_N,
      "newtons, 0.001 to 1e6", CHIRON_ACCESS(forceLimit_N)},
+    CHIRON_TORQUE("tx_mNm", x),
+    CHIRON_TORQUE("ty_mNm", y),
+    CHIRON_TORQUE("tz_mNm", z),
+    CHIRON_CANAL("arc_mm", length, arc_m, -kFurthest_mm, kFurthest_mm, kLengthText),
+    CHIRON_CANAL("offset_mm", length, offset_m, 0.0, kFurthest_mm, kDistanceText),
+    CHIRON_CANAL("alignment_deg", fineAngle, alignment_rad, 0.0, 180.0, "degrees, 0 to 180"),
+    CHIRON_CANAL("lateral_N", force, lateral_N, 0.0, kStrongest_N, "newtons, 0 to 1e6"),
+    CHIRON_CANAL("axial_mNm", torque, axialTorque_Nm, 0.0, kStrongest_mNm, "millinewton metres, 0 to 1e6"),
+    CHIRON_CANAL("stage", stage, stage, 0.0, 4.0, "outside, insertion, inspection, withdrawal or completed"),
+    CHIRON_CANAL("landmarks_seen", integer, landmarksSeen, 0.0, kMostBits,
+                 "a whole number, 0 to 4294967295: one bit a landmark"),
+    CHIRON_CANAL("completed", integer, completed, 0.0, 1.0, "0 or 1"),
+    CHIRON_CANAL("length_mm", length, length_m, 1e-6, kFurthest_mm, "millimetres, 1e-6 to 1e6"),
+    CHIRON_CANAL("bend_mm", length, bend_m, 0.0, kFurthest_mm, kDistanceText),
+    CHIRON_CANAL("goal_mm", length, goal_m, 0.0, kFurthest_mm, kDistanceText),
+    CHIRON_CANAL("lateral_limit_N", force, lateralLimit_N, 0.001, kStrongest_N, "newtons, 0.001 to 1e6"),
+    CHIRON_CANAL("landmarks", integer, landmarks, 0.0, 32.0, "a whole number, 0 to 32"),
 });
 
 } // namespace
@@ -113,6 +143,22 @@ std::string_view phaseName(core::TrialPhase phase) {
         break;
     }
     return "finished";
+}
+
+std::string_view stageName(core::ProcedureStage stage) {
+    switch (stage) {
+    case core::ProcedureStage::outside:
+        return "outside";
+    case core::ProcedureStage::insertion:
+        return "insertion";
+    case core::ProcedureStage::inspection:
+        return "inspection";
+    case core::ProcedureStage::withdrawal:
+        return "withdrawal";
+    case core::ProcedureStage::completed:
+        break;
+    }
+    return "completed";
 }
 
 } // namespace chiron::scoring

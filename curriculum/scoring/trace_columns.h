@@ -17,7 +17,10 @@ enum class ColumnKind {
     number, ///< any finite number, shortest decimals that read back alike
     angle,  ///< degrees in the file, rad here
     integer,
-    phase, ///< idle, ready, running, between, finished
+    phase,     ///< idle, ready, running, between, finished
+    torque,    ///< mN·m, whole 0.01 mN·m in the file
+    fineAngle, ///< degrees, whole 1e-6° in the file, rad here
+    stage,     ///< outside, insertion, inspection, withdrawal, completed
 };
 
 /// One column: its name, the group that comes or stays away together, and where its value lives in a row.
@@ -38,5 +41,6 @@ std::span<const TraceColumn> traceColumns();
 int findTraceColumn(std::string_view name);
 
 std::string_view phaseName(core::TrialPhase phase);
+std::string_view stageName(core::ProcedureStage stage);
 
 } // namespace chiron::scoring

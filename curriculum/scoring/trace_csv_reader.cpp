@@ -150,6 +150,12 @@ private:
                     return phase;
             return refused();
         }
+        if (column.kind == ColumnKind::stage) {
+            for (int stage = 0; stage <= 4; ++stage)
+                if (stageName(static_cast<core::ProcedureStage>(stage)) == text)
+                    return stage;
+            return refused();
+        }
         double value = 0.0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
@@ -171,9 +177,14 @@ private:
             return onMillinewtons(value);
         case ColumnKind::angle:
             return core::radFromDeg(value);
+        case ColumnKind::torque:
+            return std::nearbyint(value * 1e2) / 1e5 + 0.0; // whole 0.01 mN·m, as trace_grid.h rounds
+        case ColumnKind::fineAngle:
+            return core::radFromDeg(std::nearbyint(value * 1e6) / 1e6 + 0.0);
         case ColumnKind::number:
         case ColumnKind::integer:
         case ColumnKind::phase:
+        case ColumnKind::stage:
             break;
         }
         return value;

@@ -75,6 +75,15 @@ void appendValue(std::string& out, ColumnKind kind, double value) {
     case ColumnKind::phase:
         out += phaseName(static_cast<core::TrialPhase>(static_cast<int>(value)));
         break;
+    case ColumnKind::torque:
+        appendDecimal(out, nearest(value * 1e5), 2);
+        break;
+    case ColumnKind::fineAngle:
+        appendDecimal(out, nearest(core::degFromRad(value) * 1e6), 6);
+        break;
+    case ColumnKind::stage:
+        out += stageName(static_cast<core::ProcedureStage>(static_cast<int>(value)));
+        break;
     }
 }
 

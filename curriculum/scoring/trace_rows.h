@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/endoscope_cues.h"
 #include "core/geometry.h"
 #include "core/session_state.h"
 
@@ -26,6 +27,25 @@ struct TraceColumns {
     bool mark = false;       ///< marked, timed_out, mark_in_contact, mark_x_mm, mark_y_mm, mark_z_mm
     bool target = false;     ///< target_x_mm, target_y_mm, target_radius_mm
     bool forceLimit = false; ///< force_limit_N
+    bool torque = false;     ///< tx_mNm,ty_mNm,tz_mNm
+    bool insertion = false;  ///< arc_mm ... stage, and of the trial: completed, length_mm ... landmarks
+};
+
+/// What a row tells of a canal: see InsertionSeries. The second half is of the trial, the same on each of its rows.
+struct InsertionRow {
+    double arc_m = 0.0;
+    double offset_m = 0.0;
+    double alignment_rad = 0.0;
+    double lateral_N = 0.0;
+    double axialTorque_Nm = 0.0;
+    core::ProcedureStage stage = core::ProcedureStage::outside;
+    std::uint32_t landmarksSeen = 0; ///< until this row, one bit each
+    bool completed = false;
+    double length_m = 0.0;
+    double bend_m = 0.0;
+    double goal_m = 0.0;
+    double lateralLimit_N = 0.0;
+    std::uint8_t landmarks = 0; ///< to be seen in this trial
 };
 
 /// One row: frame W, tool tip. SI here; the file has mm and degrees. Absent columns leave the defaults.
@@ -50,6 +70,8 @@ struct TraceRow {
     core::Vec3 target_m = core::Vec3::Zero(); ///< x, y of the apex (z unused)
     double targetRadius_m = 0.0;
     double forceLimit_N = 0.0;
+    core::Vec3 tissueTorque_Nm = core::Vec3::Zero(); ///< about the tip
+    InsertionRow insertion;
 };
 
 /// A trace file's content, also what drives the replay of a recorded trace.

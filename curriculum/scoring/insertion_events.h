@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scoring/trace.h"
+
+#include <vector>
+
+namespace chiron::scoring {
+
+/// Something that went wrong for a while.
+struct InsertionEvent {
+    double begin_s = 0.0; ///< device time, as the trace's
+    double end_s = 0.0;
+    double value = 0.0; ///< trauma: largest lateral force, N; reversal: how far back, m
+};
+
+/// Both in the order of time.
+struct InsertionEvents {
+    std::vector<InsertionEvent> trauma;
+    std::vector<InsertionEvent> reversals;
+};
+
+/// What the counts of trauma events and reversals count, and what playback marks: one list for both
+/// (models.md §6, "insertion"). Version 1 of both metrics.
+///
+/// Trauma: the lateral force is over the trial's limit, without a break, for 20 ms or longer; a sample's force
+/// holds until the next one. It goes on, and no other begins, until the force is below 80 % of the limit.
+/// Reversal: in the stage "insertion" the tip goes back by 1 mm or more from the farthest place reached (the
+/// hysteresis: less is tremor); from there it begins, and it ends at the place where the tip turned forward
+/// again by 1 mm, or at the stage's last place if it never did.
+/// Pauses are left out: one ends what goes on, counts for no time, and afterwards trauma must first fall below
+/// 80 % to begin again and the way back is measured anew.
+///
+/// `trial` must be on the stored grids (trace_grid.h). Empty without an insertion series. Pure.
+InsertionEvents insertionEvents(const TrialTrace& trial);
+
+} // namespace chiron::scoring

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scoring/metrics/canal_samples.h"
+
+#include "core/units.h"
+
+namespace chiron::scoring {
+
+namespace {
+
+constexpr double kBendHalf_nm = 10e6; // 10 mm either way: where the bend's forces set in (models.md §1.2, a_i)
+
+/// In whole nm, so that both ends belong to it.
+bool isAtBend(const InsertionSeries& series, std::size_t i) {
+    return std::abs(std::nearbyint(series.s_m[i] * 1e9) - std::nearbyint(series.bend_m * 1e9)) <= kBendHalf_nm;
+}
+
+Measurement measure(std::span<const PreparedTrial> trials) {
+    if (auto why = withoutCanal(trials))
+        return *why;
+    RootMeanSquare angle_rad;
+    forEachCanalSample(trials, [&](const InsertionSeries& series, std::size_t i) {
+        if (isStage(series, i, core::ProcedureStage::insertion) && isAtBend(series, i))
+            angle_rad.add(series.alignment_rad[i]);
+    });
+    return angle_rad.empty() ? Measurement::undefined("the tip was never at the bend")
+                             : Measurement::of(core::degFromRad(angle_rad.value()));
+}
+
+} // namespace
+
+MetricDefinition bendAlignmentMetric() {
+    return {.id = "bend_alignment",
+            .version = 1,
+            .unit = "°",
+            .direction = Direction::lowerIsBetter,
+            .wrench = MetricWrench::none,
+            .aggregate = Aggregate::pooled,
+            .tools = MetricTools::first,
+            .definition =
+                "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the "
+                "samples of the insertion within 10 mm of the bend (s_B), where the orientation has to change.",
+            .source = "models.md §6, insertion; P1, point B",
+            .measure = measure};
+}
+
+} // namespace chiron::scoring

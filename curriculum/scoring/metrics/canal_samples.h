@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/endoscope_cues.h"
+#include "scoring/metric.h"
+#include "scoring/prepared_trial.h"
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace chiron::scoring {
+
+/// Why there is nothing to measure, if a trial does not know its canal: a session's value must not silently leave
+/// trials out.
+inline std::optional<Measurement> withoutCanal(std::span<const PreparedTrial> trials) {
+    if (trials.empty())
+        return Measurement::undefined("no trials");
+    for (const PreparedTrial& trial : trials)
+        if (trial.tool == nullptr || !trial.trial->insertion)
+            return Measurement::undefined("the trace has no insertion data");
+    return std::nullopt;
+}
+
+inline bool isStage(const InsertionSeries& series, std::size_t i, core::ProcedureStage stage) {
+    return series.stage[i] == static_cast<std::uint8_t>(stage);
+}
+
+/// Whether the tip is in the urethra, 0 ≤ s ≤ L, whichever way it goes.
+inline bool isInUrethra(const InsertionSeries& series, std::size_t i) {
+    return series.s_m[i] >= 0.0 && series.s_m[i] <= series.length_m;
+}
+
+/// Calls visit(series, i) for each unpaused sample of tool 0. Only where withoutCanal() has nothing to say.
+template <class Visit> void forEachCanalSample(std::span<const PreparedTrial> trials, Visit&& visit) {
+    for (const PreparedTrial& trial : trials)
+        for (std::size_t i = 0; i < trial.tool->t_s.size(); ++i)
+            if (trial.tool->paused[i] == 0)
+                visit(*trial.trial->insertion, i);
+}
+
+/// Root mean square over the samples that are taken; every sample counts alike, as in the force metrics.
+class RootMeanSquare {
+public:
+    void add(double value) {
+        m_squares += value * value;
+        ++m_samples;
+    }
+    bool empty() const { return m_samples == 0; }
+    double value() const { return std::sqrt(m_squares / static_cast<double>(m_samples)); }
+
+private:
+    double m_squares = 0.0;
+    std::size_t m_samples = 0;
+};
+
+inline Measurement neverInUrethra() {
+    return Measurement::undefined("the tip was never in the urethra");
+}
+
+} // namespace chiron::scoring

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The insertion's metrics against closed forms on made paths.
+#include "insertion_traces.h"
+
+#include <QtTest>
+
+using namespace chiron;
+using namespace chiron::scoring;
+using traces::CanalSample;
+using traces::canalSession;
+using traces::canalTrial;
+using traces::metricOf;
+using traces::ProcedureStage;
+using traces::valueOf;
+using traces::Vec3;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kDegree = kPi / 180.0;
+
+bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+
+/// Straight in from −10 mm to 90 mm at 10 mm/s.
+TrialTrace straightIn(const std::function<void(CanalSample&, double)>& with = {}) {
+    return canalTrial(10.0, 0.001, [&](double t) {
+        CanalSample sample;
+        sample.s_m = -0.010 + 0.010 * t;
+        if (with)
+            with(sample, t);
+        return sample;
+    });
+}
+
+const std::vector<std::string> kOfTheCanal{"offset_rms",    "offset_max", "alignment_rms",  "bend_alignment",
+                                           "trauma_events", "reversals",  "landmarks_seen", "inspection_travel",
+                                           "insertion_depth"};
+
+} // namespace
+
+class TestInsertionMetrics : public QObject {
+    Q_OBJECT
+private slots:
+    void perfectInsertion();
+    void offsetOfASine();
+    void alignmentOfAConstantTilt();
+    void onlyInsideTheUrethra_data();
+    void onlyInsideTheUrethra();
+    void bendIsTenMillimetresEitherWay();
+    void bendIsOfTheInsertionOnly();
+    void traumaAndReversalsAreCounted();
+    void torques();
+    void landmarks();
+    void inspectionTravel();
+    void depthStopsAtTheGoal();
+    void undefinedWithItsReason();
+    void aTrialWithoutCanalIsNotLeftOut();
+    void sessionsPoolTheirTrials();
+    void pausesAreLeftOut();
+    void badSeriesAreRefused();
+    void catalogueTellsThem();
+};
+
+void TestInsertionMetrics::perfectInsertion() {
+    const auto trace = canalSession(straightIn());
+    QCOMPARE(valueOf(trace, "offset_rms"), 0.0);
+    QCOMPARE(valueOf(trace, "offset_max"), 0.0);
+    QCOMPARE(valueOf(trace, "alignment_rms"), 0.0);
+    QCOMPARE(valueOf(trace, "bend_alignment"), 0.0);
+    QCOMPARE(valueOf(trace, "trauma_events"), 0.0);
+    QCOMPARE(valueOf(trace, "reversals"), 0.0);
+    QCOMPARE(valueOf(trace, "insertion_depth"), 80.0);
+}
+
+void TestInsertionMetrics::offsetOfASine() {
+    // In the urethra from 1 s on; 9 whole periods of |3 mm sin| over 9 s: RMS 3/√2 mm.
+    const auto trace = canalSession(straightIn(
+        [](CanalSample& sample, double t) { sample.offset_m = 0.003 * std::abs(std::sin(2.0 * kPi * t)); }));
+    QVERIFY(isNear(valueOf(trace, "offset_rms"), 3.0 / std::sqrt(2.0), 3.0 / 9000.0));
+    QVERIFY(isNear(valueOf(trace, "offset_max"), 3.0, 1e-9));
+}
+
+void TestInsertionMetrics::alignmentOfAConstantTilt() {
+    const auto trace =
+        canalSession(straightIn([](CanalSample& sample, double) { sample.alignment_rad = 12.5 * kDegree; }));
+    QVERIFY(isNear(valueOf(trace, "alignment_rms"), 12.5, 1e-9));
+    QVERIFY(isNear(valueOf(trace, "bend_alignment"), 12.5, 1e-9));
+}
+
+void TestInsertionMetrics::onlyInsideTheUrethra_data() {
+    QTest::addColumn<int>("s_nm");
+    QTest::addColumn<bool>("counts");
+    QTest::newRow("before the entrance") << -1 << false;
+    QTest::newRow("at the entrance") << 0 << true;
+    QTest::newRow("at the bladder neck") << 110'000'000 << true;
+    QTest::newRow("in the bladder") << 110'000'001 << false;
+}
+
+void TestInsertionMetrics::onlyInsideTheUrethra() {
+    QFETCH(int, s_nm);
+    QFETCH(bool, counts);
+    for (const auto stage : {ProcedureStage::insertion, ProcedureStage::inspection, ProcedureStage::withdrawal}) {
+        const auto trace = canalSession(canalTrial(0.1, 0.001, [=](double t) {
+            const bool special = t > 0.0495 && t < 0.0505; // one sample of 101
+            return CanalSample{special ? 1e-9 * s_nm : 0.050, special ? 0.007 : 0.0, special ? 0.7 : 0.0, 0.0, 0.0, stage};
+        }));
+        QCOMPARE(valueOf(trace, "offset_max") > 0.0, counts);
+        QCOMPARE(valueOf(trace, "alignment_rms") > 0.0, counts);
+        if (counts)
+            QVERIFY(isNear(valueOf(trace, "offset_rms"), 7.0 / std::sqrt(101.0), 1e-9));
+    }
+}
+
+void TestInsertionMetrics::bendIsTenMillimetresEitherWay() {
+    // 10° there, 40° everywhere else; the ends at exactly 30 and 50 mm belong to it.
+    const auto tilted = [](std::int64_t halfWidth_nm) {
+        return canalSession(canalTrial(0.4, 0.001, [=](double t) {
+            const std::int64_t s_nm = 20'000'000 + 100'000 * std::lround(t * 1e3); // 20 to 60 mm in steps of 0.1 mm
+            const bool near = std::abs(s_nm - 40'000'000) <= halfWidth_nm;
+            CanalSample sample;
+            sample.s_m = static_cast<double>(s_nm) * 1e-9;
+            sample.alignment_rad = (near ? 10.0 : 40.0) * kDegree;
+            return sample;
+        }));
+    };
+    QVERIFY(isNear(valueOf(tilted(10'000'000), "bend_alignment"), 10.0, 1e-6));
+    QVERIFY(valueOf(tilted(9'950'000), "bend_alignment") > 10.5);  // both ends tilted more
+    QVERIFY(isNear(valueOf(tilted(12'000'000), "bend_alignment"), 10.0, 1e-6));
+    QVERIFY(valueOf(tilted(10'000'000), "alignment_rms") > 20.0);
+}
+
+void TestInsertionMetrics::bendIsOfTheInsertionOnly() {
+    const auto trace = canalSession(canalTrial(1.0, 0.001, [](double) {
+        CanalSample sample;
+        sample.s_m = 0.040;
+        sample.stage = ProcedureStage::withdrawal;
+        return sample;
+    }));
+    QCOMPARE(metricOf(trace, "bend_alignment").reason, std::string("the tip was never at the bend"));
+    QCOMPARE(valueOf(trace, "alignment_rms"), 0.0);
+}
+
+void TestInsertionMetrics::traumaAndReversalsAreCounted() {
+    // 0.5 s over the limit in each of 3 s; two ways back of 4 mm.
+    const auto trace = canalSession(canalTrial(3.0, 0.001, [](double t) {
+        CanalSample sample;
+        sample.s_m = 0.05 + 0.002 * std::cos(2.0 * kPi * t / 1.5);
+        sample.lateral_N = std::fmod(t, 1.0) < 0.5 ? 2.2 : 0.3;
+        return sample;
+    }));
+    QCOMPARE(valueOf(trace, "trauma_events"), 3.0);
+    QCOMPARE(valueOf(trace, "reversals"), 2.0);
+}
+
+void TestInsertionMetrics::torques() {
+    auto trial = straightIn();
+    trial.tools[0].tissueTorque_Nm.assign(trial.tools[0].t_s.size(), Vec3(0.003, 0.004, 0.0));
+    trial.tools[0].tissueTorque_Nm[500] = Vec3(0.0, -0.060, 0.080);
+    const auto n = static_cast<double>(trial.tools[0].t_s.size());
+    const auto trace = canalSession(trial);
+    QVERIFY(isNear(valueOf(trace, "torque_max"), 100.0, 1e-9));
+    QVERIFY(isNear(valueOf(trace, "torque_rms"), std::sqrt((25.0 * (n - 1.0) + 10000.0) / n), 1e-9));
+    QCOMPARE(metricOf(canalSession(straightIn()), "torque_max").reason, std::string("the trace has no torques"));
+    QCOMPARE(metricOf(canalSession(straightIn()), "torque_rms").reason, std::string("the trace has no torques"));
+    auto paused = trial;
+    paused.tools[0].paused[500] = 1;
+    QVERIFY(isNear(valueOf(canalSession(paused), "torque_max"), 5.0, 1e-9));
+}
+
+void TestInsertionMetrics::landmarks() {
+    constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+    auto trial = straightIn();
+    QCOMPARE(metricOf(canalSession(trial), "landmarks_seen").reason, std::string("the level has no landmarks"));
+    trial.insertion->landmarkSeen_s = {kNever, kNever};
+    QCOMPARE(valueOf(canalSession(trial), "landmarks_seen"), 0.0);
+    trial.insertion->landmarkSeen_s = {8.0, kNever, 9.5};
+    QVERIFY(isNear(valueOf(canalSession(trial), "landmarks_seen"), 200.0 / 3.0, 1e-12));
+    auto other = straightIn();
+    other.insertion->landmarkSeen_s = {7.0};
+    QVERIFY(isNear(valueOf(canalSession({trial, other}), "landmarks_seen"), 75.0, 1e-12)); // three of four
+    trial.insertion->landmarkSeen_s = {10.5}; // after the trial's last sample: not in it
+    QCOMPARE(valueOf(canalSession(trial), "landmarks_seen"), 0.0);
+}
+
+void TestInsertionMetrics::inspectionTravel() {
+    // 2 s in, 4 s round a circle of 5 mm once, 2 s out; still at both ends of the circle, so that no filter moves it.
+    auto trial = canalTrial(8.0, 0.001, [](double t) {
+        CanalSample sample;
+        sample.s_m = 0.115;
+        sample.stage = t < 2.0 ? ProcedureStage::insertion : t < 6.0 ? ProcedureStage::inspection : ProcedureStage::withdrawal;
+        return sample;
+    });
+    trial.insertion->landmarkSeen_s = {5.0};
+    const auto place = [](double t) {
+        const double u = std::min(1.0, std::max(0.0, (t - 2.5) / 3.0));
+        const double turn = 2.0 * kPi * u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
+        const double way = t < 2.0 ? t - 2.0 : t > 6.0 ? 6.0 - t : 0.0;
+        return Vec3(0.005 * std::cos(turn), 0.005 * std::sin(turn), 0.02 * way);
+    };
+    for (std::size_t i = 0; i < trial.tools[0].t_s.size(); ++i)
+        trial.tools[0].p_WT_m[i] = place(trial.tools[0].t_s[i]);
+    const double circle_mm = 2.0 * kPi * 5.0;
+    // The 20 Hz filter rounds the corners at 2 s and 6 s: at most 0.3 mm of each reaches into the stage.
+    QVERIFY(isNear(valueOf(canalSession(trial), "inspection_travel"), circle_mm, 0.6));
+    QVERIFY(isNear(valueOf(canalSession(trial), "path_length"), circle_mm + 80.0, 0.6));
+    auto noise = trial;
+    for (std::size_t i = 0; i < noise.tools[0].t_s.size(); ++i) // one count of 25 µm up and down each ms is no travel
+        noise.tools[0].p_WT_m[i].y() += i % 2 == 0 ? 25e-6 : 0.0;
+    QVERIFY(isNear(valueOf(canalSession(noise), "inspection_travel"), circle_mm, 1.0));
+}
+
+void TestInsertionMetrics::depthStopsAtTheGoal() {
+    auto trial = canalTrial(1.0, 0.001, [](double t) { return CanalSample{0.1 * t}; });
+    QCOMPARE(valueOf(canalSession(trial), "insertion_depth"), 80.0);
+    trial.insertion->goal_m = 0.0353; // exactly the goal, so that a gate there holds
+    QCOMPARE(valueOf(canalSession(trial), "insertion_depth"), 35.3);
+    const auto shallow = canalTrial(1.0, 0.001, [](double t) { return CanalSample{0.06 * std::sin(kPi * t)}; });
+    QCOMPARE(valueOf(canalSession(shallow), "insertion_depth"), 60.0); // the deepest place, not the last
+    const auto outside = canalTrial(1.0, 0.001, [](double t) { return CanalSample{-0.02 * t}; });
+    QCOMPARE(valueOf(canalSession(outside), "insertion_depth"), 0.0);
+    QCOMPARE(valueOf(canalSession({shallow, outside}), "insertion_depth"), 30.0);
+}
+
+void TestInsertionMetrics::undefinedWithItsReason() {
+    const auto sphere = traces::session(traces::sampled(1.0, 0.001, [](double t) { return Vec3(t, 0.0, 0.0); }));
+    for (const std::string& id : kOfTheCanal) {
+        QVERIFY2(!metricOf(sphere, id).value, id.c_str());
+        QCOMPARE(metricOf(sphere, id).reason, std::string("the trace has no insertion data"));
+    }
+    const auto outside = canalSession(canalTrial(1.0, 0.001, [](double) { return CanalSample{-0.005}; }));
+    for (const char* id : {"offset_rms", "offset_max", "alignment_rms"})
+        QCOMPARE(metricOf(outside, id).reason, std::string("the tip was never in the urethra"));
+    QCOMPARE(metricOf(outside, "inspection_travel").reason, std::string("the level has no landmarks"));
+    auto asked = straightIn();
+    asked.insertion->landmarkSeen_s = {std::numeric_limits<double>::quiet_NaN()};
+    QCOMPARE(metricOf(canalSession(asked), "inspection_travel").reason, std::string("the inspection was not reached"));
+}
+
+void TestInsertionMetrics::aTrialWithoutCanalIsNotLeftOut() {
+    auto blind = straightIn();
+    blind.insertion.reset();
+    const auto trace = canalSession({straightIn(), blind});
+    for (const char* id : {"offset_rms", "offset_max", "alignment_rms", "bend_alignment", "trauma_events", "reversals"})
+        QCOMPARE(metricOf(trace, id).reason, std::string("the trace has no insertion data"));
+}
+
+void TestInsertionMetrics::sessionsPoolTheirTrials() {
+    const auto with = [](double duration_s, double offset_m, double alignment_rad, double lateral_N) {
+        return canalTrial(duration_s, 0.001, [=](double) {
+            return CanalSample{0.040, offset_m, alignment_rad, lateral_N, 0.0, ProcedureStage::insertion};
+        });
+    };
+    // 1001 and 3001 samples.
+    const auto trace = canalSession({with(1.0, 0.002, 0.1, 2.5), with(3.0, 0.004, 0.3, 2.5)});
+    QVERIFY(isNear(valueOf(trace, "offset_rms"), std::sqrt((1001.0 * 4.0 + 3001.0 * 16.0) / 4002.0), 1e-9));
+    QCOMPARE(valueOf(trace, "offset_max"), 4.0);
+    const double angle = std::sqrt((1001.0 * 0.01 + 3001.0 * 0.09) / 4002.0) / kDegree;
+    QVERIFY(isNear(valueOf(trace, "alignment_rms"), angle, 1e-6));
+    QVERIFY(isNear(valueOf(trace, "bend_alignment"), angle, 1e-6));
+    QCOMPARE(valueOf(trace, "trauma_events"), 2.0); // each trial begins anew
+}
+
+void TestInsertionMetrics::pausesAreLeftOut() {
+    auto trial = canalTrial(3.0, 0.001, [](double t) {
+        const bool wild = t > 0.9995 && t < 1.9995;
+        return CanalSample{wild ? 0.070 : 0.040, wild ? 0.009 : 0.001, wild ? 1.0 : 0.1, wild ? 3.9 : 0.0, 0.0,
+                           ProcedureStage::insertion};
+    });
+    const auto whole = canalSession(trial);
+    QCOMPARE(valueOf(whole, "trauma_events"), 1.0);
+    QCOMPARE(valueOf(whole, "reversals"), 1.0);
+    QCOMPARE(valueOf(whole, "insertion_depth"), 70.0);
+    for (std::size_t i = 1000; i < 2000; ++i)
+        trial.tools[0].paused[i] = 1;
+    const auto trace = canalSession(trial);
+    QVERIFY(isNear(valueOf(trace, "offset_rms"), 1.0, 1e-9));
+    QCOMPARE(valueOf(trace, "offset_max"), 1.0);
+    QVERIFY(isNear(valueOf(trace, "alignment_rms"), 0.1 / kDegree, 1e-6));
+    QCOMPARE(valueOf(trace, "trauma_events"), 0.0);
+    QCOMPARE(valueOf(trace, "reversals"), 0.0);
+    QCOMPARE(valueOf(trace, "insertion_depth"), 40.0);
+}
+
+void TestInsertionMetrics::badSeriesAreRefused() {
+    const auto refused = [](const TrialTrace& trial) {
+        const MetricRequest request{"offset_rms", 0};
+        const auto card = calculateScore(canalSession(trial), {&request, 1}, {}, true);
+        return !card && card.error().code == core::ErrorCode::badInput;
+    };
+    QVERIFY(!refused(straightIn()));
+    auto trial = straightIn();
+    trial.insertion->stage.pop_back();
+    QVERIFY(refused(trial));
+    trial = straightIn();
+    trial.insertion->lateral_N.push_back(0.0);
+    QVERIFY(refused(trial));
+    trial = straightIn();
+    trial.tools[0].tissueTorque_Nm.resize(3, Vec3::Zero());
+    QVERIFY(refused(trial));
+    trial = straightIn();
+    trial.insertion->landmarkSeen_s.assign(kMostLandmarks + 1, 1.0);
+    QVERIFY(refused(trial));
+    trial = straightIn();
+    trial.tools.clear();
+    QVERIFY(refused(trial));
+    trial = straightIn();
+    trial.insertion->offset_m[5000] = std::numeric_limits<double>::quiet_NaN(); // the whole sample is left out
+    QCOMPARE(valueOf(canalSession(trial), "offset_rms"), 0.0);
+}
+
+void TestInsertionMetrics::catalogueTellsThem() {
+    auto ids = kOfTheCanal;
+    ids.insert(ids.end(), {"torque_max", "torque_rms"});
+    for (const std::string& id : ids) {
+        const MetricDefinition* metric = findMetric(id);
+        QVERIFY2(metric != nullptr, id.c_str());
+        QCOMPARE(metric->version, 1);
+        QVERIFY(!metric->unit.empty() && !metric->definition.empty() && !metric->source.empty());
+        const bool more = id == "landmarks_seen" || id == "insertion_depth";
+        QVERIFY(metric->direction == (more ? Direction::higherIsBetter : Direction::lowerIsBetter));
+    }
+    QVERIFY(findMetric("trauma_events")->wrench == MetricWrench::tissue);
+}
+
+QTEST_APPLESS_MAIN(TestInsertionMetrics)
+#include "test_insertion_metrics.moc"
