@@ -16,7 +16,8 @@ enum class ForceSections {
 
 struct UrethraForceSettings {
     ForceSections sections = ForceSections::fine;
-    int basicSections = 26;           ///< of p1Basic, equidistant along z
+    double maximumStep_m = 0.0025;    ///< of fine: Δs = L/⌈L/this⌉
+    int basicSections = 26;           ///< of p1Basic, equidistant along z; ≥ 2
     double count_m = 25e-6;           ///< one count of the device at the tip: V₀ ≥ count/15 ms (models.md §0)
     double maximumDamping_Ns_per_m = 50.0; ///< b_max of the device: V₀ ≥ μN/b_max
 };
@@ -38,13 +39,14 @@ struct UrethraResponse {
     double normal_N = 0.0;    ///< N = Σ k Δ(1+βΔ)
     double friction_N = 0.0;  ///< F1, along the axis (signed)
     double viscous_N = 0.0;   ///< F2, along the axis (signed)
-    double elastic_N = 0.0;   ///< −F3: elastic force along t (signed; negative pushes out)
+    double elastic_N = 0.0;   ///< −F3: elastic force along t (signed; negative pushes out), without the bladder's wall
     core::Vec3 lateral_A = core::Vec3::Zero(); ///< −∂U/∂e, in the tip's section, plus the bladder's wall
+    core::Vec3 bladder_A = core::Vec3::Zero(); ///< the bladder's wall alone
     double torqueX_Nm = 0.0;  ///< T_x = −k_φ φ_x
     double torqueY_Nm = 0.0;  ///< T_y = −k_φ φ_y
     double torqueZ_Nm = 0.0;  ///< T_z, about the axis
     double energy_J = 0.0;    ///< U
-    double stiffness_N_per_m = 0.0; ///< an upper bound of the lateral stiffness now, for the passivity credit
+    double stiffness_N_per_m = 0.0; ///< an upper bound of the lateral stiffness now (springs and bladder), for the passivity credit
     bool touching = false;    ///< the beak is in, or the bladder's wall is touched
 };
 
@@ -64,8 +66,9 @@ public:
     const UrethraCentreline& centreline() const noexcept { return m_centreline; }
     const UrethraWall& wall() const noexcept { return m_wall; }
 
+    struct Tables; ///< urethra_forces_tables.h
+
 private:
-    struct Tables;
     UrethraCentreline m_centreline;
     UrethraWall m_wall;
     UrethraForceSettings m_settings;
