@@ -8,19 +8,28 @@ namespace chiron::simulation {
 
 namespace {
 
-constexpr double kShortest = 1e-6;        // of lengths and angles; content refuses such data
-constexpr double kSteepest = 1.5;         // largest slope of the smoothstep
-constexpr double kMostCurved = 6.0;       // largest second derivative of the smoothstep
+constexpr double kShortest = 1e-6; // of lengths and angles; content refuses such data
 
+/// A weight 0 … 1 with its gradient, and bounds of the gradient's and the second derivative's norm here.
 struct Weight {
     double value = 1.0;
     core::Vec3 gradient = core::Vec3::Zero();
+    double slope = 0.0;
+    double bend = 0.0;
 };
 
-/// 3x² − 2x³ on 0 … 1, and its gradient for x = `x` with ∇x = `xGradient`.
-Weight smoothstep(double x, const core::Vec3& xGradient) noexcept {
+/// 3x² − 2x³ on 0 … 1 of an x with gradient ∇x, whose second derivative is at most `xBend`.
+Weight smoothstep(double x, const core::Vec3& xGradient, double xBend) noexcept {
     const double u = std::clamp(x, 0.0, 1.0);
-    return {u * u * (3.0 - 2.0 * u), 6.0 * u * (1.0 - u) * xGradient};
+    const double slope = 6.0 * u * (1.0 - u);
+    const double curvature = x > 0.0 && x < 1.0 ? std::abs(6.0 - 12.0 * u) : 0.0;
+    return {u * u * (3.0 - 2.0 * u), slope * xGradient, slope * xGradient.norm(),
+            curvature * xGradient.squaredNorm() + slope * xBend};
+}
+
+Weight operator*(const Weight& a, const Weight& b) noexcept {
+    return {a.value * b.value, a.gradient * b.value + b.gradient * a.value, a.slope * b.value + b.slope * a.value,
+            a.bend * b.value + b.bend * a.value + 2.0 * a.slope * b.slope};
 }
 
 } // namespace
@@ -41,27 +50,20 @@ BladderResponse UrethraBladder::respond(const core::Vec3& p_A) const noexcept {
     if (!(past_m > 0.0 && d > 0.0 && p_A.z() > 0.0))
         return response;
     const core::Vec3 u = arm / distance;
-    const Weight q = smoothstep(past_m / kNeckDepth_m, m_out_A / kNeckDepth_m);
-    const Weight h = smoothstep(p_A.z() / kBodyDepth_m, core::Vec3::UnitZ() / kBodyDepth_m);
-    Weight g;
+    Weight weight = smoothstep(past_m / kNeckDepth_m, m_out_A / kNeckDepth_m, 0.0) *
+                    smoothstep(p_A.z() / kBodyDepth_m, core::Vec3::UnitZ() / kBodyDepth_m, 0.0);
     const double cosine = std::min(1.0, -u.dot(m_out_A));
     if (cosine > m_cosFull) {
         const double sine = std::sqrt(std::max(1.0 - cosine * cosine, kShortest * kShortest));
         const core::Vec3 angleGradient = (m_out_A + cosine * u) / (distance * sine);
-        g = smoothstep((std::acos(cosine) - m_opening_rad) / m_edge_rad, angleGradient / m_edge_rad);
+        const double angleBend = (1.0 + std::abs(cosine) / sine) / (distance * distance);
+        weight = weight * smoothstep((std::acos(cosine) - m_opening_rad) / m_edge_rad, angleGradient / m_edge_rad,
+                                     angleBend / m_edge_rad);
     }
-    const double weight = g.value * q.value * h.value;
-    const core::Vec3 weightGradient = g.gradient * (q.value * h.value) + q.gradient * (g.value * h.value) +
-                                      h.gradient * (g.value * q.value);
     const double k = m_stiffness_N_per_m;
-    response.energy_J = 0.5 * k * d * d * weight;
-    response.force_A = -k * d * weight * u - 0.5 * k * d * d * weightGradient;
-    response.stiffness_N_per_m = k;
-    if (weight < 1.0) { // bounds of the weights' first and second derivatives, each the sum of its parts
-        const double rate = kSteepest * (1.0 / (m_edge_rad * m_free_m) + 1.0 / kNeckDepth_m + 1.0 / kBodyDepth_m);
-        const double bend = kMostCurved / kSteepest / kSteepest * rate * rate;
-        response.stiffness_N_per_m += k * d * (2.0 * rate + 0.5 * d * bend);
-    }
+    response.energy_J = 0.5 * k * d * d * weight.value;
+    response.force_A = -k * d * weight.value * u - 0.5 * k * d * d * weight.gradient;
+    response.stiffness_N_per_m = k * (weight.value + 2.0 * d * weight.slope + 0.5 * d * d * weight.bend);
     return response;
 }
 

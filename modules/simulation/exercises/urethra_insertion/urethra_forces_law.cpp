@@ -108,11 +108,11 @@ constexpr std::size_t kSettingsFrom = kEndoscopeFrom + kEndoscope.size();
 constexpr std::size_t kOthersFrom = kSettingsFrom + kSettings.size();
 constexpr std::size_t kParameterCount = kOthersFrom + kOthers.size();
 
-template <class Owner> LawParameter described(const Field<Owner>& field) noexcept {
+template <class Owner> constexpr LawParameter described(const Field<Owner>& field) noexcept {
     return {field.name, field.unit, Owner{}.*field.member, field.minimum, field.maximum};
 }
 
-std::array<LawParameter, kParameterCount> describeParameters() noexcept {
+constexpr std::array<LawParameter, kParameterCount> kParameters = [] {
     std::array<LawParameter, kParameterCount> all{};
     for (std::size_t i = 0; i < kAnatomyCount; ++i)
         all[i] = described(kAnatomy[i]);
@@ -123,7 +123,7 @@ std::array<LawParameter, kParameterCount> describeParameters() noexcept {
     for (std::size_t i = 0; i < kOthers.size(); ++i)
         all[kOthersFrom + i] = kOthers[i];
     return all;
-}
+}();
 
 UrethraAnatomy anatomyFrom(std::span<const double> p) noexcept {
     UrethraAnatomy anatomy;
@@ -169,19 +169,18 @@ void evaluate(std::span<const double> p, std::span<const double> in, std::span<d
         out[i] = values[i];
 }
 
+constexpr core::LawDescription kLaw{"urethra-force",
+                                    "urethra insertion: force and torque on the endoscope, with every term",
+                                    "P1 eq. 1-6; models.md §1.2",
+                                    kInputs,
+                                    kOutputs,
+                                    kParameters,
+                                    &evaluate};
+
 } // namespace
 
 const core::LawDescription& urethraForceLaw() noexcept {
-    static const std::array<LawParameter, kParameterCount> parameters = describeParameters();
-    static const core::LawDescription law{
-        "urethra-force",
-        "urethra insertion: force and torque on the endoscope, with every term",
-        "P1 eq. 1-6; models.md §1.2",
-        kInputs,
-        kOutputs,
-        parameters,
-        &evaluate};
-    return law;
+    return kLaw;
 }
 
 } // namespace chiron::simulation
