@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulation/geometry/urethra/urethra_curves.h"
+#include "simulation/geometry/urethra/urethra_section_plan.h"
+
+#include <vector>
+
+namespace chiron::simulation {
+
+/// A point of the drawn surface.
+struct UrethraSurfacePoint {
+    core::Vec3 p_A = core::Vec3::Zero();
+    core::Vec3 n_A = core::Vec3::Zero(); ///< unit, towards the lumen's axis
+};
+
+/// The drawn urethra in double precision: its resting curves, and those of the sections that the endoscope
+/// has opened, shifted or added. The float surface is made from it; tests and the command line ask it
+/// directly. One thread.
+class UrethraCurveNet {
+public:
+    UrethraCurveNet(const UrethraAnatomy& anatomy, const Endoscope& endoscope,
+                    const UrethraMeshSettings& settings);
+    UrethraCurveNet(const UrethraCurveNet&) = delete;
+    UrethraCurveNet& operator=(const UrethraCurveNet&) = delete;
+
+    /// Returns the first span of the deformed curves that differs from before (all later ones may).
+    int deform(const UrethraDeformation& deformation);
+    int deformAnew(const UrethraDeformation& deformation); ///< keeps nothing of before; returns 0
+
+    const UrethraCurves& rest() const noexcept { return m_rest; }
+    const UrethraCurves& deformed() const noexcept { return m_deformed; } ///< no sections at rest
+    const UrethraSectionPlan& plan() const noexcept { return m_plan; }
+    const UrethraCentreline& centreline() const noexcept { return m_centreline; }
+
+    /// The surface at arc length s (held to 0 … L) and angle about the canal from x̂ towards n. Both are the
+    /// surface's own parameters: linear in s within a span and in the angle within a patch. Normals are
+    /// averaged over patch edges.
+    UrethraSurfacePoint at(double s_m, double angle_rad) const noexcept;
+
+private:
+    UrethraCentreline m_centreline;
+    UrethraWall m_wall;
+    std::vector<double> m_basic_s_m;
+    std::vector<CentrelinePoint> m_basicAt;
+    UrethraSectionPlan m_plan;
+    UrethraCurves m_rest;
+    UrethraCurves m_deformed;
+    std::vector<UrethraSection> m_placed; ///< what m_deformed was made from
+};
+
+} // namespace chiron::simulation
