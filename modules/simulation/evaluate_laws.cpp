@@ -4,6 +4,7 @@
 #include "core/units.h"
 #include "simulation/attributes/coulomb_friction.h"
 #include "simulation/exercises/sphere_apex/hemisphere_contact.h"
+#include "simulation/exercises/urethra_insertion/urethra_forces_law.h"
 
 #include <array>
 
@@ -81,13 +82,15 @@ void evaluateFriction(std::span<const double> p, std::span<const double> in, std
     out[1] = v0;
 }
 
-constexpr std::array<core::LawDescription, 2> kLaws{{
+/// Laws with a file of their own hand out a constant of theirs.
+const std::array<core::LawDescription, 3> kLaws{{
     {"hemisphere", "hemisphere on a plane: elastic and damped contact of the sphere-apex exercise",
      "models.md §0 and §2.3", kHemisphereInputs, kHemisphereOutputs, kHemisphereParameters,
      &evaluateHemisphere},
     {"friction", "Coulomb friction regularised by velocity, F = -mu N V / sqrt(V^2 + V0^2)",
      "P1 eq. 1; models.md §0 and §1.2", kFrictionInputs, kFrictionOutputs, kFrictionParameters,
      &evaluateFriction},
+    urethraForceLaw(),
 }};
 
 } // namespace

@@ -21,7 +21,7 @@ struct ReferenceResponse {
 };
 
 /// P1's forces straight from the equations of models.md §1, plain and slow: every section, every spring, every time. Shares
-/// plain data with the product and none of its code. Torque: per spin axis by the virtual work of φ_x and φ_y.
+/// plain data with the product and none of its code. The torque vector is made from the virtual work of T_x and T_y.
 class UrethraReferenceForces {
 public:
     UrethraReferenceForces(const simulation::UrethraAnatomy& anatomy, const simulation::Endoscope& endoscope,

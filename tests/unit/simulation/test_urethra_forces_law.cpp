@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/evaluate_laws.h"
+#include "simulation/exercises/urethra_insertion/urethra_forces_law.h"
+#include "urethra_states.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <map>
+#include <string>
+
+using namespace chiron;
+using namespace chiron::simulation;
+using namespace chiron::simulation::testing;
+
+namespace {
+
+using Values = std::map<std::string, double>;
+
+Values rowOf(const Values& parameters, const EndoscopeMotion& m) {
+    const core::LawDescription& law = urethraForceLaw();
+    std::vector<double> p;
+    for (const auto& parameter : law.parameters) {
+        const auto given = parameters.find(std::string(parameter.name));
+        p.push_back(given == parameters.end() ? parameter.defaultValue : given->second);
+    }
+    const std::vector<double> in{m.p_A.x(), m.p_A.y(), m.p_A.z(), m.axis_A.x(), m.axis_A.y(), m.axis_A.z(),
+                                 m.v_A.x(), m.v_A.y(), m.v_A.z(), m.w_A.x(),    m.w_A.y(),    m.w_A.z()};
+    std::vector<double> out(law.outputs.size());
+    law.evaluate(p, in, out);
+    Values row;
+    for (std::size_t i = 0; i < out.size(); ++i)
+        row[std::string(law.outputs[i].name)] = out[i];
+    return row;
+}
+
+} // namespace
+
+class TestUrethraForcesLaw : public QObject {
+    Q_OBJECT
+private slots:
+    void isListed();
+    void rowsAreTheModel();
+    void everyParameterReachesTheModel();
+    void axisMayHaveAnyLengthButNone();
+};
+
+void TestUrethraForcesLaw::isListed() {
+    const auto laws = evaluateLaws();
+    QVERIFY(std::any_of(laws.begin(), laws.end(), [](const auto& law) { return law.id == "urethra-force"; }));
+}
+
+void TestUrethraForcesLaw::rowsAreTheModel() {
+    const UrethraForces forces({}, {});
+    core::Random random(41);
+    for (int n = 0; n < 50; ++n) {
+        EndoscopeMotion motion = randomMotion(random, forces.centreline());
+        motion.axis_A /= motion.axis_A.norm();
+        const UrethraResponse r = forces.respond(motion);
+        Values row = rowOf({}, motion);
+        QCOMPARE(row["s_m"], r.foot.at.s_m);
+        QCOMPARE(row["normal_N"], r.normal_N);
+        QCOMPARE(row["elastic_N"], r.elastic_N);
+        QCOMPARE(row["lateral_x_N"], r.lateral_A.x());
+        QCOMPARE(row["torque_z_Nm"], r.torqueZ_Nm);
+        QCOMPARE(row["fy_N"], r.wrench_A.force.y());
+        QCOMPARE(row["tx_Nm"], r.wrench_A.torque.x());
+        QCOMPARE(row["energy_J"], r.energy_J);
+    }
+}
+
+/// Turning any knob within its range changes some output of one of two poses: deep in the canal, or in the bladder's wall.
+void TestUrethraForcesLaw::everyParameterReachesTheModel() {
+    const UrethraCentreline line(UrethraAnatomy{}.curvature_per_m, UrethraAnatomy{}.zEnd_m);
+    core::Random random(42);
+    std::vector<EndoscopeMotion> poses;
+    for (const double s : {0.043, 0.079, 0.136}) {
+        poses.push_back(motionAt(line, {s, 0.002, 0.001, 0.2, 0.1}));
+        poses.back().v_A = randomVector(random, 0.001);
+        poses.back().w_A = randomVector(random, 1.0);
+    }
+    const CentrelinePoint neck = line.at(line.length_m());
+    poses.push_back(poses.back());
+    poses.back().p_A = neck.p_A + 0.034 * (neck.t_A - std::cos(0.3) * neck.t_A + std::sin(0.3) * neck.n_A);
+    for (const auto& parameter : urethraForceLaw().parameters) {
+        Values usual{{"change_length_m", 0.012}, {"maximum_damping_Ns_per_m", 1000.0}, {"count_m", 5e-5}}; // V₀ by the count
+        const std::string name(parameter.name);
+        Values turned = usual;
+        const double from = usual.count(name) > 0 ? usual[name] : parameter.defaultValue;
+        turned[name] = name == "basic_sections"             ? 26.0
+                       : name == "step_m"                   ? 0.001
+                       : name == "maximum_damping_Ns_per_m" ? 1.0
+                                                            : from * 1.3;
+        QVERIFY2(turned[name] <= parameter.maximum, name.c_str());
+        const bool changed = std::any_of(poses.begin(), poses.end(), [&](const EndoscopeMotion& pose) {
+            return rowOf(usual, pose) != rowOf(turned, pose);
+        });
+        QVERIFY2(changed, name.c_str());
+    }
+}
+
+void TestUrethraForcesLaw::axisMayHaveAnyLengthButNone() {
+    const UrethraForces forces({}, {});
+    EndoscopeMotion motion = motionAt(forces.centreline(), {0.080, 0.001, 0.0, 0.3, 0.0});
+    const double torque = rowOf({}, motion)["torque_x_Nm"];
+    motion.axis_A *= 7.0;
+    QVERIFY(std::abs(rowOf({}, motion)["torque_x_Nm"] - torque) < 1e-15 && torque != 0.0);
+    motion.axis_A.setZero();
+    QVERIFY(std::isnan(rowOf({}, motion)["torque_x_Nm"]));
+}
+
+QTEST_APPLESS_MAIN(TestUrethraForcesLaw)
+#include "test_urethra_forces_law.moc"
