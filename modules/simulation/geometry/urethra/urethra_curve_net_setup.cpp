@@ -11,6 +11,8 @@ using core::Vec3;
 
 namespace {
 
+constexpr double kOnAnEdge = 1e-9; ///< of a patch's side: an angle that is a point's but for rounding
+
 std::vector<double> basicSections(const UrethraCentreline& line, double zEnd_m, int count) {
     std::vector<double> s_m;
     for (int i = 0; i < count; ++i)
@@ -96,8 +98,10 @@ UrethraSurfacePoint UrethraCurveNet::at(double s_m, double angle_rad) const noex
     const double u = (s - curves.s_m(span)) / (curves.s_m(span + 1) - curves.s_m(span));
     const double turns = angle_rad / (2.0 * core::kPi);
     const double place = (turns - std::floor(turns)) * curves.columns();
-    const int column = std::min(static_cast<int>(place), curves.columns() - 1);
-    const double v = place - column;
+    const double edge = std::round(place);
+    const double held = std::abs(place - edge) < kOnAnEdge ? edge : place;
+    const int column = static_cast<int>(held) % curves.columns();
+    const double v = held - std::floor(held);
     const PatchPoint point = curves.patch(span, column).at(u, v);
     return {point.p_A, meanNormal(curves, span, column, u, v, point)};
 }

@@ -6,6 +6,13 @@
 
 namespace chiron::simulation {
 
+namespace {
+
+constexpr double kApart_m =
+    0.99 * UrethraSectionPlan::kNudge_m; ///< sections nudged apart, whatever the rounding
+
+} // namespace
+
 UrethraSectionPlan::UrethraSectionPlan(const UrethraWall& wall, std::span<const double> basic_s_m,
                                        int movingSections)
     : m_wall(wall), m_basic_s_m(basic_s_m), m_movingSections(movingSections) {
@@ -26,11 +33,11 @@ void UrethraSectionPlan::make(const UrethraDeformation& deformation) {
     for (const double basic : m_basic_s_m) {
         if (m_end.restSpan >= 0 && basic >= m_end.s_m)
             break;
-        addMovingUpTo(basic, nextMoving);
+        addMovingBefore(basic, nextMoving);
         m_sections.push_back(opened(basic));
     }
     if (m_end.restSpan >= 0) {
-        addMovingUpTo(m_end.s_m, nextMoving);
+        addMovingBefore(m_end.s_m, nextMoving);
         m_sections.push_back(m_end);
     }
 }
@@ -57,23 +64,25 @@ void UrethraSectionPlan::findEnd(double end_s_m) noexcept {
     m_end.restParameter = (m_end.s_m - low) / (*after - low);
 }
 
+// Away from basic sections, and held inside the canal: those outside become one just inside, so that the
+// curves' open end does not change when one comes in or goes out.
 double UrethraSectionPlan::movingAt(int index) const noexcept {
-    const double s = m_deformation.tip_s_m + m_wall.endoscope().beak_m * index / (m_movingSections - 1);
-    const auto after = std::lower_bound(m_basic_s_m.begin(), m_basic_s_m.end(), s);
-    if (after != m_basic_s_m.end() && *after - s < kNudge_m)
-        return *after - (*after == s ? -kNudge_m : kNudge_m);
-    if (after != m_basic_s_m.begin() && s - *(after - 1) < kNudge_m)
-        return *(after - 1) + kNudge_m;
-    return s;
+    const double wanted = m_deformation.tip_s_m + m_wall.endoscope().beak_m * index / (m_movingSections - 1);
+    const double s = std::clamp(wanted, kNudge_m, m_basic_s_m.back() - kNudge_m);
+    const auto after = std::upper_bound(m_basic_s_m.begin(), m_basic_s_m.end(), s);
+    if (*after - s < kNudge_m)
+        return *after - kNudge_m;
+    return std::max(s, *(after - 1) + kNudge_m);
 }
 
-// The last moving section is the end itself. Those outside the canal are not drawn.
-void UrethraSectionPlan::addMovingUpTo(double s_m, int& next) {
-    for (; next < m_movingSections - 1; ++next) {
+// Up to the last but one: that is the end itself, unless the end is beyond C.
+void UrethraSectionPlan::addMovingBefore(double s_m, int& next) {
+    const int count = m_end.restSpan >= 0 ? m_movingSections - 1 : m_movingSections;
+    for (; next < count; ++next) {
         const double s = movingAt(next);
-        if (s >= s_m)
+        if (s > s_m - kApart_m)
             return;
-        if (s > 0.0)
+        if (m_sections.empty() || s > m_sections.back().s_m + kApart_m)
             m_sections.push_back(opened(s));
     }
 }

@@ -31,7 +31,7 @@ public:
 
 private:
     void findEnd(double end_s_m) noexcept;
-    void addMovingUpTo(double s_m, int& next);
+    void addMovingBefore(double s_m, int& next);
     double movingAt(int index) const noexcept;
     UrethraSection opened(double s_m) const noexcept;
 

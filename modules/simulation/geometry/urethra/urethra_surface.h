@@ -36,11 +36,12 @@ struct VertexRange {
 
 /// The urethra's inner surface in A (models.md §1.1; P1 §3, figures 2–4): basic sections and moving deformation,
 /// interpolated by piecewise cubic Bézier curves in both directions, Coons patches between them, tessellated k × k.
-/// Positions (m) and analytic unit normals towards the lumen's axis. See README.md beside it for layout and definitions.
+/// Positions (m) and analytic unit normals towards the lumen's axis, averaged over patch edges. See README.md beside it for
+/// layout and definitions. Anatomy, endoscope and settings are valid ones (urethraProblems()).
 ///
 /// Vertices are stored as planes (x…, y…, z…, nx…, ny…, nz…) of float, ring after ring of `ringSize()` vertices; rings run
 /// from A to C. The number of vertices and the triangles never change; rings that the deformation covers collapse onto its
-/// ends. Beyond the deformation every vertex is bit-identical to the resting surface, and update() rewrites changed rings only.
+/// ends (at rest the spare ones lie on A). In the buffer they run in groups of k, a group a span. Beyond the deformation every vertex is bit-identical to the resting surface, and update() rewrites changed rings only.
 /// Not for the tick (it allocates when made). One thread.
 class UrethraSurface {
 public:
