@@ -1230,8 +1230,8 @@ Möchten Sie die Datei ersetzen?</translation>
 <context>
     <name>StationWords</name>
     <message>
-        <source>Simulated gimbal with a scripted hand</source>
-        <translation>Simulierter Gimbal mit programmierter Hand</translation>
+        <source>Simulated mechanism with a scripted hand</source>
+        <translation>Simulierter Mechanismus mit programmierter Hand</translation>
     </message>
     <message>
         <source>Mouse and keyboard</source>

@@ -1230,8 +1230,8 @@ Do you want to replace it?</source>
 <context>
     <name>StationWords</name>
     <message>
-        <source>Simulated gimbal with a scripted hand</source>
-        <translation>Προσομοιωμένη καρδανική συσκευή με προγραμματισμένο χέρι</translation>
+        <source>Simulated mechanism with a scripted hand</source>
+        <translation>Προσομοιωμένος μηχανισμός με προγραμματισμένο χέρι</translation>
     </message>
     <message>
         <source>Mouse and keyboard</source>

@@ -50,8 +50,9 @@ public:
     const core::Result<TrainingResult>& result() const noexcept { return m_result; } ///< once finished()
 
     const Station& station() const noexcept { return m_request.station; }
-    /// Where a mouse and a keyboard go; null where the station has none. Valid as long as this.
+    /// Where a mouse and a keyboard go that move a point; null where the station has none. Valid as long as this.
     devices::PointerMailbox* pointer() noexcept { return m_request.station.pointer; }
+    devices::EndoscopeMailbox* endoscope() noexcept { return m_request.station.endoscope; } ///< the same for an endoscope
     bool felt() const noexcept { return m_felt; } ///< whether any device of the station renders force
 
 private:

@@ -39,7 +39,7 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const ScriptedSession
     auto rows = scoring::readTraceCsvFile(session.operatorName);
     if (!rows)
         return tl::unexpected(rows.error());
-    return traceStation(*rows);
+    return traceStation(*rows, kind.pointerTool());
 }
 
 } // namespace

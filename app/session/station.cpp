@@ -3,6 +3,8 @@
 
 #include "core/random.h"
 #include "devices/drivers/simulated/simulated_device.h"
+#include "devices/drivers/simulated/simulated_endoscope_device.h"
+#include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
 
 #include <cmath>
 #include <filesystem>
@@ -11,6 +13,36 @@ namespace chiron::session {
 
 namespace {
 constexpr double kFollowing_s = 0.025; // longer than a pointer's reports are apart, shorter than anybody notices
+constexpr double kBeforeEntrance_m = 0.025; // an endoscope begins this far outside
+
+core::Vec3 endoscopeStart_W() {
+    return simulation::AnatomyPose{}.pointToW({0.0, 0.0, -kBeforeEntrance_m});
+}
+
+/// A driver whose box of W stays the same whatever the scale, so that the hand's part of it shrinks as the scale grows.
+template <class Device, class Settings>
+core::Result<std::unique_ptr<Device>> makePointer(Settings settings, double scale) {
+    settings.following_s = kFollowing_s;
+    for (std::size_t i = 0; i < 3; ++i) {
+        settings.minimum_m[i] /= scale;
+        settings.maximum_m[i] /= scale;
+        settings.home_m[i] /= scale;
+    }
+    return Device::create(settings);
+}
+
+template <class Device>
+core::Result<Station> withDevice(Station station, typename Device::Configuration configuration, ScriptedTrainee trainee,
+                                 std::uint64_t handSeed) {
+    configuration.seed = handSeed;
+    configuration.hand = trainee.hand;
+    auto device = Device::create(configuration, std::move(trainee.strategy));
+    if (!device)
+        return tl::unexpected(device.error());
+    station.mappings.push_back(configuration.mapping);
+    station.devices.push_back(std::move(*device));
+    return station;
+}
 } // namespace
 
 core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice) {
@@ -26,23 +58,27 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
     return devices::WorkspaceMapping{choice.origin_m, choice.scale, choice.leftHanded};
 }
 
-core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice) {
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, PointerTool tool) {
     auto mapping = mappingOf(choice);
     if (!mapping)
         return tl::unexpected(mapping.error());
-    devices::KeyboardMouseSettings settings;
-    settings.following_s = kFollowing_s;
-    for (std::size_t i = 0; i < 3; ++i) {
-        settings.minimum_m[i] /= choice.scale;
-        settings.maximum_m[i] /= choice.scale;
-        settings.home_m[i] /= choice.scale;
+    Station station;
+    station.mappings.push_back(*mapping);
+    if (tool == PointerTool::point) {
+        auto device = makePointer<devices::KeyboardMouseDevice>(devices::KeyboardMouseSettings{}, choice.scale);
+        if (!device)
+            return tl::unexpected(device.error());
+        station.pointer = &(*device)->mailbox();
+        station.devices.push_back(std::move(*device));
+        return station;
     }
-    auto device = devices::KeyboardMouseDevice::create(settings);
+    devices::EndoscopePointerSettings settings;
+    const core::Vec3 start_W = endoscopeStart_W();
+    settings.home_m = {start_W.x(), start_W.y(), start_W.z()};
+    auto device = makePointer<devices::EndoscopePointerDevice>(settings, choice.scale);
     if (!device)
         return tl::unexpected(device.error());
-    Station station;
-    station.pointer = &(*device)->mailbox();
-    station.mappings.push_back(*mapping);
+    station.endoscope = &(*device)->mailbox();
     station.devices.push_back(std::move(*device));
     return station;
 }
@@ -52,20 +88,25 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const std::strin
     auto trainee = kind.makeOperator(operatorName, core::Random::mix(seed, "operator"));
     if (!trainee)
         return tl::unexpected(trainee.error());
-    devices::SimulatedDevice::Configuration configuration;
-    configuration.seed = core::Random::mix(seed, "hand");
-    configuration.hand = trainee->hand;
-    auto device = devices::SimulatedDevice::create(configuration, std::move(trainee->strategy));
-    if (!device)
-        return tl::unexpected(device.error());
     Station station;
-    station.mappings.push_back(configuration.mapping);
-    station.devices.push_back(std::move(*device));
     station.operatorName = operatorName;
-    return station;
+    const std::uint64_t handSeed = core::Random::mix(seed, "hand");
+    if (kind.mechanism() == devices::FiveBarSphericalKinematics::kId) {
+        devices::SimulatedEndoscopeDevice::Configuration configuration;
+        configuration.start_D = endoscopeStart_W(); // D is W where nothing else is said
+        return withDevice<devices::SimulatedEndoscopeDevice>(std::move(station), configuration, std::move(*trainee), handSeed);
+    }
+    if (kind.mechanism() == devices::GimbalHprdKinematics::kId)
+        return withDevice<devices::SimulatedDevice>(std::move(station), devices::SimulatedDevice::Configuration{},
+                                                    std::move(*trainee), handSeed);
+    return core::fail(core::ErrorCode::wrongUse,
+                      "exercise " + std::string(kind.id()) + ": no simulated mechanism \"" + std::string(kind.mechanism()) + "\"");
 }
 
-core::Result<Station> traceStation(const scoring::TraceRows& rows) {
+core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool) {
+    if (tool == PointerTool::endoscope && !rows.columns.orientation)
+        return core::fail(core::ErrorCode::badInput,
+                          rows.source + ": no orientation; an endoscope needs the columns qw, qx, qy and qz");
     std::vector<devices::TracePoint> points;
     for (const scoring::TraceRow& row : rows.rows) {
         if (row.tool != 0) // one hand plays; the others of a several-handed recording are left out

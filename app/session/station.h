@@ -3,6 +3,7 @@
 
 #include "core/result.h"
 #include "devices/api/device.h"
+#include "devices/drivers/endoscope_pointer/endoscope_pointer_device.h"
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 #include "devices/drivers/replay/replay_device.h"
 #include "scoring/trace_rows.h"
@@ -21,7 +22,8 @@ struct Station {
     std::vector<std::unique_ptr<devices::IDevice>> devices;
     std::vector<devices::WorkspaceMapping> mappings;
     std::string operatorName; ///< scripted operator or "trace:<file>"; empty: a person's own hand
-    devices::PointerMailbox* pointer = nullptr;   ///< of `devices`, where a mouse and a keyboard move the tool
+    devices::PointerMailbox* pointer = nullptr;   ///< of `devices`, where a mouse and a keyboard move a point
+    devices::EndoscopeMailbox* endoscope = nullptr; ///< of `devices`, where they move an endoscope
     const devices::ReplayDevice* trace = nullptr; ///< of `devices`, where a trace is played: its end ends the session
 };
 
@@ -40,13 +42,16 @@ struct WorkspaceChoice {
 core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice);
 
 /// A mouse and a keyboard (class "shown"). Whatever the scale, the tool reaches the same box of W: a larger scale makes the
-/// hand's part of it smaller. Failure: badInput.
-core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {});
+/// hand's part of it smaller. `tool`: the kind's pointerTool(). An endoscope begins before the entrance, looking in.
+/// Failure: badInput.
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {}, PointerTool tool = PointerTool::point);
 
-/// P2's simulated gimbal with a scripted operator on it. Failure: wrongUse naming the operators that exist.
+/// The simulated mechanism that the kind names, with a scripted operator on it. Failure: that of the kind's makeOperator();
+/// wrongUse for a mechanism that does not exist.
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const std::string& operatorName, std::uint64_t seed);
 
-/// A recorded trace as input device (class "shown": nobody feels anything). Failure: badInput naming file and row.
-core::Result<Station> traceStation(const scoring::TraceRows& rows);
+/// A recorded trace as input device (class "shown": nobody feels anything). `tool`: the kind's pointerTool(); an endoscope
+/// needs the columns of orientation. Failure: badInput naming file and row or columns.
+core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool = PointerTool::point);
 
 } // namespace chiron::session

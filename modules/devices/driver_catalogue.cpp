@@ -7,7 +7,7 @@ namespace chiron::devices {
 
 namespace {
 constexpr std::array kDrivers{
-    DriverEntry{"simulated", "Simulated gimbal with a scripted hand", "nothing", DeviceClass::felt},
+    DriverEntry{"simulated", "Simulated mechanism with a scripted hand", "nothing", DeviceClass::felt},
     DriverEntry{"keyboard_mouse", "Mouse and keyboard: force is shown, not felt", "a pointer or a keyboard, and a screen",
                 DeviceClass::shown},
     DriverEntry{"replay", "Recorded trace", "a trace file", DeviceClass::shown},

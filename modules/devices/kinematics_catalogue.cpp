@@ -2,6 +2,8 @@
 #include "devices/kinematics_catalogue.h"
 
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
+#include "devices/drivers/endoscope_pointer/endoscope_pose_kinematics.h"
+#include "devices/drivers/simulated/five_bar_spherical_kinematics.h"
 #include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 
 namespace chiron::devices {
@@ -21,6 +23,10 @@ core::Result<std::unique_ptr<IToolKinematics>> makeKinematics(const DeviceDescri
         return make<CartesianKinematics>(descriptor);
     if (descriptor.kinematics == GimbalHprdKinematics::kId)
         return make<GimbalHprdKinematics>(descriptor);
+    if (descriptor.kinematics == FiveBarSphericalKinematics::kId)
+        return make<FiveBarSphericalKinematics>(descriptor);
+    if (descriptor.kinematics == EndoscopePoseKinematics::kId)
+        return make<EndoscopePoseKinematics>(descriptor);
     return core::fail(core::ErrorCode::badInput, "unknown kinematics \"" + descriptor.kinematics + "\"");
 }
 

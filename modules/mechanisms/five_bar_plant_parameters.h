@@ -66,8 +66,8 @@ struct FiveBarPlantParameters {
                     -core::kPi};
     PerAxis maximum{core::radFromDeg(193.0), core::radFromDeg(90.0), core::radFromDeg(63.1), core::radFromDeg(30.0),
                     core::kPi};
-    PerAxis stopStiffness{2000.0, 2000.0, 50.0, 50.0, 20.0}; ///< N·m/rad
-    PerAxis stopDamping{1.0, 1.0, 0.2, 0.2, 0.01};          ///< N·m·s/rad, on the way in only
+    PerAxis stopStiffness{2000.0, 2000.0, 200.0, 200.0, 20.0}; ///< N·m/rad
+    PerAxis stopDamping{1.0, 1.0, 0.5, 0.5, 0.01};          ///< N·m·s/rad, on the way in only
 
     int substeps = 4; ///< integration steps a tick, ≥ 4 (4 kHz)
 };

@@ -16,9 +16,10 @@ Hand::Hand(const HandParameters& parameters, std::uint64_t seed, double toolMass
       m_delay_ticks(static_cast<std::size_t>(std::clamp(
           std::lround(parameters.reactionDelay_s / core::kTickSeconds), 0L, static_cast<long>(kLine) - 1))) {}
 
-void Hand::reset(const Vec3& p_D) noexcept {
+void Hand::reset(const Vec3& p_D, const core::Quat& q_D) noexcept {
     HandIntention stay;
     stay.p_DDesired = p_D;
+    stay.q_DDesired = q_D;
     m_line.fill(stay);
     m_acting = stay;
     m_next = 0;

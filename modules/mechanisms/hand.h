@@ -22,7 +22,8 @@ class Hand {
 public:
     Hand(const HandParameters& parameters, std::uint64_t seed, double toolMass_kg) noexcept;
 
-    void reset(const core::Vec3& p_D) noexcept; ///< at rest there, wanting to stay
+    /// At rest there, wanting to stay, the tool turned like that.
+    void reset(const core::Vec3& p_D, const core::Quat& q_D = core::Quat::Identity()) noexcept;
     /// Once a tick: the mind's newest intention enters the delay line, the one due comes out; tremor moves
     /// on.
     void beginTick(const HandIntention& wanted) noexcept;

@@ -9,7 +9,7 @@ constexpr double kMostLate = 0.003; // speed.md: ticks more than 100 µs late, a
 
 QString StationWords::driver(const devices::DriverEntry& entry) {
     if (entry.id == "simulated")
-        return tr("Simulated gimbal with a scripted hand");
+        return tr("Simulated mechanism with a scripted hand");
     if (entry.id == "keyboard_mouse")
         return tr("Mouse and keyboard");
     if (entry.id == "replay")

@@ -11,22 +11,21 @@ namespace chiron::desktop {
 namespace {
 
 core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level, std::uint64_t seed) {
+    auto kind = session::exerciseKind(level.exercise);
+    if (!kind)
+        return tl::unexpected(kind.error());
     switch (plan.device) {
     case PlanDevice::mouse:
-        return session::keyboardMouseStation(plan.workspace);
-    case PlanDevice::demonstration: {
-        auto kind = session::exerciseKind(level.exercise);
-        if (!kind)
-            return tl::unexpected(kind.error());
+        return session::keyboardMouseStation(plan.workspace, (*kind)->pointerTool());
+    case PlanDevice::demonstration:
         return session::scriptedStation(**kind, plan.operatorName.toStdString(), seed);
-    }
     case PlanDevice::trace:
         break;
     }
     auto rows = scoring::readTraceCsvFile(plan.traceFile.toStdString());
     if (!rows)
         return tl::unexpected(rows.error());
-    return session::traceStation(*rows);
+    return session::traceStation(*rows, (*kind)->pointerTool());
 }
 
 QString wordOf(PlanDevice device) {

@@ -123,20 +123,20 @@ void TestTrainingParts::pixelsBecomeMetres() {
     devices::PointerMailbox mailbox;
     PointerControl hand(mailbox, 2.0);
     hand.drag({100.0, 40.0}, false);
-    QCOMPARE(mailbox.read().moved_m[0], 0.005); // 100 pixels at 200 %
-    QCOMPARE(mailbox.read().moved_m[1], -0.002); // down on the screen: towards the person
+    QCOMPARE(mailbox.read().moved[0], 0.005); // 100 pixels at 200 %
+    QCOMPARE(mailbox.read().moved[1], -0.002); // down on the screen: towards the person
     hand.drag({100.0, 40.0}, true);
-    QCOMPARE(mailbox.read().moved_m[0], 0.005);
-    QCOMPARE(mailbox.read().moved_m[2], -0.002);
+    QCOMPARE(mailbox.read().moved[0], 0.005);
+    QCOMPARE(mailbox.read().moved[2], -0.002);
     hand.wheel(-120);
-    QCOMPARE(mailbox.read().moved_m[2], -0.004);
+    QCOMPARE(mailbox.read().moved[2], -0.004);
     hand.click();
     hand.click();
     QCOMPARE(mailbox.read().markPresses, 2u);
     QCOMPARE(mailbox.read().held, 0u);
     PointerControl left(mailbox, 1.0, true);
     left.drag({50.0, 0.0}, false);
-    QCOMPARE(mailbox.read().moved_m[0], 0.0); // mirrored workspace: right stays right in the scene
+    QCOMPARE(mailbox.read().moved[0], 0.0); // mirrored workspace: right stays right in the scene
 }
 
 /// The pointer nears the edge and is led back to the middle; events of before still come, then the first from the middle. The
@@ -150,7 +150,7 @@ void TestTrainingParts::aPointerLedBackMakesNoJump() {
     const auto moveTo = [&](double x) {
         QMouseEvent event(QEvent::MouseMove, QPointF(x, 300.0), QPointF(x, 300.0), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
         QApplication::sendEvent(&area, &event);
-        return mailbox.read().moved_m[0] / PointerControl::kMetresPerPixel;
+        return mailbox.read().moved[0] / PointerControl::kMetresPerPixel;
     };
     QCOMPARE(moveTo(100.0), 0.0); // free: nobody's hand
     pointer.capture();
@@ -170,13 +170,13 @@ void TestTrainingParts::heldKeysBecomeASpeed() {
     QVERIFY(hand.keyDown(Qt::Key_Left) && hand.keyDown(Qt::Key_PageUp));
     QVERIFY(!hand.keyDown(Qt::Key_A));
     const double v = PointerControl::kKeySpeed_m_per_s;
-    QVERIFY((mailbox.read().rate_m_per_s == std::array{-v, 0.0, v}));
+    QVERIFY((mailbox.read().rate_per_s == std::array{-v, 0.0, v}));
     hand.keyDown(Qt::Key_Right);
-    QCOMPARE(mailbox.read().rate_m_per_s[0], 0.0);
+    QCOMPARE(mailbox.read().rate_per_s[0], 0.0);
     hand.keyUp(Qt::Key_Left);
-    QCOMPARE(mailbox.read().rate_m_per_s[0], v);
+    QCOMPARE(mailbox.read().rate_per_s[0], v);
     hand.releaseKeys();
-    QVERIFY((mailbox.read().rate_m_per_s == std::array{0.0, 0.0, 0.0}));
+    QVERIFY((mailbox.read().rate_per_s == std::array{0.0, 0.0, 0.0}));
 }
 
 void TestTrainingParts::everyStateHasItsWords() {

@@ -185,12 +185,12 @@ private slots:
         s.maximum_m[0] = 5000.0;
         QVERIFY(!KeyboardMouseDevice::create(s));
         s = {};
-        s.slowestRatio = 0.0;
+        s.pseudoHaptics.slowestRatio = 0.0;
         QVERIFY(!KeyboardMouseDevice::create(s));
-        s.slowestRatio = std::nan("");
+        s.pseudoHaptics.slowestRatio = std::nan("");
         QVERIFY(!KeyboardMouseDevice::create(s));
         s = {};
-        s.slowestAt_N = 0.0;
+        s.pseudoHaptics.slowestAt_N = 0.0;
         QVERIFY(!KeyboardMouseDevice::create(s));
     }
 

@@ -340,7 +340,7 @@ private slots:
         plant.reset(at(Vec3(0.0, 0.0, 0.06), 0.6));
         for (int n = 0; n < 4000; ++n) {
             const double side = (n / 1000) % 2 == 0 ? 1.0 : -1.0;
-            tick(plant, {}, true, {side * Vec3(0.0, 4.0, 6.0), plant.dynamics().joint().torque_D(side * Vec3(0.3, 0.3, 0.001))});
+            tick(plant, {}, true, {side * Vec3(0.0, 4.0, 6.0), plant.dynamics().joint().torque_D(side * Vec3(0.15, 0.15, 0.001))});
             for (int axis = 0; axis < 5; ++axis) {
                 const auto i = static_cast<std::size_t>(axis);
                 const double beyond = plant.q()[axis] - std::clamp(plant.q()[axis], p.minimum[i], p.maximum[i]);

@@ -3,6 +3,7 @@
 
 #include "devices/api/device.h"
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
+#include "devices/drivers/keyboard_mouse/motion_intake.h"
 #include "devices/drivers/keyboard_mouse/pointer_mailbox.h"
 
 #include <memory>
@@ -13,20 +14,16 @@ struct KeyboardMouseSettings {
     std::array<double, 3> minimum_m{-0.080, -0.080, -0.030}; ///< workspace in D
     std::array<double, 3> maximum_m{0.080, 0.080, 0.080};
     std::array<double, 3> home_m{0.0, 0.0, 0.060};
-    double slowestRatio = 0.3;      ///< 0 < r ≤ 1: control/display ratio at and above slowestAt_N; 1 switches it off
+    PseudoHaptics pseudoHaptics{};
     /// Time constant with which the tool follows the hand: pointers and wheels report in jumps, 8 to 16 ms apart, which are no
     /// speed that anybody moved with. 0 (as the hand reports) to 0.2 s.
     double following_s = 0.0;
-    double slowestAt_N = 4.0;       ///< > 0: shown force at which motion is slowest (the site's default force limit)
 };
 
 /// A mouse and a keyboard as an input-only tool: the window puts movements into the mailbox, the tick turns them into
-/// counts on a 1 µm grid before anything else sees them. Renders no force (class "shown"). Pseudo-haptics: motion slows
-/// down in proportion to the force shown,
-///   Δp = r(F) · Δp_hand, r(F) = 1 - (1 - r_min) · min(1, F/F_max),
-/// the idea of a changed control/display ratio being Lécuyer et al. 2000 ("Pseudo-haptic feedback: can isometric input
-/// devices simulate force feedback?", IEEE VR); the linear law and its two constants are assumptions. That the drawn tool
-/// stays at the surface is the screen's part, from SceneOutput::p_WProxy.
+/// counts on a 1 µm grid before anything else sees them. Renders no force (class "shown"); motion slows down in proportion
+/// to the force shown, Δp = r(F) · Δp_hand (PseudoHaptics). That the drawn tool stays at the surface is the screen's part,
+/// from SceneOutput::p_WProxy.
 /// Stepped in the tick (age 0, device time = index · 1 ms). Threads: mailbox() by the GUI, the rest as IDevice says.
 class KeyboardMouseDevice final : public IDevice {
 public:
@@ -48,16 +45,13 @@ public:
 private:
     KeyboardMouseDevice(const KeyboardMouseSettings& settings, DeviceDescriptor descriptor,
                         const CartesianKinematics& kinematics);
-    std::uint32_t buttons(const PointerTotals& totals) noexcept;
 
     KeyboardMouseSettings m_settings;
     DeviceDescriptor m_descriptor;
     CartesianKinematics m_kinematics;
     PointerMailbox m_mailbox;
-    PointerTotals m_seen;              ///< what was taken in already
+    MotionIntake<3> m_intake;
     std::array<double, 3> m_position_m; ///< before rounding, so that slow movement is not lost
-    std::array<double, 3> m_pending_m{}; ///< moved by the hand, not yet by the tool
-    double m_share = 1.0;                ///< of what is pending that a tick makes up
     double m_ratio = 1.0;
     std::uint32_t m_packet = 0;
 };

@@ -2,9 +2,7 @@
 // Set-up of the driver, apart from what the tick calls.
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 
-#include "core/units.h"
-
-#include <cmath>
+#include "devices/drivers/keyboard_mouse/pointer_setup.h"
 
 namespace chiron::devices {
 
@@ -19,16 +17,7 @@ core::Result<void> check(const KeyboardMouseSettings& s) {
                               std::string("keyboard_mouse: workspace of axis ") + "xyz"[i] +
                                   " must satisfy -1 m <= minimum < home < maximum <= 1 m");
     }
-    if (!(s.slowestRatio > 0.0 && s.slowestRatio <= 1.0))
-        return core::fail(core::ErrorCode::badInput, "keyboard_mouse: slowestRatio is " +
-                                                         std::to_string(s.slowestRatio) + ", expected 0 < r <= 1");
-    if (!(s.slowestAt_N > 0.0 && s.slowestAt_N <= 100.0))
-        return core::fail(core::ErrorCode::badInput, "keyboard_mouse: slowestAt_N is " +
-                                                         std::to_string(s.slowestAt_N) + ", expected 0 < F <= 100 N");
-    if (!(s.following_s >= 0.0 && s.following_s <= 0.2))
-        return core::fail(core::ErrorCode::badInput, "keyboard_mouse: following_s is " + std::to_string(s.following_s) +
-                                                         ", expected 0 to 0.2 s");
-    return {};
+    return checkPointer("keyboard_mouse", s.pseudoHaptics, s.following_s);
 }
 
 DeviceDescriptor describe(const KeyboardMouseSettings& s) {
@@ -62,13 +51,11 @@ core::Result<std::unique_ptr<KeyboardMouseDevice>> KeyboardMouseDevice::create(c
 KeyboardMouseDevice::KeyboardMouseDevice(const KeyboardMouseSettings& settings, DeviceDescriptor descriptor,
                                          const CartesianKinematics& kinematics)
     : m_settings(settings), m_descriptor(std::move(descriptor)), m_kinematics(kinematics),
-      m_position_m(settings.home_m),
-      m_share(settings.following_s > 0.0 ? 1.0 - std::exp(-core::kTickSeconds / settings.following_s) : 1.0) {}
+      m_intake(followingShare(settings.following_s)), m_position_m(settings.home_m) {}
 
 core::Result<void> KeyboardMouseDevice::open() {
-    m_seen = m_mailbox.read();
+    m_intake.forget(m_mailbox.read());
     m_position_m = m_settings.home_m;
-    m_pending_m = {};
     m_ratio = 1.0;
     return {};
 }

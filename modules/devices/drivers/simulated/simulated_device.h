@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/api/device.h"
-#include "devices/api/workspace_map.h"
 #include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
+#include "devices/drivers/simulated/simulated_mechanism.h"
 #include "mechanisms/gimbal_plant.h"
-#include "mechanisms/hand.h"
 
 #include <cstdint>
 #include <memory>
 
 namespace chiron::devices {
 
-/// P2's gimbal with a scripted hand on it, as one in-process tool: plant, hand and mind are stepped by the
-/// tick and never look at a clock, so real-time and as-fast runs give the same samples bit for bit.
-///
-/// Tick n: show() tells the mind what is on the screen, read() returns the counts that the plant reached at
-/// the end of tick n − 1 (deviceTime = n·1000 µs, packet = n, age 0), command() takes the force, asks the
-/// mind and integrates the plant to n + 1. The force goes through kinematics().efforts(), motors saturate,
-/// `measured` is what they really gave (on the tool, in W). Haptic thread; no allocation after construction.
-class SimulatedDevice final : public IDevice {
+/// P2's gimbal with a scripted hand on it (SimulatedMechanism). The hand holds a point: it does not turn the tool.
+class SimulatedDevice final : public SimulatedMechanism {
 public:
     struct Configuration {
         mechanisms::GimbalPlantParameters plant;
@@ -35,34 +27,18 @@ public:
     create(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
     ~SimulatedDevice() override;
 
-    const DeviceDescriptor& descriptor() const noexcept override { return m_descriptor; }
     const IToolKinematics& kinematics() const noexcept override { return m_kinematics; }
-    core::Result<void> open() override;
-    void close() noexcept override;
-    core::DeviceSample read(const realtime::HapticTick& now) noexcept override;
-    void command(const realtime::HapticTick& now, const ForceCommand& command) noexcept override;
-    void show(const realtime::HapticTick& now, const core::VisibleCues& cues) noexcept override;
-
     const mechanisms::GimbalPlant& plant() const noexcept { return m_plant; } ///< the truth, for tests
-    const mechanisms::Hand& hand() const noexcept { return m_hand; }
 
 private:
     SimulatedDevice(const Configuration& configuration, const mechanisms::GimbalCoordinates& start,
                     std::unique_ptr<mechanisms::HandStrategy> strategy);
-    mechanisms::HandPerception perceive() const noexcept;
+    mechanisms::Plant& movedPlant() noexcept override { return m_plant; }
+    void resetPlant() noexcept override { m_plant.reset(m_start); }
 
-    Configuration m_configuration;
-    DeviceDescriptor m_descriptor;
-    WorkspaceMap m_map;
     GimbalHprdKinematics m_kinematics;
     mechanisms::GimbalCoordinates m_start;
     mechanisms::GimbalPlant m_plant;
-    mechanisms::Hand m_hand;
-    std::unique_ptr<mechanisms::HandStrategy> m_strategy;
-    core::VisibleCues m_cues;
-    core::DeviceSample m_sample;
-    core::Vec3 m_forceOnHand_D = core::Vec3::Zero();
-    std::uint64_t m_ticks = 0;
 };
 
 } // namespace chiron::devices

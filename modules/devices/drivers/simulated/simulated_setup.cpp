@@ -2,33 +2,25 @@
 // Making driver and kinematics allocates, so it is kept apart from the code that the tick calls.
 #include "devices/drivers/simulated/simulated_device.h"
 
+#include "devices/axis_resolutions_setup.h"
+
 #include <array>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace chiron::devices {
 
 core::Result<GimbalHprdKinematics> GimbalHprdKinematics::create(const DeviceDescriptor& descriptor) {
-    const auto wrong = [](const std::string& what) {
-        return core::fail(core::ErrorCode::badInput, "kinematics gimbal_hprd: " + what);
-    };
-    if (descriptor.kinematics != kId)
-        return wrong("descriptor says '" + descriptor.kinematics + "'");
-    if (descriptor.axes.size() != 4)
-        return wrong("axes: " + std::to_string(descriptor.axes.size()) + " found, 4 expected (h, p, r, d)");
-    std::array<double, 4> resolution{};
-    for (std::size_t axis = 0; axis < 4; ++axis) {
-        resolution[axis] = descriptor.axes[axis].resolution;
-        if (!(resolution[axis] > 0.0) || !std::isfinite(resolution[axis]))
-            return wrong("axes[" + std::to_string(axis) + "].resolution: a finite number above 0 expected");
-    }
+    const auto resolution = axisResolutions<4>(descriptor, kId, "h, p, r, d");
+    if (!resolution)
+        return tl::unexpected(resolution.error());
     const auto& parameters = descriptor.kinematicsParameters;
     if (parameters.size() != 2 || !std::isfinite(parameters[0]) ||
         (parameters[1] != 0.0 && parameters[1] != 1.0))
-        return wrong("parameters: {pivot height in m, force map 0 (exact) or 1 (as published)} expected");
+        return kinematicsMisfit(
+            kId, "parameters: {pivot height in m, force map 0 (exact) or 1 (as published)} expected");
     const auto map = parameters[1] == 0.0 ? mechanisms::PolarMap::exact : mechanisms::PolarMap::asPublished;
-    return GimbalHprdKinematics(resolution, descriptor.jawResolution_rad, parameters[0], map);
+    return GimbalHprdKinematics(*resolution, descriptor.jawResolution_rad, parameters[0], map);
 }
 
 namespace {
@@ -79,12 +71,11 @@ SimulatedDevice::create(const Configuration& configuration,
 SimulatedDevice::SimulatedDevice(const Configuration& configuration,
                                  const mechanisms::GimbalCoordinates& start,
                                  std::unique_ptr<mechanisms::HandStrategy> strategy)
-    : m_configuration(configuration), m_descriptor(describe(configuration)), m_map(configuration.mapping),
+    : SimulatedMechanism({configuration.hand, configuration.mapping, configuration.seed,
+                          configuration.plant.instrumentMass_kg + configuration.plant.axisInertia[3], 0.0},
+                         describe(configuration), std::move(strategy)),
       m_kinematics(configuration.plant.resolution, 0.0, configuration.plant.pivotHeight_m, configuration.map),
-      m_start(start), m_plant(configuration.plant),
-      m_hand(configuration.hand, configuration.seed,
-             configuration.plant.instrumentMass_kg + configuration.plant.axisInertia[3]),
-      m_strategy(std::move(strategy)) {}
+      m_start(start), m_plant(configuration.plant) {}
 
 SimulatedDevice::~SimulatedDevice() = default;
 GimbalHprdKinematics::~GimbalHprdKinematics() = default;

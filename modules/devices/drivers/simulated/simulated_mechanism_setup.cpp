@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Making and destroying one touches the heap: apart from what the tick calls.
+#include "devices/drivers/simulated/simulated_mechanism.h"
+
+#include <utility>
+
+namespace chiron::devices {
+
+SimulatedMechanism::SimulatedMechanism(const SimulatedHandSettings& settings, DeviceDescriptor descriptor,
+                                       std::unique_ptr<mechanisms::HandStrategy> strategy)
+    : m_descriptor(std::move(descriptor)), m_map(settings.mapping),
+      m_hand(settings.hand, settings.seed, settings.toolMass_kg),
+      m_wrist(settings.hand, settings.seed, settings.toolInertia_kgm2), m_strategy(std::move(strategy)) {}
+
+SimulatedMechanism::~SimulatedMechanism() = default;
+
+} // namespace chiron::devices
