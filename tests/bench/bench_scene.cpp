@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// First frame of the 3D scene against a bare Qt3D window (one process each, alternating), and its frames a
-// second with a moving tip at 1024x768. Needs a display: xvfb-run -a -s "-screen 0 1280x1024x24" bench_scene
+// First frame of the 3D scene against a bare Qt3D window (one process each, alternating), its frames a second with a
+// moving tip at 1024x768, and those of the endoscope's view, without and with depth of field, beside P1's 26 and 13. Needs a display: xvfb-run -a -s "-screen 0 1280x1024x24" bench_scene
 #include "bench/alternating.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/scene_samples.h"
+#include "gui/scene3d/urethra_samples.h"
 
 #include <QApplication>
 #include <QDir>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <utility>
 
 using namespace chiron;
@@ -24,6 +26,40 @@ using namespace chiron;
 namespace {
 
 constexpr int kRepeats = 9;
+constexpr int kRateRepeats = 5;
+
+/// What is shown, and how it moves.
+struct Subject {
+    scene3d::SceneSetup setup;
+    std::function<scene3d::SceneState(double t_s)> at;
+};
+
+/// A tip that presses and wanders.
+Subject sphereApex() {
+    return {scene3d::samples::setup(), [](double t_s) {
+                scene3d::SceneState state = scene3d::samples::pressed(2.5 + 2.0 * std::sin(3.0 * t_s));
+                state.tool[0].p_WT.x() += 0.006 * std::sin(2.0 * t_s);
+                return state;
+            }};
+}
+
+/// A tip that goes in and out in the bend, off the middle, turning its head. Overview and marks are shown.
+Subject urethra(bool depthOfField) {
+    Subject subject;
+    subject.setup = scene3d::samples::urethraSetup();
+    subject.setup.depthOfField = depthOfField;
+    subject.at = [setup = subject.setup](double t_s) {
+        scene3d::SceneState state = scene3d::samples::urethraState(
+            setup, {.s_m = 0.060 + 0.040 * std::sin(1.5 * t_s),
+                    .ex_m = 0.001 * std::sin(2.0 * t_s),
+                    .en_m = 0.001 * std::cos(2.0 * t_s),
+                    .pitch_rad = 0.15 * std::sin(1.1 * t_s),
+                    .yaw_rad = 0.10 * std::sin(1.7 * t_s)});
+        state.tool[0].force_N = {0.4, -1.0 + 0.5 * std::sin(3.0 * t_s), 0.6};
+        return state;
+    };
+    return subject;
+}
 
 class Window final : public QWidget {
 public:
@@ -44,17 +80,17 @@ struct Shown {
     double begun_s = 0.0;
     double made_s = 0.0;
 
-    explicit Shown(std::function<void()> then) {
+    Shown(const Subject& subject, std::function<void()> then) {
         window.resize(1024, 768);
         window.move(0, 0);
         auto* layout = new QVBoxLayout(&window);
         layout->setContentsMargins(0, 0, 0, 0);
-        window.painted = [this, layout, then] {
+        window.painted = [this, subject, layout, then] {
             begun_s = bench::seconds(CLOCK_MONOTONIC);
-            scene = scene3d::makeSceneView(scene3d::samples::setup(), &window);
+            scene = scene3d::makeSceneView(subject.setup, &window);
             made_s = bench::seconds(CLOCK_MONOTONIC);
             layout->addWidget(scene.view->widget());
-            scene.view->show(scene3d::samples::pressed(2.0));
+            scene.view->show(subject.at(0.0));
             then();
         };
         window.show();
@@ -70,7 +106,7 @@ int firstFrame(QApplication& app) {
     double stall_s = 0.0; // longest time in which the event loop did not come round
     QTimer timer;
     Shown* shown = nullptr;
-    Shown holder([&] {
+    Shown holder(sphereApex(), [&] {
         beat_s = shown->begun_s;
         if (!shown->scene.whyFlat.isEmpty()) {
             std::printf("flat: %s\n", qPrintable(shown->scene.whyFlat));
@@ -98,16 +134,15 @@ int firstFrame(QApplication& app) {
     return app.exec();
 }
 
-/// Prints frames a second and processor milliseconds a frame (all threads; this one) with a tip that presses
-/// and wanders.
-int frames(QApplication& app) {
+/// Prints frames a second and processor milliseconds a frame (all threads; this one).
+int frames(QApplication& app, const Subject& subject) {
     QElapsedTimer clock;
     QTimer timer;
     Shown* shown = nullptr;
     std::uint64_t before = 0;
     double cpu_s = 0.0;
     double own_s = 0.0;
-    Shown holder([&] {
+    Shown holder(subject, [&] {
         shown->scene.view->onFirstFrame([&] {
             clock.start();
             cpu_s = bench::seconds(CLOCK_PROCESS_CPUTIME_ID);
@@ -130,10 +165,7 @@ int frames(QApplication& app) {
         if (holder.scene.view->framesDrawn() == last)
             return; // the frame before has not been drawn
         last = holder.scene.view->framesDrawn();
-        scene3d::SceneState state =
-            scene3d::samples::pressed(2.5 + 2.0 * std::sin(0.003 * double(clock.elapsed())));
-        state.tool[0].p_WT.x() += 0.006 * std::sin(0.002 * double(clock.elapsed()));
-        holder.scene.view->show(state);
+        holder.scene.view->show(subject.at(0.001 * double(clock.elapsed())));
     });
     return app.exec();
 }
@@ -151,6 +183,43 @@ std::vector<double> child(const QString& program, const QStringList& arguments) 
             numbers.push_back(value);
     }
     return numbers;
+}
+
+struct Rate {
+    std::vector<double> perSecond, cpu_ms, own_ms;
+};
+
+void addRate(const QString& self, const QString& what, Rate& rate) {
+    const auto c = child(self, {QStringLiteral("--frames"), what});
+    if (c.size() != 3)
+        return;
+    rate.perSecond.push_back(c[0]);
+    rate.cpu_ms.push_back(c[1]);
+    rate.own_ms.push_back(c[2]);
+}
+
+void printRate(const char* what, double goal, const Rate& rate) {
+    if (rate.perSecond.empty())
+        return void(std::printf("%s: not measured\n", what));
+    std::printf("%s: median %.1f of %zu runs (goal %.0f)\n", what, bench::median(rate.perSecond),
+                rate.perSecond.size(), goal);
+    std::printf("  processor time a frame        %7.1f ms, of which the window's own thread %.1f ms\n",
+                bench::median(rate.cpu_ms), bench::median(rate.own_ms));
+}
+
+/// Without and with depth of field in turn, so that both meet the same machine.
+void measureUrethra(const QString& self) {
+    Rate off, on;
+    for (int i = 0; i < kRateRepeats; ++i) {
+        addRate(self, QStringLiteral("urethra"), off);
+        addRate(self, QStringLiteral("focus"), on);
+    }
+    printRate("endoscope's view (P1: 26)", 40.0, off);
+    printRate("endoscope's view with depth of field (P1: 13)", 30.0, on);
+    if (!off.perSecond.empty() && !on.perSecond.empty())
+        std::printf("  ratio of frame rates %.2f, of processor times %.2f (P1: 2.0, goal 1.25)\n",
+                    bench::median(off.perSecond) / bench::median(on.perSecond),
+                    bench::median(on.cpu_ms) / bench::median(off.cpu_ms));
 }
 
 int measure(const QString& self) {
@@ -179,15 +248,6 @@ int measure(const QString& self) {
             "not measured: no display, no OpenGL, or chiron_scene3d.so is not where CHIRON_PLUGINS says\n");
         return 1;
     }
-    std::vector<double> rates, cpu_ms, own_ms;
-    for (int i = 0; i < 5; ++i) {
-        const auto c = child(self, {QStringLiteral("--frames")});
-        if (c.size() == 3) {
-            rates.push_back(c[0]);
-            cpu_ms.push_back(c[1]);
-            own_ms.push_back(c[2]);
-        }
-    }
     std::printf("first frame, exec to seen, medians of %zu\n", exec_s.size());
     std::printf("  bare Qt3D window              %7.1f ms\n", bench::median(peer_s) * 1e3);
     std::printf("  scene after its window        %7.1f ms  ratio %.2f (goal 1.2)\n",
@@ -198,13 +258,14 @@ int measure(const QString& self) {
     std::printf("  of which making the scene     %7.1f ms\n", bench::median(load_s) * 1e3);
     std::printf("  makeSceneView() itself        %7.1f ms, longest time without an answer %.1f ms\n",
                 bench::median(make_s) * 1e3, bench::median(stall_s) * 1e3);
-    std::printf("frames a second, 1024x768, moving tip: median %.1f of %zu runs (goal 40)\n",
-                bench::median(rates), rates.size());
+    Rate apex;
+    for (int i = 0; i < kRateRepeats; ++i)
+        addRate(self, QStringLiteral("apex"), apex);
+    printRate("frames a second, 1024x768, moving tip", 40.0, apex);
+    measureUrethra(self);
     double load = 0.0;
     getloadavg(&load, 1);
-    std::printf("  processor time a frame        %7.1f ms, of which the window's own thread %.1f ms; the "
-                "machine's load was %.1f\n",
-                bench::median(cpu_ms), bench::median(own_ms), load);
+    std::printf("the machine's load was %.1f\n", load);
     return 0;
 }
 
@@ -217,5 +278,9 @@ int main(int argc, char** argv) {
         return measure(QCoreApplication::applicationFilePath());
     }
     QApplication app(argc, argv);
-    return mode == QStringLiteral("--frames") ? frames(app) : firstFrame(app);
+    if (mode != QStringLiteral("--frames"))
+        return firstFrame(app);
+    const QString what = argc > 2 ? QString::fromLocal8Bit(argv[2]) : QString();
+    const bool focus = what == QStringLiteral("focus");
+    return frames(app, focus || what == QStringLiteral("urethra") ? urethra(focus) : sphereApex());
 }

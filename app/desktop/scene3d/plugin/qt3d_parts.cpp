@@ -7,6 +7,7 @@
 #include <Qt3DCore/QGeometry>
 #include <Qt3DRender/QBlendEquation>
 #include <Qt3DRender/QBlendEquationArguments>
+#include <Qt3DRender/QCullFace>
 #include <Qt3DRender/QDepthTest>
 #include <Qt3DRender/QGraphicsApiFilter>
 #include <Qt3DRender/QNoDepthMask>
@@ -85,7 +86,13 @@ QByteArray source(const char* name) {
 
 Qt3DRender::QEffect* EffectShelf::effect(const char* vertexShader, const char* fragmentShader, Blend blend,
                                          int tools) {
-    Qt3DRender::QEffect*& effect = m_effects[{vertexShader, fragmentShader, blend, tools}];
+    return made(vertexShader, fragmentShader, blend,
+                tools >= 0 ? "#define TOOLS " + QByteArray::number(tools) + '\n' + source("shadow.glsl") : QByteArray());
+}
+
+Qt3DRender::QEffect* EffectShelf::made(const char* vertexShader, const char* fragmentShader, Blend blend,
+                                       const QByteArray& head) {
+    Qt3DRender::QEffect*& effect = m_effects[{vertexShader, fragmentShader, blend, head}];
     if (effect)
         return effect;
     effect = new Qt3DRender::QEffect(m_owner);
@@ -96,14 +103,20 @@ Qt3DRender::QEffect* EffectShelf::effect(const char* vertexShader, const char* f
     technique->graphicsApiFilter()->setMinorVersion(2);
     auto* pass = new Qt3DRender::QRenderPass(technique);
     auto* program = new Qt3DRender::QShaderProgram(pass);
-    program->setVertexShaderCode(source(vertexShader));
+    QByteArray vertex = source(vertexShader);
+    if (head.contains("LAMP"))
+        vertex.insert(vertex.indexOf('\n') + 1, source("lamp.glsl"));
+    program->setVertexShaderCode(vertex);
     QByteArray fragment = source(fragmentShader);
-    if (tools >= 0)
-        fragment.insert(fragment.indexOf('\n') + 1, // after #version
-                        "#define TOOLS " + QByteArray::number(tools) + '\n' + source("shadow.glsl"));
+    fragment.insert(fragment.indexOf('\n') + 1, head); // after #version
     program->setFragmentShaderCode(fragment);
     pass->setShaderProgram(program);
     addBlend(pass, blend);
+    if (head.contains("BOTH_SIDES")) {
+        auto* cull = new Qt3DRender::QCullFace(pass);
+        cull->setMode(Qt3DRender::QCullFace::NoCulling);
+        pass->addRenderState(cull);
+    }
     technique->addRenderPass(pass);
     effect->addTechnique(technique);
     return effect;
@@ -112,8 +125,15 @@ Qt3DRender::QEffect* EffectShelf::effect(const char* vertexShader, const char* f
 Qt3DRender::QMaterial* EffectShelf::material(const char* vertexShader, const char* fragmentShader,
                                              const std::vector<Qt3DRender::QParameter*>& parameters,
                                              Blend blend, Qt3DCore::QNode* parent) {
+    return materialWith("", vertexShader, fragmentShader, parameters, blend, parent);
+}
+
+Qt3DRender::QMaterial* EffectShelf::materialWith(const char* defines, const char* vertexShader,
+                                                 const char* fragmentShader,
+                                                 const std::vector<Qt3DRender::QParameter*>& parameters,
+                                                 Blend blend, Qt3DCore::QNode* parent) {
     auto* material = new Qt3DRender::QMaterial(parent);
-    material->setEffect(effect(vertexShader, fragmentShader, blend));
+    material->setEffect(made(vertexShader, fragmentShader, blend, defines));
     for (Qt3DRender::QParameter* parameter : parameters)
         material->addParameter(parameter);
     return material;

@@ -52,10 +52,16 @@ public:
     /// tips.
     Qt3DRender::QEffect* effect(const char* vertexShader, const char* fragmentShader, Blend blend,
                                 int tools = -1);
+    /// With lines put into the fragment shader after #version ("#define NAME\n"), so that one file serves several looks.
+    /// BOTH_SIDES among them: the triangles are drawn whichever way they face. LAMP: the vertex shader gets lamp.glsl.
+    Qt3DRender::QMaterial* materialWith(const char* defines, const char* vertexShader, const char* fragmentShader,
+                                        const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
+                                        Qt3DCore::QNode* parent);
 
 private:
     Qt3DCore::QNode* m_owner;
-    std::map<std::tuple<std::string, std::string, Blend, int>, Qt3DRender::QEffect*> m_effects;
+    Qt3DRender::QEffect* made(const char* vertexShader, const char* fragmentShader, Blend blend, const QByteArray& head);
+    std::map<std::tuple<std::string, std::string, Blend, QByteArray>, Qt3DRender::QEffect*> m_effects;
 };
 
 /// An entity with these triangles, this material and a transform of its own.

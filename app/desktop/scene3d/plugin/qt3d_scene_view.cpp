@@ -6,7 +6,7 @@
 namespace chiron::scene3d {
 
 Qt3DSceneView::Qt3DSceneView(const SceneSetup& setup, QWidget* parent) : m_window(new SceneWindow) {
-    m_stage = std::make_unique<SceneStage>(setup, m_window);
+    m_stage = makeStage(setup, m_window);
     m_window->setRoot(m_stage->root());
     m_window->onResize([this] { takeSize(); });
     m_window->onWhole([this] { m_stage->warm(); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/scene3d/plugin/scene_stage.h"
+#include "desktop/scene3d/plugin/stage.h"
 #include "desktop/scene3d/plugin/scene_window.h"
 #include "desktop/scene3d/scene_view.h"
 
@@ -28,7 +28,7 @@ private:
 
     QPointer<SceneWindow> m_window; ///< the container owns it
     QPointer<QWidget> m_container;
-    std::unique_ptr<SceneStage> m_stage;
+    std::unique_ptr<IStage> m_stage;
 };
 
 } // namespace chiron::scene3d

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene3d/plugin/scene_content.h"
+#include "desktop/scene3d/plugin/scene_stage.h"
 #include "desktop/scene3d/sphere_apex/apex_content.h"
+#include "desktop/scene3d/urethra_insertion/endoscope_stage.h"
 
 #include <array>
 
@@ -8,39 +10,52 @@ namespace chiron::scene3d {
 
 namespace {
 
-using Make = std::unique_ptr<ISceneContent> (*)(const SceneSetup&, SharedLight&, Qt3DCore::QEntity*);
+using MakeStage = std::unique_ptr<IStage> (*)(const SceneSetup&, QObject*);
+using MakeContent = std::unique_ptr<ISceneContent> (*)(const SceneSetup&, SharedLight&, Qt3DCore::QEntity*);
+
+template <class Stage> std::unique_ptr<IStage> stage(const SceneSetup& setup, QObject* surface) {
+    return std::make_unique<Stage>(setup, surface);
+}
 
 template <class Content>
-std::unique_ptr<ISceneContent> make(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent) {
+std::unique_ptr<ISceneContent> content(const SceneSetup& setup, SharedLight& light,
+                                       Qt3DCore::QEntity* parent) {
     return std::make_unique<Content>(setup, light, parent);
 }
 
 struct Line {
     const char* exercise;
-    Make make;
+    MakeStage stage;
+    MakeContent content; ///< of the laparoscopic stage
 };
 
 constexpr std::array kCatalogue{
-    Line{"sphere_apex", &make<ApexContent>},
+    Line{"sphere_apex", &stage<SceneStage>, &content<ApexContent>},
+    Line{"urethra_insertion", &stage<EndoscopeStage>, nullptr},
 };
 
-Make find(const std::string& exercise) {
+const Line* find(const std::string& exercise) {
     for (const Line& line : kCatalogue)
         if (exercise == line.exercise)
-            return line.make;
+            return &line;
     return nullptr;
 }
 
 } // namespace
 
-bool hasSceneContent(const SceneSetup& setup) {
+bool hasStage(const SceneSetup& setup) {
     return find(setup.exercise) != nullptr;
+}
+
+std::unique_ptr<IStage> makeStage(const SceneSetup& setup, QObject* surface) {
+    const Line* line = find(setup.exercise);
+    return line ? line->stage(setup, surface) : nullptr;
 }
 
 std::unique_ptr<ISceneContent> makeSceneContent(const SceneSetup& setup, SharedLight& light,
                                                 Qt3DCore::QEntity* parent) {
-    const Make maker = find(setup.exercise);
-    return maker ? maker(setup, light, parent) : nullptr;
+    const Line* line = find(setup.exercise);
+    return line && line->content ? line->content(setup, light, parent) : nullptr;
 }
 
 } // namespace chiron::scene3d

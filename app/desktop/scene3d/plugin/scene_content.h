@@ -28,6 +28,5 @@ public:
 /// The content of an exercise; empty where this exercise has no drawn scene. One catalogue line each.
 std::unique_ptr<ISceneContent> makeSceneContent(const SceneSetup& setup, SharedLight& light,
                                                 Qt3DCore::QEntity* parent);
-bool hasSceneContent(const SceneSetup& setup);
 
 } // namespace chiron::scene3d

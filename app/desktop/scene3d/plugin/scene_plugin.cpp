@@ -13,7 +13,7 @@ Q_DECL_EXPORT const char* chironSceneAbi() {
 
 Q_DECL_EXPORT chiron::scene3d::ISceneView* chironMakeScene(const chiron::scene3d::SceneSetup* setup,
                                                            QWidget* parent) {
-    if (!chiron::scene3d::hasSceneContent(*setup))
+    if (!chiron::scene3d::hasStage(*setup))
         return nullptr;
     // Faster on a software rasteriser than the other back end; read when the first render aspect is made.
     if (!qEnvironmentVariableIsSet("QT3D_RENDERER"))

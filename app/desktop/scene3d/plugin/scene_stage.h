@@ -6,6 +6,7 @@
 #include "desktop/scene3d/plugin/instrument.h"
 #include "desktop/scene3d/plugin/place_marks.h"
 #include "desktop/scene3d/plugin/scene_content.h"
+#include "desktop/scene3d/plugin/stage.h"
 
 #include <QObject>
 #include <Qt3DRender/QCamera>
@@ -16,19 +17,17 @@
 
 namespace chiron::scene3d {
 
-/// Everything that is drawn, with the order in which it is: field and instruments, then the ghost, then (over
-/// all) the arrow and the bar. Owned by the engine through root().
-class SceneStage {
+/// The laparoscopic stage, with the order in which it is drawn: field and instruments, then the ghost, then (over
+/// all) the arrow and the bar.
+class SceneStage final : public IStage {
 public:
     SceneStage(const SceneSetup& setup, QObject* surface);
 
-    Qt3DCore::QEntity* root() { return m_root; }
-    void change(const SceneSetup& setup);
-    void show(const SceneState& state);
-    /// Loads what has not been seen yet, after the first frame.
-    void warm() { m_content->warm(); }
-    /// Size in device pixels, and device pixels a logical one.
-    void setPicture(const QSize& size_px, double ratio);
+    Qt3DCore::QEntity* root() override { return m_root; }
+    void change(const SceneSetup& setup) override;
+    void show(const SceneState& state) override;
+    void warm() override { m_content->warm(); }
+    void setPicture(const QSize& size_px, double ratio) override;
 
 private:
     void makeFrameGraph(QObject* surface);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene3d/urethra_insertion/endoscope_stage.h"
+
+#include <cmath>
+
+namespace chiron::scene3d {
+
+EndoscopeStage::EndoscopeStage(const SceneSetup& setup, QObject* surface)
+    : m_setup(setup), m_root(new Qt3DCore::QEntity), m_light(m_root), m_graph(m_root, surface),
+      m_model(std::get<simulation::UrethraInsertionParameters>(setup.parameters), m_root),
+      m_picture(m_model, m_light.effects, m_graph, m_root), m_overview(m_model, m_light, m_graph, m_root),
+      m_gauge(new ForceGauge(m_light, m_root)) {
+    m_gauge->addComponent(m_graph.over());
+    change(setup);
+    show(SceneState{});
+}
+
+void EndoscopeStage::change(const SceneSetup& setup) {
+    m_setup = setup;
+    m_light.change(setup);
+    m_picture.change(setup);
+    m_overview.change(setup);
+    m_gauge->change(setup);
+    place();
+}
+
+void EndoscopeStage::show(const SceneState& state) {
+    m_model.show(state.tool[0]);
+    m_picture.show(state.tool[0], m_setup.cues.object && state.objectShown);
+    m_overview.show(state);
+    m_gauge->show(state);
+}
+
+void EndoscopeStage::setPicture(const QSize& size_px, double ratio) {
+    m_size_px = size_px;
+    m_ratio = ratio;
+    m_light.setSize_px(size_px);
+    m_gauge->setPicture(size_px, ratio);
+    place();
+}
+
+void EndoscopeStage::place() {
+    const int bar_px = int(std::ceil(m_gauge->widthShare() * m_size_px.width()));
+    const EndoscopeLayout layout = EndoscopeLayout::of(m_size_px, bar_px, m_setup.cues.overview);
+    m_graph.place(layout, m_size_px);
+    m_picture.place(layout.picture, m_size_px);
+    if (m_setup.cues.overview)
+        m_overview.place(layout.overview);
+}
+
+} // namespace chiron::scene3d

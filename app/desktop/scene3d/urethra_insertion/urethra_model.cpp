@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene3d/urethra_insertion/urethra_model.h"
+
+namespace chiron::scene3d {
+
+namespace {
+
+void addEntity(Qt3DRender::QGeometryRenderer* shape, Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) {
+    auto* entity = new Qt3DCore::QEntity(parent);
+    entity->addComponent(shape);
+    entity->addComponent(material);
+}
+
+} // namespace
+
+UrethraModel::UrethraModel(const simulation::UrethraInsertionParameters& parameters, Qt3DCore::QNode* owner)
+    : m_drawing(parameters), m_surface(parameters.anatomy, parameters.endoscope, parameters.mesh),
+      m_lining(m_drawing, ring(0), ring(m_surface.vertexCount() - m_surface.ringSize())), m_buffers(m_surface, owner),
+      m_bladder(new MeshRenderer(m_lining.bladder(), owner)),
+      m_neck(new MeshRenderer(m_lining.neck(ring(m_surface.vertexCount() - m_surface.ringSize())), owner)),
+      m_glans(new MeshRenderer(m_lining.glans(ring(0)), owner)) {}
+
+std::vector<core::Vec3> UrethraModel::ring(std::size_t first) const {
+    std::vector<core::Vec3> points;
+    for (std::size_t i = first; i < first + m_surface.ringSize(); ++i)
+        points.emplace_back(m_surface.plane(0)[i], m_surface.plane(1)[i], m_surface.plane(2)[i]);
+    return points;
+}
+
+void UrethraModel::show(const ToolView& tool) {
+    const auto changed = m_surface.update(m_drawing.deformationOf(tool));
+    if (changed.empty())
+        return;
+    const std::size_t last = m_surface.vertexCount() - m_surface.ringSize();
+    const bool atEntrance = changed.front().first < m_surface.ringSize();
+    const bool atNeck = changed.back().first + changed.back().count > last;
+    m_buffers.update(m_surface, changed);
+    if (atEntrance)
+        m_glans->setMesh(m_lining.glans(ring(0)));
+    if (atNeck)
+        m_neck->setMesh(m_lining.neck(ring(last)));
+}
+
+void UrethraModel::addCanal(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const {
+    addEntity(m_buffers.body(), material, parent);
+    addEntity(m_buffers.seam(), material, parent);
+}
+
+void UrethraModel::addBladder(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const {
+    addEntity(m_bladder, material, parent);
+    addEntity(m_neck, material, parent);
+}
+
+void UrethraModel::addGlans(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const {
+    addEntity(m_glans, material, parent);
+}
+
+} // namespace chiron::scene3d
