@@ -29,7 +29,7 @@ struct LawDescription {
     using EvaluateRow = void (*)(std::span<const double> parameters, std::span<const double> inputs,
                                  std::span<double> outputs) noexcept;
 
-    std::string_view id;     ///< snake_case, what `evaluate ID` takes
+    std::string_view id;     ///< what `evaluate ID` takes, e.g. "friction", "urethra-force"
     std::string_view title;  ///< one line for people
     std::string_view source; ///< paper and equation, or models.md §
     std::span<const LawColumn> inputs;

@@ -5,6 +5,7 @@
 #include "simulation/attributes/coulomb_friction.h"
 #include "simulation/exercises/sphere_apex/hemisphere_contact.h"
 #include "simulation/exercises/urethra_insertion/urethra_forces_law.h"
+#include "simulation/geometry/urethra/evaluate_urethra_geometry.h"
 
 #include <array>
 
@@ -83,13 +84,16 @@ void evaluateFriction(std::span<const double> p, std::span<const double> in, std
 }
 
 /// Laws with a file of their own hand out a constant of theirs.
-const std::array<core::LawDescription, 3> kLaws{{
+const std::array<core::LawDescription, 6> kLaws{{
     {"hemisphere", "hemisphere on a plane: elastic and damped contact of the sphere-apex exercise",
      "models.md §0 and §2.3", kHemisphereInputs, kHemisphereOutputs, kHemisphereParameters,
      &evaluateHemisphere},
     {"friction", "Coulomb friction regularised by velocity, F = -mu N V / sqrt(V^2 + V0^2)",
      "P1 eq. 1; models.md §0 and §1.2", kFrictionInputs, kFrictionOutputs, kFrictionParameters,
      &evaluateFriction},
+    urethraCentrelineLaw(),
+    urethraProfileLaw(),
+    urethraSurfaceLaw(),
     urethraForceLaw(),
 }};
 

@@ -10,7 +10,8 @@ namespace chiron::simulation {
 /// The laws of this module that the command line can evaluate over a table: "hemisphere" (HemisphereContact
 /// without friction: position and velocity of the tool → force, outward normal, depth, energy) and "friction"
 /// (CoulombFriction: normal force and velocity → force, V₀), and "urethra-force" (UrethraForces: pose and velocity of the
-/// endoscope → every component). Static data; thread: any.
+/// endoscope → every component); "urethra-centreline", "urethra-profile" and "urethra-surface" (UrethraCentreline, UrethraWall and
+/// UrethraCurveNet by arc length). Static data; thread: any.
 std::span<const core::LawDescription> evaluateLaws() noexcept;
 
 } // namespace chiron::simulation

@@ -142,7 +142,7 @@ void TestCliPrints::lawsAreListed() {
         for (const QJsonValue& column : law["inputs"].toArray())
             QVERIFY2(!column["unit"].toString().isEmpty(), qPrintable(column["name"].toString()));
     }
-    for (const char* id : {"hemisphere", "friction", "polar_forces"})
+    for (const char* id : {"hemisphere", "friction", "polar_forces", "urethra-centreline", "urethra-profile", "urethra-surface"})
         QVERIFY2(ids.contains(QLatin1String(id)), id);
 }
 
