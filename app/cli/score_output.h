@@ -13,7 +13,7 @@ namespace chiron::cli {
 /// How one trial ended.
 struct TrialEnding {
     QString state;
-    bool marked = false; ///< else its last position is scored, and it is flagged
+    bool marked = false; ///< or its procedure completed; else its last position is scored, and it is flagged
     bool timedOut = false;
 };
 

@@ -38,6 +38,15 @@ constexpr std::array<MarkedGuard, 8> kMarkedGuards{{
     {core::guard_bits::kDeviceFault, "device_fault", true},
 }};
 
+const char* endWordOf(std::uint32_t events, bool byTrace) {
+    using namespace core::event_bits;
+    if (events & kCompleted)
+        return "completed";
+    if (byTrace)
+        return "trace_ended_unmarked";
+    return (events & kMarked) ? "marked" : "timed_out";
+}
+
 } // namespace
 
 std::span<const MarkedGuard> markedGuards() noexcept { return kMarkedGuards; }
@@ -48,11 +57,7 @@ void EventExtractor::add(std::span<const core::HapticFrame> frames) {
 }
 
 void EventExtractor::addFrame(const core::HapticFrame& frame) {
-    if (!m_haveOrigin) {
-        m_origin_us = frame.tool[0].deviceTime_us;
-        m_haveOrigin = true;
-    }
-    const double t_s = static_cast<double>(static_cast<std::int64_t>(frame.tool[0].deviceTime_us - m_origin_us)) * 1e-6;
+    const double t_s = m_time.at(frame);
     addCommands(frame, t_s);
     addTrialEvents(frame, t_s);
     addGuards(frame, t_s);
@@ -95,11 +100,15 @@ void EventExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) 
     }
     if (!m_trials.empty() && m_trials.back().state == database::SessionState::running)
         m_trials.back().lastTick = frame.header.index;
-    if (!(events & (kMarked | kTimedOut)) || m_trials.empty())
+    if ((events & kStageChanged) && !(events & kCompleted))
+        note(frame, t_s, "stage_changed");
+    if (events & kLandmarkSeen)
+        note(frame, t_s, "landmark_seen");
+    if (!(events & kTrialEnds) || m_trials.empty())
         return;
     const bool byTrace = isMarkOfTraceEnd(frame);
-    note(frame, t_s, byTrace ? "trace_ended_unmarked" : (events & kMarked) ? "marked" : "timed_out");
-    m_trials.back().marked = (events & kMarked) != 0 && !byTrace;
+    note(frame, t_s, endWordOf(events, byTrace));
+    m_trials.back().marked = (events & kCompleted) != 0 || ((events & kMarked) != 0 && !byTrace);
     m_trials.back().timedOut = (events & kTimedOut) != 0;
     m_trials.back().state = database::SessionState::completed;
 }

@@ -3,7 +3,9 @@
 
 #include "core/haptic_frame.h"
 #include "database/repositories/session_types.h"
+#include "session/device_time.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,7 +22,8 @@ struct MarkedGuard {
 std::span<const MarkedGuard> markedGuards() noexcept;
 
 /// Stored frames -> the events and trials of a session, as playback marks them and the database keeps them: trial
-/// starts, marks, time-outs, commands, the onset of each guard, the onset of tissue force over the limit.
+/// starts, marks, time-outs, stages, landmarks, completions, commands, the onset of each guard, the onset of tissue force
+/// over the limit. The change of stage that completes a procedure is told as its completion.
 class EventExtractor {
 public:
     EventExtractor(double forceLimit_N, std::uint64_t sessionSeed, int tools)
@@ -47,8 +50,7 @@ private:
     double m_forceLimit_N;
     std::uint64_t m_seed;
     int m_tools;
-    bool m_haveOrigin = false;
-    std::uint64_t m_origin_us = 0;
+    DeviceTime m_time;
     std::uint64_t m_frames = 0;
     std::uint64_t m_lastTick = 0;
     std::uint32_t m_guards = 0;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/playback_builder.h"
 
+#include "session/device_time.h"
 #include "session/exercise_kind.h"
+#include "session/insertion_marks.h"
 #include "session/trace_mark.h"
 
 #include <algorithm>
@@ -31,22 +33,17 @@ public:
     }
 
     void add(const core::HapticFrame& frame) {
-        if (!m_haveOrigin) {
-            m_origin_us = frame.tool[0].deviceTime_us;
-            m_haveOrigin = true;
-        }
         // A sample never reaches over a trial's ends: what a trial's samples hold is what its metrics see.
         if ((frame.header.events & core::event_bits::kTrialStarted) && m_inSample > 0)
             closeSample();
         // A device whose clock stands still or steps back adds no time: playback's time never runs backwards.
-        const auto since_us = static_cast<std::int64_t>(frame.tool[0].deviceTime_us - m_origin_us);
-        m_now_s = std::max(m_now_s, static_cast<double>(since_us) * 1e-6);
+        m_now_s = std::max(m_now_s, m_time.at(frame));
         m_marks.add(frame, m_now_s);
         addTrial(frame);
         for (std::size_t i = 0; i < m_open.size(); ++i)
             addForces(m_open[i], frame.tool[i]);
         m_last = frame;
-        const bool event = (frame.header.events & (core::event_bits::kMarked | core::event_bits::kTimedOut)) != 0;
+        const bool event = (frame.header.events & kTrialEnds) != 0;
         if (++m_inSample >= PlaybackTrack::kTicksPerSample || event)
             closeSample();
     }
@@ -112,8 +109,9 @@ private:
         PlaybackTrial& trial = m_track.trials.back();
         trial.end_s = m_now_s;
         trial.p_WEnd = m_positions.p_WT_m(0, frame.tool[0]);
-        if (frame.header.events & (kMarked | kTimedOut)) {
+        if (frame.header.events & kTrialEnds) {
             trial.marked = (frame.header.events & kMarked) != 0 && !isMarkOfTraceEnd(frame);
+            trial.completed = (frame.header.events & kCompleted) != 0;
             trial.timedOut = (frame.header.events & kTimedOut) != 0;
             trial.endedInContact = normOf(frame.tool[0].tissue) > kContact_N;
             m_inTrial = false;
@@ -144,8 +142,7 @@ private:
     core::HapticFrame m_last;
     int m_inSample = 0;
     bool m_inTrial = false;
-    bool m_haveOrigin = false;
-    std::uint64_t m_origin_us = 0;
+    DeviceTime m_time;
     double m_now_s = 0.0;
 };
 
@@ -167,7 +164,15 @@ core::Result<PlaybackTrack> buildPlaybackTrack(StoredSession& session, const Pla
         for (const core::HapticFrame& frame : *frames)
             builder.add(frame);
     }
-    return builder.take();
+    PlaybackTrack track = builder.take();
+    if ((*kind)->pointerTool() != PointerTool::endoscope)
+        return track;
+    auto trace = session.trace(); // what is scored from the whole of it is marked from the same
+    if (!trace)
+        return tl::unexpected(trace.error());
+    if (auto done = addInsertionMarks(track, *trace); !done)
+        return tl::unexpected(done.error());
+    return track;
 }
 
 } // namespace chiron::session

@@ -21,7 +21,8 @@ double tissueOf(const core::ToolFrame& tool) {
 } // namespace
 
 bool isPenalty(PlaybackMarkKind kind) noexcept {
-    return kind == PlaybackMarkKind::overLimit || kind == PlaybackMarkKind::timedOut || kind == PlaybackMarkKind::fault;
+    return kind == PlaybackMarkKind::overLimit || kind == PlaybackMarkKind::timedOut || kind == PlaybackMarkKind::fault ||
+           kind == PlaybackMarkKind::trauma || kind == PlaybackMarkKind::reversal;
 }
 
 PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind, int tool) {
@@ -72,7 +73,13 @@ void MarkExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) {
     const std::uint32_t events = frame.header.events;
     if (events & kTrialStarted)
         note(frame, t_s, PlaybackMarkKind::trialStarted);
-    if (events & kMarked)
+    if ((events & kStageChanged) && !(events & kCompleted))
+        note(frame, t_s, PlaybackMarkKind::stageChanged);
+    if (events & kLandmarkSeen)
+        note(frame, t_s, PlaybackMarkKind::landmarkSeen);
+    if (events & kCompleted)
+        note(frame, t_s, PlaybackMarkKind::completed);
+    else if (events & kMarked)
         note(frame, t_s, isMarkOfTraceEnd(frame) ? PlaybackMarkKind::traceEnded : PlaybackMarkKind::marked);
     else if (events & kTimedOut)
         note(frame, t_s, PlaybackMarkKind::timedOut);

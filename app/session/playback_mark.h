@@ -25,7 +25,15 @@ enum class PlaybackMarkKind : std::uint8_t {
     guard, ///< the supervisor stepped in; `detail` says why
     fault, ///< latched; `detail` says why
     ended, ///< the person ended the session
+    completed,    ///< the procedure was done to its end
+    stageChanged, ///< of the procedure; `detail` says which stage began
+    landmarkSeen, ///< value: how many until then
+    trauma,       ///< penalty: force across the canal over the level's limit, from t_s to end_s; value: the largest, N
+    reversal,     ///< penalty: the tip went back during the insertion, from t_s to end_s; value: how far, m
 };
+
+/// `detail` of a time-out of a procedure, which nobody marks.
+inline constexpr const char* kProcedure = "procedure";
 
 /// One thing that happened, or went on for a while. The words for it are the screen's.
 struct PlaybackMark {
@@ -35,11 +43,13 @@ struct PlaybackMark {
     PlaybackMarkKind kind = PlaybackMarkKind::marked;
     int trial = 0;                   ///< from 0
     int tool = 0;
-    std::optional<double> value;     ///< overLimit: largest tissue force, N
-    std::string detail;              ///< guard, fault: stored token of the event ("watchdog", "over_velocity", ...)
+    std::optional<double> value;     ///< overLimit: largest tissue force, N; others as the kind says
+    /// guard, fault: stored token of the event ("watchdog", "over_velocity", ...); stageChanged: the stage's token
+    /// ("inspection"), empty where it is not known; timedOut: kProcedure where no mark was asked for.
+    std::string detail;
 };
 
-/// Whether it costs: over the limit, timed out, a fault.
+/// Whether it costs: over the limit, timed out, a fault, trauma, a reversal.
 bool isPenalty(PlaybackMarkKind kind) noexcept;
 
 /// Stored frames -> marks, in the order of time, by the rules of EventExtractor, so that playback tells what the database

@@ -39,13 +39,14 @@ struct PlaybackMoment {
     bool paused = false;
 };
 
-/// One trial on the track's time. A trial that was stopped has neither mark nor time-out and ends with the recording.
+/// One trial on the track's time. A trial that was stopped has neither mark, completion nor time-out and ends with the recording.
 struct PlaybackTrial {
     int index = 0; ///< from 0
     double start_s = 0.0;
     double end_s = 0.0;
     bool marked = false;
     bool timedOut = false;
+    bool completed = false;      ///< the procedure was done to its end
     bool endedInContact = false; ///< tissue force over 0.02 N at its end, as scoring asks of a mark
     core::Vec3 p_WEnd = core::Vec3::Zero(); ///< tool 0 at the mark, or where it stood at the end
     std::optional<TrialObject> object;      ///< the truth

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session_export.h"
 
+#include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
 #include "scoring/trace_grid.h"
+#include "session/device_time.h"
 #include "session/trace_assembler.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QSaveFile>
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -23,6 +26,10 @@ core::Vec3 forceOf(const core::Array6& wrench) {
     return {scoring::onMillinewtons(wrench[0]), scoring::onMillinewtons(wrench[1]), scoring::onMillinewtons(wrench[2])};
 }
 
+core::Vec3 torqueOf(const core::Array6& wrench) {
+    return {scoring::onTorqueGrid(wrench[3]), scoring::onTorqueGrid(wrench[4]), scoring::onTorqueGrid(wrench[5])};
+}
+
 /// Frames -> rows: the session's own trials (trace()) say what became of each, the frames give the samples.
 class RowMaker {
 public:
@@ -31,21 +38,21 @@ public:
             m_trials[trial.trial] = &trial;
     }
 
-    /// False where the packet was read before: a sample is written once, as it is scored once.
-    bool isNew(const core::HapticFrame& frame, int tool) {
-        return m_clocks[static_cast<std::size_t>(tool)].advances(frame.tool[static_cast<std::size_t>(tool)].deviceTime_us);
+    /// Before the frame's rows.
+    void begin(const core::HapticFrame& frame) { m_time.at(frame); }
+
+    /// False where the packet was refused or read before: a sample is written once, as it is scored once.
+    bool takes(const core::HapticFrame& frame, int tool) {
+        const core::ToolFrame& t = frame.tool[static_cast<std::size_t>(tool)];
+        const bool isNew = !isRefused(t) && m_clocks[static_cast<std::size_t>(tool)].advances(t.deviceTime_us);
+        return isNew && m_time.started();
     }
 
     scoring::TraceRow row(const core::HapticFrame& frame, int tool) {
         const core::ToolFrame& t = frame.tool[static_cast<std::size_t>(tool)];
-        if (!m_haveOrigin) {
-            m_origin_us = frame.tool[0].deviceTime_us;
-            m_haveOrigin = true;
-        }
         scoring::TraceRow row;
         const core::ToolState pose = m_session.positions().pose(tool, t);
-        const auto sinceStart_us = static_cast<std::int64_t>(t.deviceTime_us - m_origin_us);
-        row.t_s = scoring::onMicroseconds(static_cast<double>(sinceStart_us) * 1e-6);
+        row.t_s = scoring::onMicroseconds(m_time.since(t.deviceTime_us));
         for (int i = 0; i < 3; ++i)
             row.p_WT_m[i] = scoring::onNanometres(pose.p_WT[i]);
         row.q_WT = pose.q_WT;
@@ -53,6 +60,7 @@ public:
         row.buttons = t.buttons;
         row.tool = static_cast<std::uint8_t>(tool);
         row.tissue_N = forceOf(t.tissue);
+        row.tissueTorque_Nm = torqueOf(t.tissue);
         row.commanded_N = forceOf(t.commanded);
         row.measured_N = forceOf(t.measured);
         row.trial = frame.header.trial;
@@ -65,25 +73,42 @@ public:
 
 private:
     void addOutcome(scoring::TraceRow& row) const {
-        const auto found = m_trials.find(row.trial);
-        if (found == m_trials.end())
+        if (m_trials.empty())
             return;
-        const scoring::TrialTrace& trial = *found->second;
+        const auto found = m_trials.find(row.trial);
+        const bool known = found != m_trials.end();
+        // Samples between trials belong to none; their columns hold what a reader accepts.
+        const scoring::TrialTrace& trial = known ? *found->second : *m_trials.begin()->second;
         if (trial.apex) {
             row.target_m = {trial.apex->x_m, trial.apex->y_m, 0.0};
             row.targetRadius_m = trial.apex->radius_m;
         }
+        if (trial.insertion)
+            scoring::setTrialOfCanal(row.insertion, trial);
+        if (!known)
+            return;
+        addCanalSample(row, trial);
         row.marked = trial.marked;
         row.timedOut = trial.timedOut;
         row.markInContact = trial.markInContact;
         row.p_WMark_m = trial.p_WMark_m;
     }
 
+    /// By its time: the series has a value for each sample that is scored.
+    static void addCanalSample(scoring::TraceRow& row, const scoring::TrialTrace& trial) {
+        if (!trial.insertion || row.tool != 0 || trial.tools.empty())
+            return;
+        const std::vector<double>& t_s = trial.tools.front().t_s;
+        const auto sample = std::lower_bound(t_s.begin(), t_s.end(), row.t_s);
+        if (sample != t_s.end() && *sample == row.t_s)
+            scoring::setSampleOfCanal(row.insertion, *trial.insertion, static_cast<std::size_t>(sample - t_s.begin()),
+                                      row.t_s);
+    }
+
     StoredSession& m_session;
     std::map<int, const scoring::TrialTrace*> m_trials;
     std::array<SampleClock, core::kMaxTools> m_clocks{};
-    bool m_haveOrigin = false;
-    std::uint64_t m_origin_us = 0;
+    DeviceTime m_time;
 };
 
 scoring::TraceColumns columnsOf(const StoredSession& session, const std::vector<scoring::TrialTrace>& trials) {
@@ -94,6 +119,8 @@ scoring::TraceColumns columnsOf(const StoredSession& session, const std::vector<
         columns.jaw = columns.jaw || device.jawResolution_rad > 0.0;
         columns.measured = columns.measured || device.measuresForce;
     }
+    columns.insertion = !trials.empty() && trials.front().insertion.has_value();
+    columns.torque = columns.insertion && !trials.front().tools.empty() && !trials.front().tools[0].tissueTorque_Nm.empty();
     columns.target = !trials.empty() && trials.front().apex.has_value();
     return columns;
 }
@@ -118,10 +145,12 @@ core::Result<void> exportCsv(StoredSession& session, const QString& path) {
         return {};
     };
     auto written = session.eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
-        for (const core::HapticFrame& frame : frames)
+        for (const core::HapticFrame& frame : frames) {
+            rows.begin(frame);
             for (int tool = 0; tool < tools; ++tool)
-                if (rows.isNew(frame, tool))
+                if (rows.takes(frame, tool))
                     scoring::appendTraceCsvRow(text, columns, rows.row(frame, tool));
+        }
         return flush();
     });
     if (written)

@@ -6,8 +6,10 @@
 #include "session/event_extractor.h"
 #include "session/stored_session.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <cmath>
 
 namespace chiron::session {
 
@@ -32,6 +34,19 @@ database::TrialRecord withFate(database::TrialRecord trial, SessionState session
     return trial;
 }
 
+/// Landmarks that were not seen are null.
+void addCanal(QJsonObject& truth, const scoring::TrialTrace& trial) {
+    QJsonArray seen_s;
+    for (const double t_s : trial.insertion->landmarkSeen_s)
+        seen_s.append(std::isnan(t_s) ? QJsonValue() : QJsonValue(t_s));
+    truth.insert("completed", trial.completed);
+    truth.insert("length_m", trial.insertion->length_m);
+    truth.insert("bend_m", trial.insertion->bend_m);
+    truth.insert("goal_m", trial.insertion->goal_m);
+    truth.insert("lateral_limit_N", trial.insertion->lateralLimit_N);
+    truth.insert("landmarks_seen_s", seen_s);
+}
+
 std::string truthJson(const scoring::TrialTrace& trial) {
     QJsonObject truth;
     if (trial.apex) {
@@ -39,6 +54,8 @@ std::string truthJson(const scoring::TrialTrace& trial) {
         truth.insert("apex_y_m", trial.apex->y_m);
         truth.insert("radius_m", trial.apex->radius_m);
     }
+    if (trial.insertion)
+        addCanal(truth, trial);
     return QJsonDocument(truth).toJson(QJsonDocument::Compact).toStdString();
 }
 

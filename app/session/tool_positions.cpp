@@ -3,6 +3,8 @@
 
 #include "devices/kinematics_catalogue.h"
 
+#include <algorithm>
+
 namespace chiron::session {
 
 core::Result<std::unique_ptr<ToolPositions>> ToolPositions::create(const SessionSetup& setup) {
@@ -11,7 +13,11 @@ core::Result<std::unique_ptr<ToolPositions>> ToolPositions::create(const Session
         auto kinematics = devices::makeKinematics(setup.devices[i]);
         if (!kinematics)
             return tl::unexpected(kinematics.error());
-        positions->m_tools.push_back({std::move(*kinematics), devices::WorkspaceMap(setup.mappings[i])});
+        const auto& axes = setup.devices[i].axes;
+        const bool turns = std::any_of(axes.begin(), axes.end(), [](const devices::AxisDescriptor& axis) {
+            return axis.unit == devices::AxisUnit::radian;
+        });
+        positions->m_tools.push_back({std::move(*kinematics), devices::WorkspaceMap(setup.mappings[i]), turns});
     }
     return positions;
 }

@@ -4,6 +4,7 @@
 #include "core/result.h"
 #include "devices/api/workspace_map.h"
 #include "recording/position_of.h"
+#include "session/orientation_of.h"
 #include "session/session_setup.h"
 
 #include <memory>
@@ -13,10 +14,13 @@ namespace chiron::session {
 
 /// Stored counts -> the tip in W, by the session's own kinematics and mapping: one way for summaries, scores, export and
 /// playback. Immutable after it is made; any thread.
-class ToolPositions final : public recording::IPositionOf {
+class ToolPositions final : public recording::IPositionOf, public IOrientationOf {
 public:
     static core::Result<std::unique_ptr<ToolPositions>> create(const SessionSetup& setup);
     core::Vec3 p_WT_m(int tool, const core::ToolFrame& frame) const noexcept override { return pose(tool, frame).p_WT; }
+    core::Quat q_WT(int tool, const core::ToolFrame& frame) const noexcept override { return pose(tool, frame).q_WT; }
+    /// The device has an axis that turns.
+    bool turns(int tool) const noexcept override { return m_tools[static_cast<std::size_t>(tool)].turns; }
     /// Pose and jaw in W; velocities are zero.
     core::ToolState pose(int tool, const core::ToolFrame& frame) const noexcept;
     int tools() const noexcept { return static_cast<int>(m_tools.size()); }
@@ -25,6 +29,7 @@ private:
     struct Tool {
         std::unique_ptr<devices::IToolKinematics> kinematics;
         devices::WorkspaceMap map;
+        bool turns = false;
     };
     std::vector<Tool> m_tools;
 };

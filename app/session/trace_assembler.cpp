@@ -17,9 +17,8 @@ core::Vec3 onNanometres(const core::Vec3& p) {
     return {scoring::onNanometres(p.x()), scoring::onNanometres(p.y()), scoring::onNanometres(p.z())};
 }
 
-/// Neither its place nor its time is to be believed, and the clock of those to come must not follow it.
-bool isRefused(const core::ToolFrame& tool) {
-    return (tool.status & core::sample_status::kRefused) != 0;
+core::Vec3 torqueOf(const core::Array6& wrench) {
+    return {scoring::onTorqueGrid(wrench[3]), scoring::onTorqueGrid(wrench[4]), scoring::onTorqueGrid(wrench[5])};
 }
 
 } // namespace
@@ -27,14 +26,11 @@ bool isRefused(const core::ToolFrame& tool) {
 void TraceAssembler::add(std::span<const core::HapticFrame> frames) {
     using namespace core::event_bits;
     for (const core::HapticFrame& frame : frames) {
-        if (!m_haveOrigin && !isRefused(frame.tool[0])) {
-            m_origin_us = frame.tool[0].deviceTime_us;
-            m_haveOrigin = true;
-        }
+        m_time.at(frame);
         if (frame.header.events & kTrialStarted)
             begin(frame);
         append(frame);
-        if (frame.header.events & (kMarked | kTimedOut))
+        if (frame.header.events & kTrialEnds)
             end(frame);
     }
 }
@@ -54,7 +50,7 @@ void TraceAssembler::append(const core::HapticFrame& frame) {
         if (isRefused(frame.tool[i]))
             continue;
         const bool isNew = m_clocks[i].advances(frame.tool[i].deviceTime_us); // also between trials
-        if (isNew && m_inTrial)
+        if (isNew && m_inTrial && m_time.started())
             appendTool(frame, i);
     }
 }
@@ -62,12 +58,15 @@ void TraceAssembler::append(const core::HapticFrame& frame) {
 void TraceAssembler::appendTool(const core::HapticFrame& frame, std::size_t index) {
     const core::ToolFrame& tool = frame.tool[index];
     scoring::ToolTrace& trace = m_trials.back().tools[index];
-    const auto sinceStart_us = static_cast<std::int64_t>(tool.deviceTime_us - m_origin_us);
-    trace.t_s.push_back(scoring::onMicroseconds(static_cast<double>(sinceStart_us) * 1e-6));
+    trace.t_s.push_back(scoring::onMicroseconds(m_time.since(tool.deviceTime_us)));
     trace.p_WT_m.push_back(onNanometres(m_positions.p_WT_m(static_cast<int>(index), tool)));
     trace.tissue_N.push_back(forceOf(tool.tissue));
     trace.commanded_N.push_back(forceOf(tool.commanded));
     trace.paused.push_back(frame.header.paused);
+    if (m_orientations && m_orientations->turns(static_cast<int>(index))) {
+        trace.q_WT.push_back(m_orientations->q_WT(static_cast<int>(index), tool));
+        trace.tissueTorque_Nm.push_back(torqueOf(tool.tissue));
+    }
     if (tool.status & core::sample_status::kMeasuredForce) {
         trace.measured_N.resize(trace.t_s.size(), core::Vec3::Zero()); // packets before the first measured one
         trace.measured_N.back() = forceOf(tool.measured);
@@ -82,6 +81,7 @@ void TraceAssembler::end(const core::HapticFrame& frame) {
     m_inTrial = false;
     scoring::TrialTrace& trial = m_trials.back();
     trial.marked = (frame.header.events & core::event_bits::kMarked) != 0 && !isMarkOfTraceEnd(frame);
+    trial.completed = (frame.header.events & core::event_bits::kCompleted) != 0;
     trial.timedOut = (frame.header.events & core::event_bits::kTimedOut) != 0;
     trial.p_WMark_m = onNanometres(m_positions.p_WT_m(0, m_lastGood));
     // Contact as models.md §6 has it for every metric: more than 0.02 N of tissue force.

@@ -4,6 +4,8 @@
 #include "core/haptic_frame.h"
 #include "recording/position_of.h"
 #include "scoring/trace.h"
+#include "session/device_time.h"
+#include "session/orientation_of.h"
 
 #include <array>
 #include <span>
@@ -29,13 +31,15 @@ private:
 };
 
 /// Stored frames -> what metrics see. Frames are given in order, chunk by chunk, so a long session is never held as
-/// frames; a trial runs from its kTrialStarted frame to its kMarked or kTimedOut frame, both included. A trial that has
-/// neither end (stopped, interrupted) stays, unmarked, as does one that ended with its trace (trace_mark.h). A packet read twice (device time not later than the last kept one
+/// frames; a trial runs from its kTrialStarted frame to its kMarked, kCompleted or kTimedOut frame, both included. A trial that has
+/// no end (stopped, interrupted) stays, unmarked, as does one that ended with its trace (trace_mark.h). A packet read twice (device time not later than the last kept one
 /// of that tool, over the whole recording) gives one sample; one that the supervisor refused gives none, and a mark that came with
-/// it is where the last good one left the tool. Live scoring, review and verify all come through here.
+/// it is where the last good one left the tool. Orientation and torque are kept of tools that can turn. Live scoring, review and verify all come through here.
 class TraceAssembler {
 public:
-    TraceAssembler(const recording::IPositionOf& positions, int tools) : m_positions(positions), m_tools(tools) {}
+    /// `orientations` may be null: then no tool turns.
+    TraceAssembler(const recording::IPositionOf& positions, int tools, const IOrientationOf* orientations = nullptr)
+        : m_positions(positions), m_orientations(orientations), m_tools(tools) {}
 
     void add(std::span<const core::HapticFrame> frames);
     std::vector<scoring::TrialTrace> takeTrials() { return std::move(m_trials); }
@@ -47,10 +51,10 @@ private:
     void end(const core::HapticFrame& frame);
 
     const recording::IPositionOf& m_positions;
+    const IOrientationOf* m_orientations;
     int m_tools;
     bool m_inTrial = false;
-    bool m_haveOrigin = false;
-    std::uint64_t m_origin_us = 0; ///< device time of tool 0's first frame
+    DeviceTime m_time;
     std::array<SampleClock, core::kMaxTools> m_clocks{};
     core::ToolFrame m_lastGood{}; ///< of tool 0: where a mark is taken
     std::vector<scoring::TrialTrace> m_trials;

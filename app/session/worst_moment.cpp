@@ -76,11 +76,32 @@ std::optional<WorstMoment> worstTrial(const PlaybackTrack& track, const scoring:
     return worst;
 }
 
+/// The mark with the largest value of its kind.
+std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkKind kind, double factor,
+                                       const char* unit) {
+    const PlaybackMark* found = nullptr;
+    for (const PlaybackMark& mark : track.marks)
+        if (mark.kind == kind && mark.value && (found == nullptr || *mark.value > *found->value))
+            found = &mark;
+    if (found == nullptr)
+        return std::nullopt;
+    WorstMoment worst;
+    worst.t_s = found->t_s;
+    worst.trial = found->trial;
+    worst.value = factor * *found->value;
+    worst.unit = unit;
+    return worst;
+}
+
 std::optional<WorstMoment> ofGate(const PlaybackTrack& track, const scoring::ScoreCard& card, const scoring::Gate& gate) {
     if (startsWith(gate.metric, "force_"))
         return largestForce(track);
     if (startsWith(gate.metric, "apex_"))
         return farthestAnswer(track);
+    if (gate.metric == "trauma_events")
+        return largestMark(track, PlaybackMarkKind::trauma, 1.0, "N");
+    if (gate.metric == "reversals")
+        return largestMark(track, PlaybackMarkKind::reversal, 1e3, "mm");
     return worstTrial(track, card, gate);
 }
 

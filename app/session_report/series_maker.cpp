@@ -2,6 +2,7 @@
 #include "session_report/series_maker.h"
 
 #include "recording/digest.h"
+#include "session/device_time.h"
 
 #include <QCryptographicHash>
 #include <algorithm>
@@ -24,11 +25,7 @@ public:
 
     void add(const core::HapticFrame& frame) {
         const core::ToolFrame& tool = frame.tool[0];
-        if (!m_haveOrigin) {
-            m_origin_us = tool.deviceTime_us;
-            m_haveOrigin = true;
-        }
-        const double t_s = static_cast<double>(tool.deviceTime_us - m_origin_us) * 1e-6;
+        const double t_s = m_time.at(frame);
         noteEvents(frame, t_s);
         notePause(frame.header.paused != 0, t_s);
         m_tissue = std::max(m_tissue, normOf(tool.tissue));
@@ -91,8 +88,7 @@ private:
 
     const session::ToolPositions& m_positions;
     SampleSeries m_series;
-    bool m_haveOrigin = false;
-    std::uint64_t m_origin_us = 0;
+    session::DeviceTime m_time;
     int m_inPoint = 0;
     double m_tissue = 0.0, m_commanded = 0.0, m_measured = 0.0;
     bool m_measures = false;

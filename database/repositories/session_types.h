@@ -64,7 +64,7 @@ struct TrialRecord {
     SessionState state = SessionState::completed; ///< completed, stopped, interrupted, incomplete or faulted
     std::uint64_t firstTick = 0;
     std::uint64_t lastTick = 0;
-    bool marked = false;
+    bool marked = false; ///< ended as the exercise asks: by the person's mark, or with its procedure completed
     bool timedOut = false;
     std::string sceneJson = "{}"; ///< the trial's truth: centre, R, K, mu ...
 };

@@ -53,6 +53,7 @@ private slots:
     void proxyIsTheFeltSurface();
     void lookUpByTime();
     void trialsAndMarks();
+    void completedTrials();
     void pausesAreSpans();
     void stoppedAndInterrupted();
     void emptySession();
@@ -170,6 +171,25 @@ void TestPlaybackTrack::trialsAndMarks() {
     }
     QVERIFY(std::is_sorted(track.marks.begin(), track.marks.end(),
                            [](const auto& a, const auto& b) { return a.t_s < b.t_s; }));
+}
+
+void TestPlaybackTrack::completedTrials() {
+    tests::MadeSession made = tests::copyOf(*m_site.database, m_expert);
+    for (core::HapticFrame& frame : made.frames) // as if its trials ended with their procedure done instead of a mark
+        if (frame.header.events & core::event_bits::kMarked)
+            frame.header.events ^= core::event_bits::kMarked | core::event_bits::kCompleted;
+    const database::SessionId id = tests::store(*m_site.database, database::Actor::simulated(), made);
+    const PlaybackTrack track = trackOf(*m_site.database, id);
+    QCOMPARE(count(track, PlaybackMarkKind::completed), 2);
+    QCOMPARE(count(track, PlaybackMarkKind::marked), 0);
+    QCOMPARE(eventsOf(*m_site.database, id, "completed"), 2);
+    for (const session::PlaybackTrial& trial : track.trials)
+        QVERIFY(trial.completed && !trial.marked && !trial.timedOut);
+    auto connection = m_site.database->openReader();
+    const auto trials = database::SessionReader(**connection, database::Actor::simulated()).trials(id);
+    QVERIFY(trials);
+    for (const database::TrialRecord& trial : *trials)
+        QVERIFY(trial.marked && trial.state == database::SessionState::completed); // ended as the exercise asks
 }
 
 void TestPlaybackTrack::pausesAreSpans() {

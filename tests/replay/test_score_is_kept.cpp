@@ -11,6 +11,7 @@
 #include "session/session_export.h"
 #include "session/site.h"
 #include "support/content_copy.h"
+#include "support/made_session.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>
@@ -43,10 +44,25 @@ private slots:
     void liveStoredAndRecomputedAgree();
     void restoredBackupAgrees();
     void exportedTraceAgrees();
+    void exportedTraceOfAStoppedSetCanBeRead();
+    void exportHasNoColumnsOfOtherExercises();
+    void refusedPacketsAreNotExported();
     void editedContentChangesNothing();
     void cleanupTestCase() { m_site.reset(); }
 
 private:
+    /// Exports and reads back.
+    scoring::TraceRows exported(database::SessionId id) {
+        OpenStored stored(*m_site->database, id);
+        const QString path = QString::fromStdString(m_site->folder() + "/exported.csv");
+        if (auto done = session::exportCsv(*stored.session, path); !done)
+            qFatal("%s", done.error().message.c_str());
+        auto rows = scoring::readTraceCsvFile(path.toStdString());
+        if (!rows)
+            qFatal("%s", rows.error().message.c_str());
+        return std::move(*rows);
+    }
+
     std::unique_ptr<SessionFixture> m_site;
     session::TrainingResult m_result;
 };
@@ -107,6 +123,50 @@ void TestScoreIsKept::exportedTraceAgrees() {
         QVERIFY2(card->metrics[i].value == m_result.scores.metrics[i].value, card->metrics[i].id.c_str());
     }
     QVERIFY(session::sameScores(*card, m_result.scores));
+}
+
+void TestScoreIsKept::exportedTraceOfAStoppedSetCanBeRead() {
+    tests::MadeSession made = tests::copyOf(*m_site->database, m_result.session);
+    const auto second = std::find_if(made.frames.begin(), made.frames.end(),
+                                     [](const core::HapticFrame& frame) { return frame.header.trial == 1; });
+    QVERIFY(second != made.frames.end());
+    QVERIFY(!(second->header.events & core::event_bits::kTrialStarted)); // the second trial is there, but has not begun
+    tests::cutFrames(made.frames, static_cast<std::size_t>(second - made.frames.begin()) + 1, core::CommandKind::end);
+    const auto rows = exported(tests::store(*m_site->database, database::Actor::simulated(), made));
+    const auto trace = scoring::buildSessionTrace(rows, "sphere_apex");
+    QVERIFY2(trace, trace ? "" : trace.error().message.c_str());
+    QCOMPARE(trace->trials.size(), std::size_t{1});
+}
+
+void TestScoreIsKept::exportHasNoColumnsOfOtherExercises() {
+    const auto rows = exported(m_result.session);
+    QVERIFY(rows.columns.target && rows.columns.orientation);
+    QVERIFY(!rows.columns.insertion && !rows.columns.torque);
+}
+
+void TestScoreIsKept::refusedPacketsAreNotExported() {
+    tests::MadeSession made = tests::copyOf(*m_site->database, m_result.session);
+    for (std::size_t i = 0; i < made.frames.size(); i += i == 0 ? 500 : 97) { // the first packet too
+        core::ToolFrame& tool = made.frames[i].tool[0];
+        if (made.frames[i].header.events != 0)
+            continue;
+        tool.status |= core::sample_status::kRefused;
+        tool.counts[0] += 5000;
+        tool.deviceTime_us += 900'000'000; // a clock that jumped
+    }
+    QVERIFY(made.frames.front().tool[0].status & core::sample_status::kRefused);
+    const database::SessionId id = tests::store(*m_site->database, database::Actor::simulated(), made);
+    const auto rows = exported(id);
+    QVERIFY(rows.rows.size() < made.frames.size() && rows.rows.size() > made.frames.size() * 9 / 10);
+    QCOMPARE(rows.rows.front().t_s, 0.0);
+    const auto trace = scoring::buildSessionTrace(rows, "sphere_apex");
+    QVERIFY(trace);
+    OpenStored stored(*m_site->database, id);
+    std::vector<scoring::MetricRequest> wanted;
+    for (const auto& metric : stored.session->setup().level.metrics)
+        wanted.push_back({metric.id, metric.version});
+    const auto card = scoring::calculateScore(*trace, wanted, stored.session->setup().level.gates, true);
+    QVERIFY(card && session::sameScores(*card, storedCard(*m_site->database, id)));
 }
 
 void TestScoreIsKept::editedContentChangesNothing() {

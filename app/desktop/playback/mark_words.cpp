@@ -28,6 +28,11 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kGuards{{
     {"passivity", QT_TRANSLATE_NOOP("PlaybackMarks", "Force damped to keep it stable")},
     {"device_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: the device reported one")},
 }};
+constexpr std::array<std::pair<const char*, const char*>, 3> kStages{{
+    {"insertion", QT_TRANSLATE_NOOP("PlaybackMarks", "The insertion begins")},
+    {"inspection", QT_TRANSLATE_NOOP("PlaybackMarks", "The inspection begins")},
+    {"withdrawal", QT_TRANSLATE_NOOP("PlaybackMarks", "The withdrawal begins")},
+}};
 // clang-format on
 
 QString guardText(const std::string& detail) {
@@ -35,6 +40,13 @@ QString guardText(const std::string& detail) {
         if (detail == token)
             return QCoreApplication::translate("PlaybackMarks", text);
     return Words::tr("The force supervisor stepped in");
+}
+
+QString stageText(const std::string& stage) {
+    for (const auto& [token, text] : kStages)
+        if (stage == token)
+            return QCoreApplication::translate("PlaybackMarks", text);
+    return Words::tr("The next stage begins");
 }
 
 QString seconds(double span_s, const QLocale& locale) {
@@ -48,7 +60,8 @@ QString markText(const session::PlaybackMark& mark, const QLocale& locale) {
     switch (mark.kind) {
     case PlaybackMarkKind::trialStarted: return Words::tr("Trial %1 begins").arg(locale.toString(mark.trial + 1));
     case PlaybackMarkKind::marked: return Words::tr("Marked the highest point");
-    case PlaybackMarkKind::timedOut: return Words::tr("Time was up without a mark");
+    case PlaybackMarkKind::timedOut:
+        return mark.detail == session::kProcedure ? Words::tr("Time was up before the end") : Words::tr("Time was up without a mark");
     case PlaybackMarkKind::traceEnded: return Words::tr("The trace ended without a mark");
     case PlaybackMarkKind::contact: return Words::tr("In contact for %1").arg(seconds(span_s, locale));
     case PlaybackMarkKind::overLimit:
@@ -59,6 +72,14 @@ QString markText(const session::PlaybackMark& mark, const QLocale& locale) {
     case PlaybackMarkKind::guard:
     case PlaybackMarkKind::fault: return guardText(mark.detail);
     case PlaybackMarkKind::ended: return Words::tr("The person ended the session");
+    case PlaybackMarkKind::completed: return Words::tr("Everything was done");
+    case PlaybackMarkKind::stageChanged: return stageText(mark.detail);
+    case PlaybackMarkKind::landmarkSeen:
+        return mark.value ? Words::tr("Landmarks seen: %1").arg(locale.toString(static_cast<int>(*mark.value))) : Words::tr("A landmark was seen");
+    case PlaybackMarkKind::trauma:
+        return Words::tr("Pressed on the wall for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
+    case PlaybackMarkKind::reversal:
+        return Words::tr("Went back by %1").arg(report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mm"), locale));
     }
     return {};
 }
@@ -77,6 +98,11 @@ QString markIcon(PlaybackMarkKind kind) {
     case PlaybackMarkKind::guard: return QStringLiteral("security-medium");
     case PlaybackMarkKind::fault: return QStringLiteral("dialog-error");
     case PlaybackMarkKind::ended: return QStringLiteral("media-playback-stop");
+    case PlaybackMarkKind::completed: return QStringLiteral("flag");
+    case PlaybackMarkKind::stageChanged: return QStringLiteral("go-next");
+    case PlaybackMarkKind::landmarkSeen: return QStringLiteral("view-visible");
+    case PlaybackMarkKind::trauma: return QStringLiteral("dialog-warning");
+    case PlaybackMarkKind::reversal: return QStringLiteral("edit-undo");
     }
     return {};
 }
@@ -84,7 +110,7 @@ QString markIcon(PlaybackMarkKind kind) {
 Colour markColour(PlaybackMarkKind kind) {
     if (session::isPenalty(kind))
         return Colour::bad;
-    if (kind == PlaybackMarkKind::marked)
+    if (kind == PlaybackMarkKind::marked || kind == PlaybackMarkKind::completed || kind == PlaybackMarkKind::landmarkSeen)
         return Colour::accent;
     return kind == PlaybackMarkKind::guard ? Colour::warning : Colour::muted;
 }

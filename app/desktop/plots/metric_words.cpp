@@ -15,7 +15,7 @@ struct MetricWords {
 };
 
 // clang-format off
-constexpr std::array<MetricWords, 17> kMetrics{{
+constexpr std::array<MetricWords, 28> kMetrics{{
     {"time", QT_TRANSLATE_NOOP("Metrics", "Time"),
      QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count.")},
     {"path_length", QT_TRANSLATE_NOOP("Metrics", "Path length"),
@@ -40,6 +40,28 @@ constexpr std::array<MetricWords, 17> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "Force times time while the force was over the limit of this level.")},
     {"force_time_over_limit", QT_TRANSLATE_NOOP("Metrics", "Time over the limit"),
      QT_TRANSLATE_NOOP("Metrics", "How long the force on the tissue was over the limit of this level.")},
+    {"offset_rms", QT_TRANSLATE_NOOP("Metrics", "Off-centre distance, root mean square"),
+     QT_TRANSLATE_NOOP("Metrics", "How far the tip was from the middle of the urethra, on the way in and out: large distances weigh more than in the mean.")},
+    {"offset_max", QT_TRANSLATE_NOOP("Metrics", "Off-centre distance, largest"),
+     QT_TRANSLATE_NOOP("Metrics", "The farthest that the tip was from the middle of the urethra.")},
+    {"alignment_rms", QT_TRANSLATE_NOOP("Metrics", "Alignment, root mean square"),
+     QT_TRANSLATE_NOOP("Metrics", "The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more.")},
+    {"bend_alignment", QT_TRANSLATE_NOOP("Metrics", "Alignment at the bend"),
+     QT_TRANSLATE_NOOP("Metrics", "The same angle on the way in, within 10 mm of the bend, where the endoscope has to be turned.")},
+    {"trauma_events", QT_TRANSLATE_NOOP("Metrics", "Trauma events"),
+     QT_TRANSLATE_NOOP("Metrics", "How often the endoscope pressed sideways on the wall over the limit of this level for 20 ms or longer.")},
+    {"torque_max", QT_TRANSLATE_NOOP("Metrics", "Largest torque"),
+     QT_TRANSLATE_NOOP("Metrics", "The largest torque between endoscope and tissue at any moment.")},
+    {"torque_rms", QT_TRANSLATE_NOOP("Metrics", "Torque, root mean square"),
+     QT_TRANSLATE_NOOP("Metrics", "The root of the mean squared torque between endoscope and tissue.")},
+    {"reversals", QT_TRANSLATE_NOOP("Metrics", "Reversals"),
+     QT_TRANSLATE_NOOP("Metrics", "How often the tip went back by 1 mm or more on the way in.")},
+    {"landmarks_seen", QT_TRANSLATE_NOOP("Metrics", "Landmarks seen"),
+     QT_TRANSLATE_NOOP("Metrics", "The landmarks of the bladder that were inspected, in % of those that the level asks for.")},
+    {"inspection_travel", QT_TRANSLATE_NOOP("Metrics", "Tip travel during inspection"),
+     QT_TRANSLATE_NOOP("Metrics", "How far the tip travelled while the bladder was inspected: turning it shows as much and harms less.")},
+    {"insertion_depth", QT_TRANSLATE_NOOP("Metrics", "Insertion depth"),
+     QT_TRANSLATE_NOOP("Metrics", "The deepest place that the tip reached, up to the goal of this level.")},
     {"apex_error_mean", QT_TRANSLATE_NOOP("Metrics", "Apex error, mean"),
      QT_TRANSLATE_NOOP("Metrics", "How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses included.")},
     {"apex_error_sd", QT_TRANSLATE_NOOP("Metrics", "Apex error, standard deviation"),
@@ -52,7 +74,7 @@ constexpr std::array<MetricWords, 17> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same.")},
 }};
 
-constexpr std::array<const char*, 14> kReasons{{
+constexpr std::array<const char*, 20> kReasons{{
     QT_TRANSLATE_NOOP("Metrics", "the trace has no forces"),
     QT_TRANSLATE_NOOP("Metrics", "no trials"),
     QT_TRANSLATE_NOOP("Metrics", "start and end are less than 5 mm apart"),
@@ -67,6 +89,12 @@ constexpr std::array<const char*, 14> kReasons{{
     QT_TRANSLATE_NOOP("Metrics", "speed has no spectrum up to 10 Hz"),
     QT_TRANSLATE_NOOP("Metrics", "fewer than three speed samples"),
     QT_TRANSLATE_NOOP("Metrics", "no jerk: speed changes evenly"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no insertion data"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no torques"),
+    QT_TRANSLATE_NOOP("Metrics", "the tip was never in the urethra"),
+    QT_TRANSLATE_NOOP("Metrics", "the tip was never at the bend"),
+    QT_TRANSLATE_NOOP("Metrics", "the level has no landmarks"),
+    QT_TRANSLATE_NOOP("Metrics", "the inspection was not reached"),
 }};
 
 constexpr std::array<const char*, 1> kBandSources{{

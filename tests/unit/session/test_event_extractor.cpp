@@ -45,8 +45,10 @@ private slots:
     void overForceOfEachTool();
     void overForceWhilePaused();
     void trials();
+    void procedures();
     void states();
     void times();
+    void timesFollowNoRefusedPacket();
     void chunksMakeNoDifference();
 };
 
@@ -153,6 +155,41 @@ void TestEventExtractor::trials() {
     QCOMPARE(trials[1].index, 1);
     QCOMPARE(trials[1].seed, kSeed);
     QCOMPARE(extractor.events()[3].detailJson, std::string("{\"trial\":1}"));
+}
+
+void TestEventExtractor::procedures() {
+    auto frames = someFrames(20);
+    frames[2].header.events = bits::kTrialStarted;
+    frames[4].header.events = bits::kStageChanged;
+    frames[7].header.events = bits::kLandmarkSeen;
+    frames[9].header.events = bits::kLandmarkSeen | bits::kStageChanged; // the last one begins the withdrawal
+    frames[15].header.events = bits::kCompleted | bits::kStageChanged;
+    const auto extractor = extracted(frames);
+    QCOMPARE(named(extractor), (Named{{"trial_started", 2},
+                                      {"stage_changed", 4},
+                                      {"landmark_seen", 7},
+                                      {"stage_changed", 9},
+                                      {"landmark_seen", 9},
+                                      {"completed", 15}}));
+    const auto& trials = extractor.trials();
+    QCOMPARE(trials.size(), std::size_t{1});
+    QVERIFY(trials[0].marked && !trials[0].timedOut && trials[0].state == SessionState::completed);
+    QCOMPARE(trials[0].lastTick, std::uint64_t{15});
+    frames[15].header.events = bits::kTimedOut;
+    const auto late = extracted(frames);
+    QCOMPARE(late.events().back().kind, std::string("timed_out"));
+    QVERIFY(!late.trials()[0].marked && late.trials()[0].timedOut);
+}
+
+void TestEventExtractor::timesFollowNoRefusedPacket() {
+    auto frames = someFrames(6, 100);
+    frames[0].tool[0].deviceTime_us = 4'000'000'000;
+    frames[0].tool[0].status |= core::sample_status::kRefused;
+    frames[5].header.commands[0] = {CommandKind::pause, 0};
+    QCOMPARE(extracted(frames).events()[0].time_s, 0.004); // since the first packet that can be believed
+    frames[5].tool[0].deviceTime_us = 4'000'000'000;
+    frames[5].tool[0].status |= core::sample_status::kRefused;
+    QCOMPARE(extracted(frames).events()[0].time_s, 0.003); // of the last one that can
 }
 
 void TestEventExtractor::states() {

@@ -26,12 +26,24 @@ private slots:
     void contactAtTheMark();
     void measuredForceOnlyWhereMeasured();
     void everyToolHasItsTrace();
+    void completedTrial();
+    void orientationAndTorqueOfToolsThatTurn();
+    void orientationAndTorqueFollowTheSamples();
 
 private:
-    static std::vector<scoring::TrialTrace> assemble(const std::vector<core::HapticFrame>& frames,
-                                                     int tools = 1) {
+    /// The first tool turns about x by its fourth count, in degrees; the second cannot turn.
+    class Turning final : public session::IOrientationOf {
+    public:
+        bool turns(int tool) const noexcept override { return tool == 0; }
+        core::Quat q_WT(int, const core::ToolFrame& frame) const noexcept override {
+            return core::Quat(Eigen::AngleAxisd(0.017453292519943295 * frame.counts[3], core::Vec3::UnitX()));
+        }
+    };
+
+    static std::vector<scoring::TrialTrace> assemble(const std::vector<core::HapticFrame>& frames, int tools = 1,
+                                                     const session::IOrientationOf* orientations = nullptr) {
         const MillimetreCounts positions;
-        session::TraceAssembler assembler(positions, tools);
+        session::TraceAssembler assembler(positions, tools, orientations);
         assembler.add(frames);
         return assembler.takeTrials();
     }
@@ -216,6 +228,63 @@ void TestTraceAssembler::everyToolHasItsTrace() {
     QCOMPARE(trials[0].tools[0].t_s.size(), std::size_t{5});
     QCOMPARE(trials[0].tools[1].t_s.size(), std::size_t{4});
     QCOMPARE(trials[0].tools[1].p_WT_m[0].x(), 0.1);
+}
+
+void TestTraceAssembler::completedTrial() {
+    auto frames = someFrames(20);
+    frames[3].header.events = bits::kTrialStarted;
+    frames[9].header.events = bits::kCompleted | bits::kStageChanged;
+    const auto trials = assemble(frames);
+    QCOMPARE(trials.size(), std::size_t{1});
+    QVERIFY(trials[0].completed && !trials[0].marked && !trials[0].timedOut);
+    QCOMPARE(trials[0].tools[0].t_s.size(), std::size_t{7}); // both ends included, nothing after
+    QCOMPARE(trials[0].p_WMark_m.x(), 0.009);
+    frames[9].header.events = bits::kStageChanged | bits::kLandmarkSeen; // these end nothing
+    QVERIFY(!assemble(frames)[0].completed);
+    QCOMPARE(assemble(frames)[0].tools[0].t_s.size(), std::size_t{17});
+}
+
+void TestTraceAssembler::orientationAndTorqueOfToolsThatTurn() {
+    auto frames = someFrames(4, 0, 2);
+    frames[0].header.events = bits::kTrialStarted;
+    for (auto& frame : frames) {
+        frame.tool[0].counts[3] = 90;
+        frame.tool[0].tissue = {0, 0, 0, 0.0123456, -0.0000051, 0.15};
+        frame.tool[1].tissue = frame.tool[0].tissue;
+    }
+    const Turning turning;
+    const auto trials = assemble(frames, 2, &turning);
+    const scoring::ToolTrace& tool = trials[0].tools[0];
+    QCOMPARE(tool.q_WT.size(), std::size_t{4});
+    QVERIFY(std::abs(tool.q_WT[2].x() - std::sqrt(0.5)) < 1e-15);
+    QCOMPARE(tool.tissueTorque_Nm.size(), std::size_t{4});
+    QCOMPARE(tool.tissueTorque_Nm[1].x(), 0.01235); // 0.01 mN·m
+    QCOMPARE(tool.tissueTorque_Nm[1].y(), -0.00001);
+    QCOMPARE(tool.tissueTorque_Nm[1].z(), 0.15);
+    QVERIFY(trials[0].tools[1].q_WT.empty() && trials[0].tools[1].tissueTorque_Nm.empty());
+    const auto cartesian = assemble(frames, 2);
+    QVERIFY(cartesian[0].tools[0].q_WT.empty() && cartesian[0].tools[0].tissueTorque_Nm.empty());
+}
+
+void TestTraceAssembler::orientationAndTorqueFollowTheSamples() {
+    auto frames = someFrames(10);
+    frames[0].header.events = bits::kTrialStarted;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        frames[i].tool[0].counts[3] = static_cast<std::int32_t>(i);
+        frames[i].tool[0].tissue[3] = 1e-5 * static_cast<double>(i);
+    }
+    frames[4].tool[0].status |= core::sample_status::kRefused;
+    frames[6].tool[0] = frames[5].tool[0];
+    const Turning turning;
+    const auto trials = assemble(frames, 1, &turning);
+    const scoring::ToolTrace& tool = trials[0].tools[0];
+    QCOMPARE(tool.t_s.size(), std::size_t{8});
+    QCOMPARE(tool.q_WT.size(), std::size_t{8});
+    const std::vector<int> expected{0, 1, 2, 3, 5, 7, 8, 9};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        QCOMPARE(tool.tissueTorque_Nm[i].x(), expected[i] / 1e5);
+        QVERIFY(std::abs(tool.q_WT[i].x() - std::sin(0.017453292519943295 * expected[i] / 2.0)) < 1e-15);
+    }
 }
 
 QTEST_APPLESS_MAIN(TestTraceAssembler)

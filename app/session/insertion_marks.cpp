@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/insertion_marks.h"
+
+#include "core/endoscope_cues.h"
+#include "scoring/insertion_events.h"
+#include "scoring/trace_columns.h"
+#include "scoring/trace_grid.h"
+
+#include <algorithm>
+
+namespace chiron::session {
+
+namespace {
+
+/// The tick's event and its sample may stand a packet apart.
+constexpr double kNear_s = 0.002;
+
+void addEvents(PlaybackTrack& track, int trial, PlaybackMarkKind kind,
+               const std::vector<scoring::InsertionEvent>& events) {
+    for (const scoring::InsertionEvent& event : events) {
+        PlaybackMark mark;
+        mark.t_s = event.begin_s;
+        mark.end_s = event.end_s;
+        mark.tick = track.tickAt(event.begin_s);
+        mark.kind = kind;
+        mark.trial = trial;
+        mark.value = event.value;
+        track.marks.push_back(std::move(mark));
+    }
+}
+
+/// The words of the stages that a trial went through, the first one and the end left out: one for each stageChanged mark.
+std::vector<std::string> stagesOf(const scoring::InsertionSeries& series) {
+    std::vector<std::string> stages;
+    for (std::size_t i = 1; i < series.stage.size(); ++i) {
+        const auto stage = static_cast<core::ProcedureStage>(series.stage[i]);
+        if (series.stage[i] != series.stage[i - 1] && stage != core::ProcedureStage::completed)
+            stages.emplace_back(scoring::stageName(stage));
+    }
+    return stages;
+}
+
+double seenUntil(const scoring::InsertionSeries& series, double t_s) {
+    return static_cast<double>(std::count_if(series.landmarkSeen_s.begin(), series.landmarkSeen_s.end(),
+                                             [t_s](double seen_s) { return seen_s <= t_s + kNear_s; }));
+}
+
+void completeMarks(PlaybackTrack& track, int trial, const scoring::InsertionSeries& series) {
+    const std::vector<std::string> stages = stagesOf(series);
+    const auto changes = static_cast<std::size_t>(
+        std::count_if(track.marks.begin(), track.marks.end(), [trial](const PlaybackMark& mark) {
+            return mark.trial == trial && mark.kind == PlaybackMarkKind::stageChanged;
+        }));
+    std::size_t change = 0;
+    for (PlaybackMark& mark : track.marks) {
+        if (mark.trial != trial)
+            continue;
+        if (mark.kind == PlaybackMarkKind::stageChanged && changes == stages.size())
+            mark.detail = stages[change++];
+        if (mark.kind == PlaybackMarkKind::landmarkSeen)
+            mark.value = seenUntil(series, mark.t_s);
+        if (mark.kind == PlaybackMarkKind::timedOut)
+            mark.detail = kProcedure;
+    }
+}
+
+} // namespace
+
+core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::SessionTrace& trace) {
+    const auto scored = scoring::onStoredGrids(trace);
+    if (!scored)
+        return tl::unexpected(scored.error());
+    for (const scoring::TrialTrace& trial : scored->trials) {
+        if (!trial.insertion)
+            continue;
+        completeMarks(track, trial.trial, *trial.insertion);
+        const scoring::InsertionEvents events = scoring::insertionEvents(trial);
+        addEvents(track, trial.trial, PlaybackMarkKind::trauma, events.trauma);
+        addEvents(track, trial.trial, PlaybackMarkKind::reversal, events.reversals);
+    }
+    std::stable_sort(track.marks.begin(), track.marks.end(),
+                     [](const PlaybackMark& a, const PlaybackMark& b) { return a.t_s < b.t_s; });
+    return {};
+}
+
+} // namespace chiron::session

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "scoring/trace.h"
+#include "session/playback_track.h"
+
+namespace chiron::session {
+
+/// Adds to a track what the scores of an insertion count, from the same list (scoring/insertion_events.h), so that each
+/// penalty can be looked at: trauma events and reversals with their ends and sizes. Tells the marks that are there already
+/// which stage began and how many landmarks had been seen. Marks stay in the order of time; nothing changes where no trial
+/// has an insertion series. Failure: a trace that cannot be scored (trace_grid.h).
+core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::SessionTrace& trace);
+
+} // namespace chiron::session
