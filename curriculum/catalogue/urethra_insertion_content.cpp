@@ -52,6 +52,7 @@ constexpr Number kNumbers[] = {
     {"beak_mm", [](Parameters& p) -> double& { return p.endoscope.beak_m; }, kMm},
     {"behind_mm", [](Parameters& p) -> double& { return p.endoscope.behind_m; }, kMm},
     {"field_of_view_deg", [](Parameters& p) -> double& { return p.endoscope.fieldOfView_rad; }, kDeg},
+    {"force_step_mm", [](Parameters& p) -> double& { return p.forces.maximumStep_m; }, kMm},
     {"position_count_um", [](Parameters& p) -> double& { return p.forces.count_m; }, kUm},
     {"device_damping_N_s_per_m", [](Parameters& p) -> double& { return p.forces.maximumDamping_Ns_per_m; }, 1.0},
     {"anatomy_x_mm", [](Parameters& p) -> double& { return p.pose.p_WA.x(); }, kMm},

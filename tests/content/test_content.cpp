@@ -35,6 +35,7 @@ private slots:
     void keysCarryTheirUnits();
     void blindLevelsTellNothing();
     void levelsHaveGatesOnTheirHeadlines();
+    void urethraLevelsHaveTheirGates();
     void onlyJsonAndReadmesAreShipped();
 };
 
@@ -94,16 +95,23 @@ void TestContent::textsHaveNoStrayCharacters() {
 
 // architecture.md: keys carry units (`stiffness_N_per_m`).
 void TestContent::keysCarryTheirUnits() {
-    const std::map<QString, QString> suffix{
-        {"mm", "_mm"}, {"s", "_s"}, {"N", "_N"}, {"N/m", "_N_per_m"}, {"N·s/m", "_N_s_per_m"}};
-    const auto schema = readSchema(kContent + "/schema", "sphere_apex_parameters");
-    QVERIFY(schema.has_value());
-    for (const auto& [key, property] : schema->properties) {
-        if (property->unit == "1")
-            continue;
-        QVERIFY2(suffix.contains(property->unit), qPrintable(property->unit));
-        QVERIFY2(key.endsWith(suffix.at(property->unit)), qPrintable(key));
-        QVERIFY2(!property->defaultValue.isUndefined(), qPrintable(key));
+    const std::map<QString, QString> suffix{{"mm", "_mm"},          {"s", "_s"},
+                                            {"N", "_N"},            {"N/m", "_N_per_m"},
+                                            {"N·s/m", "_N_s_per_m"}, {"1/m", "_per_m"},
+                                            {"N/m³", "_N_per_m3"},  {"N·s/m²", "_N_s_per_m2"},
+                                            {"N·m/rad", "_N_m_per_rad"}, {"deg", "_deg"},
+                                            {"Fr", "_Fr"},          {"um", "_um"},
+                                            {"mm/s", "_mm_per_s"},  {"mN·m", "_mN_m"}};
+    for (const char* name : {"sphere_apex_parameters", "urethra_insertion_parameters"}) {
+        const auto schema = readSchema(kContent + "/schema", QLatin1String(name));
+        QVERIFY(schema.has_value());
+        for (const auto& [key, property] : schema->properties) {
+            QVERIFY2(!property->defaultValue.isUndefined(), qPrintable(key));
+            if (property->unit == "1" || property->unit.isEmpty())
+                continue;
+            QVERIFY2(suffix.contains(property->unit), qPrintable(property->unit));
+            QVERIFY2(key.endsWith(suffix.at(property->unit)), qPrintable(key));
+        }
     }
 }
 
@@ -133,6 +141,23 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
         QCOMPARE(level.metrics.size(), ofNoCanal);
         for (const auto& metric : level.metrics)
             QVERIFY(!ofACanal.contains(metric.id));
+    }
+}
+
+// No level passes who hurt the wall, did not arrive, or was stopped by the clock.
+void TestContent::urethraLevelsHaveTheirGates() {
+    for (const ExerciseLevel& level : shipped().find("urethra_insertion")->levels) {
+        const auto& p = std::get<simulation::UrethraInsertionParameters>(level.parameters);
+        std::map<std::string, scoring::Gate> gates;
+        for (const auto& gate : level.gates)
+            gates[gate.metric] = gate;
+        QVERIFY(gates.contains("trauma_events") && gates.contains("force_time_over_limit"));
+        QVERIFY(gates.contains("time") && *gates["time"].maximum < p.trialLimit_s);
+        if (p.landmarks.empty())
+            QCOMPARE(*gates["insertion_depth"].minimum, 1000.0 * p.goalDepth_m);
+        else
+            QCOMPARE(*gates["landmarks_seen"].minimum, 100.0);
+        QCOMPARE(gates.contains("bend_alignment"), level.number > 1);
     }
 }
 

@@ -36,14 +36,17 @@ void TestMalformedContent::everyMutationIsRefused() {
                             "exercises/sphere_apex/levels/visible.json",
                             "exercises/sphere_apex/levels/haptics_alone.json",
                             "exercises/sphere_apex/levels/varied_material.json",
-                            "exercises/sphere_apex/levels/decoy_dimple.json"};
+                            "exercises/sphere_apex/levels/decoy_dimple.json",
+                            "exercises/urethra_insertion/levels/stricture.json",
+                            "exercises/urethra_insertion/levels/unguided.json",
+                            "exercises/urethra_insertion/presets/stricture.json"};
     ContentCopy copy;
     QVERIFY(catalogue::Catalogue::load(copy.directory()).has_value());
     core::Random random(20261120);
     QMap<QString, int> tried;
     for (int round = 0; round < kRounds; ++round)
         for (int kind = 0; kind < ContentMutator::kKinds; ++kind) {
-            const QString file = files[static_cast<qsizetype>(random.below(5))];
+            const QString file = files[static_cast<qsizetype>(random.below(static_cast<std::uint64_t>(files.size())))];
             const QByteArray valid = copy.read(file);
             const Mutation mutation = ContentMutator(valid, random).mutate(kind);
             copy.write(file, mutation.text);
