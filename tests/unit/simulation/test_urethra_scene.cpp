@@ -1,0 +1,459 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/fp_environment.h"
+#include "core/units.h"
+#include "support/urethra_bench.h"
+
+#include <QtTest>
+#include <cmath>
+#include <limits>
+
+using namespace chiron;
+using namespace chiron::simulation;
+using chiron::tests::endoscopeAt;
+using chiron::tests::IdealProcedure;
+using chiron::tests::onTheLine;
+using chiron::tests::wholeProcedure;
+using core::ProcedureStage;
+using core::TrialPhase;
+using core::Vec3;
+namespace bits = core::event_bits;
+
+namespace {
+
+/// Steps a scene as the loop does.
+struct Driver {
+    explicit Driver(const UrethraInsertionParameters& parameters) : p(parameters), scene(parameters) {
+        in.tools.count = 1;
+        in.tools.tools[0] = onTheLine(p, -0.030);
+    }
+    const SceneOutput& tick() {
+        scene.respond(source.next(0), in, out);
+        return out;
+    }
+    void ticks(int n) {
+        for (int i = 0; i < n; ++i)
+            tick();
+    }
+    void startRunning() {
+        in.started = true;
+        in.forceReady = true;
+        ticks(2);
+    }
+    /// Held for a while at s, so that nothing moves.
+    const SceneOutput& at(double s_m, int n = 1) {
+        in.tools.tools[0] = onTheLine(p, s_m);
+        ticks(n);
+        return out;
+    }
+    core::ToolState& tool() { return in.tools.tools[0]; }
+
+    UrethraInsertionParameters p;
+    realtime::TickSource source;
+    UrethraInsertionScene scene;
+    SceneInput in;
+    SceneOutput out;
+};
+
+double norm(const core::Wrench& w) { return w.force.norm() + w.torque.norm(); }
+
+Vec3 vectorOf(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+
+} // namespace
+
+class TestUrethraScene : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { core::setModelFloatingPointEnvironment(); }
+    void waitsForStartAndForce();
+    void idealPathWalksThroughTheStages();
+    void timesOutAtItsTick();
+    void completionAtTheLastTickWins();
+    void pauseStopsClockAndProcedure();
+    void nothingIsTouchedAfterTheEnd();
+    void contactBeginsWithTheBeak();
+    void rotatedSceneIsTheSame();
+    void mirroredSceneIsMirrored();
+    void poseThatIsNoNumberIsPassedOver();
+    void otherToolsTouchNothing();
+    void tipIsDrawnInside_data();
+    void tipIsDrawnInside();
+    void drawnTipMovesWithoutJumps();
+    void lumenIsSeenAhead();
+    void lumenIsNotSeenThroughTheWall();
+    void cuesFollowTheLevel();
+    void landmarkCueIsWhereTheLandmarkIs();
+    void sameInputsSameOutputs();
+};
+
+void TestUrethraScene::waitsForStartAndForce() {
+    Driver d(wholeProcedure());
+    d.in.forceReady = true;
+    d.at(0.060, 50);
+    QCOMPARE(d.out.phase, TrialPhase::idle);
+    QCOMPARE(norm(d.out.tissue.tools[0]), 0.0); // no patient before the start
+    QVERIFY(d.out.cues.endoscope.present && !d.out.cues.endoscope.pictureShown);
+    d.in.started = true;
+    d.tick();
+    QCOMPARE(d.out.phase, TrialPhase::ready);
+    QCOMPARE(d.out.events, bits::kSceneChanged | bits::kContactBegan);
+    d.in.forceReady = false;
+    d.at(0.060, 5000); // waiting costs nothing
+    QCOMPARE(d.out.phase, TrialPhase::ready);
+    QCOMPARE(d.out.cues.timeLeft_s, 120.0);
+    QVERIFY(d.out.storedEnergy_J > 0.0); // the canal is squeezed: the supervisor sees it
+    QCOMPARE(d.out.cues.endoscope.stage, ProcedureStage::outside);
+    d.in.forceReady = true;
+    d.tick();
+    QCOMPARE(d.out.phase, TrialPhase::running);
+    QCOMPARE(d.out.events, bits::kTrialStarted | bits::kStageChanged);
+}
+
+void TestUrethraScene::idealPathWalksThroughTheStages() {
+    Driver d(wholeProcedure());
+    d.startRunning();
+    IdealProcedure hand(d.p);
+    std::vector<ProcedureStage> stages{d.out.cues.endoscope.stage};
+    int seen = 0;
+    int changed = 0;
+    double deepest_m = 0.0;
+    while ((d.out.events & (bits::kCompleted | bits::kTimedOut)) == 0) {
+        QVERIFY(d.source.executed() < 60'000);
+        d.tool() = hand.next(d.out.cues.endoscope.stage, d.scene.procedure().nextLandmark());
+        d.tick();
+        if ((d.out.events & bits::kStageChanged) != 0) {
+            ++changed;
+            stages.push_back(d.out.cues.endoscope.stage);
+        }
+        seen += (d.out.events & bits::kLandmarkSeen) != 0;
+        deepest_m = std::max(deepest_m, d.out.cues.endoscope.depth_m);
+        QCOMPARE(d.out.phase, TrialPhase::running);
+    }
+    QVERIFY((d.out.events & bits::kCompleted) != 0);
+    QCOMPARE(changed, 4);
+    QVERIFY((stages == std::vector{ProcedureStage::outside, ProcedureStage::insertion, ProcedureStage::inspection,
+                                   ProcedureStage::withdrawal, ProcedureStage::completed}));
+    QCOMPARE(seen, 2);
+    QCOMPARE(d.out.cues.endoscope.landmarksSeen, 3u);
+    QVERIFY(std::abs(deepest_m - procedurePlan(d.p).goal_m) < 1e-4);
+    d.tick();
+    QCOMPARE(d.out.phase, TrialPhase::finished);
+    QCOMPARE(d.out.events & bits::kFinished, bits::kFinished);
+}
+
+void TestUrethraScene::timesOutAtItsTick() {
+    UrethraInsertionParameters p = wholeProcedure();
+    p.trialLimit_s = 0.050;
+    Driver d(p);
+    d.startRunning(); // the first running tick is done
+    for (int n = 2; n < 50; ++n) {
+        d.tick();
+        QCOMPARE(d.out.events, 0u);
+        QVERIFY(std::abs(d.out.cues.timeLeft_s - (50 - n) * 0.001) < 1e-12);
+    }
+    d.tick();
+    QCOMPARE(d.out.events, bits::kTimedOut);
+    QCOMPARE(d.out.phase, TrialPhase::running);
+    d.tick();
+    QCOMPARE(d.out.events, bits::kFinished);
+}
+
+void TestUrethraScene::completionAtTheLastTickWins() {
+    UrethraInsertionParameters p = wholeProcedure();
+    p.landmarks.clear();
+    p.withdraws = false;
+    p.goalDepth_m = 0.030;
+    p.trialLimit_s = 0.050;
+    Driver d(p);
+    d.startRunning();
+    d.ticks(48);
+    d.at(0.031);
+    QCOMPARE(d.out.events & (bits::kCompleted | bits::kTimedOut), bits::kCompleted);
+}
+
+void TestUrethraScene::pauseStopsClockAndProcedure() {
+    UrethraInsertionParameters p = wholeProcedure();
+    p.trialLimit_s = 0.500;
+    Driver d(p);
+    d.startRunning();
+    d.at(0.060, 98); // 99 ticks of the trial
+    d.in.paused = true;
+    d.at(0.155, 1000);
+    QCOMPARE(d.out.cues.endoscope.stage, ProcedureStage::insertion); // moved while paused: no progress
+    QVERIFY(std::abs(d.out.cues.timeLeft_s - 0.401) < 1e-12);
+    QVERIFY(d.out.storedEnergy_J > 0.0); // contact answers; the supervisor ramps
+    QCOMPARE(d.out.events, 0u);
+    d.in.paused = false;
+    d.at(0.060, 400);
+    QCOMPARE(d.out.events, 0u);
+    d.tick();
+    QCOMPARE(d.out.events, bits::kTimedOut);
+}
+
+void TestUrethraScene::nothingIsTouchedAfterTheEnd() {
+    UrethraInsertionParameters p = wholeProcedure();
+    p.trialLimit_s = 0.050;
+    Driver d(p);
+    d.startRunning();
+    d.at(0.060, 49);
+    QCOMPARE(d.out.events & bits::kTimedOut, bits::kTimedOut);
+    QVERIFY(d.out.storedEnergy_J > 0.0); // the last tick belongs to the trial
+    d.tick();
+    QCOMPARE(d.out.events, bits::kFinished | bits::kContactEnded);
+    QCOMPARE(norm(d.out.tissue.tools[0]), 0.0);
+    QCOMPARE(d.out.storedEnergy_J, 0.0);
+    QVERIFY(!d.out.cues.endoscope.pictureShown);
+}
+
+void TestUrethraScene::contactBeginsWithTheBeak() {
+    Driver d(wholeProcedure());
+    d.startRunning();
+    QCOMPARE(norm(d.at(-0.0101).tissue.tools[0]), 0.0);
+    QCOMPARE(d.out.events, 0u);
+    d.at(-0.0099);
+    QCOMPARE(d.out.events, bits::kContactBegan | bits::kStageChanged);
+    d.at(-0.0101);
+    QCOMPARE(d.out.events, bits::kContactEnded);
+}
+
+// Rotating and moving the whole scene changes nothing but the frame.
+void TestUrethraScene::rotatedSceneIsTheSame() {
+    const UrethraInsertionParameters p = wholeProcedure();
+    UrethraInsertionParameters turned = p;
+    turned.pose.q_WA = core::Quat(Eigen::AngleAxisd(1.1, Vec3(0.3, -0.5, 0.8).normalized())) * p.pose.q_WA;
+    turned.pose.p_WA = Vec3(0.02, 0.03, -0.04);
+    Driver a(p);
+    Driver b(turned);
+    a.startRunning();
+    b.startRunning();
+    int otherChoice = 0;
+    for (int n = 0; n < 2000; ++n) {
+        const double s = -0.015 + 0.0001 * n;
+        const UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+        const CentrelinePoint at = line.at(s);
+        const Vec3 p_A = at.p_A + 0.002 * std::sin(0.01 * n) * Vec3::UnitX() + 0.0015 * std::cos(0.013 * n) * at.n_A;
+        const Vec3 axis_A = at.t_A + 0.2 * std::sin(0.007 * n) * Vec3::UnitX() + 0.1 * std::cos(0.009 * n) * at.n_A;
+        for (Driver* d : {&a, &b}) {
+            d->tool() = endoscopeAt(d->p.pose, p_A, axis_A);
+            d->tool().v_WT = d->p.pose.vectorToW(Vec3(0.002, -0.001, 0.03));
+            d->tool().w_WT = d->p.pose.vectorToW(Vec3(0.1, 0.2, 0.5));
+            d->tick();
+        }
+        const Vec3 f_A = a.p.pose.vectorToA(a.out.tissue.tools[0].force);
+        const Vec3 f_B = b.p.pose.vectorToA(b.out.tissue.tools[0].force);
+        const Vec3 t_A = a.p.pose.vectorToA(a.out.tissue.tools[0].torque);
+        const Vec3 t_B = b.p.pose.vectorToA(b.out.tissue.tools[0].torque);
+        QVERIFY((f_A - f_B).norm() < 1e-9 && (t_A - t_B).norm() < 1e-11);
+        QCOMPARE(a.out.events, b.out.events);
+        // Which point of the lumen is the farthest is a choice between points: now and then rounding makes another one.
+        otherChoice += (vectorOf(a.out.cues.endoscope.toLumen_T) - vectorOf(b.out.cues.endoscope.toLumen_T)).norm() > 1e-9;
+    }
+    QVERIFY2(otherChoice < 40, qPrintable(QString::number(otherChoice)));
+    QVERIFY(a.out.cues.endoscope.depth_m > 0.15);
+}
+
+// Left and right are alike: a pose mirrored in the plane of symmetry gives the mirrored wrench.
+void TestUrethraScene::mirroredSceneIsMirrored() {
+    const UrethraInsertionParameters p = wholeProcedure();
+    Driver left(p);
+    Driver right(p);
+    left.startRunning();
+    right.startRunning();
+    const UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const Vec3 mirror(-1.0, 1.0, 1.0);
+    double largest_N = 0.0;
+    for (int n = 0; n < 1500; ++n) {
+        const CentrelinePoint at = line.at(-0.010 + 0.0001 * n);
+        const Vec3 p_A = at.p_A + 0.002 * Vec3::UnitX() + 0.001 * at.n_A;
+        const Vec3 axis_A = at.t_A + 0.2 * Vec3::UnitX() - 0.1 * at.n_A;
+        left.tool() = endoscopeAt(p.pose, p_A, axis_A);
+        right.tool() = endoscopeAt(p.pose, p_A.cwiseProduct(mirror), axis_A.cwiseProduct(mirror));
+        left.tool().v_WT = p.pose.vectorToW(Vec3(0.003, 0.002, 0.02));
+        right.tool().v_WT = p.pose.vectorToW(Vec3(-0.003, 0.002, 0.02));
+        left.tick();
+        right.tick();
+        const Vec3 f = p.pose.vectorToA(left.out.tissue.tools[0].force);
+        const Vec3 t = p.pose.vectorToA(left.out.tissue.tools[0].torque);
+        QVERIFY((f.cwiseProduct(mirror) - p.pose.vectorToA(right.out.tissue.tools[0].force)).norm() < 1e-9);
+        QVERIFY((-t.cwiseProduct(mirror) - p.pose.vectorToA(right.out.tissue.tools[0].torque)).norm() < 1e-11); // an axial vector
+        largest_N = std::max(largest_N, std::abs(f.x()));
+    }
+    QVERIFY(largest_N > 0.1);
+}
+
+void TestUrethraScene::poseThatIsNoNumberIsPassedOver() {
+    Driver d(wholeProcedure());
+    d.startRunning();
+    d.at(0.060, 5);
+    const double before = d.out.storedEnergy_J;
+    d.tool().p_WT.x() = std::numeric_limits<double>::quiet_NaN();
+    d.tick();
+    QCOMPARE(norm(d.out.tissue.tools[0]), 0.0);
+    d.at(0.060, 1);
+    QCOMPARE(d.out.storedEnergy_J, before);
+    d.tool().q_WT.coeffs().setZero();
+    d.tick();
+    QCOMPARE(norm(d.out.tissue.tools[0]), 0.0);
+    d.in.tools.count = 0;
+    d.tick();
+    QCOMPARE(d.out.tissue.count, 0);
+}
+
+void TestUrethraScene::otherToolsTouchNothing() {
+    Driver d(wholeProcedure());
+    d.in.tools.count = 2;
+    d.in.tools.tools[1] = endoscopeAt(d.p.pose, Vec3(0.003, 0.02, 0.04), Vec3::UnitZ());
+    d.startRunning();
+    d.at(0.060, 3);
+    QCOMPARE(norm(d.out.tissue.tools[1]), 0.0);
+    QCOMPARE(d.out.p_WProxy[1], d.in.tools.tools[1].p_WT);
+    QCOMPARE(d.out.tissue.count, 2);
+}
+
+void TestUrethraScene::tipIsDrawnInside_data() {
+    QTest::addColumn<double>("s");
+    QTest::addColumn<double>("offset");
+    QTest::addColumn<double>("drawn"); // from the centre-line; −1: where it is
+    QTest::newRow("on the line") << 0.060 << 0.0 << -1.0;
+    QTest::newRow("the wall yields") << 0.060 << 0.0079 << -1.0;
+    QTest::newRow("no farther") << 0.060 << 0.030 << 0.008;
+    QTest::newRow("just inside") << 0.0001 << 0.030 << 0.008;
+    QTest::newRow("outside it is free") << -0.020 << 0.030 << -1.0;
+}
+
+void TestUrethraScene::tipIsDrawnInside() {
+    QFETCH(double, s);
+    QFETCH(double, offset);
+    QFETCH(double, drawn);
+    Driver d(wholeProcedure());
+    d.startRunning();
+    const UrethraCentreline line(d.p.anatomy.curvature_per_m, d.p.anatomy.zEnd_m);
+    const CentrelinePoint at = line.at(s);
+    d.tool() = endoscopeAt(d.p.pose, at.p_A - offset * at.n_A, at.t_A);
+    d.tick();
+    if (drawn < 0.0)
+        QVERIFY((d.out.p_WProxy[0] - d.tool().p_WT).norm() == 0.0);
+    else
+        QVERIFY(std::abs((d.p.pose.pointToA(d.out.p_WProxy[0]) - at.p_A).norm() - drawn) < 1e-4);
+}
+
+// Over the whole neighbourhood the drawn tip lies in the canal or in the bladder, and moves no faster than a hand would.
+void TestUrethraScene::drawnTipMovesWithoutJumps() {
+    const UrethraInsertionParameters p = wholeProcedure();
+    const DrawnTip tip(p);
+    const UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const Vec3 centre = bladderCentre_A(p.anatomy, line);
+    double farthest_m = 0.0;
+    for (const double x : {0.0, 0.005, 0.012, 0.040}) {
+        for (double s = 0.0; s < 0.25; s += 1e-4) {
+            const CentrelinePoint at = line.at(s);
+            const Vec3 p_A = at.p_A + x * Vec3::UnitX();
+            const Vec3 drawn_A = p.pose.pointToA(tip.inW(p.pose.pointToW(p_A)));
+            const CentrelineFoot foot = line.foot(drawn_A);
+            const bool inCanal = foot.at.s_m <= line.length_m() + 0.0282 && std::hypot(foot.ex_m, foot.en_m) <= 0.0081;
+            const bool inBladder = (drawn_A - centre).norm() <= p.anatomy.bladderRadius_m - p.endoscope.radius_m + 1e-9;
+            QVERIFY2(inCanal || inBladder, qPrintable(QStringLiteral("x %1, s %2").arg(x).arg(s)));
+            farthest_m = std::max(farthest_m, (drawn_A - p_A).norm());
+        }
+    }
+    QVERIFY(farthest_m > 0.020);
+    Vec3 last_A = line.at(0.0).p_A;
+    for (double s = 0.0; s < 0.25; s += 1e-4) { // along the line, out through the bladder's far wall
+        const Vec3 p_A = line.at(s).p_A;
+        const Vec3 drawn_A = p.pose.pointToA(tip.inW(p.pose.pointToW(p_A)));
+        QVERIFY((drawn_A - last_A).norm() < 2e-4);
+        last_A = drawn_A;
+    }
+    QVERIFY((last_A - centre).norm() < p.anatomy.bladderRadius_m);
+}
+
+void TestUrethraScene::lumenIsSeenAhead() {
+    Driver d(wholeProcedure());
+    d.startRunning();
+    for (double s = -0.030; s < 0.150; s += 0.0013) {
+        d.at(s, 9); // long enough for a new look
+        const core::EndoscopeCues& cues = d.out.cues.endoscope;
+        const Vec3 to = vectorOf(cues.toLumen_T);
+        QVERIFY2(std::abs(to.norm() - 1.0) < 1e-9, qPrintable(QString::number(s)));
+        QVERIFY(to.z() < -0.8);             // ahead: the camera looks along −z
+        QVERIFY(std::abs(to.x()) < 1e-9);   // in the plane of symmetry
+        QVERIFY(to.y() > -1e-9 || s < 0.0); // the canal bends to the front, which is up in the picture
+        QVERIFY(cues.lumenDistance_m > 0.0024 && cues.lumenDistance_m <= 0.0626);
+        const Vec3 seen_W = d.tool().p_WT + d.tool().q_WT * (cues.lumenDistance_m * to);
+        const UrethraCentreline line(d.p.anatomy.curvature_per_m, d.p.anatomy.zEnd_m);
+        const CentrelineFoot foot = line.foot(d.p.pose.pointToA(seen_W));
+        QVERIFY(std::hypot(foot.ex_m, foot.en_m) < 1e-6);
+    }
+    // A canal of constant curvature κ and radius r is seen as far as a chord stays in it: √(8 r/κ), here 28 mm and a step.
+    d.at(0.0101, 9);
+    QVERIFY2(d.out.cues.endoscope.lumenDistance_m > 0.020 && d.out.cues.endoscope.lumenDistance_m < 0.040,
+             qPrintable(QString::number(d.out.cues.endoscope.lumenDistance_m)));
+}
+
+void TestUrethraScene::lumenIsNotSeenThroughTheWall() {
+    Driver d(wholeProcedure());
+    d.startRunning();
+    const UrethraCentreline line(d.p.anatomy.curvature_per_m, d.p.anatomy.zEnd_m);
+    const CentrelinePoint at = line.at(0.060);
+    d.tool() = endoscopeAt(d.p.pose, at.p_A, at.t_A + 1.2 * Vec3::UnitX()); // 50° aside, the picture is 35° wide
+    d.ticks(9);
+    QVERIFY(d.out.cues.endoscope.pictureShown);
+    QCOMPARE(vectorOf(d.out.cues.endoscope.toLumen_T).norm(), 0.0);
+    QCOMPARE(d.out.cues.endoscope.lumenDistance_m, 0.0);
+    d.tool() = endoscopeAt(d.p.pose, at.p_A, at.t_A + 0.5 * Vec3::UnitX()); // 27° aside: at the picture's edge, to the left
+    d.ticks(9);
+    QVERIFY(vectorOf(d.out.cues.endoscope.toLumen_T).norm() > 0.99);
+    QVERIFY(d.out.cues.endoscope.toLumen_T[0] > 0.3); // x̂ is to the patient's right, the picture's left
+}
+
+void TestUrethraScene::cuesFollowTheLevel() {
+    UrethraInsertionParameters p = wholeProcedure();
+    p.cues = {"tool", "guidance"}; // guidance is marked in the picture: without one there is none
+    Driver blind(p);
+    blind.startRunning();
+    blind.at(0.160, 10);
+    const core::EndoscopeCues& none = blind.out.cues.endoscope;
+    QVERIFY(none.present && !none.pictureShown && !none.guided && !none.landmarkShown);
+    QCOMPARE(vectorOf(none.toLumen_T).norm() + vectorOf(none.toLandmark_T).norm() + none.lumenDistance_m, 0.0);
+    QVERIFY(std::abs(none.depth_m - 0.160) < 1e-6); // the marks on the shaft are there
+    p.cues = {"object"};
+    Driver seeing(p);
+    seeing.startRunning();
+    seeing.at(0.160, 10);
+    QVERIFY(seeing.out.cues.endoscope.pictureShown && !seeing.out.cues.endoscope.guided);
+    QVERIFY(!seeing.out.cues.objectShown);
+}
+
+void TestUrethraScene::landmarkCueIsWhereTheLandmarkIs() {
+    Driver d(wholeProcedure());
+    d.startRunning();
+    d.at(0.160, 10);
+    QVERIFY(d.out.cues.endoscope.landmarkShown);
+    const Vec3 seen_W = d.tool().p_WT + d.tool().q_WT * vectorOf(d.out.cues.endoscope.toLandmark_T);
+    const std::array<double, 3> landmark = procedurePlan(d.p).landmark_A[0];
+    QVERIFY((d.p.pose.pointToA(seen_W) - vectorOf(landmark)).norm() < 1e-9);
+    QVERIFY(d.out.cues.endoscope.toLandmark_T[0] < 0.0); // the patient's right lies to the left in the picture
+    d.at(0.120, 10);
+    QVERIFY(!d.out.cues.endoscope.landmarkShown); // back in the canal
+}
+
+void TestUrethraScene::sameInputsSameOutputs() {
+    Driver a(wholeProcedure());
+    Driver b(wholeProcedure());
+    a.startRunning();
+    b.startRunning();
+    IdealProcedure first(a.p, 0.050);
+    IdealProcedure second(b.p, 0.050);
+    for (int n = 0; n < 9000; ++n) {
+        a.tool() = first.next(a.out.cues.endoscope.stage, a.scene.procedure().nextLandmark());
+        b.tool() = second.next(b.out.cues.endoscope.stage, b.scene.procedure().nextLandmark());
+        a.tick();
+        b.tick();
+        QCOMPARE(a.out.events, b.out.events);
+        QVERIFY(a.out.tissue.tools[0].force == b.out.tissue.tools[0].force);
+        QVERIFY(a.out.tissue.tools[0].torque == b.out.tissue.tools[0].torque);
+        QVERIFY(a.out.cues.endoscope.toLumen_T == b.out.cues.endoscope.toLumen_T);
+    }
+}
+
+QTEST_APPLESS_MAIN(TestUrethraScene)
+#include "test_urethra_scene.moc"
