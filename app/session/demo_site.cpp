@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
 
 namespace chiron::session {
 
@@ -37,6 +38,14 @@ struct Planned {
     ScriptedSession session;
 };
 
+bool hasOperator(const std::string& exercise, const std::string& name) {
+    const auto kind = exerciseKind(exercise);
+    if (!kind)
+        return false;
+    const std::vector<std::string> names = (*kind)->operatorNames();
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 core::Result<std::vector<Planned>> makePeople(database::Database& database, const catalogue::Catalogue& catalogue,
                                               std::uint64_t seed) {
     database::AccountService accounts(database);
@@ -57,6 +66,8 @@ core::Result<std::vector<Planned>> makePeople(database::Database& database, cons
         if (!actor)
             return tl::unexpected(actor.error());
         for (const catalogue::Exercise& exercise : catalogue.exercises()) {
+            if (!hasOperator(exercise.id, person.operatorName))
+                continue;
             for (int level = 1; level <= 2 && catalogue.find(exercise.id, level); ++level)
                 planned.push_back({person.name, *actor, {exercise.id, level, person.operatorName, seed + planned.size() + 100}});
         }

@@ -2,6 +2,7 @@
 #include "session/exercise_kind.h"
 
 #include "session/sphere_apex_kind.h"
+#include "session/urethra_insertion_kind.h"
 
 #include <array>
 
@@ -9,7 +10,8 @@ namespace chiron::session {
 
 core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
     static const SphereApexKind sphereApex;
-    static const std::array<const ExerciseKind*, 1> kinds{&sphereApex};
+    static const UrethraInsertionKind urethraInsertion;
+    static const std::array<const ExerciseKind*, 2> kinds{&sphereApex, &urethraInsertion};
     std::string known;
     for (const ExerciseKind* kind : kinds) {
         if (kind->id() == id)

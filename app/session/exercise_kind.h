@@ -46,6 +46,8 @@ public:
     virtual std::vector<std::string> operatorNames() const = 0;
     virtual int trialCount(const catalogue::ExerciseLevel& level) const = 0;
     virtual double forceLimit_N(const catalogue::ExerciseLevel& level) const = 0;
+    /// The exercise's torque cap for the supervisor; the site's default (models.md §5) where it commands no torque.
+    virtual double torqueLimit_Nm(const catalogue::ExerciseLevel&) const { return 0.150; }
     /// Longest time, in ticks, that a session of this level can take without pauses: a scripted run stops there.
     virtual std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const = 0;
     /// Adds to a trial what is true of it (from content and seed) and what its mark touched.

@@ -148,8 +148,10 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
 
 haptics::SafetySettings headlessSafety(const catalogue::ExerciseLevel& level) {
     haptics::SafetySettings safety;
-    if (const auto kind = exerciseKind(level.exercise))
+    if (const auto kind = exerciseKind(level.exercise)) {
         safety.exerciseForce_N = (*kind)->forceLimit_N(level);
+        safety.exerciseTorque_Nm = (*kind)->torqueLimit_Nm(level);
+    }
     safety.heartbeatWatched = false; // no window whose freezing could matter
     return safety;
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scoring/trace.h"
+#include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
+
+#include <optional>
+
+namespace chiron::session {
+
+/// What tool 0 of a trial did with respect to the urethra, sample by sample, from its stored poses and tissue wrench:
+///   s, offset: of the tip's foot on the centre-line;  alignment: angle between the endoscope's axis and the tangent there;
+///   lateral: ‖f − (f·t) t‖;  axial torque: |τ·a|;  stage and landmarks: a ProcedureTracker stepped over the samples that were not
+///   paused, as the scene steps it at every running tick.
+/// Nothing where the trace has no orientations. Pure; any thread.
+std::optional<scoring::InsertionSeries> insertionSeries(const simulation::UrethraInsertionParameters& parameters,
+                                                        const scoring::TrialTrace& trial);
+
+} // namespace chiron::session

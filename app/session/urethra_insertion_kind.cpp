@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/urethra_insertion_kind.h"
+
+#include "session/insertion_series.h"
+#include "simulation/exercises/urethra_insertion/drawn_tip.h"
+#include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"
+
+#include <cmath>
+
+namespace chiron::session {
+
+namespace {
+
+const simulation::UrethraInsertionParameters& parametersOf(const catalogue::ExerciseLevel& level) {
+    return std::get<simulation::UrethraInsertionParameters>(level.parameters);
+}
+
+/// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
+constexpr double kArmingAllowance_s = 20.0;
+
+/// The canal has no object of its own to be found; what playback needs is where the tip was drawn.
+class UrethraInsertionSurfaces final : public TrialSurfaces {
+public:
+    explicit UrethraInsertionSurfaces(const simulation::UrethraInsertionParameters& p) : m_drawn(p) {}
+    std::optional<TrialObject> object(int) const override { return std::nullopt; }
+    core::Vec3 surfacePoint(int trial, const core::Vec3& p_WT) const override {
+        return trial == 0 ? m_drawn.inW(p_WT) : p_WT;
+    }
+
+private:
+    simulation::DrawnTip m_drawn;
+};
+
+} // namespace
+
+std::unique_ptr<simulation::IScene> UrethraInsertionKind::makeScene(const catalogue::ExerciseLevel& level, std::uint64_t) const {
+    return std::make_unique<simulation::UrethraInsertionScene>(parametersOf(level));
+}
+
+core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const std::string& name, std::uint64_t) const {
+    return core::fail(core::ErrorCode::notFound, "operator \"" + name + "\": urethra_insertion has no scripted operator");
+}
+
+std::vector<std::string> UrethraInsertionKind::operatorNames() const { return {}; }
+
+int UrethraInsertionKind::trialCount(const catalogue::ExerciseLevel&) const { return 1; }
+
+double UrethraInsertionKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
+
+double UrethraInsertionKind::torqueLimit_Nm(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).maximumTorque_Nm;
+}
+
+std::uint64_t UrethraInsertionKind::tickLimit(const catalogue::ExerciseLevel& level) const {
+    return static_cast<std::uint64_t>(std::ceil(1000.0 * (parametersOf(level).trialLimit_s + kArmingAllowance_s)));
+}
+
+void UrethraInsertionKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t, scoring::TrialTrace& trial) const {
+    trial.insertion = insertionSeries(parametersOf(level), trial);
+}
+
+std::unique_ptr<TrialSurfaces> UrethraInsertionKind::makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t) const {
+    return std::make_unique<UrethraInsertionSurfaces>(parametersOf(level));
+}
+
+} // namespace chiron::session

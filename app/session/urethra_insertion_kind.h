@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session/exercise_kind.h"
+
+namespace chiron::session {
+
+/// Urethra insertion (models.md §1).
+class UrethraInsertionKind final : public ExerciseKind {
+public:
+    std::string_view id() const noexcept override { return "urethra_insertion"; }
+    std::string_view mechanism() const noexcept override { return "five_bar_spherical"; }
+    PointerTool pointerTool() const noexcept override { return PointerTool::endoscope; }
+    std::unique_ptr<simulation::IScene> makeScene(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    core::Result<ScriptedTrainee> makeOperator(const std::string& name, std::uint64_t seed) const override;
+    std::vector<std::string> operatorNames() const override;
+    int trialCount(const catalogue::ExerciseLevel& level) const override;
+    double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
+    double torqueLimit_Nm(const catalogue::ExerciseLevel& level) const override;
+    std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
+    /// Fills `trial.insertion` from tool 0's poses and tissue wrench with the level's own geometry: what was near, aligned and in
+    /// which stage follows from stored channels alone. Left out where the trace has no orientation.
+    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
+    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+};
+
+} // namespace chiron::session
