@@ -42,19 +42,22 @@ constexpr float kLeastSquare =
     return *reinterpret_cast<Four*>(to);
 }
 
-/// Puts what fits of a lane where it belongs.
+/// Puts a lane, or what fits of it, where it belongs. `Whole`: sides of whole blocks, as P1's 8, need not
+/// ask.
+template <bool Whole>
 [[gnu::always_inline]] inline void put(const Lane& values, float* to, int room) noexcept {
-    if (room >= kLaneWidth)
+    if (Whole || room >= kLaneWidth)
         lane(to) = values;
     else
         std::memcpy(to, &values, static_cast<std::size_t>(room) * sizeof(float));
 }
 
-[[gnu::always_inline]] inline void putCross(const Lane (&a)[3], const Lane (&b)[3], float* const (&out)[6],
-                                            int at, int room) noexcept {
-    put(a[1] * b[2] - a[2] * b[1], out[3] + at, room);
-    put(a[2] * b[0] - a[0] * b[2], out[4] + at, room);
-    put(a[0] * b[1] - a[1] * b[0], out[5] + at, room);
+template <bool Whole>
+[[gnu::always_inline]] inline void putCross(const Lane (&a)[3], const Lane (&b)[3],
+                                            const std::array<float*, 6>& out, int at, int room) noexcept {
+    put<Whole>(a[1] * b[2] - a[2] * b[1], out[3] + at, room);
+    put<Whole>(a[2] * b[0] - a[0] * b[2], out[4] + at, room);
+    put<Whole>(a[0] * b[1] - a[1] * b[0], out[5] + at, room);
 }
 
 [[gnu::always_inline]] inline void normalise(float* x, float* y, float* z, int count) noexcept {
@@ -65,6 +68,69 @@ constexpr float kLeastSquare =
         y[i] *= scale;
         z[i] *= scale;
     }
+}
+
+template <bool Whole>
+[[gnu::always_inline]] inline void innerRing(const float* row, const float* spread, const float* curves,
+                                             float u, const SideTables& tables, RingSize size,
+                                             const std::array<float*, 6>& to) noexcept {
+    const std::array<float*, 6> out = to; // a copy whose address nobody has: stores cannot change it
+    const float* const place = tables.v;
+    const float* const isFirst = tables.first;
+    for (int j = 0; j < size.columns; ++j, curves += kCurve)
+        for (int q = 0; q < size.perPatch; q += kLaneWidth) {
+            const int at = j * size.perPatch + q;
+            const int room = size.perPatch - q;
+            const Lane v = lane(place + q);
+            const Lane first = lane(isFirst + q);
+            Lane along[3];
+            Lane around[3];
+            for (int axis = 0; axis < 3; ++axis) {
+                const Lane more = lane(spread + axis * kLaneWidth);
+                const float step = curves[kStep + axis];
+                put<Whole>(lane(row + axis * kLaneWidth) + u * more + (curves[axis] + v * step),
+                           out[axis] + at, room);
+                along[axis] = more + (curves[kSlope + axis] + v * curves[kSlopeStep + axis]);
+                around[axis] = lane(row + (3 + axis) * kLaneWidth) +
+                               u * lane(spread + (3 + axis) * kLaneWidth) +
+                               (step + first * curves[kEdge + axis]);
+            }
+            putCross<Whole>(along, around, out, at, room);
+            row += kRowLanes * kLaneWidth;
+            spread += kRowLanes * kLaneWidth;
+        }
+    normalise(out[3], out[4], out[5], size.vertices());
+}
+
+template <bool Whole>
+[[gnu::always_inline]] inline void sectionRing(const float* row, const float* slope, const float* point,
+                                               const float* chord, const SideTables& tables, RingSize size,
+                                               const std::array<float*, 6>& to) noexcept {
+    const std::array<float*, 6> out = to; // a copy whose address nobody has: stores cannot change it
+    for (int j = 0; j < size.columns; ++j) {
+        const int here = j * kFour;
+        const int before = (j > 0 ? j - 1 : size.columns - 1) * kFour;
+        for (int q = 0; q < size.perPatch; q += kLaneWidth) {
+            const int at = j * size.perPatch + q;
+            const int room = size.perPatch - q;
+            const Lane v = lane(tables.v + q);
+            const Lane first = lane(tables.first + q);
+            Lane along[3];
+            Lane around[3];
+            for (int axis = 0; axis < 3; ++axis) {
+                const float step = chord[here + axis];
+                const float edge = 0.5F * (chord[before + axis] - step); // to the mean of both chords
+                put<Whole>(lane(row + axis * kLaneWidth) + (point[here + axis] + v * step), out[axis] + at,
+                           room);
+                along[axis] = lane(slope + axis * kLaneWidth);
+                around[axis] = lane(row + (3 + axis) * kLaneWidth) + (step + first * edge);
+            }
+            putCross<Whole>(along, around, out, at, room);
+            row += kRowLanes * kLaneWidth;
+            slope += kSlopeLanes * kLaneWidth;
+        }
+    }
+    normalise(out[3], out[4], out[5], size.vertices());
 }
 
 } // namespace
@@ -119,62 +185,20 @@ CHIRON_LANES void curveColumns(const SpanColumns& in, const std::array<float, 3>
 
 CHIRON_LANES void innerRingLanes(const float* row, const float* spread, const float* curves, float u,
                                  const SideTables& tables, RingSize size,
-                                 const std::array<float*, 6>& to) noexcept {
-    float* const out[6] = {to[0], to[1], to[2], to[3], to[4], to[5]};
-    const float* const place = tables.v;
-    const float* const isFirst = tables.first;
-    for (int j = 0; j < size.columns; ++j, curves += kCurve)
-        for (int q = 0; q < size.perPatch; q += kLaneWidth) {
-            const int at = j * size.perPatch + q;
-            const int room = size.perPatch - q;
-            const Lane v = lane(place + q);
-            const Lane first = lane(isFirst + q);
-            Lane along[3];
-            Lane around[3];
-            for (int axis = 0; axis < 3; ++axis) {
-                const Lane more = lane(spread + axis * kLaneWidth);
-                const float step = curves[kStep + axis];
-                put(lane(row + axis * kLaneWidth) + u * more + (curves[axis] + v * step), out[axis] + at,
-                    room);
-                along[axis] = more + (curves[kSlope + axis] + v * curves[kSlopeStep + axis]);
-                around[axis] = lane(row + (3 + axis) * kLaneWidth) +
-                               u * lane(spread + (3 + axis) * kLaneWidth) +
-                               (step + first * curves[kEdge + axis]);
-            }
-            putCross(along, around, out, at, room);
-            row += kRowLanes * kLaneWidth;
-            spread += kRowLanes * kLaneWidth;
-        }
-    normalise(out[3], out[4], out[5], size.vertices());
+                                 const std::array<float*, 6>& out) noexcept {
+    if (size.perPatch % kLaneWidth == 0)
+        innerRing<true>(row, spread, curves, u, tables, size, out);
+    else
+        innerRing<false>(row, spread, curves, u, tables, size, out);
 }
 
 CHIRON_LANES void sectionRingLanes(const float* row, const float* slope, const float* point,
                                    const float* chord, const SideTables& tables, RingSize size,
-                                   const std::array<float*, 6>& to) noexcept {
-    float* const out[6] = {to[0], to[1], to[2], to[3], to[4], to[5]};
-    for (int j = 0; j < size.columns; ++j) {
-        const int here = j * kFour;
-        const int before = (j > 0 ? j - 1 : size.columns - 1) * kFour;
-        for (int q = 0; q < size.perPatch; q += kLaneWidth) {
-            const int at = j * size.perPatch + q;
-            const int room = size.perPatch - q;
-            const Lane v = lane(tables.v + q);
-            const Lane first = lane(tables.first + q);
-            Lane along[3];
-            Lane around[3];
-            for (int axis = 0; axis < 3; ++axis) {
-                const float step = chord[here + axis];
-                const float edge = 0.5F * (chord[before + axis] - step); // to the mean of both chords
-                put(lane(row + axis * kLaneWidth) + (point[here + axis] + v * step), out[axis] + at, room);
-                along[axis] = lane(slope + axis * kLaneWidth);
-                around[axis] = lane(row + (3 + axis) * kLaneWidth) + (step + first * edge);
-            }
-            putCross(along, around, out, at, room);
-            row += kRowLanes * kLaneWidth;
-            slope += kSlopeLanes * kLaneWidth;
-        }
-    }
-    normalise(out[3], out[4], out[5], size.vertices());
+                                   const std::array<float*, 6>& out) noexcept {
+    if (size.perPatch % kLaneWidth == 0)
+        sectionRing<true>(row, slope, point, chord, tables, size, out);
+    else
+        sectionRing<false>(row, slope, point, chord, tables, size, out);
 }
 
 CHIRON_LANES void slopeLanes(const float* spread, const float* curves, float perLength,
