@@ -2,7 +2,9 @@
 #include "mechanisms/evaluate_laws.h"
 
 #include "core/units.h"
+#include "mechanisms/five_bar_kinematics.h"
 #include "mechanisms/gimbal_kinematics.h"
+#include "mechanisms/spherical_joint.h"
 
 #include <array>
 
@@ -70,12 +72,73 @@ void evaluateWeight(std::span<const double> p, std::span<const double> in, std::
         out[i] = values[i];
 }
 
-constexpr std::array<core::LawDescription, 2> kLaws{{
+constexpr FiveBarGeometry kLinkage{};
+constexpr std::array<LawParameter, 3> kLinkageParameters{{{"proximal_m", "m", kLinkage.proximal_m, 0.01, 1.0},
+                                                          {"distal_m", "m", kLinkage.distal_m, 0.01, 1.0},
+                                                          {"half_base_m", "m", kLinkage.halfBase_m, 0.0, 1.0}}};
+
+FiveBarLoop loopOf(std::span<const double> p, std::span<const double> in) noexcept {
+    FiveBarGeometry geometry;
+    geometry.proximal_m = p[0];
+    geometry.distal_m = p[1];
+    geometry.halfBase_m = p[2];
+    return FiveBarKinematics(geometry).loop(in[0], in[1]);
+}
+
+constexpr std::array<LawColumn, 2> kPoseInputs{{{"theta1_rad", "rad"}, {"theta2_rad", "rad"}}};
+constexpr std::array<LawColumn, 8> kPoseOutputs{{{"y_m", "m"},
+                                                 {"z_m", "m"},
+                                                 {"dy_dtheta1_m", "m/rad"},
+                                                 {"dy_dtheta2_m", "m/rad"},
+                                                 {"dz_dtheta1_m", "m/rad"},
+                                                 {"dz_dtheta2_m", "m/rad"},
+                                                 {"det_a_m2", "m²"},
+                                                 {"condition", "1"}}};
+
+void evaluatePose(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+    const FiveBarLoop loop = loopOf(p, in);
+    const std::array<double, 8> values{loop.tip.x(),          loop.tip.y(),          loop.jacobian(0, 0),
+                                       loop.jacobian(0, 1),   loop.jacobian(1, 0),   loop.jacobian(1, 1),
+                                       loop.determinant,      FiveBarKinematics::conditionNumber(loop)};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        out[i] = values[i];
+}
+
+constexpr std::array<LawColumn, 10> kEffortInputs{{{"theta1_rad", "rad"},
+                                                   {"theta2_rad", "rad"},
+                                                   {"pitch_rad", "rad"},
+                                                   {"yaw_rad", "rad"},
+                                                   {"fx_N", "N"},
+                                                   {"fy_N", "N"},
+                                                   {"fz_N", "N"},
+                                                   {"tx_Nm", "N·m"},
+                                                   {"ty_Nm", "N·m"},
+                                                   {"tz_Nm", "N·m"}}};
+constexpr std::array<LawColumn, 5> kEffortOutputs{{{"torque_theta1_Nm", "N·m"},
+                                                   {"torque_theta2_Nm", "N·m"},
+                                                   {"torque_pitch_Nm", "N·m"},
+                                                   {"torque_yaw_Nm", "N·m"},
+                                                   {"torque_roll_Nm", "N·m"}}};
+
+void evaluateEfforts(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+    const core::Vec2 bars = FiveBarKinematics::efforts(loopOf(p, in), {in[4], in[5], in[6]});
+    const core::Vec3 joint = SphericalJoint({in[2], in[3], 0.0}).efforts({in[7], in[8], in[9]});
+    out[0] = bars[0];
+    out[1] = bars[1];
+    for (int axis = 0; axis < 3; ++axis)
+        out[static_cast<std::size_t>(axis) + 2] = joint[axis];
+}
+
+constexpr std::array<core::LawDescription, 4> kLaws{{
     {"polar_forces", "Cartesian force to heading, pitch and depth: as published and exact (vendor axes)",
      "P2, Coordinate System; models.md §2.1", kForceInputs, kForceOutputs, kForceParameters, &evaluateForces},
     {"polar_weight",
      "weight of a mass as heading, pitch and depth forces: as published, and exact with z of D up",
      "P2, Mass Model; models.md §2.1", kWeightInputs, kWeightOutputs, kWeightParameters, &evaluateWeight},
+    {"five_bar_pose", "tip, Jacobian, det A and condition number of the five-bar linkage (D)", "P1 §2; devices.md §5",
+     kPoseInputs, kPoseOutputs, kLinkageParameters, &evaluatePose},
+    {"five_bar_efforts", "force at the tip and torque about it to torques of the linkage and the spherical joint (D)",
+     "P1 §2; devices.md §5", kEffortInputs, kEffortOutputs, kLinkageParameters, &evaluateEfforts},
 }};
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "devices/drivers/endoscope_pointer/endoscope_mailbox.h"
 #include "devices/drivers/keyboard_mouse/pointer_mailbox.h"
 #include "realtime/tick_guard.h"
 #include "support/haptic_bench.h"
@@ -13,7 +14,8 @@ inline constexpr int kTicks = 10'000;
 
 /// One loop for 10,000 ticks with commands on the way; only the ticks themselves are counted.
 inline ForbiddenCounts guardedRun(haptics::HapticLoop& loop, haptics::LiveInputs& inputs,
-                                  devices::PointerMailbox* pointer) {
+                                  devices::PointerMailbox* pointer,
+                                  devices::EndoscopeMailbox* endoscope = nullptr) {
     realtime::TickSource ticks;
     resetForbiddenCounts();
     for (int n = 0; n < kTicks; ++n) {
@@ -42,6 +44,8 @@ inline ForbiddenCounts guardedRun(haptics::HapticLoop& loop, haptics::LiveInputs
         }
         if (pointer != nullptr)
             pointer->move(1e-6 * (n % 7 - 3), 1e-6 * (n % 5 - 2), n < 3000 ? -20e-6 : 0.0);
+        if (endoscope != nullptr)
+            endoscope->move({.advance_m = n < 3000 ? 25e-6 : 0.0, .turnUp_rad = n < 2000 ? -3e-4 : 0.0, .spin_rad = 1e-5 * (n % 5 - 1)});
         inputs.beat(static_cast<std::int64_t>(n) * 1'000'000);
         const realtime::HapticTick now = ticks.next(static_cast<std::int64_t>(n) * 1'000'000);
         const TickGuard guard;

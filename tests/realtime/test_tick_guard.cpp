@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/drivers/endoscope_pointer/endoscope_pointer_device.h"
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 #include "devices/drivers/replay/recorded_device.h"
 #include "devices/drivers/replay/replay_device.h"
 #include "devices/drivers/simulated/simulated_device.h"
+#include "devices/drivers/simulated/simulated_endoscope_device.h"
 #include "haptics/recorded_inputs.h"
 #include "mechanisms/scripted_motion.h"
 #include "operators/sphere_apex/sphere_apex_operator.h"
@@ -49,6 +51,27 @@ std::unique_ptr<devices::SimulatedDevice> gimbal(std::uint64_t seed) {
         core::Vec3(0.0, 0.0, 0.030),
         std::vector<mechanisms::ScriptedMotion::Term>{{core::Vec3(0.003, 0.002, -0.018), 0.25, 0.0}});
     auto device = std::move(*devices::SimulatedDevice::create(configuration, std::move(hand)));
+    (void)device->open();
+    return device;
+}
+
+/// An endoscope whose hand moves its tip up and down through the ball's top and turns it on the way.
+class Turner final : public mechanisms::HandStrategy {
+public:
+    mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override {
+        const double phase = 1.5 * seen.time_s;
+        mechanisms::HandIntention wanted;
+        wanted.p_DDesired = core::Vec3(0.0, 0.003, 0.030 - 0.018 * std::sin(phase));
+        wanted.q_DDesired =
+            mechanisms::SphericalJoint({0.4 * std::sin(phase), 0.2 * std::cos(phase), 0.5 * phase}).orientation_DT();
+        return wanted;
+    }
+};
+
+std::unique_ptr<devices::SimulatedEndoscopeDevice> endoscope() {
+    devices::SimulatedEndoscopeDevice::Configuration configuration;
+    configuration.start_D = core::Vec3(0.0, 0.003, 0.030);
+    auto device = std::move(*devices::SimulatedEndoscopeDevice::create(configuration, std::make_unique<Turner>()));
     (void)device->open();
     return device;
 }
@@ -119,6 +142,32 @@ private slots:
         for (const core::HapticFrame& frame : store.frames)
             strongest_N = std::max(strongest_N, frame.tool[0].commanded[2]);
         QVERIFY(strongest_N > 0.1);
+    }
+
+    void simulatedEndoscope() {
+        const auto device = endoscope();
+        haptics::LiveInputs inputs;
+        FrameStore store;
+        LoopBench bench({{*device, {}}}, inputs, store, apexScene(exercise("plain")));
+        const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr);
+        QVERIFY2(counts.total() == 0, words(counts));
+        double strongest_N = 0.0, widest_rad = 0.0;
+        for (const core::HapticFrame& frame : store.frames) {
+            strongest_N = std::max(strongest_N, frame.tool[0].commanded[2]);
+            widest_rad = std::max(widest_rad, std::abs(frame.tool[0].counts[4] * device->descriptor().axes[4].resolution));
+        }
+        QVERIFY(strongest_N > 0.1 && widest_rad > 1.0);
+    }
+
+    void mouseMovingAnEndoscope() {
+        const auto device = devices::EndoscopePointerDevice::create();
+        haptics::LiveInputs inputs;
+        FrameStore store;
+        LoopBench bench({{**device, {}}}, inputs, store, apexScene(exercise("plain")));
+        const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr, &(*device)->mailbox());
+        QVERIFY2(counts.total() == 0, words(counts));
+        for (const std::size_t axis : {1u, 2u, 3u, 5u})
+            QVERIFY(store.frames.back().tool[0].counts[axis] != store.frames.front().tool[0].counts[axis]);
     }
 
     void scriptedTrainees_data() {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
 #include "core/units.h"
+#include "mechanisms/evaluate_laws.h"
 #include "mechanisms/five_bar_kinematics.h"
 #include "mechanisms/five_bar_plant_parameters.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 using namespace chiron;
 using core::Vec2;
@@ -146,6 +149,34 @@ private slots:
         QVERIFY(plant.renderLimit[1] == plant.renderLimit[0]);
         // A count at the tip: no worse than the count that the tissue's friction is regularised for.
         QVERIFY(plant.resolution[0] * longest < 25e-6);
+    }
+
+    void evaluatedTablesAgree() {
+        const auto laws = mechanisms::evaluateLaws();
+        const auto evaluate = [&](std::string_view id, const std::vector<double>& in) {
+            for (const auto& law : laws) {
+                if (law.id != id || law.inputs.size() != in.size())
+                    continue;
+                std::vector<double> parameters, out(law.outputs.size(), std::nan(""));
+                for (const auto& parameter : law.parameters)
+                    parameters.push_back(parameter.defaultValue);
+                law.evaluate(parameters, in, out);
+                return out;
+            }
+            return std::vector<double>{};
+        };
+        const FiveBarLoop loop = FiveBarKinematics().loop(2.5, 0.6);
+        const auto pose = evaluate("five_bar_pose", {2.5, 0.6});
+        QCOMPARE(pose.size(), std::size_t{8});
+        QVERIFY(pose[0] == loop.tip.x() && pose[1] == loop.tip.y() && pose[3] == loop.jacobian(0, 1));
+        QVERIFY(pose[4] == loop.jacobian(1, 0) && pose[6] == loop.determinant);
+        QVERIFY(pose[7] == FiveBarKinematics::conditionNumber(loop));
+        const auto efforts = evaluate("five_bar_efforts", {2.5, 0.6, 0.0, 0.0, 9.0, 1.0, 2.0, 0.1, 0.01, 0.05});
+        QCOMPARE(efforts.size(), std::size_t{5});
+        const Vec2 tau = loop.jacobian.transpose() * Vec2(1.0, 2.0);
+        QVERIFY(efforts[0] == tau[0] && efforts[1] == tau[1]);
+        // Level and straight: pitch about x, yaw about z, roll about y of D.
+        QVERIFY(efforts[2] == 0.1 && std::abs(efforts[3] - 0.05) < 1e-15 && std::abs(efforts[4] - 0.01) < 1e-15);
     }
 
     /// Wherever the stops let the base angles go the linkage is one and the same assembly, so that counts mean one pose.
