@@ -573,6 +573,118 @@ Einzelheiten: %2</translation>
         <translation>kein Ruck: die Geschwindigkeit ändert sich gleichmäßig</translation>
     </message>
     <message>
+        <source>Off-centre distance, root mean square</source>
+        <translation>Abstand von der Mitte, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>How far the tip was from the middle of the urethra, on the way in and out: large distances weigh more than in the mean.</source>
+        <translation>Wie weit die Spitze auf dem Weg hinein und hinaus von der Mitte der Harnröhre entfernt war: Große Abstände zählen mehr als im Mittelwert.</translation>
+    </message>
+    <message>
+        <source>Off-centre distance, largest</source>
+        <translation>Abstand von der Mitte, größter</translation>
+    </message>
+    <message>
+        <source>The farthest that the tip was from the middle of the urethra.</source>
+        <translation>Der größte Abstand der Spitze von der Mitte der Harnröhre.</translation>
+    </message>
+    <message>
+        <source>Alignment, root mean square</source>
+        <translation>Ausrichtung, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more.</source>
+        <translation>Der Winkel zwischen Endoskop und Richtung der Harnröhre am Ort der Spitze; große Winkel zählen mehr.</translation>
+    </message>
+    <message>
+        <source>Alignment at the bend</source>
+        <translation>Ausrichtung an der Biegung</translation>
+    </message>
+    <message>
+        <source>The same angle on the way in, within 10 mm of the bend, where the endoscope has to be turned.</source>
+        <translation>Derselbe Winkel auf dem Weg hinein, bis 10 mm vor und nach der Biegung, wo das Endoskop gedreht werden muss.</translation>
+    </message>
+    <message>
+        <source>Trauma events</source>
+        <translation>Verletzungsereignisse</translation>
+    </message>
+    <message>
+        <source>How often the endoscope pressed sideways on the wall over the limit of this level for 20 ms or longer.</source>
+        <translation>Wie oft das Endoskop 20 ms oder länger seitlich stärker gegen die Wand drückte, als die Grenze dieser Stufe erlaubt.</translation>
+    </message>
+    <message>
+        <source>Largest torque</source>
+        <translation>Größtes Drehmoment</translation>
+    </message>
+    <message>
+        <source>The largest torque between endoscope and tissue at any moment.</source>
+        <translation>Das größte Drehmoment zwischen Endoskop und Gewebe zu irgendeinem Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>Torque, root mean square</source>
+        <translation>Drehmoment, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>The root of the mean squared torque between endoscope and tissue.</source>
+        <translation>Die Wurzel aus dem mittleren Quadrat des Drehmoments zwischen Endoskop und Gewebe.</translation>
+    </message>
+    <message>
+        <source>Reversals</source>
+        <translation>Rückwärtsbewegungen</translation>
+    </message>
+    <message>
+        <source>How often the tip went back by 1 mm or more on the way in.</source>
+        <translation>Wie oft die Spitze auf dem Weg hinein um 1 mm oder mehr zurückging.</translation>
+    </message>
+    <message>
+        <source>Landmarks seen</source>
+        <translation>Gesehene Orientierungspunkte</translation>
+    </message>
+    <message>
+        <source>The landmarks of the bladder that were inspected, in % of those that the level asks for.</source>
+        <translation>Die betrachteten Orientierungspunkte der Blase, in % derer, die die Stufe verlangt.</translation>
+    </message>
+    <message>
+        <source>Tip travel during inspection</source>
+        <translation>Weg der Spitze beim Betrachten</translation>
+    </message>
+    <message>
+        <source>How far the tip travelled while the bladder was inspected: turning it shows as much and harms less.</source>
+        <translation>Wie weit sich die Spitze bewegte, während die Blase betrachtet wurde: Drehen zeigt ebenso viel und schadet weniger.</translation>
+    </message>
+    <message>
+        <source>Insertion depth</source>
+        <translation>Einführtiefe</translation>
+    </message>
+    <message>
+        <source>The deepest place that the tip reached, up to the goal of this level.</source>
+        <translation>Die tiefste Stelle, die die Spitze erreichte, höchstens das Ziel dieser Stufe.</translation>
+    </message>
+    <message>
+        <source>the trace has no insertion data</source>
+        <translation>die Aufzeichnung enthält keine Daten zum Einführen</translation>
+    </message>
+    <message>
+        <source>the trace has no torques</source>
+        <translation>die Aufzeichnung enthält keine Drehmomente</translation>
+    </message>
+    <message>
+        <source>the tip was never in the urethra</source>
+        <translation>die Spitze war nie in der Harnröhre</translation>
+    </message>
+    <message>
+        <source>the tip was never at the bend</source>
+        <translation>die Spitze war nie an der Biegung</translation>
+    </message>
+    <message>
+        <source>the level has no landmarks</source>
+        <translation>die Stufe hat keine Orientierungspunkte</translation>
+    </message>
+    <message>
+        <source>the inspection was not reached</source>
+        <translation>das Betrachten wurde nicht erreicht</translation>
+    </message>
+    <message>
         <source>published, 5 subjects × 10</source>
         <translation>veröffentlicht, 5 Personen × 10</translation>
     </message>
@@ -658,6 +770,46 @@ Einzelheiten: %2</translation>
     <message>
         <source>The person ended the session</source>
         <translation>Die Person beendete die Sitzung</translation>
+    </message>
+    <message>
+        <source>The insertion begins</source>
+        <translation>Das Einführen beginnt</translation>
+    </message>
+    <message>
+        <source>The inspection begins</source>
+        <translation>Das Betrachten beginnt</translation>
+    </message>
+    <message>
+        <source>The withdrawal begins</source>
+        <translation>Das Zurückziehen beginnt</translation>
+    </message>
+    <message>
+        <source>The next stage begins</source>
+        <translation>Der nächste Abschnitt beginnt</translation>
+    </message>
+    <message>
+        <source>Time was up before the end</source>
+        <translation>Die Zeit war vor dem Ende um</translation>
+    </message>
+    <message>
+        <source>Everything was done</source>
+        <translation>Alles war erledigt</translation>
+    </message>
+    <message>
+        <source>Landmarks seen: %1</source>
+        <translation>Gesehene Orientierungspunkte: %1</translation>
+    </message>
+    <message>
+        <source>A landmark was seen</source>
+        <translation>Ein Orientierungspunkt wurde gesehen</translation>
+    </message>
+    <message>
+        <source>Pressed on the wall for %1, up to %2</source>
+        <translation>%1 gegen die Wand gedrückt, bis %2</translation>
+    </message>
+    <message>
+        <source>Went back by %1</source>
+        <translation>Um %1 zurückgegangen</translation>
     </message>
 </context>
 <context>

@@ -573,6 +573,118 @@ Details: %2</source>
         <translation>χωρίς τίναγμα: η ταχύτητα αλλάζει ομοιόμορφα</translation>
     </message>
     <message>
+        <source>Off-centre distance, root mean square</source>
+        <translation>Απόσταση από το κέντρο, ενεργός τιμή (RMS)</translation>
+    </message>
+    <message>
+        <source>How far the tip was from the middle of the urethra, on the way in and out: large distances weigh more than in the mean.</source>
+        <translation>Πόσο απείχε η άκρη από τη μέση της ουρήθρας, στην είσοδο και στην έξοδο: οι μεγάλες αποστάσεις βαραίνουν περισσότερο απ&apos; ό,τι στον μέσο όρο.</translation>
+    </message>
+    <message>
+        <source>Off-centre distance, largest</source>
+        <translation>Απόσταση από το κέντρο, μέγιστη</translation>
+    </message>
+    <message>
+        <source>The farthest that the tip was from the middle of the urethra.</source>
+        <translation>Η μεγαλύτερη απόσταση της άκρης από τη μέση της ουρήθρας.</translation>
+    </message>
+    <message>
+        <source>Alignment, root mean square</source>
+        <translation>Ευθυγράμμιση, ενεργός τιμή (RMS)</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more.</source>
+        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και τη διεύθυνση της ουρήθρας εκεί που ήταν η άκρη του· οι μεγάλες γωνίες βαραίνουν περισσότερο.</translation>
+    </message>
+    <message>
+        <source>Alignment at the bend</source>
+        <translation>Ευθυγράμμιση στην καμπή</translation>
+    </message>
+    <message>
+        <source>The same angle on the way in, within 10 mm of the bend, where the endoscope has to be turned.</source>
+        <translation>Η ίδια γωνία κατά την είσοδο, ως 10 mm από την καμπή, όπου το ενδοσκόπιο πρέπει να στραφεί.</translation>
+    </message>
+    <message>
+        <source>Trauma events</source>
+        <translation>Συμβάντα τραυματισμού</translation>
+    </message>
+    <message>
+        <source>How often the endoscope pressed sideways on the wall over the limit of this level for 20 ms or longer.</source>
+        <translation>Πόσες φορές το ενδοσκόπιο πίεσε πλάγια το τοίχωμα πάνω από το όριο αυτού του επιπέδου για 20 ms ή περισσότερο.</translation>
+    </message>
+    <message>
+        <source>Largest torque</source>
+        <translation>Μέγιστη ροπή</translation>
+    </message>
+    <message>
+        <source>The largest torque between endoscope and tissue at any moment.</source>
+        <translation>Η μεγαλύτερη ροπή ανάμεσα στο ενδοσκόπιο και τον ιστό σε οποιαδήποτε στιγμή.</translation>
+    </message>
+    <message>
+        <source>Torque, root mean square</source>
+        <translation>Ροπή, ενεργός τιμή (RMS)</translation>
+    </message>
+    <message>
+        <source>The root of the mean squared torque between endoscope and tissue.</source>
+        <translation>Η ρίζα του μέσου τετραγώνου της ροπής ανάμεσα στο ενδοσκόπιο και τον ιστό.</translation>
+    </message>
+    <message>
+        <source>Reversals</source>
+        <translation>Οπισθοχωρήσεις</translation>
+    </message>
+    <message>
+        <source>How often the tip went back by 1 mm or more on the way in.</source>
+        <translation>Πόσες φορές η άκρη οπισθοχώρησε κατά 1 mm ή περισσότερο στην είσοδο.</translation>
+    </message>
+    <message>
+        <source>Landmarks seen</source>
+        <translation>Οδηγά σημεία που φάνηκαν</translation>
+    </message>
+    <message>
+        <source>The landmarks of the bladder that were inspected, in % of those that the level asks for.</source>
+        <translation>Τα οδηγά σημεία της κύστης που εξετάστηκαν, σε % όσων ζητά το επίπεδο.</translation>
+    </message>
+    <message>
+        <source>Tip travel during inspection</source>
+        <translation>Διαδρομή της άκρης στην επισκόπηση</translation>
+    </message>
+    <message>
+        <source>How far the tip travelled while the bladder was inspected: turning it shows as much and harms less.</source>
+        <translation>Πόσο μετακινήθηκε η άκρη όσο εξεταζόταν η κύστη: η στροφή δείχνει άλλα τόσα και βλάπτει λιγότερο.</translation>
+    </message>
+    <message>
+        <source>Insertion depth</source>
+        <translation>Βάθος εισαγωγής</translation>
+    </message>
+    <message>
+        <source>The deepest place that the tip reached, up to the goal of this level.</source>
+        <translation>Το βαθύτερο σημείο που έφτασε η άκρη, ως τον στόχο αυτού του επιπέδου.</translation>
+    </message>
+    <message>
+        <source>the trace has no insertion data</source>
+        <translation>η καταγραφή δεν έχει στοιχεία εισαγωγής</translation>
+    </message>
+    <message>
+        <source>the trace has no torques</source>
+        <translation>η καταγραφή δεν έχει ροπές</translation>
+    </message>
+    <message>
+        <source>the tip was never in the urethra</source>
+        <translation>η άκρη δεν μπήκε ποτέ στην ουρήθρα</translation>
+    </message>
+    <message>
+        <source>the tip was never at the bend</source>
+        <translation>η άκρη δεν έφτασε ποτέ στην καμπή</translation>
+    </message>
+    <message>
+        <source>the level has no landmarks</source>
+        <translation>το επίπεδο δεν έχει οδηγά σημεία</translation>
+    </message>
+    <message>
+        <source>the inspection was not reached</source>
+        <translation>η επισκόπηση δεν ξεκίνησε</translation>
+    </message>
+    <message>
         <source>published, 5 subjects × 10</source>
         <translation>δημοσιευμένη, 5 άτομα × 10</translation>
     </message>
@@ -658,6 +770,46 @@ Details: %2</source>
     <message>
         <source>The person ended the session</source>
         <translation>Το άτομο τερμάτισε τη συνεδρία</translation>
+    </message>
+    <message>
+        <source>The insertion begins</source>
+        <translation>Αρχίζει η εισαγωγή</translation>
+    </message>
+    <message>
+        <source>The inspection begins</source>
+        <translation>Αρχίζει η επισκόπηση</translation>
+    </message>
+    <message>
+        <source>The withdrawal begins</source>
+        <translation>Αρχίζει η απόσυρση</translation>
+    </message>
+    <message>
+        <source>The next stage begins</source>
+        <translation>Αρχίζει το επόμενο στάδιο</translation>
+    </message>
+    <message>
+        <source>Time was up before the end</source>
+        <translation>Ο χρόνος τελείωσε πριν από το τέλος</translation>
+    </message>
+    <message>
+        <source>Everything was done</source>
+        <translation>Όλα ολοκληρώθηκαν</translation>
+    </message>
+    <message>
+        <source>Landmarks seen: %1</source>
+        <translation>Οδηγά σημεία που φάνηκαν: %1</translation>
+    </message>
+    <message>
+        <source>A landmark was seen</source>
+        <translation>Φάνηκε ένα οδηγό σημείο</translation>
+    </message>
+    <message>
+        <source>Pressed on the wall for %1, up to %2</source>
+        <translation>Πίεση στο τοίχωμα για %1, ως %2</translation>
+    </message>
+    <message>
+        <source>Went back by %1</source>
+        <translation>Οπισθοχώρηση κατά %1</translation>
     </message>
 </context>
 <context>
