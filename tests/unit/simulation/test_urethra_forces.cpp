@@ -109,7 +109,7 @@ void TestUrethraForces::spinMeetsItsClosedForm() {
             motion.w_A = spin * motion.axis_A;
             motion.v_A = speed * motion.axis_A;
             const double around = spin * scope.radius_m;
-            const double v0 = std::max({0.001, 25e-6 / 0.015, 0.1 * N / 50.0});
+            const double v0 = std::max({0.001, 25e-6 / 0.015, 0.1 * N / UrethraForceSettings{}.maximumDamping_Ns_per_m});
             const double closed =
                 -anatomy.friction * N * scope.radius_m * around / std::sqrt(around * around + speed * speed + v0 * v0) -
                 anatomy.viscosity_Ns_per_m2 * L * scope.radius_m * scope.radius_m * spin;

@@ -19,7 +19,7 @@ struct UrethraForceSettings {
     double maximumStep_m = 0.0025;    ///< of fine: Δs = L/⌈L/this⌉
     int basicSections = 26;           ///< of p1Basic, equidistant along z; ≥ 2
     double count_m = 25e-6;           ///< one count of the device at the tip: V₀ ≥ count/15 ms (models.md §0)
-    double maximumDamping_Ns_per_m = 50.0; ///< b_max of the device: V₀ ≥ μN/b_max
+    double maximumDamping_Ns_per_m = 20.0; ///< b_max of the device: V₀ ≥ μN/b_max; 20 is P1's mechanism's (README.md)
 };
 
 /// The endoscope in A. `axis_A`: unit, the way it looks (forward); `spin`: about that axis.
