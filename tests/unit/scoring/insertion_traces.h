@@ -64,6 +64,17 @@ inline SessionTrace canalSession(TrialTrace trial) {
     return canalSession(std::move(one));
 }
 
+/// Straight in from -10 mm to 90 mm at 10 mm/s.
+inline TrialTrace straightIn(const std::function<void(CanalSample&, double)>& with = {}) {
+    return canalTrial(10.0, 0.001, [&](double t) {
+        CanalSample sample;
+        sample.s_m = -0.010 + 0.010 * t;
+        if (with)
+            with(sample, t);
+        return sample;
+    });
+}
+
 /// The first trial as metrics see it.
 inline TrialTrace onGrids(const TrialTrace& trial) {
     return chiron::scoring::onStoredGrids(canalSession(trial))->trials.front();
