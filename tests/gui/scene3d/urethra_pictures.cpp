@@ -53,6 +53,18 @@ std::map<QString, Picture> pictures() {
     all["g_bladder_focus"] = picture({.s_m = 0.152}, true);
     all["h_ureters"] = picture({.s_m = 0.160, .pitch_rad = -45 * kDegree});
     all["h_ureters_focus"] = picture({.s_m = 0.160, .pitch_rad = -45 * kDegree}, true);
+    all["i_seen"] = all["h_ureters"];
+    all["i_seen"].state.endoscope.landmarksSeen = 1U << 3;
+    all["i_seen"].state.endoscope.dwell = 0.6;
+    all["i_seen"].state.endoscope.toLumen_T = {};
+    all["j_over"] = all["e_offset"];
+    all["j_over"].state.tool[0].force_N = {3.4, -2.6, 2.4};
+    all["k_off"] = all["d_middle"];
+    all["k_off"].setup.cues.object = false;
+    all["l_unguided"] = all["d_middle"];
+    all["l_unguided"].setup.cues = {.tool = true, .arrow = false, .object = true};
+    all["m_dark"] = all["e_offset"];
+    all["m_dark"].setup.colours = samples::dark();
     return all;
 }
 

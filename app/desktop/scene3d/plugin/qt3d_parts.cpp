@@ -9,10 +9,10 @@
 #include <Qt3DRender/QBlendEquationArguments>
 #include <Qt3DRender/QCullFace>
 #include <Qt3DRender/QDepthTest>
+#include <Qt3DRender/QFilterKey>
 #include <Qt3DRender/QGraphicsApiFilter>
 #include <Qt3DRender/QNoDepthMask>
 #include <Qt3DRender/QRenderPass>
-#include <Qt3DRender/QTechnique>
 
 namespace chiron::scene3d {
 
@@ -90,17 +90,8 @@ Qt3DRender::QEffect* EffectShelf::effect(const char* vertexShader, const char* f
                 tools >= 0 ? "#define TOOLS " + QByteArray::number(tools) + '\n' + source("shadow.glsl") : QByteArray());
 }
 
-Qt3DRender::QEffect* EffectShelf::made(const char* vertexShader, const char* fragmentShader, Blend blend,
-                                       const QByteArray& head) {
-    Qt3DRender::QEffect*& effect = m_effects[{vertexShader, fragmentShader, blend, head}];
-    if (effect)
-        return effect;
-    effect = new Qt3DRender::QEffect(m_owner);
-    auto* technique = new Qt3DRender::QTechnique(effect);
-    technique->graphicsApiFilter()->setApi(Qt3DRender::QGraphicsApiFilter::OpenGL);
-    technique->graphicsApiFilter()->setProfile(Qt3DRender::QGraphicsApiFilter::CoreProfile);
-    technique->graphicsApiFilter()->setMajorVersion(3);
-    technique->graphicsApiFilter()->setMinorVersion(2);
+void EffectShelf::addPass(Qt3DRender::QTechnique* technique, const char* vertexShader, const char* fragmentShader,
+                          Blend blend, const QByteArray& head, const std::vector<const char*>& looks) const {
     auto* pass = new Qt3DRender::QRenderPass(technique);
     auto* program = new Qt3DRender::QShaderProgram(pass);
     QByteArray vertex = source(vertexShader);
@@ -117,7 +108,32 @@ Qt3DRender::QEffect* EffectShelf::made(const char* vertexShader, const char* fra
         cull->setMode(Qt3DRender::QCullFace::NoCulling);
         pass->addRenderState(cull);
     }
+    for (const char* look : looks) {
+        auto* key = new Qt3DRender::QFilterKey(pass);
+        key->setName(QLatin1String(kLookKey));
+        key->setValue(QLatin1String(look));
+        pass->addFilterKey(key);
+    }
     technique->addRenderPass(pass);
+}
+
+Qt3DRender::QEffect* EffectShelf::made(const char* vertexShader, const char* fragmentShader, Blend blend,
+                                       const QByteArray& head) {
+    Qt3DRender::QEffect*& effect = m_effects[{vertexShader, fragmentShader, blend, head}];
+    if (effect)
+        return effect;
+    effect = new Qt3DRender::QEffect(m_owner);
+    auto* technique = new Qt3DRender::QTechnique(effect);
+    technique->graphicsApiFilter()->setApi(Qt3DRender::QGraphicsApiFilter::OpenGL);
+    technique->graphicsApiFilter()->setProfile(Qt3DRender::QGraphicsApiFilter::CoreProfile);
+    technique->graphicsApiFilter()->setMajorVersion(3);
+    technique->graphicsApiFilter()->setMinorVersion(2);
+    if (head.contains("LAMP")) {
+        addPass(technique, vertexShader, fragmentShader, blend, head, {kLookPlain});
+        addPass(technique, vertexShader, fragmentShader, blend, head + "#define FOCUS\n", {kLookFocus});
+    } else {
+        addPass(technique, vertexShader, fragmentShader, blend, head, {kLookPlain, kLookFocus});
+    }
     effect->addTechnique(technique);
     return effect;
 }

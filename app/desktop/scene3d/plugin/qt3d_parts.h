@@ -16,6 +16,7 @@
 #include <Qt3DRender/QMaterial>
 #include <Qt3DRender/QParameter>
 #include <Qt3DRender/QShaderProgram>
+#include <Qt3DRender/QTechnique>
 #include <map>
 #include <string>
 #include <tuple>
@@ -36,6 +37,11 @@ private:
     Qt3DCore::QAttribute* m_order;
 };
 
+/// A frame graph that draws the same things in two looks asks for one by this filter key.
+inline constexpr const char* kLookKey = "look";
+inline constexpr const char* kLookPlain = "plain";
+inline constexpr const char* kLookFocus = "focus";
+
 enum class Blend { opaque, translucent, premultiplied };
 
 /// The effects of a scene: materials with the same shaders share one, so that each is compiled once and says
@@ -53,13 +59,16 @@ public:
     Qt3DRender::QEffect* effect(const char* vertexShader, const char* fragmentShader, Blend blend,
                                 int tools = -1);
     /// With lines put into the fragment shader after #version ("#define NAME\n"), so that one file serves several looks.
-    /// BOTH_SIDES among them: the triangles are drawn whichever way they face. LAMP: the vertex shader gets lamp.glsl.
+    /// BOTH_SIDES among them: the triangles are drawn whichever way they face. LAMP: the vertex shader gets lamp.glsl,
+    /// and there is a second pass, for what kLookFocus asks for, with FOCUS defined; every other pass serves both looks.
     Qt3DRender::QMaterial* materialWith(const char* defines, const char* vertexShader, const char* fragmentShader,
                                         const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
                                         Qt3DCore::QNode* parent);
 
 private:
     Qt3DCore::QNode* m_owner;
+    void addPass(Qt3DRender::QTechnique* technique, const char* vertexShader, const char* fragmentShader, Blend blend,
+                 const QByteArray& head, const std::vector<const char*>& looks) const;
     Qt3DRender::QEffect* made(const char* vertexShader, const char* fragmentShader, Blend blend, const QByteArray& head);
     std::map<std::tuple<std::string, std::string, Blend, QByteArray>, Qt3DRender::QEffect*> m_effects;
 };

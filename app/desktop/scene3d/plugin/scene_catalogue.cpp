@@ -27,16 +27,23 @@ struct Line {
     const char* exercise;
     MakeStage stage;
     MakeContent content; ///< of the laparoscopic stage
+    bool (*fits)(const SceneSetup& setup); ///< the parameters are of its kind
 };
+
+template <class Parameters> bool fits(const SceneSetup& setup) {
+    return std::holds_alternative<Parameters>(setup.parameters);
+}
 
 constexpr std::array kCatalogue{
-    Line{"sphere_apex", &stage<SceneStage>, &content<ApexContent>},
-    Line{"urethra_insertion", &stage<EndoscopeStage>, nullptr},
+    Line{"sphere_apex", &stage<SceneStage>, &content<ApexContent>,
+         &fits<simulation::SphereApexParameters>},
+    Line{"urethra_insertion", &stage<EndoscopeStage>, nullptr,
+         &fits<simulation::UrethraInsertionParameters>},
 };
 
-const Line* find(const std::string& exercise) {
+const Line* find(const SceneSetup& setup) {
     for (const Line& line : kCatalogue)
-        if (exercise == line.exercise)
+        if (setup.exercise == line.exercise && line.fits(setup))
             return &line;
     return nullptr;
 }
@@ -44,17 +51,17 @@ const Line* find(const std::string& exercise) {
 } // namespace
 
 bool hasStage(const SceneSetup& setup) {
-    return find(setup.exercise) != nullptr;
+    return find(setup) != nullptr;
 }
 
 std::unique_ptr<IStage> makeStage(const SceneSetup& setup, QObject* surface) {
-    const Line* line = find(setup.exercise);
+    const Line* line = find(setup);
     return line ? line->stage(setup, surface) : nullptr;
 }
 
 std::unique_ptr<ISceneContent> makeSceneContent(const SceneSetup& setup, SharedLight& light,
                                                 Qt3DCore::QEntity* parent) {
-    const Line* line = find(setup.exercise);
+    const Line* line = find(setup);
     return line && line->content ? line->content(setup, light, parent) : nullptr;
 }
 

@@ -1,5 +1,5 @@
 #version 150
-// Half the size: the mean over each place's circle of confusion. Sharp neighbours do not bleed into it. Places are read as they
+// The mean over each place's circle of confusion. Sharp neighbours do not bleed into it. Places are read as they
 // are, without filtering: most of a software rasteriser's time goes there.
 uniform sampler2D seen;   // a: 1 = sharp
 uniform vec2 reach;       // x: radius of the largest circle in pixels of `seen`, y: its last pixel
@@ -12,7 +12,7 @@ const vec2 kTaps[12] = vec2[12](vec2(0.29, 0.05), vec2(-0.11, 0.30), vec2(-0.26,
 
 void main()
 {
-    vec2 middle = 2.0 * floor(gl_FragCoord.xy);
+    vec2 middle = floor(gl_FragCoord.xy);
     vec4 own = texelFetch(seen, ivec2(middle), 0);
     float wide = reach.x * (1.0 - own.a);
     vec4 sum = vec4(own.rgb, 1.0) * 0.25;

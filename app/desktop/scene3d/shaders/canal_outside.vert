@@ -25,7 +25,7 @@ out vec2 spot;
 float zOf(float s)
 {
     float z = s;
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 4; ++i) {
         float slope = bend.x * z;
         float root = sqrt(1.0 + slope * slope);
         z -= (0.5 * z * root + asinh(slope) / (2.0 * bend.x) - s) / root;

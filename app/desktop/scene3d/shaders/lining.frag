@@ -14,6 +14,9 @@ uniform vec3 pale;
 uniform vec3 red;
 uniform vec3 blood;
 uniform float wet;        // strength of the highlight
+#ifdef FOCUS
+uniform sampler2D blurred; // the same picture, smaller, each place blurred over its circle of confusion
+#endif
 
 out vec4 colour;          // a: 1 = sharp, 0 = the largest circle of confusion
 
@@ -30,5 +33,12 @@ void main()
     light = light * 1.06 / (light * 0.80 + 0.42); // the camera's own curve
     vec2 q = gl_FragCoord.xy * disc.xy + disc.zw;
     float r2 = dot(q, q);
-    colour = vec4(light * ((1.0 - 0.30 * r2 * r2) * clamp((0.992 - r2) * 83.0, 0.0, 1.0)), reach.z);
+    float edge = clamp((0.992 - r2) * 83.0, 0.0, 1.0);
+    light *= (1.0 - 0.30 * r2 * r2) * edge;
+#ifdef FOCUS
+    light = mix(light, texture(blurred, 0.5 * q + 0.5).rgb, clamp((1.0 - reach.z) * 7.0 - 0.4, 0.0, 1.0));
+    colour = vec4(light * edge, 1.0);
+#else
+    colour = vec4(light, reach.z);
+#endif
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene3d/urethra_insertion/endoscope_graph.h"
 
+#include "desktop/scene3d/plugin/qt3d_parts.h"
+
 #include <Qt3DRender/QCameraSelector>
+#include <Qt3DRender/QFilterKey>
 #include <Qt3DRender/QLayerFilter>
 #include <Qt3DRender/QNoDraw>
+#include <Qt3DRender/QRenderPassFilter>
 #include <Qt3DRender/QRenderSettings>
 #include <Qt3DRender/QRenderSurfaceSelector>
 #include <Qt3DRender/QRenderTarget>
@@ -37,7 +41,8 @@ QSubtreeEnabler* makeSwitch(QFrameGraphNode* parent) {
 } // namespace
 
 EndoscopeGraph::EndoscopeGraph(Qt3DCore::QEntity* root, QObject* surface)
-    : m_scope(new QCamera(root)), m_bystander(new QCamera(root)),
+    : m_disc(new QParameter(QStringLiteral("disc"), QVector4D(1, 1, 0, 0), root)),
+      m_smallDisc(new QParameter(QStringLiteral("disc"), QVector4D(1, 1, 0, 0), root)), m_scope(new QCamera(root)), m_bystander(new QCamera(root)),
       m_seen(makeTexture(QAbstractTexture::RGBA8_UNorm, root)), m_depth(makeTexture(QAbstractTexture::D24, root)),
       m_blurred(makeTexture(QAbstractTexture::RGBA8_UNorm, root)) {
     for (QLayer*& layer : m_layers) {
@@ -96,8 +101,14 @@ QFrameGraphNode* EndoscopeGraph::addTarget(QFrameGraphNode* parent, QTexture2D* 
     return addViewport(selector);
 }
 
-void EndoscopeGraph::drawInside(QFrameGraphNode* parent) {
-    auto* camera = new QCameraSelector(parent);
+void EndoscopeGraph::drawInside(QFrameGraphNode* parent, const char* look, QParameter* disc) {
+    auto* filter = new QRenderPassFilter(parent);
+    auto* key = new QFilterKey(filter);
+    key->setName(QLatin1String(kLookKey));
+    key->setValue(QLatin1String(look));
+    filter->addMatch(key);
+    filter->addParameter(disc);
+    auto* camera = new QCameraSelector(filter);
     camera->setCamera(m_scope);
     addPass(camera, inside());
 }
@@ -106,17 +117,18 @@ void EndoscopeGraph::makeDirect(QFrameGraphNode* parent) {
     m_direct = makeSwitch(parent);
     m_picture[0] = addViewport(m_direct);
     addPass(m_picture[0], mask());
-    drawInside(m_picture[0]);
+    drawInside(m_picture[0], kLookPlain, m_disc);
 }
 
 void EndoscopeGraph::makeDepthOfField(QFrameGraphNode* parent) {
     m_lens = makeSwitch(parent);
-    QFrameGraphNode* sharp = addTarget(m_lens, m_seen, m_depth);
-    addPass(sharp, mask(), QClearBuffers::ColorDepthBuffer);
-    drawInside(sharp);
+    QFrameGraphNode* small = addTarget(m_lens, m_seen, m_depth);
+    addPass(small, mask(), QClearBuffers::ColorDepthBuffer);
+    drawInside(small, kLookPlain, m_smallDisc);
     addPass(addTarget(m_lens, m_blurred, nullptr), blur());
     m_picture[1] = addViewport(m_lens);
-    addPass(m_picture[1], develop());
+    addPass(m_picture[1], mask());
+    drawInside(m_picture[1], kLookFocus, m_disc);
 }
 
 void EndoscopeGraph::makeOverview(QFrameGraphNode* parent) {
@@ -148,9 +160,17 @@ void EndoscopeGraph::place(const EndoscopeLayout& layout, const QSize& window_px
         picture->setNormalizedRect(share(layout.picture));
     m_overview->setNormalizedRect(share(layout.overview));
     const int side = std::max(2, layout.picture.width());
-    m_seen->setSize(side, side);
-    m_depth->setSize(side, side);
-    m_blurred->setSize(side / 2, side / 2);
+    const int small = std::max(2, int(kSmall * side));
+    for (QTexture2D* texture : {m_seen, m_depth, m_blurred})
+        texture->setSize(small, small);
+    setDisc(m_disc, side, layout.picture.x(), window_px.height() - layout.picture.y() - layout.picture.height());
+    setDisc(m_smallDisc, small, 0.0, 0.0);
+}
+
+/// gl_FragCoord counts from the lower left corner of what is drawn into.
+void EndoscopeGraph::setDisc(QParameter* disc, double side, double left, double bottom) {
+    const double unit = 2.0 / side;
+    disc->setValue(QVector4D(float(unit), float(unit), float(-1.0 - unit * left), float(-1.0 - unit * bottom)));
 }
 
 } // namespace chiron::scene3d

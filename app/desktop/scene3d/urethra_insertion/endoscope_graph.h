@@ -10,6 +10,7 @@
 #include <Qt3DRender/QClearBuffers>
 #include <Qt3DRender/QFrameGraphNode>
 #include <Qt3DRender/QLayer>
+#include <Qt3DRender/QParameter>
 #include <Qt3DRender/QSubtreeEnabler>
 #include <Qt3DRender/QTexture>
 #include <Qt3DRender/QViewport>
@@ -17,9 +18,9 @@
 namespace chiron::scene3d {
 
 /// In which order and into what the endoscopic stage is drawn. Without depth of field the camera's picture goes straight to
-/// the window. With it: pass 1 into a colour texture (its opacity says how sharp a place is) with a depth buffer, pass 2
-/// blurs that at half the size, pass 3 puts both together in the window. Then marks, overview and bar. The nodes belong to
-/// the root entity.
+/// the window. With it: pass 1 draws it small into a colour texture (its opacity says how sharp a place is) with a depth
+/// texture, pass 2 blurs that by the circle of confusion, pass 3 draws it into the window, each place mixed with its blurred
+/// self. Then marks, overview and bar. The nodes belong to the root entity.
 class EndoscopeGraph {
 public:
     EndoscopeGraph(Qt3DCore::QEntity* root, QObject* surface);
@@ -32,30 +33,35 @@ public:
     Qt3DRender::QLayer* mask() const { return m_layers[0]; }     ///< black round the picture; spares what lies behind
     Qt3DRender::QLayer* inside() const { return m_layers[1]; }   ///< what the camera at the tip sees
     Qt3DRender::QLayer* blur() const { return m_layers[2]; }     ///< pass 2
-    Qt3DRender::QLayer* develop() const { return m_layers[3]; }  ///< pass 3
-    Qt3DRender::QLayer* marks() const { return m_layers[4]; }    ///< over the camera's picture, in its own coordinates
-    Qt3DRender::QLayer* outside() const { return m_layers[5]; }  ///< the overview
-    Qt3DRender::QLayer* glass() const { return m_layers[6]; }    ///< over it, translucent
-    Qt3DRender::QLayer* outsideOver() const { return m_layers[7]; } ///< over that: the arrow
-    Qt3DRender::QLayer* over() const { return m_layers[8]; }     ///< the window's own coordinates: the bar
+    Qt3DRender::QLayer* marks() const { return m_layers[3]; }    ///< over the camera's picture, in its own coordinates
+    Qt3DRender::QLayer* outside() const { return m_layers[4]; }  ///< the overview
+    Qt3DRender::QLayer* glass() const { return m_layers[5]; }    ///< over it, translucent
+    Qt3DRender::QLayer* outsideOver() const { return m_layers[6]; } ///< over that: the arrow
+    Qt3DRender::QLayer* over() const { return m_layers[7]; }     ///< the window's own coordinates: the bar
 
     Qt3DRender::QCamera* scope() const { return m_scope; }
     Qt3DRender::QCamera* bystander() const { return m_bystander; }
     Qt3DRender::QTexture2D* seen() const { return m_seen; }
     Qt3DRender::QTexture2D* blurred() const { return m_blurred; }
 
+    /// Side of passes 1 and 2 to that of the picture.
+    static constexpr double kSmall = 0.4;
+
 private:
     void makeDirect(Qt3DRender::QFrameGraphNode* parent);
     void makeDepthOfField(Qt3DRender::QFrameGraphNode* parent);
     void makeOverview(Qt3DRender::QFrameGraphNode* parent);
-    void drawInside(Qt3DRender::QFrameGraphNode* parent);
+    void drawInside(Qt3DRender::QFrameGraphNode* parent, const char* look, Qt3DRender::QParameter* disc);
+    void setDisc(Qt3DRender::QParameter* disc, double side, double left, double bottom);
     void addPass(Qt3DRender::QFrameGraphNode* parent, Qt3DRender::QLayer* layer,
                  Qt3DRender::QClearBuffers::BufferType clear = Qt3DRender::QClearBuffers::None);
     Qt3DRender::QViewport* addViewport(Qt3DRender::QFrameGraphNode* parent);
     Qt3DRender::QFrameGraphNode* addTarget(Qt3DRender::QFrameGraphNode* parent, Qt3DRender::QTexture2D* colour,
                                            Qt3DRender::QTexture2D* depth);
 
-    std::array<Qt3DRender::QLayer*, 9> m_layers{};
+    std::array<Qt3DRender::QLayer*, 8> m_layers{};
+    Qt3DRender::QParameter* m_disc;      ///< where the picture lies in the window, for its shaders
+    Qt3DRender::QParameter* m_smallDisc; ///< and in the textures
     Qt3DRender::QCamera* m_scope;
     Qt3DRender::QCamera* m_bystander;
     Qt3DRender::QTexture2D* m_seen;

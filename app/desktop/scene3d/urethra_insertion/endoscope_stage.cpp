@@ -8,7 +8,10 @@ namespace chiron::scene3d {
 EndoscopeStage::EndoscopeStage(const SceneSetup& setup, QObject* surface)
     : m_setup(setup), m_root(new Qt3DCore::QEntity), m_light(m_root), m_graph(m_root, surface),
       m_model(std::get<simulation::UrethraInsertionParameters>(setup.parameters), m_root),
-      m_picture(m_model, m_light.effects, m_graph, m_root), m_overview(m_model, m_light, m_graph, m_root),
+      m_picture(m_model, m_light.effects, m_graph, m_root),
+      m_landmarks(m_model.drawing(), m_light.effects, m_picture.bladder()),
+      m_marks(m_light.effects, m_graph.marks(), m_root), m_notice(m_light.effects, m_graph.marks(), m_root),
+      m_overview(m_model, m_light, m_graph, m_root),
       m_gauge(new ForceGauge(m_light, m_root)) {
     m_gauge->addComponent(m_graph.over());
     change(setup);
@@ -19,6 +22,9 @@ void EndoscopeStage::change(const SceneSetup& setup) {
     m_setup = setup;
     m_light.change(setup);
     m_picture.change(setup);
+    m_landmarks.change(setup);
+    m_marks.change(setup);
+    m_notice.change(setup);
     m_overview.change(setup);
     m_gauge->change(setup);
     place();
@@ -26,7 +32,11 @@ void EndoscopeStage::change(const SceneSetup& setup) {
 
 void EndoscopeStage::show(const SceneState& state) {
     m_model.show(state.tool[0]);
-    m_picture.show(state.tool[0], m_setup.cues.object && state.objectShown);
+    const ScopeMarks marks = ScopeMarks::of(m_setup, m_model.drawing(), state);
+    m_picture.show(state.tool[0], marks.pictureShown);
+    m_landmarks.show(state);
+    m_marks.show(marks);
+    m_notice.show(!m_setup.cues.object || !state.objectShown);
     m_overview.show(state);
     m_gauge->show(state);
 }
@@ -43,7 +53,8 @@ void EndoscopeStage::place() {
     const int bar_px = int(std::ceil(m_gauge->widthShare() * m_size_px.width()));
     const EndoscopeLayout layout = EndoscopeLayout::of(m_size_px, bar_px, m_setup.cues.overview);
     m_graph.place(layout, m_size_px);
-    m_picture.place(layout.picture, m_size_px);
+    m_picture.place(layout.picture.width());
+    m_notice.setPicture(layout.picture.width(), m_ratio);
     if (m_setup.cues.overview)
         m_overview.place(layout.overview);
 }

@@ -5,7 +5,10 @@
 #include "desktop/scene3d/plugin/shared_light.h"
 #include "desktop/scene3d/plugin/stage.h"
 #include "desktop/scene3d/urethra_insertion/endoscope_graph.h"
+#include "desktop/scene3d/urethra_insertion/landmark_marks.h"
+#include "desktop/scene3d/urethra_insertion/notice.h"
 #include "desktop/scene3d/urethra_insertion/overview.h"
+#include "desktop/scene3d/urethra_insertion/picture_marks.h"
 #include "desktop/scene3d/urethra_insertion/scope_picture.h"
 #include "desktop/scene3d/urethra_insertion/urethra_model.h"
 
@@ -34,6 +37,9 @@ private:
     EndoscopeGraph m_graph;
     UrethraModel m_model;
     ScopePicture m_picture;
+    LandmarkMarks m_landmarks;
+    PictureMarks m_marks;
+    Notice m_notice;
     Overview m_overview;
     ForceGauge* m_gauge;
 };

@@ -44,7 +44,7 @@ Overview::Overview(const UrethraModel& model, SharedLight& light, EndoscopeGraph
         anatomy->addComponent(glass ? graph.glass() : graph.outside());
         const char* look = glass ? "#define BOTH_SIDES\n" : "#define CUT\n#define BOTH_SIDES\n";
         const Blend blend = glass ? Blend::translucent : Blend::opaque;
-        model.addCanal(shell(look, "canal_outside.vert", kCanal, float(kCanalTile_mm / kRule_mm), blend), anatomy);
+        model.addCoarseCanal(shell(look, "canal_outside.vert", kCanal, float(kCanalTile_mm / kRule_mm), blend), anatomy);
         model.addBladder(shell(look, "lining_outside.vert", kBladder, 0.0F, blend), anatomy);
         auto* glans = new Qt3DCore::QEntity(anatomy);
         m_glans[glass] = new Qt3DCore::QTransform(glans);

@@ -24,6 +24,8 @@ const QVector3D kSkinRed(0.76F, 0.42F, 0.38F);
 const QVector3D kBlood(0.46F, 0.05F, 0.06F);
 constexpr float kNearest_mm = 0.35F;
 constexpr float kFarthest_mm = 260.0F;
+constexpr double kGlansSeen_m = 0.004;   // arc length up to which a turned camera may see the glans
+constexpr double kBladderSeen_m = 0.070; // before the neck; farther off the light does not reach it
 constexpr double kGain = 0.66; // of the lamp, so that a wall seen straight on at the metered distance is neither white nor dark
 
 Qt3DRender::QParameter* parameter(const char* name, const QVariant& value, Qt3DCore::QNode* parent) {
@@ -41,11 +43,12 @@ std::string nameOf(const std::vector<simulation::BladderLandmark>& landmarks) {
 
 ScopePicture::ScopePicture(const UrethraModel& model, EffectShelf& effects, EndoscopeGraph& graph,
                            Qt3DCore::QEntity* root)
-    : m_model(model), m_effects(effects), m_graph(graph), m_root(root), m_anatomy(new Qt3DCore::QEntity(root)),
+    : m_model(model), m_effects(effects), m_graph(graph), m_root(root), m_anatomy(new Qt3DCore::QEntity(root)), m_bladder(new Qt3DCore::QEntity(m_anatomy)),
+      m_glans(new Qt3DCore::QEntity(m_anatomy)),
       m_lamp(parameter("lamp", QVector4D(0.0F, -1.4F, 0.0F, 100.0F), root)),
-      m_disc(parameter("disc", QVector4D(1, 1, 0, 0), root)), m_sharpness(parameter("sharpness", QVector2D(), root)),
+      m_sharpness(parameter("sharpness", QVector2D(), root)),
       m_reach(parameter("reach", QVector2D(), root)),
-      m_corner(parameter("corner", QVector4D(), root)) {
+      m_blurred(parameter("blurred", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(graph.blurred()), root)) {
     const simulation::UrethraInsertionParameters& p = model.drawing().parameters();
     auto* place = new Qt3DCore::QTransform(m_anatomy);
     place->setTranslation(toMillimetres(p.pose.p_WA));
@@ -57,8 +60,8 @@ ScopePicture::ScopePicture(const UrethraModel& model, EffectShelf& effects, Endo
                                        [landmarks = p.landmarks] { return bladderPicture(landmarks).bytes; }, root);
     model.addCanal(lining("canal.vert", canal, kCanalPale, kCanalRed, 1.5F, 0.9F, core::Vec3::UnitZ()), m_anatomy);
     model.addBladder(lining("lining.vert", bladder, kBladderPale, kBladderRed, 1.2F, 0.06F,
-                            -model.drawing().bladderDirection_A(0.0, 0.0)), m_anatomy);
-    model.addGlans(lining("lining.vert", canal, kSkinPale, kSkinRed, 0.35F, 0.25F, core::Vec3::UnitZ()), m_anatomy);
+                            -model.drawing().bladderDirection_A(0.0, 0.0)), m_bladder);
+    model.addGlans(lining("lining.vert", canal, kSkinPale, kSkinRed, 0.35F, 0.25F, core::Vec3::UnitZ()), m_glans);
     makePasses();
     const double angle_deg = p.endoscope.fieldOfView_rad * 180.0 / core::kPi;
     graph.scope()->lens()->setPerspectiveProjection(float(angle_deg), 1.0F, kNearest_mm, kFarthest_mm);
@@ -70,7 +73,7 @@ Qt3DRender::QMaterial* ScopePicture::lining(const char* vertexShader, Qt3DRender
     const auto own = [&](const char* name, const QVariant& value) { return parameter(name, value, m_root); };
     const double bend = 2.0 * m_model.drawing().parameters().anatomy.curvature_per_m;
     return m_effects.materialWith("#define LAMP\n", vertexShader, "lining.frag",
-                              {m_lamp, m_disc, m_sharpness,
+                              {m_lamp, m_sharpness, m_blurred,
                                own("skin", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(picture)),
                                own("pale", pale), own("red", red), own("blood", kBlood), own("rough", rough), own("wet", wet),
                                own("axis", toVector(axis_A)),
@@ -79,19 +82,13 @@ Qt3DRender::QMaterial* ScopePicture::lining(const char* vertexShader, Qt3DRender
 }
 
 void ScopePicture::makePasses() {
-    const auto texture = [&](const char* name, Qt3DRender::QTexture2D* of) {
-        return parameter(name, QVariant::fromValue<Qt3DRender::QAbstractTexture*>(of), m_root);
-    };
     auto* black = m_effects.material("screen.vert", "plain.frag", {parameter("tint", QVector4D(0, 0, 0, 1), m_root)},
                                      Blend::opaque, m_root);
-    auto* blur = m_effects.material("screen.vert", "blur.frag", {texture("seen", m_graph.seen()), m_reach},
+    auto* blur = m_effects.material("screen.vert", "blur.frag", 
+                                      {parameter("seen", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(m_graph.seen()), m_root), m_reach},
                                     Blend::opaque, m_root);
-    auto* develop =
-        m_effects.material("screen.vert", "develop.frag",
-                           {texture("seen", m_graph.seen()), texture("blurred", m_graph.blurred()), m_corner}, Blend::opaque, m_root);
     (new Part(roundWindow(), black, m_root))->addComponent(m_graph.mask());
     (new Part(roundPicture(), blur, m_root))->addComponent(m_graph.blur());
-    (new Part(roundPicture(), develop, m_root))->addComponent(m_graph.develop());
 }
 
 void ScopePicture::change(const SceneSetup& setup) {
@@ -100,25 +97,19 @@ void ScopePicture::change(const SceneSetup& setup) {
     aimLens();
 }
 
-void ScopePicture::place(const QRect& picture, const QSize& window_px) {
-    m_picture = picture;
-    m_window_px = window_px;
+void ScopePicture::place(int side_px) {
+    m_side_px = side_px;
     aimLens();
 }
 
 void ScopePicture::aimLens() {
-    const double side = std::max(2, m_picture.width());
-    // gl_FragCoord counts from the lower left corner of what is drawn into: the window, or the texture of pass 1.
-    const double left = m_depthOfField ? 0.0 : m_picture.x();
-    const double bottom = m_depthOfField ? 0.0 : m_window_px.height() - m_picture.y() - m_picture.height();
-    m_disc->setValue(QVector4D(float(2.0 / side), float(2.0 / side), float(-1.0 - 2.0 * left / side),
-                               float(-1.0 - 2.0 * bottom / side)));
+    const double side = std::max(2, m_side_px);
     const double largest_px = ThinLens::kLargest_px * side / 700.0;
     const double angle = m_model.drawing().parameters().endoscope.fieldOfView_rad;
     const double strength = m_depthOfField ? m_lens.strength_px_mm(side, angle) / largest_px : 0.0;
     m_sharpness->setValue(QVector2D(float(1.0 / m_metered_mm), float(strength)));
-    m_reach->setValue(QVector2D(float(0.5 * largest_px), float(side - 1)));
-    m_corner->setValue(QVector4D(float(m_picture.x()), float(m_window_px.height() - m_picture.y() - m_picture.height()), 0, 0));
+    const double small = EndoscopeGraph::kSmall;
+    m_reach->setValue(QVector2D(float(0.5 * small * largest_px), float(std::floor(small * side) - 1.0)));
     m_lamp->setValue(QVector4D(0.0F, -1.4F, 0.0F, float(kGain * m_metered_mm * m_metered_mm)));
 }
 
@@ -128,6 +119,9 @@ void ScopePicture::show(const ToolView& tool, bool shown) {
         return;
     const UrethraDrawing& drawing = m_model.drawing();
     const core::Mat3 axes_W = drawing.parameters().pose.q_WA.toRotationMatrix() * drawing.axes_A(tool);
+    const double s_m = drawing.centreline().foot(drawing.tip_A(tool)).at.s_m;
+    m_glans->setEnabled(s_m < kGlansSeen_m);
+    m_bladder->setEnabled(s_m > drawing.centreline().length_m() - kBladderSeen_m);
     const core::Vec3 tip = drawnTip(tool);
     Qt3DRender::QCamera& camera = *m_graph.scope();
     camera.setPosition(toMillimetres(tip));

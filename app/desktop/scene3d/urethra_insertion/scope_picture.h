@@ -9,8 +9,8 @@
 
 namespace chiron::scene3d {
 
-/// What the camera at the tip of tool 0 sees: the walls in its own light, the black round the picture, and the two passes of
-/// the depth of field.
+/// What the camera at the tip of tool 0 sees: the walls in its own light, the black round the picture, and what the depth of
+/// field needs.
 class ScopePicture {
 public:
     ScopePicture(const UrethraModel& model, EffectShelf& effects, EndoscopeGraph& graph, Qt3DCore::QEntity* root);
@@ -18,10 +18,10 @@ public:
     void change(const SceneSetup& setup);
     /// `shown` false: black.
     void show(const ToolView& tool, bool shown);
-    /// The picture in the window (from the window's upper left corner), device pixels.
-    void place(const QRect& picture, const QSize& window_px);
-    /// Where things of A stand; marks on the walls go below it.
-    Qt3DCore::QEntity* anatomy() const { return m_anatomy; }
+    /// Side of the square that it fills, device pixels.
+    void place(int side_px);
+    /// Stands where A is and is drawn while the bladder is; marks on its wall go below it.
+    Qt3DCore::QEntity* bladder() const { return m_bladder; }
 
 private:
     Qt3DRender::QMaterial* lining(const char* vertexShader, Qt3DRender::QAbstractTexture* picture,
@@ -35,16 +35,16 @@ private:
     EndoscopeGraph& m_graph;
     Qt3DCore::QEntity* m_root;
     Qt3DCore::QEntity* m_anatomy;
+    Qt3DCore::QEntity* m_bladder; ///< with the neck; drawn where it may be seen, as is the glans
+    Qt3DCore::QEntity* m_glans;
     Qt3DRender::QParameter* m_lamp;
-    Qt3DRender::QParameter* m_disc;
     Qt3DRender::QParameter* m_sharpness;
     Qt3DRender::QParameter* m_reach;
-    Qt3DRender::QParameter* m_corner;
+    Qt3DRender::QParameter* m_blurred;
     ThinLens m_lens;
     double m_metered_mm = UrethraDrawing::kNear_m * 1e3;
     bool m_depthOfField = false;
-    QRect m_picture{0, 0, 2, 2};
-    QSize m_window_px{2, 2};
+    int m_side_px = 2;
 };
 
 } // namespace chiron::scene3d

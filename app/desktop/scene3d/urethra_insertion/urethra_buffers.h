@@ -7,6 +7,7 @@
 #include <Qt3DRender/QGeometryRenderer>
 #include <array>
 #include <span>
+#include <vector>
 
 namespace chiron::scene3d {
 
@@ -20,20 +21,32 @@ public:
     /// After UrethraSurface::update(): hands over from the first to the last changed vertex.
     void update(const simulation::UrethraSurface& surface, std::span<const simulation::VertexRange> changed);
 
+    /// From here on (arc length) the canal is drawn; what is behind the camera costs nothing. The coarse canal stays whole.
+    void showFrom(const simulation::UrethraSurface& surface, double from_s_m);
+
     Qt3DRender::QGeometryRenderer* body() const { return m_body; }
     Qt3DRender::QGeometryRenderer* seam() const { return m_seam; }
+    /// The whole with a quarter of the vertices, for the overview, where it is small; without the texture's turn.
+    Qt3DRender::QGeometryRenderer* coarse() const { return m_coarse; }
     /// 0..2 position, 3..5 normal, 6 arc length.
     const Qt3DCore::QBuffer& plane(int component) const { return *m_planes[std::size_t(component)]; }
 
     static constexpr int kPlanes = 7;
 
 private:
-    Qt3DRender::QGeometryRenderer* renderer(const simulation::UrethraSurface& surface, bool seam,
+    Qt3DRender::QGeometryRenderer* renderer(const simulation::UrethraSurface& surface,
+                                            const std::vector<std::uint32_t>& triangles, bool seam,
                                             Qt3DCore::QNode* owner);
 
     std::array<Qt3DCore::QBuffer*, kPlanes> m_planes{};
+    void cut(Qt3DRender::QGeometryRenderer* part, const std::vector<std::uint32_t>& starts, std::size_t ring);
+
+    std::vector<std::uint32_t> m_bodyStarts; ///< how many indices lie before each ring's
+    std::vector<std::uint32_t> m_seamStarts;
+    std::size_t m_from = 0;
     Qt3DRender::QGeometryRenderer* m_body;
     Qt3DRender::QGeometryRenderer* m_seam;
+    Qt3DRender::QGeometryRenderer* m_coarse;
 };
 
 } // namespace chiron::scene3d

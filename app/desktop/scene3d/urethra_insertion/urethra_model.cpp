@@ -5,6 +5,8 @@ namespace chiron::scene3d {
 
 namespace {
 
+constexpr double kBehind_m = 0.015; // of the canal behind the tip, that a camera turned to the side may see
+
 void addEntity(Qt3DRender::QGeometryRenderer* shape, Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) {
     auto* entity = new Qt3DCore::QEntity(parent);
     entity->addComponent(shape);
@@ -28,7 +30,9 @@ std::vector<core::Vec3> UrethraModel::ring(std::size_t first) const {
 }
 
 void UrethraModel::show(const ToolView& tool) {
-    const auto changed = m_surface.update(m_drawing.deformationOf(tool));
+    const simulation::UrethraDeformation now = m_drawing.deformationOf(tool);
+    const auto changed = m_surface.update(now);
+    m_buffers.showFrom(m_surface, now.inside ? now.tip_s_m - kBehind_m : 0.0);
     if (changed.empty())
         return;
     const std::size_t last = m_surface.vertexCount() - m_surface.ringSize();
@@ -44,6 +48,10 @@ void UrethraModel::show(const ToolView& tool) {
 void UrethraModel::addCanal(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const {
     addEntity(m_buffers.body(), material, parent);
     addEntity(m_buffers.seam(), material, parent);
+}
+
+void UrethraModel::addCoarseCanal(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const {
+    addEntity(m_buffers.coarse(), material, parent);
 }
 
 void UrethraModel::addBladder(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const {

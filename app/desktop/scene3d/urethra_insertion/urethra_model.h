@@ -18,8 +18,9 @@ public:
     void show(const ToolView& tool);
     const UrethraDrawing& drawing() const { return m_drawing; }
 
-    /// Entities with these shapes below `parent`, which stands where A is: the canal (two) with one material, bladder and neck
-    /// with another, the glans with a third.
+    /// Entities with these shapes below `parent`, which stands where A is: the canal with one material, bladder and neck with
+    /// another, the glans with a third. The coarse canal is for the overview.
+    void addCoarseCanal(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const;
     void addCanal(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const;
     void addBladder(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const;
     void addGlans(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/plugin/qt3d_parts.h"
+
+namespace chiron::scene3d {
+
+/// A flat mark that shows on light and on dark ground: a bright shape over the same one, a little larger, in black. In the
+/// picture's own coordinates.
+class OutlinedShape {
+public:
+    /// `inner`, `outer`: the shape and its black ground.
+    OutlinedShape(EffectShelf& effects, const TriangleMesh& inner, const TriangleMesh& outer, Qt3DCore::QEntity* parent);
+
+    void show(bool shown) { m_entity->setEnabled(shown); }
+    void setColour(const QColor& colour) { m_tint->setValue(toTint(colour)); }
+    void setShare(double turn) { m_share->setValue(float(turn)); } ///< of a round shape, from the top
+    /// Moved, turned (radians, counter-clockwise) and stretched along its own x.
+    void place(double x, double y, double turn_rad = 0.0, double along = 1.0, double size = 1.0);
+
+private:
+    Qt3DCore::QEntity* m_entity;
+    Qt3DCore::QTransform* m_transform;
+    Qt3DRender::QParameter* m_tint;
+    Qt3DRender::QParameter* m_share;
+};
+
+} // namespace chiron::scene3d
