@@ -100,7 +100,8 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const std::strin
         return withDevice<devices::SimulatedDevice>(std::move(station), devices::SimulatedDevice::Configuration{},
                                                     std::move(*trainee), handSeed);
     return core::fail(core::ErrorCode::wrongUse,
-                      "exercise " + std::string(kind.id()) + ": no simulated mechanism \"" + std::string(kind.mechanism()) + "\"");
+                      "exercise " + std::string(kind.id()) + ": no simulated mechanism \"" + std::string(kind.mechanism()) +
+                          "\"");
 }
 
 core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool) {

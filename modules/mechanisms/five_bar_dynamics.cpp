@@ -115,23 +115,20 @@ core::Wrench FiveBarDynamics::wrench_D(const FiveBarVector& efforts) const noexc
 }
 
 FiveBarVector FiveBarDynamics::solve(FiveBarMatrix m, FiveBarVector b) noexcept {
-    for (int k = 0; k < 5; ++k) { // M = L Lᵀ, L in the lower half; b becomes L⁻¹ b on the way
-        for (int l = 0; l < k; ++l)
-            m(k, k) -= m(k, l) * m(k, l);
-        m(k, k) = std::sqrt(m(k, k));
+    FiveBarVector pivot; // reciprocals of D in M = L D Lᵀ; L grows in the lower half, L D in the upper
+    for (int k = 0; k < 5; ++k) {
+        pivot[k] = 1.0 / m(k, k);
         for (int i = k + 1; i < 5; ++i) {
-            for (int l = 0; l < k; ++l)
-                m(i, k) -= m(i, l) * m(k, l);
-            m(i, k) /= m(k, k);
+            m(i, k) = m(k, i) * pivot[k];
+            b[i] -= m(i, k) * b[k];
+            for (int l = k + 1; l <= i; ++l)
+                m(l, i) -= m(i, k) * m(k, l);
         }
-        for (int l = 0; l < k; ++l)
-            b[k] -= m(k, l) * b[l];
-        b[k] /= m(k, k);
     }
     for (int k = 4; k >= 0; --k) {
+        b[k] *= pivot[k];
         for (int i = k + 1; i < 5; ++i)
             b[k] -= m(i, k) * b[i];
-        b[k] /= m(k, k);
     }
     return b;
 }

@@ -36,7 +36,7 @@ public:
     /// The wrench that torques at the joints give the tool; no force normal to the plane.
     core::Wrench wrench_D(const FiveBarVector& efforts) const noexcept;
 
-    /// M⁻¹ b, by Cholesky in place.
+    /// M⁻¹ b for a symmetric positive definite M, by L D Lᵀ in place; reads the upper half.
     static FiveBarVector solve(FiveBarMatrix m, FiveBarVector b) noexcept;
 
 private:

@@ -12,6 +12,15 @@
 
 namespace chiron::tests {
 
+/// Coordinates of P1's mechanism with its tip and endoscope there.
+inline mechanisms::FiveBarVector fiveBarAt(const core::Vec3& p_D, const mechanisms::EndoscopeAngles& angles) {
+    const mechanisms::FiveBarPlantParameters device;
+    const auto theta = *mechanisms::FiveBarKinematics(device.geometry).inverse(p_D);
+    mechanisms::FiveBarVector q;
+    q << theta[0], theta[1], angles.pitch - device.mountingPitch_rad, angles.yaw, angles.roll;
+    return q;
+}
+
 /// P1's mechanism with hand and wrist on it, against any law of what the host sees; the law's answer is one tick late.
 class FiveBarLoop {
 public:
@@ -29,11 +38,7 @@ public:
         : m_plant(device), m_host(device), m_hand(arm, 1, kToolMass_kg), m_wrist(arm, 1, kToolInertia_kgm2) {}
 
     void start(const core::Vec3& p_D, const mechanisms::EndoscopeAngles& angles) {
-        const auto& device = m_plant.parameters();
-        const auto theta = *mechanisms::FiveBarKinematics(device.geometry).inverse(p_D);
-        mechanisms::FiveBarVector q;
-        q << theta[0], theta[1], angles.pitch - device.mountingPitch_rad, angles.yaw, angles.roll;
-        m_plant.reset(q);
+        m_plant.reset(fiveBarAt(p_D, angles));
         const mechanisms::ToolMotion tool = m_plant.motion();
         m_hand.reset(tool.p_DT, tool.q_DT);
         m_wrist.reset(tool.q_DT);
