@@ -30,6 +30,60 @@ std::vector<simulation::UrethraProblem> problems(const Urethra& u) {
     return simulation::urethraProblems(u.anatomy, u.endoscope, u.mesh);
 }
 
+void row(const char* field, const char* words, std::function<void(Urethra&)> spoil) {
+    QTest::addRow("%s %s", field, words) << spoil << QString(field) << QString(words);
+}
+
+void addWalls() {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    row("curvature_per_m", "more than 0", [](Urethra& u) { u.anatomy.curvature_per_m = 0.0; });
+    row("zEnd_m", "at least 0.01", [](Urethra& u) { u.anatomy.zEnd_m = -0.1; });
+    row("radius_m", "is 0", [](Urethra& u) { u.anatomy.radius_m = 0.0; });
+    row("radius_m", "nan", [nan](Urethra& u) { u.anatomy.radius_m = nan; });
+    row("radius_m", "crosses itself", [](Urethra& u) {
+        u.anatomy.radius_m = 0.0385;
+        u.anatomy.bladderRadius_m = 0.4;
+    });
+    row("endoscope.radius_m",
+        "crosses itself at s = 0:", [](Urethra& u) { u.anatomy.curvature_per_m = 140.0; });
+    row("wallStiffness_N_per_m3", "-1", [](Urethra& u) { u.anatomy.wallStiffness_N_per_m3 = -1.0; });
+    row("wallStiffening_per_m", "-1", [](Urethra& u) { u.anatomy.wallStiffening_per_m = -1.0; });
+    row("friction", "-0.1", [](Urethra& u) { u.anatomy.friction = -0.1; });
+    row("viscosity_Ns_per_m2", "-1", [](Urethra& u) { u.anatomy.viscosity_Ns_per_m2 = -1.0; });
+    row("angularStiffness_Nm_per_rad", "-1",
+        [](Urethra& u) { u.anatomy.angularStiffness_Nm_per_rad = -1.0; });
+    row("freeLength_m", "ends at 0.139", [](Urethra& u) { u.anatomy.freeLength_m = 0.15; });
+    row("freeBlend_m", "is 0", [](Urethra& u) { u.anatomy.freeBlend_m = 0.0; });
+    row("angularCorner_m", "run into", [](Urethra& u) { u.anatomy.freeLength_m = 0.135; });
+}
+
+void addChangesAndTheRest() {
+    row("changes[1].length_m", "at least 0.01", [](Urethra& u) { u.anatomy.changes[1].length_m = 0.005; });
+    row("changes[0].edge_m", "at most 0.012", [](Urethra& u) { u.anatomy.changes[0].edge_m = 0.013; });
+    row("changes[0].radius_m", "more than 0", [](Urethra& u) { u.anatomy.changes[0].radius_m = -0.001; });
+    row("changes[1].stiffnessFactor", "-2", [](Urethra& u) { u.anatomy.changes[1].stiffnessFactor = -2.0; });
+    row("changes[1].frictionFactor", "-2", [](Urethra& u) { u.anatomy.changes[1].frictionFactor = -2.0; });
+    row("changes[0].centre_m", "out of the canal", [](Urethra& u) { u.anatomy.changes[0].centre_m = 0.007; });
+    row("changes[1].centre_m", "out of the canal", [](Urethra& u) { u.anatomy.changes[1].centre_m = 0.135; });
+    row("changes[1].centre_m", "changes[0]", [](Urethra& u) { u.anatomy.changes[1].centre_m = 0.0655; });
+    row("changeCount", "at most 8", [](Urethra& u) { u.anatomy.changeCount = 9; });
+    row("bladderRadius_m", "is 0", [](Urethra& u) { u.anatomy.bladderRadius_m = 0.0; });
+    row("bladderStiffness_N_per_m", "-1", [](Urethra& u) { u.anatomy.bladderStiffness_N_per_m = -1.0; });
+    row("bladderOpening_rad", "narrower", [](Urethra& u) { u.anatomy.bladderOpening_rad = 0.05; });
+    row("bladderOpeningEdge_rad", "is 0", [](Urethra& u) { u.anatomy.bladderOpeningEdge_rad = 0.0; });
+    row("bladderOpeningEdge_rad", "whole bladder",
+        [](Urethra& u) { u.anatomy.bladderOpeningEdge_rad = 3.0; });
+    row("endoscope.radius_m", "more than 0", [](Urethra& u) { u.endoscope.radius_m = 0.0; });
+    row("endoscope.beak_m", "at least 0.001", [](Urethra& u) { u.endoscope.beak_m = 0.0; });
+    row("endoscope.behind_m", "more than 0", [](Urethra& u) { u.endoscope.behind_m = 0.0; });
+    row("endoscope.fieldOfView_rad", "below pi", [](Urethra& u) { u.endoscope.fieldOfView_rad = 4.0; });
+    row("mesh.n", "is 4", [](Urethra& u) { u.mesh.n = 4; });
+    row("mesh.n", "at most 129", [](Urethra& u) { u.mesh.n = 200; });
+    row("mesh.w", "at least 4", [](Urethra& u) { u.mesh.w = 3; });
+    row("mesh.perPatch", "at least 1", [](Urethra& u) { u.mesh.perPatch = 0; });
+    row("mesh.movingSections", "at least 3", [](Urethra& u) { u.mesh.movingSections = 2; });
+}
+
 } // namespace
 
 class TestUrethraValidity : public QObject {
@@ -58,53 +112,8 @@ void TestUrethraValidity::badOnesNameTheirField_data() {
     QTest::addColumn<std::function<void(Urethra&)>>("spoil");
     QTest::addColumn<QString>("field");
     QTest::addColumn<QString>("words");
-    const auto row = [](const char* field, const char* words, std::function<void(Urethra&)> spoil) {
-        QTest::addRow("%s %s", field, words) << spoil << QString(field) << QString(words);
-    };
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    row("curvature_per_m", "more than 0", [](Urethra& u) { u.anatomy.curvature_per_m = 0.0; });
-    row("zEnd_m", "at least 0.01", [](Urethra& u) { u.anatomy.zEnd_m = -0.1; });
-    row("radius_m", "is 0", [](Urethra& u) { u.anatomy.radius_m = 0.0; });
-    row("radius_m", "nan", [nan](Urethra& u) { u.anatomy.radius_m = nan; });
-    row("radius_m", "crosses itself", [](Urethra& u) {
-        u.anatomy.radius_m = 0.0385;
-        u.anatomy.bladderRadius_m = 0.4;
-    });
-    row("endoscope.radius_m",
-        "crosses itself at s = 0:", [](Urethra& u) { u.anatomy.curvature_per_m = 140.0; });
-    row("wallStiffness_N_per_m3", "-1", [](Urethra& u) { u.anatomy.wallStiffness_N_per_m3 = -1.0; });
-    row("wallStiffening_per_m", "-1", [](Urethra& u) { u.anatomy.wallStiffening_per_m = -1.0; });
-    row("friction", "-0.1", [](Urethra& u) { u.anatomy.friction = -0.1; });
-    row("viscosity_Ns_per_m2", "-1", [](Urethra& u) { u.anatomy.viscosity_Ns_per_m2 = -1.0; });
-    row("angularStiffness_Nm_per_rad", "-1",
-        [](Urethra& u) { u.anatomy.angularStiffness_Nm_per_rad = -1.0; });
-    row("freeLength_m", "ends at 0.139", [](Urethra& u) { u.anatomy.freeLength_m = 0.15; });
-    row("freeBlend_m", "is 0", [](Urethra& u) { u.anatomy.freeBlend_m = 0.0; });
-    row("angularCorner_m", "run into", [](Urethra& u) { u.anatomy.freeLength_m = 0.135; });
-    row("changes[1].length_m", "at least 0.01", [](Urethra& u) { u.anatomy.changes[1].length_m = 0.005; });
-    row("changes[0].edge_m", "at most 0.012", [](Urethra& u) { u.anatomy.changes[0].edge_m = 0.013; });
-    row("changes[0].radius_m", "more than 0", [](Urethra& u) { u.anatomy.changes[0].radius_m = -0.001; });
-    row("changes[1].stiffnessFactor", "-2", [](Urethra& u) { u.anatomy.changes[1].stiffnessFactor = -2.0; });
-    row("changes[1].frictionFactor", "-2", [](Urethra& u) { u.anatomy.changes[1].frictionFactor = -2.0; });
-    row("changes[0].centre_m", "out of the canal", [](Urethra& u) { u.anatomy.changes[0].centre_m = 0.007; });
-    row("changes[1].centre_m", "out of the canal", [](Urethra& u) { u.anatomy.changes[1].centre_m = 0.135; });
-    row("changes[1].centre_m", "changes[0]", [](Urethra& u) { u.anatomy.changes[1].centre_m = 0.0655; });
-    row("changeCount", "at most 8", [](Urethra& u) { u.anatomy.changeCount = 9; });
-    row("bladderRadius_m", "is 0", [](Urethra& u) { u.anatomy.bladderRadius_m = 0.0; });
-    row("bladderStiffness_N_per_m", "-1", [](Urethra& u) { u.anatomy.bladderStiffness_N_per_m = -1.0; });
-    row("bladderOpening_rad", "narrower", [](Urethra& u) { u.anatomy.bladderOpening_rad = 0.05; });
-    row("bladderOpeningEdge_rad", "is 0", [](Urethra& u) { u.anatomy.bladderOpeningEdge_rad = 0.0; });
-    row("bladderOpeningEdge_rad", "whole bladder",
-        [](Urethra& u) { u.anatomy.bladderOpeningEdge_rad = 3.0; });
-    row("endoscope.radius_m", "more than 0", [](Urethra& u) { u.endoscope.radius_m = 0.0; });
-    row("endoscope.beak_m", "at least 0.001", [](Urethra& u) { u.endoscope.beak_m = 0.0; });
-    row("endoscope.behind_m", "more than 0", [](Urethra& u) { u.endoscope.behind_m = 0.0; });
-    row("endoscope.fieldOfView_rad", "below pi", [](Urethra& u) { u.endoscope.fieldOfView_rad = 4.0; });
-    row("mesh.n", "is 4", [](Urethra& u) { u.mesh.n = 4; });
-    row("mesh.n", "at most 129", [](Urethra& u) { u.mesh.n = 200; });
-    row("mesh.w", "at least 4", [](Urethra& u) { u.mesh.w = 3; });
-    row("mesh.perPatch", "at least 1", [](Urethra& u) { u.mesh.perPatch = 0; });
-    row("mesh.movingSections", "at least 3", [](Urethra& u) { u.mesh.movingSections = 2; });
+    addWalls();
+    addChangesAndTheRest();
 }
 
 void TestUrethraValidity::badOnesNameTheirField() {

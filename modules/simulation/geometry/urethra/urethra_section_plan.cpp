@@ -82,7 +82,7 @@ void UrethraSectionPlan::addMovingBefore(double s_m, int& next) {
         const double s = movingAt(next);
         if (s > s_m - kApart_m)
             return;
-        if (m_sections.empty() || s > m_sections.back().s_m + kApart_m)
+        if (s > m_sections.back().s_m + kApart_m) // A's own section is always there
             m_sections.push_back(opened(s));
     }
 }
