@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/insertion_series.h"
+#include "support/urethra_bench.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace chiron;
+using core::ProcedureStage;
+using core::Vec3;
+using simulation::UrethraInsertionParameters;
+
+namespace {
+
+/// A trial with its samples at these arc lengths, 1 ms apart, on the centre-line and aligned.
+scoring::TrialTrace along(const UrethraInsertionParameters& p, const std::vector<double>& s_m) {
+    scoring::TrialTrace trial;
+    trial.tools.resize(1);
+    scoring::ToolTrace& tool = trial.tools[0];
+    for (std::size_t i = 0; i < s_m.size(); ++i) {
+        const core::ToolState pose = tests::onTheLine(p, s_m[i]);
+        tool.t_s.push_back(1e-3 * static_cast<double>(i));
+        tool.p_WT_m.push_back(pose.p_WT);
+        tool.q_WT.push_back(pose.q_WT);
+        tool.tissue_N.emplace_back(Vec3::Zero());
+        tool.tissueTorque_Nm.emplace_back(Vec3::Zero());
+        tool.paused.push_back(0);
+    }
+    return trial;
+}
+
+std::vector<double> held(double s_m, std::size_t samples) { return std::vector<double>(samples, s_m); }
+
+} // namespace
+
+class TestInsertionSeries : public QObject {
+    Q_OBJECT
+private slots:
+    void nothingWithoutOrientation();
+    void placeAndAlignment();
+    void forceIsSplitAtTheTangent();
+    void torqueIsTakenAboutTheAxis();
+    void pausedSamplesMoveNothing();
+    void landmarksGetTheirTimes();
+    void levelsNumbersGoAlong();
+};
+
+void TestInsertionSeries::nothingWithoutOrientation() {
+    const UrethraInsertionParameters p = tests::wholeProcedure();
+    scoring::TrialTrace trial = along(p, {0.01, 0.02});
+    QVERIFY(session::insertionSeries(p, trial).has_value());
+    trial.tools[0].q_WT.clear();
+    QVERIFY(!session::insertionSeries(p, trial).has_value());
+    trial.tools.clear();
+    QVERIFY(!session::insertionSeries(p, trial).has_value());
+}
+
+void TestInsertionSeries::placeAndAlignment() {
+    UrethraInsertionParameters p = tests::wholeProcedure();
+    p.pose.p_WA = Vec3(0.03, -0.01, 0.02);
+    p.pose.q_WA = core::Quat(Eigen::AngleAxisd(0.4, Vec3::UnitZ())) * p.pose.q_WA;
+    scoring::TrialTrace trial = along(p, {-0.02, 0.05, 0.10});
+    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::CentrelinePoint at = line.at(0.10);
+    const double tilt = 0.3;
+    const core::ToolState aside = tests::endoscopeAt(p.pose, at.p_A + 0.003 * Vec3::UnitX() - 0.004 * at.n_A,
+                                                     std::cos(tilt) * at.t_A + std::sin(tilt) * at.n_A);
+    trial.tools[0].p_WT_m[2] = aside.p_WT;
+    trial.tools[0].q_WT[2] = aside.q_WT;
+    const auto series = *session::insertionSeries(p, trial);
+    QVERIFY(std::abs(series.s_m[0] + 0.02) < 1e-9 && std::abs(series.s_m[1] - 0.05) < 1e-9 && std::abs(series.s_m[2] - 0.10) < 1e-9);
+    QVERIFY(series.offset_m[1] < 1e-9 && std::abs(series.offset_m[2] - 0.005) < 1e-9);
+    QVERIFY(series.alignment_rad[1] < 1e-7 && std::abs(series.alignment_rad[2] - tilt) < 1e-7);
+}
+
+void TestInsertionSeries::forceIsSplitAtTheTangent() {
+    const UrethraInsertionParameters p = tests::wholeProcedure();
+    scoring::TrialTrace trial = along(p, {0.06, 0.06});
+    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::CentrelinePoint at = line.at(0.06);
+    trial.tools[0].tissue_N[1] = p.pose.vectorToW(-2.0 * at.t_A + 0.3 * at.n_A + 0.4 * Vec3::UnitX());
+    const auto series = *session::insertionSeries(p, trial);
+    QCOMPARE(series.lateral_N[0], 0.0);
+    QVERIFY(std::abs(series.lateral_N[1] - 0.5) < 1e-9);
+}
+
+void TestInsertionSeries::torqueIsTakenAboutTheAxis() {
+    const UrethraInsertionParameters p = tests::wholeProcedure();
+    scoring::TrialTrace trial = along(p, {0.06, 0.06});
+    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::CentrelinePoint at = line.at(0.06);
+    trial.tools[0].tissueTorque_Nm[1] = p.pose.vectorToW(-0.004 * at.t_A + 0.1 * at.n_A);
+    const auto series = *session::insertionSeries(p, trial);
+    QCOMPARE(series.axialTorque_Nm[0], 0.0);
+    QVERIFY(std::abs(series.axialTorque_Nm[1] - 0.004) < 1e-9);
+}
+
+// A pause is no time: the tip is held for a landmark before and after it, and what it did in between is nobody's business.
+void TestInsertionSeries::pausedSamplesMoveNothing() {
+    UrethraInsertionParameters p = tests::wholeProcedure();
+    p.landmarks = {{"ahead", 0.0, 0.0}};
+    std::vector<double> s_m = held(0.155, 200);
+    const std::vector<double> away = held(-0.05, 500);
+    s_m.insert(s_m.end(), away.begin(), away.end());
+    const std::vector<double> back = held(0.155, 250);
+    s_m.insert(s_m.end(), back.begin(), back.end());
+    scoring::TrialTrace trial = along(p, s_m);
+    for (std::size_t i = 200; i < 700; ++i)
+        trial.tools[0].paused[i] = 1;
+    const auto series = *session::insertionSeries(p, trial);
+    QCOMPARE(series.stage[699], static_cast<std::uint8_t>(ProcedureStage::inspection));
+    QCOMPARE(series.stage.back(), static_cast<std::uint8_t>(ProcedureStage::withdrawal));
+    // 199 ms before the pause and 101 ms after it make the 0.3 s.
+    QVERIFY2(std::abs(series.landmarkSeen_s[0] - 0.800) < 1e-9, qPrintable(QString::number(series.landmarkSeen_s[0], 'g', 12)));
+}
+
+void TestInsertionSeries::landmarksGetTheirTimes() {
+    UrethraInsertionParameters p = tests::wholeProcedure();
+    p.landmarks = {{"behind", 2.5, 0.0}, {"ahead", 0.0, 0.0}};
+    const auto series = *session::insertionSeries(p, along(p, held(0.155, 400)));
+    QVERIFY(std::isnan(series.landmarkSeen_s[0]));
+    QVERIFY(std::abs(series.landmarkSeen_s[1] - 0.300) < 1e-9);
+}
+
+void TestInsertionSeries::levelsNumbersGoAlong() {
+    UrethraInsertionParameters p = tests::wholeProcedure();
+    p.lateralLimit_N = 1.5;
+    p.goalDepth_m = 0.145;
+    const auto series = *session::insertionSeries(p, along(p, {0.0}));
+    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    QCOMPARE(series.length_m, line.length_m());
+    QCOMPARE(series.bend_m, p.anatomy.freeLength_m);
+    QCOMPARE(series.goal_m, 0.145);
+    QCOMPARE(series.lateralLimit_N, 1.5);
+}
+
+QTEST_APPLESS_MAIN(TestInsertionSeries)
+#include "test_insertion_series.moc"
