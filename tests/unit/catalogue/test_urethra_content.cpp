@@ -71,6 +71,7 @@ private slots:
     void faults();
     void presetFaults_data();
     void presetFaults();
+    void presetsThatNoLevelUsesAreCheckedToo();
     void aThinEndoscopeIsAllowed();
 };
 
@@ -280,6 +281,15 @@ void TestUrethraContent::presetFaults() {
     const QByteArray told = QByteArray::fromStdString(catalogue.error().message);
     QVERIFY2(told.startsWith(copy.path(kPreset).toUtf8() + ':'), told.constData());
     QVERIFY2(told.contains(message), told.constData());
+}
+
+void TestUrethraContent::presetsThatNoLevelUsesAreCheckedToo() {
+    ContentCopy copy;
+    const QString unused = QStringLiteral("exercises/urethra_insertion/presets/tight.json");
+    QByteArray text = copy.read(unused);
+    copy.write(unused, text.replace("\"friction\": 0.13", "\"friction\": 13"));
+    const auto catalogue = Catalogue::load(copy.directory());
+    QVERIFY(!catalogue && catalogue.error().message.find("tight.json:") != std::string::npos);
 }
 
 void TestUrethraContent::aThinEndoscopeIsAllowed() {
