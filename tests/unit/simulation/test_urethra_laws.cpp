@@ -44,6 +44,35 @@ bool near(double a, double b, double tolerance) {
     return std::abs(a - b) <= tolerance;
 }
 
+/// A parameter's value that is not its default.
+struct Other {
+    const char* name;
+    double value;
+};
+constexpr Other kOfTheWall[] = {{"radius_m", 0.0026},
+                                {"free_length_m", 0.05},
+                                {"free_blend_m", 0.02},
+                                {"beak_m", 0.012},
+                                {"endoscope_radius_m", 0.004},
+                                {"behind_m", 0.03},
+                                {"change_length_m", 0.013},
+                                {"change_centre_m", 0.05},
+                                {"change_edge_m", 0.005},
+                                {"change_radius_m", 0.001},
+                                {"tip_s_m", 0.0455}};
+constexpr Other kOfTheProfile[] = {{"wall_stiffness_N_per_m3", 2e6},
+                                   {"friction", 0.2},
+                                   {"change_stiffness_factor", 3.0},
+                                   {"change_friction_factor", 3.0}};
+constexpr Other kOfTheSurface[] = {{"curvature_per_m", 12.0},
+                                   {"z_end_m", 0.09},
+                                   {"inside", 0.0},
+                                   {"ex_m", 0.0},
+                                   {"en_m", 0.0},
+                                   {"n", 18.0},
+                                   {"w", 27.0},
+                                   {"moving_sections", 8.0}};
+
 } // namespace
 
 class TestUrethraLaws : public QObject {
@@ -90,44 +119,15 @@ void TestUrethraLaws::everyParameterReachesItsLaw_data() {
     QTest::addColumn<QString>("id");
     QTest::addColumn<QString>("name");
     QTest::addColumn<double>("value");
-    const auto rows = [](const char* id, const std::vector<std::pair<const char*, double>>& parameters) {
-        for (const auto& [name, value] : parameters)
-            QTest::addRow("%s %s", id, name) << QString(id) << QString(name) << value;
-    };
-    rows("urethra-profile", {{"radius_m", 0.0026},
-                             {"wall_stiffness_N_per_m3", 2e6},
-                             {"friction", 0.2},
-                             {"free_length_m", 0.05},
-                             {"free_blend_m", 0.02},
-                             {"endoscope_radius_m", 0.004},
-                             {"beak_m", 0.012},
-                             {"behind_m", 0.03},
-                             {"change_length_m", 0.013},
-                             {"change_centre_m", 0.05},
-                             {"change_edge_m", 0.005},
-                             {"change_radius_m", 0.001},
-                             {"change_stiffness_factor", 3.0},
-                             {"change_friction_factor", 3.0},
-                             {"tip_s_m", 0.0455}});
-    rows("urethra-surface", {{"curvature_per_m", 12.0},
-                             {"z_end_m", 0.09},
-                             {"radius_m", 0.0026},
-                             {"free_length_m", 0.05},
-                             {"free_blend_m", 0.02},
-                             {"endoscope_radius_m", 0.004},
-                             {"beak_m", 0.012},
-                             {"behind_m", 0.03},
-                             {"change_length_m", 0.013},
-                             {"change_centre_m", 0.05},
-                             {"change_edge_m", 0.005},
-                             {"change_radius_m", 0.001},
-                             {"tip_s_m", 0.0455},
-                             {"inside", 0.0},
-                             {"ex_m", 0.0},
-                             {"en_m", 0.0},
-                             {"n", 18.0},
-                             {"w", 27.0},
-                             {"moving_sections", 8.0}});
+    for (const Other& other : kOfTheWall)
+        for (const char* id : {"urethra-profile", "urethra-surface"})
+            QTest::addRow("%s %s", id, other.name) << QString(id) << QString(other.name) << other.value;
+    for (const Other& other : kOfTheProfile)
+        QTest::addRow("profile %s", other.name)
+            << QString("urethra-profile") << QString(other.name) << other.value;
+    for (const Other& other : kOfTheSurface)
+        QTest::addRow("surface %s", other.name)
+            << QString("urethra-surface") << QString(other.name) << other.value;
 }
 
 void TestUrethraLaws::everyParameterReachesItsLaw() {
