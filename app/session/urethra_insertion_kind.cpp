@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/urethra_insertion_kind.h"
 
+#include "operators/urethra_insertion/urethra_insertion_operator.h"
 #include "session/insertion_series.h"
 #include "simulation/exercises/urethra_insertion/drawn_tip.h"
 #include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"
@@ -37,11 +38,20 @@ std::unique_ptr<simulation::IScene> UrethraInsertionKind::makeScene(const catalo
     return std::make_unique<simulation::UrethraInsertionScene>(parametersOf(level));
 }
 
-core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const std::string& name, std::uint64_t) const {
-    return core::fail(core::ErrorCode::notFound, "operator \"" + name + "\": urethra_insertion has no scripted operator");
+core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const std::string& name, std::uint64_t seed) const {
+    auto settings = operators::urethraInsertionOperatorSettings(name);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    auto strategy = operators::makeUrethraInsertionOperator(*settings, seed);
+    if (!strategy)
+        return tl::unexpected(strategy.error());
+    return ScriptedTrainee{std::move(*strategy), settings->hand};
 }
 
-std::vector<std::string> UrethraInsertionKind::operatorNames() const { return {}; }
+std::vector<std::string> UrethraInsertionKind::operatorNames() const {
+    const auto names = operators::urethraInsertionOperatorNames();
+    return {names.begin(), names.end()};
+}
 
 int UrethraInsertionKind::trialCount(const catalogue::ExerciseLevel&) const { return 1; }
 

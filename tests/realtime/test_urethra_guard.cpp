@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 #include "devices/drivers/replay/recorded_device.h"
+#include "devices/drivers/simulated/simulated_endoscope_device.h"
 #include "haptics/recorded_inputs.h"
+#include "operators/urethra_insertion/urethra_insertion_operator.h"
 #include "realtime/guarded_run.h"
 #include "support/urethra_bench.h"
 
@@ -102,6 +104,37 @@ private slots:
         LoopBench bench({{**device, {}}}, inputs, store, urethraScene(kind));
         const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, &(*device)->mailbox());
         QVERIFY2(counts.total() == 0, words(counts));
+    }
+
+    void scriptedEndoscopists_data() {
+        QTest::addColumn<QString>("name");
+        for (const std::string_view name : operators::urethraInsertionOperatorNames())
+            QTest::newRow(std::string(name).c_str()) << QString::fromUtf8(name.data(), static_cast<int>(name.size()));
+    }
+    void scriptedEndoscopists() {
+        QFETCH(QString, name);
+        auto mind = std::move(*operators::makeUrethraInsertionOperator(name.toStdString(), 5));
+        const auto device = std::move(*devices::SimulatedEndoscopeDevice::create({}, std::move(mind)));
+        QVERIFY(device->open().has_value());
+        haptics::LiveInputs inputs;
+        FrameStore store(120'000);
+        simulation::UrethraInsertionParameters p = exercise("plain");
+        p.trialLimit_s = 110.0;
+        LoopBench bench({{*device, {}}}, inputs, store, std::make_unique<simulation::UrethraInsertionScene>(p));
+        realtime::TickSource ticks;
+        inputs.post({core::CommandKind::start, 0});
+        resetForbiddenCounts();
+        bool on = true;
+        for (std::int64_t n = 0; on && n < 120'000; ++n) {
+            const realtime::HapticTick now = ticks.next(n * 1'000'000);
+            const TickGuard guard;
+            on = bench.loop->tick(now);
+        }
+        QVERIFY2(forbiddenCounts().total() == 0, words(forbiddenCounts()));
+        std::uint32_t events = 0;
+        for (const core::HapticFrame& frame : store.frames)
+            events |= frame.header.events;
+        QVERIFY((events & core::event_bits::kCompleted) != 0); // in, round and out again: all of the mind was at work
     }
 
     void recordedFrames() {

@@ -3,7 +3,7 @@
 
 #include "core/random.h"
 #include "mechanisms/hand_strategy.h"
-#include "operators/sphere_apex/markov_noise.h"
+#include "mechanisms/markov_noise.h"
 #include "operators/sphere_apex/perception_settings.h"
 
 #include <array>
@@ -45,13 +45,13 @@ private:
 
     PerceptionSettings m_settings;
     core::Random m_random;
-    std::array<MarkovNoise, 3> m_bias;
-    std::array<MarkovNoise, 3> m_quick;
-    std::array<MarkovNoise, 3> m_vision;
-    std::array<MarkovNoise, 3> m_floor;
-    MarkovNoise m_weber;
-    std::array<MarkovNoise, 2> m_direction;
-    std::array<MarkovNoise, 2> m_directionBias;
+    std::array<mechanisms::MarkovNoise, 3> m_bias;
+    std::array<mechanisms::MarkovNoise, 3> m_quick;
+    std::array<mechanisms::MarkovNoise, 3> m_vision;
+    std::array<mechanisms::MarkovNoise, 3> m_floor;
+    mechanisms::MarkovNoise m_weber;
+    std::array<mechanisms::MarkovNoise, 2> m_direction;
+    std::array<mechanisms::MarkovNoise, 2> m_directionBias;
     core::Vec3 m_sumForce = core::Vec3::Zero();
     core::Vec3 m_sumPlace = core::Vec3::Zero();
     int m_ticks = 0;

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace chiron::operators {
+namespace chiron::mechanisms {
 
 /// Stationary first-order Gauss–Markov noise (Ornstein–Uhlenbeck), stepped exactly: x⁺ = a x + σ√(1−a²) n,
 /// a = e^{−dt/τ}. Starts in its stationary state.
@@ -26,4 +26,4 @@ private:
     double m_value = 0.0;
 };
 
-} // namespace chiron::operators
+} // namespace chiron::mechanisms
