@@ -17,7 +17,7 @@ constexpr double kGap = 12.0; // logical pixels at scale 1
 FlatCanvas::FlatCanvas(const SceneSetup& setup, const QString& why, QWidget* parent)
     : QWidget(parent), m_setup(setup), m_why(why), m_content(makeFlatContent(setup)) {
     setObjectName(QStringLiteral("scene.flat"));
-    setAccessibleName(tr("Operating field from above and from the side"));
+    nameIt();
     setAccessibleDescription(why);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -25,6 +25,11 @@ FlatCanvas::FlatCanvas(const SceneSetup& setup, const QString& why, QWidget* par
 }
 
 FlatCanvas::~FlatCanvas() = default;
+
+void FlatCanvas::nameIt() {
+    const QString own = m_content ? m_content->name() : QString();
+    setAccessibleName(own.isEmpty() ? tr("Operating field from above and from the side") : own);
+}
 
 void FlatCanvas::setState(const SceneState& state) {
     m_state = state;
@@ -34,7 +39,7 @@ void FlatCanvas::setState(const SceneState& state) {
 void FlatCanvas::setSetup(const SceneSetup& setup) {
     m_setup = setup;
     m_content = makeFlatContent(setup);
-    setAccessibleName(tr("Operating field from above and from the side")); // the language may have changed
+    nameIt(); // the language may have changed
     updateGeometry();
     update();
 }
@@ -160,7 +165,7 @@ void FlatCanvas::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), m_setup.colours.background);
     const QRectF room = paintBar(painter, paintReason(painter));
-    if (m_content) {
+    if (m_content && !m_content->paintWhole(painter, room, m_setup, m_state)) {
         FlatPanel above(FlatPanel::Side::above, m_content->rangeAbove_mm(), m_setup);
         FlatPanel side(FlatPanel::Side::side, m_content->rangeSide_mm(), m_setup);
         placePanels(above, side, room);

@@ -31,6 +31,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void nameIt();
     QRectF paintReason(QPainter& painter) const; ///< returns what is left of the widget
     QRectF paintBar(QPainter& painter, const QRectF& room) const;
     void placePanels(FlatPanel& above, FlatPanel& side, const QRectF& room) const;

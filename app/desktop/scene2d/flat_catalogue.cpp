@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene2d/sphere_apex/flat_apex.h"
+#include "desktop/scene2d/urethra_insertion/flat_urethra.h"
 
 namespace chiron::scene3d {
 
 std::unique_ptr<IFlatContent> makeFlatContent(const SceneSetup& setup) {
-    if (setup.exercise == "sphere_apex")
-        return std::make_unique<FlatApex>(std::get<simulation::SphereApexParameters>(setup.parameters));
+    const auto* ball = std::get_if<simulation::SphereApexParameters>(&setup.parameters);
+    const auto* urethra = std::get_if<simulation::UrethraInsertionParameters>(&setup.parameters);
+    if (setup.exercise == "sphere_apex" && ball)
+        return std::make_unique<FlatApex>(*ball);
+    if (setup.exercise == "urethra_insertion" && urethra)
+        return std::make_unique<FlatUrethra>(*urethra);
     return nullptr;
 }
 

@@ -14,6 +14,13 @@ namespace chiron::scene3d {
 class IFlatContent {
 public:
     virtual ~IFlatContent() = default;
+    /// Paints the whole of this room itself, and says so; false: it is painted in the two panels below.
+    virtual bool paintWhole(QPainter& painter, const QRectF& room, const SceneSetup& setup, const SceneState& state) const {
+        (void)painter, (void)room, (void)setup, (void)state;
+        return false;
+    }
+    /// What a screen reader says of the picture; empty: from above and from the side.
+    virtual QString name() const { return {}; }
     virtual QRectF rangeAbove_mm() const = 0; ///< x and y that must be seen
     virtual QRectF rangeSide_mm() const = 0;  ///< x and z
     virtual void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,

@@ -44,7 +44,7 @@ QPointF FlatPanel::at(double across_mm, double up_mm) const {
 }
 
 QPointF FlatPanel::project(const core::Vec3& p_m) const {
-    return at(p_m.x() * 1e3, (m_side == Side::above ? p_m.y() : p_m.z()) * 1e3);
+    return at((m_side == Side::profile ? p_m.y() : p_m.x()) * 1e3, (m_side == Side::above ? p_m.y() : p_m.z()) * 1e3);
 }
 
 QFont FlatPanel::font(double size, bool bold) const {

@@ -14,10 +14,10 @@ class QPainter;
 namespace chiron::scene3d {
 
 /// One of the two pictures: a card with a title, and a plot whose two axes have the same scale in
-/// millimetres. From above: x and y; from the side: x and z.
+/// millimetres. From above: x and y; from the side: x and z; in profile: y and z.
 class FlatPanel {
 public:
-    enum class Side { above, side };
+    enum class Side { above, side, profile };
 
     /// `range_mm`: what the plot shows; x to the right, y upwards (so a QRectF's "top" is the lowest value).
     FlatPanel(Side side, const QRectF& range_mm, const SceneSetup& setup);

@@ -78,6 +78,7 @@ int main(int argc, char** argv) {
     window.move(0, 0);
     auto* layout = new QVBoxLayout(&window);
     layout->setContentsMargins(0, 0, 0, 0);
+    const bool flat = qEnvironmentVariableIsSet("CHIRON_NO_3D");
     const LoadedScene scene = makeSceneView(samples::urethraSetup(), &window);
     std::printf("%s\n", scene.whyFlat.isEmpty() ? "drawn" : qPrintable(scene.whyFlat));
     layout->addWidget(scene.view->widget());
@@ -91,7 +92,7 @@ int main(int argc, char** argv) {
             scene.view->show(what.state);
             pass(120);
         }
-        window.screen()->grabWindow(window.winId()).save(folder.filePath("urethra_" + name + ".png"));
+        (flat ? window.grab() : window.screen()->grabWindow(window.winId())).save(folder.filePath((flat ? "flat_urethra_" : "urethra_") + name + ".png"));
     }
     std::printf("%llu frames\n", static_cast<unsigned long long>(scene.view->framesDrawn()));
     return 0;
