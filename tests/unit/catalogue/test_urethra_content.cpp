@@ -17,7 +17,6 @@ using Parameters = simulation::UrethraInsertionParameters;
 namespace {
 
 const QString kLevel = QStringLiteral("exercises/urethra_insertion/levels/stricture.json");
-const QString kPreset = QStringLiteral("exercises/urethra_insertion/presets/stricture.json");
 
 const Catalogue& shipped() {
     static const auto catalogue = Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
@@ -69,9 +68,6 @@ private slots:
     void olderContentKeepsItsMeaning();
     void faults_data();
     void faults();
-    void presetFaults_data();
-    void presetFaults();
-    void presetsThatNoLevelUsesAreCheckedToo();
     void aThinEndoscopeIsAllowed();
 };
 
@@ -251,45 +247,6 @@ void TestUrethraContent::faults() {
     const QByteArray told = QByteArray::fromStdString(catalogue.error().message);
     QVERIFY2(told.startsWith(copy.path(kLevel).toUtf8() + ':'), told.constData());
     QVERIFY2(told.contains(message), told.constData());
-}
-
-void TestUrethraContent::presetFaults_data() {
-    QTest::addColumn<QByteArray>("from");
-    QTest::addColumn<QByteArray>("to");
-    QTest::addColumn<QByteArray>("message");
-    const auto row = [](const char* tag, const char* from, const char* to, const char* message) {
-        QTest::newRow(tag) << QByteArray(from) << QByteArray(to) << QByteArray(message);
-    };
-    row("negative stiffness", "\"stiffness_factor\": 15", "\"stiffness_factor\": -15",
-        "$.parameters.local_changes[0].stiffness_factor: -15: expected a number");
-    row("unknown key", "\"friction\"", "\"fricton\"", "$.parameters.fricton: unknown key");
-    row("no source", "\"source\"", "\"sauce\"", "$.source: missing");
-    row("another's name", "\"id\": \"stricture\"", "\"id\": \"narrow\"", "$.id: \"narrow\"");
-    row("a preset of a preset", "\"friction\": 0.1", "\"tissue\": \"normal\"", "$.parameters.tissue: given: expected none");
-}
-
-void TestUrethraContent::presetFaults() {
-    QFETCH(QByteArray, from);
-    QFETCH(QByteArray, to);
-    QFETCH(QByteArray, message);
-    ContentCopy copy;
-    QByteArray text = copy.read(kPreset);
-    QVERIFY(text.contains(from));
-    copy.write(kPreset, text.replace(from, to));
-    const auto catalogue = Catalogue::load(copy.directory());
-    QVERIFY(!catalogue.has_value());
-    const QByteArray told = QByteArray::fromStdString(catalogue.error().message);
-    QVERIFY2(told.startsWith(copy.path(kPreset).toUtf8() + ':'), told.constData());
-    QVERIFY2(told.contains(message), told.constData());
-}
-
-void TestUrethraContent::presetsThatNoLevelUsesAreCheckedToo() {
-    ContentCopy copy;
-    const QString unused = QStringLiteral("exercises/urethra_insertion/presets/tight.json");
-    QByteArray text = copy.read(unused);
-    copy.write(unused, text.replace("\"friction\": 0.13", "\"friction\": 13"));
-    const auto catalogue = Catalogue::load(copy.directory());
-    QVERIFY(!catalogue && catalogue.error().message.find("tight.json:") != std::string::npos);
 }
 
 void TestUrethraContent::aThinEndoscopeIsAllowed() {
