@@ -5,9 +5,9 @@ namespace chiron::mechanisms {
 
 /// One arm and its grip on the tool: mass, damping and stiffness against the desired motion, a stiff damped
 /// grip, and physiological tremor; and the same of the wrist that turns the tool. Values of the arm: assumptions of
-/// models.md §4. Values of the wrist: assumptions, of the size that measurements of wrists report (inertia of a hand with
-/// what it holds about 0.004 kg·m², stiffness of a lightly tensed wrist 1 to 3 N·m/rad); damping a third of critical, as
-/// the arm's; its grip is the arm's grip at a lever of 50 mm.
+/// models.md §4. Values of the wrist: assumptions, of the order that a hand with what it holds and a lightly tensed wrist
+/// have (0.004 kg·m², 2 N·m/rad); its damping is a third of critical, as the arm's; its grip is the arm's grip at a lever
+/// of 50 mm.
 struct HandParameters {
     double mass_kg = 0.3;
     double damping_Ns_per_m = 6.0;

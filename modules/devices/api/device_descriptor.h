@@ -29,7 +29,7 @@ enum class DeviceClass { felt, shown };
 struct DeviceDescriptor {
     std::string driver;     ///< catalogue id: simulated, keyboard_mouse, replay
     std::string model;      ///< for people
-    std::string kinematics; ///< id: "cartesian" or "gimbal_hprd"
+    std::string kinematics; ///< id, one of those that makeKinematics() lists
     std::vector<double> kinematicsParameters; ///< meaning fixed by the kinematics id
     std::vector<AxisDescriptor> axes;         ///< 1..kMaxCoordinates
     double jawResolution_rad = 0.0;
