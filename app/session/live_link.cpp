@@ -28,6 +28,8 @@ LiveSample liveSampleOf(const haptics::DisplayState& shown, std::int64_t start_n
         sample.p_WT_m[i] = static_cast<float>(tool.p_WT_m[i]);
         into[i] = tool.p_WT_m[i] - tool.p_WProxy_m[i];
     }
+    for (std::size_t i = 0; i < 4; ++i)
+        sample.q_WT[i] = static_cast<float>(tool.q_WT[i]);
     const double tissue_N = norm3(tool.tissue);
     sample.tissueNorm_N = static_cast<float>(tissue_N);
     sample.torque_Nm = static_cast<float>(norm3(tool.tissue, 3));

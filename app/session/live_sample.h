@@ -20,6 +20,7 @@ struct LiveSample {
     float commanded_N = 0.0f;     ///< norm after the supervisor; 0 on an input-only device
     float speed_m_per_s = 0.0f;
     std::array<float, 3> p_WT_m{};
+    std::array<float, 4> q_WT{1.0f, 0.0f, 0.0f, 0.0f}; ///< w, x, y, z
     float depth_m = 0.0f;         ///< from the drawn surface point to the tip, 0 out of contact
     std::uint32_t guards = 0;     ///< core::guard_bits
     std::uint32_t events = 0;     ///< core::event_bits

@@ -19,11 +19,15 @@ ControlBar::ControlBar(const Theme& theme, QWidget* parent) : QWidget(parent), m
     row->addWidget(m_main, 2);
     m_resumeHere = add(tr("Resume here"), "", QStringLiteral("go-jump"), QStringLiteral("training.resume_here"));
     row->addWidget(m_resumeHere, 2);
+    m_again = add(tr("Start again …"), "", QStringLiteral("media-skip-backward"), QStringLiteral("training.again"));
+    m_again->setToolTip(tr("Start again from the beginning (F5). The attempt so far is kept as stopped."));
+    row->addWidget(m_again, 1);
     m_end = add(tr("End session …"), "", QStringLiteral("media-playback-stop"), QStringLiteral("training.end"));
     row->addWidget(m_end, 1);
     connect(m_stop, &QPushButton::clicked, this, &ControlBar::stopAsked);
     connect(m_main, &QPushButton::clicked, this, [this] { emit mainAsked(m_is); });
     connect(m_resumeHere, &QPushButton::clicked, this, &ControlBar::resumeHereAsked);
+    connect(m_again, &QPushButton::clicked, this, &ControlBar::startAgainAsked);
     connect(m_end, &QPushButton::clicked, this, &ControlBar::endAsked);
     m_resumeHere->hide();
     setMain(Main::pause);
@@ -58,7 +62,7 @@ void ControlBar::setMain(Main main) {
 void ControlBar::setResumeHere(bool possible) { m_resumeHere->setVisible(possible); }
 
 void ControlBar::setRunning(bool running) {
-    for (QPushButton* button : {m_stop, m_main, m_resumeHere, m_end})
+    for (QPushButton* button : {m_stop, m_main, m_resumeHere, m_again, m_end})
         button->setEnabled(running);
 }
 

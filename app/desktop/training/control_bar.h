@@ -9,7 +9,8 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// The buttons of a running session: stop force (large), pause / resume / re-arm in one place, resume here, end. GUI thread.
+/// The buttons of a running session: stop force (large), pause / resume / re-arm in one place, resume here, start again, end.
+/// GUI thread.
 class ControlBar final : public QWidget {
     Q_OBJECT
 public:
@@ -26,6 +27,7 @@ signals:
     void stopAsked();
     void mainAsked(chiron::desktop::ControlBar::Main main);
     void resumeHereAsked();
+    void startAgainAsked();
     void endAsked();
 
 private:
@@ -36,6 +38,7 @@ private:
     QPushButton* m_stop;
     QPushButton* m_main;
     QPushButton* m_resumeHere;
+    QPushButton* m_again;
     QPushButton* m_end;
 };
 

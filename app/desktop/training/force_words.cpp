@@ -59,9 +59,12 @@ ForceWords watchedWords(const haptics::DisplayState& state, bool felt, const QLo
     return {"info", Words::tr("You are watching"), text};
 }
 
-ForceWords shownWords(const haptics::DisplayState& state) {
+ForceWords shownWords(const haptics::DisplayState& state, bool endoscope) {
     if (state.tool[0].noMovement)
         return {"warning", Words::tr("No movement"), Words::tr("Nothing has moved for two seconds. Move the mouse over the scene or press an arrow key.")};
+    if (endoscope)
+        return {"info", Words::tr("Shown, not felt"),
+                Words::tr("This device renders no force. The endoscope moves more slowly the harder you press.")};
     return {"info", Words::tr("Shown, not felt"),
             Words::tr("This device renders no force. The tool stays at the surface and moves more slowly the harder you press.")};
 }
@@ -70,7 +73,8 @@ ForceWords shownWords(const haptics::DisplayState& state) {
 
 ForceWords forceWords(const haptics::DisplayState& state, const AskedFor& asked, const QLocale& locale) {
     if (!state.started)
-        return {"info", Words::tr("Getting ready"), Words::tr("The first trial begins as soon as the scene is drawn.")};
+        return {"info", Words::tr("Getting ready"), asked.endoscope ? Words::tr("The procedure begins as soon as the scene is drawn.")
+                                                              : Words::tr("The first trial begins as soon as the scene is drawn.")};
     if (state.force == ForceState::fault)
         return faultWords(state.guards);
     if (asked.stopped || state.force == ForceState::stopped)
@@ -80,7 +84,7 @@ ForceWords forceWords(const haptics::DisplayState& state, const AskedFor& asked,
     if (!asked.ownHand)
         return watchedWords(state, asked.felt, locale);
     if (!asked.felt)
-        return shownWords(state);
+        return shownWords(state, asked.endoscope);
     switch (state.force) {
     case ForceState::ramping:
         return {"info", Words::tr("Force is coming"),

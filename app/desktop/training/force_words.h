@@ -22,6 +22,7 @@ struct AskedFor {
     bool ownHand = true;  ///< false: a demonstration or a trace is watched
     bool paused = false;
     bool stopped = false;
+    bool endoscope = false; ///< the tool is one
 };
 
 /// Pure.

@@ -23,12 +23,12 @@ double norm3(const A& v, std::size_t at = 0) {
 } // namespace
 
 InfoPanel::InfoPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, Limits limits, QWidget* parent)
-    : QFrame(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_limits(limits) {
+    : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_limits(limits) {
     setProperty("kind", QStringLiteral("card"));
     m_column = new QVBoxLayout(this);
     m_column->setContentsMargins(theme.px(12), theme.px(10), theme.px(12), theme.px(10));
     m_column->setSpacing(theme.px(8));
-    m_elapsed = kit::label(theme, tr("Elapsed: %1").arg(QStringLiteral("0:00")), TextStyle::strong);
+    m_elapsed = kit::label(theme, elapsedText(0), TextStyle::strong);
     m_elapsed->setObjectName(QStringLiteral("training.elapsed"));
     m_column->addWidget(m_elapsed);
     if (cues.bars)
@@ -38,8 +38,7 @@ InfoPanel::InfoPanel(const Theme& theme, const QLocale& locale, const session::L
     if (cues.plots)
         addPlots();
     if (!cues.bars && !cues.numbers && !cues.plots) {
-        auto* none = kit::label(theme, tr("This level shows no measurements: work by what you feel. Everything is recorded and in the results."),
-                                TextStyle::body, "muted");
+        auto* none = kit::label(theme, noCuesText(), TextStyle::body, "muted");
         none->setObjectName(QStringLiteral("training.no_cues"));
         m_column->addWidget(none);
     }
@@ -113,7 +112,7 @@ void InfoPanel::show(const haptics::DisplayState& state, std::span<const session
     const std::int64_t second = m_worked_ms / 1000;
     if (second != m_shownSecond) {
         m_shownSecond = second;
-        m_elapsed->setText(tr("Elapsed: %1").arg(QStringLiteral("%1:%2").arg(second / 60).arg(second % 60, 2, 10, QLatin1Char('0'))));
+        m_elapsed->setText(elapsedText(second));
     }
 }
 
@@ -124,15 +123,23 @@ void InfoPanel::showNumbers(const haptics::ToolDisplay& tool) {
         m_tip[i]->setText(m_locale.toString(std::round(tip_m[i] * 1e4) / 10.0 + 0.0, 'f', 1)); // + 0: no minus before 0.0
 }
 
-void InfoPanel::showLoop(const haptics::DisplayState& state) {
+void InfoPanel::showLoop(const haptics::DisplayState& state) { m_loop->setText(loopText(state)); }
+
+QString InfoPanel::elapsedText(std::int64_t second) {
+    return tr("Elapsed: %1").arg(QStringLiteral("%1:%2").arg(second / 60).arg(second % 60, 2, 10, QLatin1Char('0')));
+}
+
+QString InfoPanel::noCuesText() {
+    return tr("This level shows no measurements: work by what you feel. Everything is recorded and in the results.");
+}
+
+QString InfoPanel::loopText(const haptics::DisplayState& state) {
+    const auto count = [](std::uint64_t n) { return static_cast<int>(std::min<std::uint64_t>(n, 1'000'000'000)); };
     if (state.droppedFrames > 0)
-        m_loop->setText(tr("%n samples could not be recorded: this session will be incomplete.", nullptr,
-                           static_cast<int>(std::min<std::uint64_t>(state.droppedFrames, 1'000'000'000))));
-    else if (state.lateTicks > 0)
-        m_loop->setText(tr("Recording complete; %n ticks late", nullptr,
-                           static_cast<int>(std::min<std::uint64_t>(state.lateTicks, 1'000'000'000))));
-    else
-        m_loop->setText(tr("Recording complete; every tick on time"));
+        return tr("%n samples could not be recorded: this session will be incomplete.", nullptr, count(state.droppedFrames));
+    if (state.lateTicks > 0)
+        return tr("Recording complete; %n ticks late", nullptr, count(state.lateTicks));
+    return tr("Recording complete; every tick on time");
 }
 
 } // namespace chiron::desktop

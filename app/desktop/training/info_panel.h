@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/theme/theme.h"
-#include "haptics/display_state.h"
-#include "session/level_cues.h"
-#include "session/live_sample.h"
+#include "desktop/training/info_view.h"
 
-#include <QFrame>
-#include <QLocale>
-#include <span>
+#include <array>
 
 class QLabel;
 
@@ -17,8 +12,8 @@ namespace chiron::desktop {
 class ForceBar;
 class LivePlot;
 
-/// What is measured right now, as far as the level allows it: bars, numbers, plots; and how the loop does. GUI thread.
-class InfoPanel final : public QFrame {
+/// A tool with a point: bars, numbers, plots, as far as the level allows them; and how the loop does. GUI thread.
+class InfoPanel final : public InfoView {
     Q_OBJECT
 public:
     struct Limits {
@@ -28,7 +23,12 @@ public:
     InfoPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, Limits limits,
               QWidget* parent = nullptr);
 
-    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples);
+    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) override;
+
+    /// Words that every kind of panel shares.
+    static QString elapsedText(std::int64_t second);                ///< "Elapsed: 1:05"
+    static QString loopText(const haptics::DisplayState& state);    ///< whether every tick is on time and recorded
+    static QString noCuesText();                                    ///< of a level that shows no measurements
 
 private:
     void addBars();

@@ -5,24 +5,11 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QWidget>
+#include <algorithm>
 
 namespace chiron::desktop {
 
 namespace {
-
-bool isToolKey(int key) {
-    switch (key) {
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-    case Qt::Key_PageUp:
-    case Qt::Key_PageDown:
-        return true;
-    default:
-        return false;
-    }
-}
 
 bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
 bool isTab(int key) { return key == Qt::Key_Tab || key == Qt::Key_Backtab; }
@@ -32,6 +19,8 @@ bool isTab(int key) { return key == Qt::Key_Tab || key == Qt::Key_Backtab; }
 KeyFilter::KeyFilter(QWidget& screen) : QObject(&screen), m_screen(screen) {}
 
 KeyFilter::~KeyFilter() { setActive(false); }
+
+bool KeyFilter::isToolKey(int key) const { return std::find(m_toolKeys.begin(), m_toolKeys.end(), key) != m_toolKeys.end(); }
 
 void KeyFilter::setActive(bool active) {
     if (m_active == active)
@@ -58,7 +47,8 @@ bool KeyFilter::takes(const QKeyEvent& event, QObject* watched) const {
         return false;
     if (isTab(key))
         return m_scene && watched == m_scene && !watched->isWidgetType();
-    return key == Qt::Key_Space || key == Qt::Key_R || isEnter(key) || isToolKey(key);
+    return key == Qt::Key_Space || key == Qt::Key_R || key == Qt::Key_F5 || (key == Qt::Key_F && m_depthOfFieldKey) || isEnter(key) ||
+           isToolKey(key);
 }
 
 bool KeyFilter::eventFilter(QObject* watched, QEvent* event) {
@@ -85,6 +75,10 @@ void KeyFilter::act(const QKeyEvent& event) {
         emit pauseAsked();
     } else if (key == Qt::Key_R) {
         emit rearmAsked();
+    } else if (key == Qt::Key_F5) {
+        emit startAgainAsked();
+    } else if (key == Qt::Key_F) {
+        emit depthOfFieldAsked();
     } else if (isTab(key)) {
         emit leaveSceneAsked(key == Qt::Key_Tab);
     } else if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget())) {

@@ -3,6 +3,8 @@
 
 #include <QObject>
 #include <QPointer>
+#include <span>
+#include <vector>
 
 class QKeyEvent;
 class QWidget;
@@ -11,8 +13,8 @@ namespace chiron::desktop {
 
 /// The training screen's keys, wherever the focus is, in the native window of the 3D scene too: a filter on the application.
 /// Esc stops force at once and closes nothing while force may flow; Space pauses and resumes; Enter marks, or presses the
-/// button that has the focus; R re-arms; arrows and PageUp/PageDown move the tool; Tab leaves the scene for the controls.
-/// While a dialog is open or a text is being typed, Esc alone is taken. GUI thread.
+/// button that has the focus; R re-arms; F5 starts again; the hand's own keys move the tool; Tab leaves the scene for the
+/// controls. While a dialog is open or a text is being typed, Esc alone is taken. GUI thread.
 class KeyFilter final : public QObject {
     Q_OBJECT
 public:
@@ -23,12 +25,16 @@ public:
     void setActive(bool active);                                   ///< from the session's begin to its end
     /// Paused or stopped: then Esc may do elsewhere what it usually does.
     void setHeld(bool held) { m_held = held; }
+    void setToolKeys(std::span<const int> keys) { m_toolKeys.assign(keys.begin(), keys.end()); } ///< none until then
+    void setDepthOfFieldKey(bool used) { m_depthOfFieldKey = used; } ///< F: the exercise has the switch
 
 signals:
     void stopAsked();
     void pauseAsked();
     void rearmAsked();
     void markAsked();
+    void startAgainAsked();
+    void depthOfFieldAsked();
     void toolKey(int key, bool down);
     void leaveSceneAsked(bool forward); ///< Tab while the scene has the focus
 
@@ -37,6 +43,7 @@ protected:
 
 private:
     bool elsewhere() const; ///< a dialog is open or a text is being typed
+    bool isToolKey(int key) const;
     bool takes(const QKeyEvent& event, QObject* watched) const;
     void act(const QKeyEvent& event);
 
@@ -44,6 +51,8 @@ private:
     QPointer<QObject> m_scene;
     bool m_active = false;
     bool m_held = false;
+    bool m_depthOfFieldKey = false;
+    std::vector<int> m_toolKeys;
 };
 
 } // namespace chiron::desktop

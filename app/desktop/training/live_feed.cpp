@@ -32,6 +32,7 @@ void LiveFeed::tick() {
     for (session::LiveSample sample; m_samples.size() < m_samples.capacity() && m_training->samples().tryPop(sample);) {
         m_samples.push_back(sample);
         m_contacts += (sample.events & core::event_bits::kContactBegan) != 0 ? 1 : 0;
+        m_worked_ms += sample.paused || sample.phase == core::TrialPhase::idle ? 0 : 1;
     }
     emit frame();
 }

@@ -27,6 +27,7 @@ public:
     const haptics::DisplayState& state() const noexcept { return m_state; }
     const std::vector<session::LiveSample>& samples() const noexcept { return m_samples; } ///< since the frame before
     std::uint32_t contacts() const noexcept { return m_contacts; } ///< begun so far
+    double worked_s() const noexcept { return 1e-3 * static_cast<double>(m_worked_ms); } ///< since the first trial, pauses left out
 
 signals:
     void frame();    ///< state() and samples() are new
@@ -39,6 +40,7 @@ private:
     haptics::DisplayState m_state;
     std::vector<session::LiveSample> m_samples;
     std::uint32_t m_contacts = 0;
+    std::int64_t m_worked_ms = 0;
     QTimer m_timer;
     std::unique_ptr<session::LiveTraining> m_training; ///< last: its thread posts to this
 };

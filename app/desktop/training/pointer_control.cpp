@@ -3,6 +3,7 @@
 
 #include "core/tool_state.h"
 
+#include <algorithm>
 #include <array>
 
 namespace chiron::desktop {
@@ -22,12 +23,10 @@ constexpr std::array<KeyWay, 6> kWays{{{Qt::Key_Left, 0, -1.0},
                                        {Qt::Key_PageDown, 2, -1.0},
                                        {Qt::Key_PageUp, 2, 1.0}}};
 
-bool moves(int key) {
-    for (const KeyWay& way : kWays)
-        if (way.key == key)
-            return true;
-    return false;
-}
+constexpr std::array<int, kWays.size()> kKeys{Qt::Key_Left, Qt::Key_Right,    Qt::Key_Down,
+                                              Qt::Key_Up,   Qt::Key_PageDown, Qt::Key_PageUp};
+
+bool moves(int key) { return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end(); }
 
 } // namespace
 
@@ -42,6 +41,8 @@ void PointerControl::drag(QPointF pixels, bool lifting) noexcept {
 void PointerControl::wheel(int eighthsOfDegree) noexcept {
     m_mailbox.move(0.0, 0.0, kMetresPerWheelStep * eighthsOfDegree / 120.0);
 }
+
+std::span<const int> PointerControl::keys() const noexcept { return kKeys; }
 
 bool PointerControl::keyDown(int key) {
     if (!moves(key))

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/training/hand_control.h"
 #include "devices/drivers/keyboard_mouse/pointer_mailbox.h"
 
-#include <QPointF>
 #include <set>
 
 namespace chiron::desktop {
 
 /// From pixels, wheel steps and held keys to metres of the hand in D (x to the right, y away from the person, z up). GUI
 /// thread; the mailbox outlives it.
-class PointerControl {
+class PointerControl final : public HandControl {
 public:
     static constexpr double kMetresPerPixel = 0.0001;  ///< at 100 % scale: 650 pixels are the field's radius
     static constexpr double kMetresPerWheelStep = 0.002; ///< one notch (120 eighths of a degree)
@@ -22,13 +22,13 @@ public:
         : m_mailbox(mailbox), m_scale(scale), m_right(mirrored ? -1.0 : 1.0) {}
 
     /// The pointer moved by this many pixels (y down): across the field, or up and down while `lifting`.
-    void drag(QPointF pixels, bool lifting) noexcept;
-    void wheel(int eighthsOfDegree) noexcept;
-    /// Arrows and PageUp/PageDown (Qt::Key). False: not one of them.
-    bool keyDown(int key);
-    bool keyUp(int key);
-    void releaseKeys(); ///< paused, or the window lost the keyboard: nothing may go on moving
-    void click();       ///< "here it is"
+    void drag(QPointF pixels, bool lifting) noexcept override;
+    void wheel(int eighthsOfDegree) noexcept override;
+    std::span<const int> keys() const noexcept override; ///< arrows and PageUp/PageDown
+    bool keyDown(int key) override;
+    bool keyUp(int key) override;
+    void releaseKeys() override;
+    void click() override; ///< "here it is"
 
 private:
     void sendRate();

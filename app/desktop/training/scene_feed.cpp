@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/scene_feed.h"
 
+#include "desktop/training/endoscopy.h"
 #include "session/exercise_kind.h"
 
 namespace chiron::desktop {
@@ -24,13 +25,15 @@ scene3d::ToolView toolOf(const haptics::ToolDisplay& shown, const session::Level
 } // namespace
 
 scene3d::SceneSetup sceneSetupOf(const catalogue::ExerciseLevel& level, const session::LevelCues& cues, const Theme& theme,
-                                 bool leftHanded) {
+                                 bool leftHanded, std::optional<bool> depthOfField) {
     scene3d::SceneSetup setup;
     setup.exercise = level.exercise;
     setup.parameters = level.parameters;
     if (const auto kind = session::exerciseKind(level.exercise))
         setup.forceLimit_N = (*kind)->forceLimit_N(level);
-    setup.cues = {.tool = cues.tool, .arrow = cues.arrow};
+    setup.cues = {.tool = cues.tool, .arrow = cues.arrow, .object = cues.object, .overview = cues.overview, .guidance = cues.guidance};
+    if (const auto* endoscopy = endoscopyOf(level))
+        setup.depthOfField = endoscopy->depthOfFieldFixed ? endoscopy->depthOfField : depthOfField.value_or(endoscopy->depthOfField);
     setup.colours = {.background = theme.color(Colour::sceneBackground),
                      .field = theme.color(Colour::sceneField),
                      .ink = theme.color(Colour::text),
@@ -50,6 +53,7 @@ scene3d::SceneState sceneStateOf(const haptics::DisplayState& shown, const sessi
         state.tool[i] = toolOf(shown.tool[i], cues);
     state.objectShown = shown.objectShown && cues.object;
     state.p_WObject = vectorOf(shown.p_WObject_m);
+    state.endoscope = shown.endoscope;
     state.time_s = static_cast<double>(shown.now_ns - startedAt_ns) * 1e-9;
     return state;
 }

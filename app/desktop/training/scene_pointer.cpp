@@ -15,7 +15,7 @@ constexpr double kEdgeShare = 0.15; // nearer to an edge than this share of the 
 constexpr double kJumpShare = 0.15; // no hand jumps this share of the scene between two events; a pointer that is led back does
 } // namespace
 
-ScenePointer::ScenePointer(PointerControl& control, QObject& source, QWidget& area, QObject* parent)
+ScenePointer::ScenePointer(HandControl& control, QObject& source, QWidget& area, QObject* parent)
     : QObject(parent), m_control(control), m_source(&source), m_area(&area) {
     source.installEventFilter(this);
     area.setMouseTracking(true);
@@ -98,7 +98,7 @@ void ScenePointer::moved(const QMouseEvent& event) {
         m_onItsWay = false;
     }
     if (m_known)
-        m_control.drag(at - m_last, (event.buttons() & Qt::RightButton) != 0);
+        m_control.drag(at - m_last, (event.buttons() & Qt::RightButton) != 0 || (event.modifiers() & Qt::ShiftModifier) != 0);
     m_last = at;
     m_known = true;
     const QMarginsF edge(kEdgeShare * m_area->width(), kEdgeShare * m_area->height(), kEdgeShare * m_area->width(),

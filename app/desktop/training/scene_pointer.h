@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/training/pointer_control.h"
+#include "desktop/training/hand_control.h"
 
 #include <QObject>
 #include <QPointer>
@@ -17,7 +17,7 @@ class ScenePointer final : public QObject {
     Q_OBJECT
 public:
     /// `source`: where events arrive (ISceneView::inputSource()); `area`: the widget that it fills.
-    ScenePointer(PointerControl& control, QObject& source, QWidget& area, QObject* parent = nullptr);
+    ScenePointer(HandControl& control, QObject& source, QWidget& area, QObject* parent = nullptr);
     ~ScenePointer() override;
 
     void capture();
@@ -37,7 +37,7 @@ private:
     bool isArrival(QPointF at) const; ///< the pointer was led back, and this is the first event from there
     void setCursorShape(Qt::CursorShape shape);
 
-    PointerControl& m_control;
+    HandControl& m_control;
     QPointer<QObject> m_source;
     QPointer<QWidget> m_area;
     bool m_captured = false;

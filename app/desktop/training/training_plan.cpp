@@ -50,17 +50,20 @@ PlanDevice deviceOf(const QString& word) {
 } // namespace
 
 QVariantMap TrainingPlan::toMap() const {
-    return {{QStringLiteral("exercise"), exercise},
-            {QStringLiteral("level"), level},
-            {QStringLiteral("device"), wordOf(device)},
-            {QStringLiteral("operator"), operatorName},
-            {QStringLiteral("trace"), traceFile},
-            {QStringLiteral("scale"), workspace.scale},
-            {QStringLiteral("origin_x_m"), workspace.origin_m[0]},
-            {QStringLiteral("origin_y_m"), workspace.origin_m[1]},
-            {QStringLiteral("origin_z_m"), workspace.origin_m[2]},
-            {QStringLiteral("left_handed"), workspace.leftHanded},
-            {QStringLiteral("familiarisation"), familiarisation}};
+    QVariantMap map{{QStringLiteral("exercise"), exercise},
+                {QStringLiteral("level"), level},
+                {QStringLiteral("device"), wordOf(device)},
+                {QStringLiteral("operator"), operatorName},
+                {QStringLiteral("trace"), traceFile},
+                {QStringLiteral("scale"), workspace.scale},
+                {QStringLiteral("origin_x_m"), workspace.origin_m[0]},
+                {QStringLiteral("origin_y_m"), workspace.origin_m[1]},
+                {QStringLiteral("origin_z_m"), workspace.origin_m[2]},
+                {QStringLiteral("left_handed"), workspace.leftHanded},
+                {QStringLiteral("familiarisation"), familiarisation}};
+    if (depthOfField)
+        map.insert(QStringLiteral("depth_of_field"), *depthOfField);
+    return map;
 }
 
 TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
@@ -75,6 +78,8 @@ TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
                                map.value(QStringLiteral("origin_z_m")).toDouble()};
     plan.workspace.leftHanded = map.value(QStringLiteral("left_handed")).toBool();
     plan.familiarisation = map.value(QStringLiteral("familiarisation")).toBool();
+    if (map.contains(QStringLiteral("depth_of_field")))
+        plan.depthOfField = map.value(QStringLiteral("depth_of_field")).toBool();
     return plan;
 }
 

@@ -7,6 +7,7 @@
 
 #include <QString>
 #include <QVariantMap>
+#include <optional>
 
 namespace chiron::desktop {
 
@@ -22,6 +23,7 @@ struct TrainingPlan {
     QString traceFile;    ///< trace
     session::WorkspaceChoice workspace; ///< mouse
     bool familiarisation = false;
+    std::optional<bool> depthOfField; ///< as the person switched it; empty: as the level begins
 
     bool ownHand() const { return device == PlanDevice::mouse; }
     QVariantMap toMap() const;

@@ -6,8 +6,9 @@
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/training/force_notice.h"
 #include "desktop/training/header_bar.h"
-#include "desktop/training/info_panel.h"
+#include "desktop/training/info_view.h"
 #include "desktop/training/key_filter.h"
+#include "desktop/training/pointer_control.h"
 #include "desktop/training/scene_feed.h"
 #include "desktop/widgets/state_panel.h"
 
@@ -67,7 +68,8 @@ void TrainingScreen::loadScene(core::Result<session::TrainingRequest> request) {
             m_keysText->setText(tr("%1 %2").arg(keys, why)); // whole sentences; said once, quietly, and gone again
             QTimer::singleShot(kSilentWords_ms, this, [this, keys] { m_keysText->setText(keys); });
         }
-    auto loaded = scene3d::makeSceneView(sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded), m_stage);
+    m_setup = sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded, m_plan.depthOfField);
+    auto loaded = scene3d::makeSceneView(m_setup, m_stage);
     m_scene = std::move(loaded.view);
     m_scene->widget()->setAccessibleName(tr("Scene"));
     m_stage->setContent(m_scene->widget());
@@ -109,7 +111,8 @@ void TrainingScreen::connectPointer() {
     devices::PointerMailbox* mailbox = m_feed->training().pointer();
     if (!mailbox)
         return;
-    m_hand.emplace(*mailbox, context().theme().scale(), m_plan.workspace.leftHanded);
+    m_hand = std::make_unique<PointerControl>(*mailbox, context().theme().scale(), m_plan.workspace.leftHanded);
+    m_keys->setToolKeys(m_hand->keys());
     m_pointer = std::make_unique<ScenePointer>(*m_hand, *m_scene->inputSource(), *m_scene->widget());
     connect(m_pointer.get(), &ScenePointer::marked, this, [this] { m_hand->click(); });
     connect(m_pointer.get(), &ScenePointer::captureAsked, this, [this] {
@@ -148,7 +151,7 @@ void TrainingScreen::onFrame() {
 void TrainingScreen::showControls() {
     const haptics::DisplayState& state = m_feed->state();
     const bool felt = m_feed->training().felt();
-    m_notice->show(forceWords(state, {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped()}, context().locale()));
+    m_notice->show(forceWords(state, {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped(), isEndoscope()}, context().locale()));
     const bool latched = m_control->stopped() || state.force == core::ForceState::stopped || state.force == core::ForceState::fault;
     m_controls->setMain(latched ? ControlBar::Main::rearm : m_control->paused() ? ControlBar::Main::resume : ControlBar::Main::pause);
     m_controls->setResumeHere(felt && m_plan.ownHand() && state.force == core::ForceState::arming && state.waitsFor == haptics::ArmingWait::smallRequest);
@@ -165,92 +168,20 @@ void TrainingScreen::onFinished() {
     const core::Result<session::TrainingResult>& result = m_feed->training().result();
     if (!result)
         fail(result.error());
+    else if (m_again)
+        context().navigator().replace({QStringLiteral("training"), m_plan.toMap()}); // a new screen: every value from nothing
     else
         context().navigator().replace({QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(result->session)}}});
 }
 
 void TrainingScreen::fail(const core::Error& error) {
     m_over = true;
-    for (QWidget* part : {m_side, static_cast<QWidget*>(m_controls), static_cast<QWidget*>(m_keysText)})
+    for (QWidget* part : {m_side, static_cast<QWidget*>(m_controls), m_foot})
         part->hide(); // there is nothing to be controlled or measured
     m_stage->showError(tr("The session could not be run"), error, [this] {
         QVariantMap parameters = m_plan.toMap();
         context().navigator().replace({QStringLiteral("exercise_setup"), parameters});
     });
-}
-
-void TrainingScreen::stopForce() {
-    if (!running())
-        return;
-    m_control->stopForce();
-    hold();
-    showControls();
-}
-
-void TrainingScreen::pauseOrResume() {
-    if (!running() || m_storing)
-        return;
-    m_control->pauseOrResume();
-    m_control->held() ? hold() : goOn();
-    showControls();
-}
-
-void TrainingScreen::rearm() {
-    if (!running() || m_storing)
-        return;
-    m_control->rearm();
-    goOn();
-    showControls();
-}
-
-void TrainingScreen::mark() {
-    if (running() && m_plan.ownHand() && !m_control->held())
-        m_control->mark();
-}
-
-void TrainingScreen::end() {
-    if (!running() || m_storing)
-        return;
-    m_control->pause();
-    hold();
-    askToEnd(tr("End the session now?"), tr("End the session"), [this] {
-        if (running())
-            m_control->end();
-    });
-}
-
-bool TrainingScreen::mayLeave() {
-    bool leave = m_storing; // it has ended by itself: leaving only waits until it is stored
-    if (running() && !leave) {
-        m_control->pause();
-        hold();
-        askToEnd(tr("A session is running. End it and leave?"), tr("End and leave"), [&leave] { leave = true; });
-    }
-    if (leave && running()) { // its end is nobody's news any more: no debrief
-        disconnect(m_feed.get(), nullptr, this, nullptr);
-        m_over = true;
-        m_keys->setActive(false);
-        m_feed->training().requestStop();
-    }
-    return !running();
-}
-
-void TrainingScreen::hold() {
-    if (m_hand)
-        m_hand->releaseKeys();
-    if (m_pointer)
-        m_pointer->release();
-}
-
-void TrainingScreen::goOn() {
-    if (m_pointer && !m_control->held())
-        m_pointer->capture();
-}
-
-void TrainingScreen::toggleMute() {
-    m_sound.setMuted(!m_sound.muted());
-    m_header->setMuted(m_sound.muted());
-    context().settings().setSound(!m_sound.muted());
 }
 
 } // namespace chiron::desktop

@@ -7,27 +7,30 @@
 #include "desktop/training/control_bar.h"
 #include "desktop/training/force_words.h"
 #include "desktop/training/live_feed.h"
-#include "desktop/training/pointer_control.h"
+#include "desktop/training/hand_control.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/session_control.h"
 #include "desktop/training/sound_cue_player.h"
 #include "desktop/training/training_plan.h"
+#include "session/exercise_kind.h"
 #include "session/level_cues.h"
 
 #include <optional>
 
+class QCheckBox;
 class QLabel;
 
 namespace chiron::desktop {
 
 class ForceNotice;
 class HeaderBar;
-class InfoPanel;
+class InfoView;
 class KeyFilter;
 class StatePanel;
 
 /// A running session: control, graphics, info. Its place is a TrainingPlan. It loads the scene after it has been painted
-/// itself, begins the session when the scene has been drawn, and goes to the debrief when it is stored. GUI thread.
+/// itself, begins the session when the scene has been drawn, and goes to the debrief when it is stored; or, where somebody
+/// starts again, to a new one of the same plan. GUI thread.
 class TrainingScreen final : public Screen {
     Q_OBJECT
 public:
@@ -53,8 +56,17 @@ private:
     void build();
     void makeHeader();
     QWidget* buildSide();
+    QWidget* buildFoot();
+    InfoView* makeInfo();
     void buildKeys();
-    void askToEnd(const QString& question, const QString& endText, std::function<void()> end);
+    /// What is asked before a running session is ended: question, what will be, and the button that does it.
+    struct Ask {
+        QString question;
+        QString then;
+        QString endText;
+    };
+    void askToEnd(const Ask& ask, const std::function<void()>& end);
+    static QString keptText();
 
     // training_screen.cpp: from prepared to stored
     void prepare();
@@ -66,12 +78,17 @@ private:
     void onFinished();
     void fail(const core::Error& error);
     bool running() const { return m_feed && !m_over; }
+    bool isEndoscope() const { return m_tool == session::PointerTool::endoscope; }
 
+    // training_screen_actions.cpp
     void stopForce();
     void pauseOrResume();
     void rearm();
     void mark();
     void end();
+    void startAgain();   ///< the attempt so far is kept as stopped, then a new one begins
+    void askToStartAgain();
+    void setDepthOfField(bool on);
     void hold();   ///< frees pointer and keys: paused or stopped
     void goOn();   ///< takes them again
     void toggleMute();
@@ -80,28 +97,33 @@ private:
     const catalogue::ExerciseLevel* m_level = nullptr; ///< the catalogue's; null: no such level
     session::LevelCues m_cues;
     double m_limit_N = 4.0;
+    session::PointerTool m_tool = session::PointerTool::point;
 
     StatePanel* m_stage = nullptr;
     HeaderBar* m_header = nullptr;
-    InfoPanel* m_info = nullptr;
+    InfoView* m_info = nullptr;
     ForceNotice* m_notice = nullptr;
     ControlBar* m_controls = nullptr;
     KeyFilter* m_keys = nullptr;
     QWidget* m_side = nullptr;
     QLabel* m_keysText = nullptr;
+    QCheckBox* m_depthOfField = nullptr; ///< null where the exercise has no such switch
+    QWidget* m_foot = nullptr;
 
     bool m_painted = false;
     bool m_over = false;    ///< stored or failed: nothing keeps anybody here
     bool m_storing = false;
     bool m_asking = false;
+    bool m_again = false;   ///< a new attempt begins when this one is stored
     std::int64_t m_start_ns = 0;
+    scene3d::SceneSetup m_setup;
     std::unique_ptr<scene3d::ISceneView> m_scene;
     std::optional<session::TrainingRequest> m_request; ///< prepared, waits for the scene
     SoundCuePlayer m_sound;
     // In this order: the session outlives what talks to it.
     std::unique_ptr<LiveFeed> m_feed;
     std::optional<SessionControl> m_control;
-    std::optional<PointerControl> m_hand;
+    std::unique_ptr<HandControl> m_hand;
     std::unique_ptr<ScenePointer> m_pointer;
 };
 

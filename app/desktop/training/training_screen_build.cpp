@@ -3,15 +3,17 @@
 #include "desktop/training/training_screen.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/training/endoscopy.h"
 #include "desktop/training/force_notice.h"
 #include "desktop/training/header_bar.h"
 #include "desktop/training/info_panel.h"
+#include "desktop/training/insertion_panel.h"
 #include "desktop/training/key_filter.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
-#include "session/exercise_kind.h"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QMessageBox>
 #include <QResizeEvent>
@@ -21,6 +23,7 @@ namespace chiron::desktop {
 
 namespace {
 constexpr double kSideWidth_px = 290;
+constexpr double kEndoscopeSideWidth_px = 372; // more is measured, and the round picture is as large beside it
 constexpr double kLargestSideShare = 0.42; // of a small window: the scene stays the larger part
 } // namespace
 
@@ -32,8 +35,10 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
     if (m_level) {
         // Who watches feels nothing, whatever the device renders.
         m_cues = session::cuesOf(*m_level, false);
-        if (const auto kind = session::exerciseKind(m_level->exercise))
+        if (const auto kind = session::exerciseKind(m_level->exercise)) {
             m_limit_N = (*kind)->forceLimit_N(*m_level);
+            m_tool = (*kind)->pointerTool();
+        }
     }
     m_sound = SoundCuePlayer(m_limit_N);
     m_sound.setMuted(!context.settings().sound());
@@ -75,13 +80,13 @@ void TrainingScreen::build() {
     middle->addWidget(m_side);
     column->addLayout(middle, 1);
 
-    m_keysText = kit::label(theme, keysInWords(m_plan.ownHand()), TextStyle::small, "muted");
-    m_keysText->setObjectName(QStringLiteral("training.keys"));
-    column->addWidget(m_keysText);
+    m_foot = buildFoot();
+    column->addWidget(m_foot);
     m_controls = new ControlBar(theme);
     column->addWidget(m_controls);
     connect(m_controls, &ControlBar::stopAsked, this, &TrainingScreen::stopForce);
     connect(m_controls, &ControlBar::endAsked, this, &TrainingScreen::end);
+    connect(m_controls, &ControlBar::startAgainAsked, this, &TrainingScreen::askToStartAgain);
     connect(m_controls, &ControlBar::resumeHereAsked, this, [this] {
         if (m_control)
             m_control->resumeHere();
@@ -89,6 +94,37 @@ void TrainingScreen::build() {
     connect(m_controls, &ControlBar::mainAsked, this, [this](ControlBar::Main main) {
         main == ControlBar::Main::rearm ? rearm() : pauseOrResume();
     });
+}
+
+QWidget* TrainingScreen::buildFoot() {
+    const Theme& theme = context().theme();
+    auto* foot = new QWidget;
+    auto* row = new QHBoxLayout(foot);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(theme.px(16));
+    m_keysText = kit::label(theme, keysInWords(m_plan.ownHand(), m_tool), TextStyle::small, "muted");
+    m_keysText->setObjectName(QStringLiteral("training.keys"));
+    row->addWidget(m_keysText, 1);
+    const auto* endoscopy = m_level ? endoscopyOf(*m_level) : nullptr;
+    if (!endoscopy)
+        return foot;
+    const QString text = !endoscopy->depthOfFieldFixed ? tr("Depth of field (F)")
+                         : endoscopy->depthOfField     ? tr("Depth of field: this level keeps it on")
+                                                       : tr("Depth of field: this level keeps it off");
+    m_depthOfField = new QCheckBox(text);
+    m_depthOfField->setObjectName(QStringLiteral("training.depth_of_field"));
+    m_depthOfField->setToolTip(tr("The picture is sharp at one distance only, as through a real endoscope"));
+    m_depthOfField->setEnabled(!endoscopy->depthOfFieldFixed);
+    m_depthOfField->setChecked(endoscopy->depthOfFieldFixed ? endoscopy->depthOfField : m_plan.depthOfField.value_or(endoscopy->depthOfField));
+    connect(m_depthOfField, &QCheckBox::toggled, this, &TrainingScreen::setDepthOfField);
+    row->addWidget(m_depthOfField, 0, Qt::AlignTop);
+    return foot;
+}
+
+InfoView* TrainingScreen::makeInfo() {
+    if (const auto* endoscopy = m_level ? endoscopyOf(*m_level) : nullptr)
+        return new InsertionPanel(context().theme(), context().locale(), m_cues, *endoscopy);
+    return new InfoPanel(context().theme(), context().locale(), m_cues, {.force_N = m_limit_N});
 }
 
 QWidget* TrainingScreen::buildSide() {
@@ -108,10 +144,10 @@ QWidget* TrainingScreen::buildSide() {
     if (m_level && m_level->needsForce && m_level->shownForce)
         column->addWidget(kit::label(theme, QString::fromStdString(catalogue::textIn(m_level->shownForce->note, context().language().toStdString())),
                                      TextStyle::small, "muted"));
-    m_info = new InfoPanel(theme, context().locale(), m_cues, {.force_N = m_limit_N});
+    m_info = makeInfo();
     column->addWidget(m_info, 1);
     side->setWidget(inner);
-    m_notice->show(forceWords({}, {.felt = false, .ownHand = m_plan.ownHand()}, context().locale()));
+    m_notice->show(forceWords({}, {.felt = false, .ownHand = m_plan.ownHand(), .endoscope = isEndoscope()}, context().locale()));
     return side;
 }
 
@@ -121,6 +157,12 @@ void TrainingScreen::buildKeys() {
     connect(m_keys, &KeyFilter::pauseAsked, this, &TrainingScreen::pauseOrResume);
     connect(m_keys, &KeyFilter::rearmAsked, this, &TrainingScreen::rearm);
     connect(m_keys, &KeyFilter::markAsked, this, &TrainingScreen::mark);
+    connect(m_keys, &KeyFilter::startAgainAsked, this, &TrainingScreen::askToStartAgain);
+    m_keys->setDepthOfFieldKey(m_depthOfField != nullptr);
+    connect(m_keys, &KeyFilter::depthOfFieldAsked, this, [this] {
+        if (m_depthOfField->isEnabled())
+            m_depthOfField->toggle();
+    });
     connect(m_keys, &KeyFilter::leaveSceneAsked, this, [this](bool) {
         window()->activateWindow();
         m_controls->mainButton()->setFocus(Qt::TabFocusReason);
@@ -134,19 +176,22 @@ void TrainingScreen::buildKeys() {
 
 void TrainingScreen::resizeEvent(QResizeEvent* event) {
     Screen::resizeEvent(event);
-    m_side->setFixedWidth(std::min(context().theme().px(kSideWidth_px), static_cast<int>(kLargestSideShare * width())));
+    const double wanted_px = isEndoscope() ? kEndoscopeSideWidth_px : kSideWidth_px;
+    m_side->setFixedWidth(std::min(context().theme().px(wanted_px), static_cast<int>(kLargestSideShare * width())));
 }
 
-void TrainingScreen::askToEnd(const QString& question, const QString& endText, std::function<void()> end) {
+QString TrainingScreen::keptText() { return tr("What is recorded is kept. The session counts as stopped, not as completed."); }
+
+void TrainingScreen::askToEnd(const Ask& ask, const std::function<void()>& end) {
     if (m_asking)
         return;
     m_asking = true;
-    QMessageBox box(QMessageBox::Question, title(), question, QMessageBox::NoButton, window());
+    QMessageBox box(QMessageBox::Question, title(), ask.question, QMessageBox::NoButton, window());
     box.setObjectName(QStringLiteral("training.ask"));
-    box.setInformativeText(tr("What is recorded is kept. The session counts as stopped, not as completed."));
+    box.setInformativeText(ask.then);
     QPushButton* keep = box.addButton(tr("Keep training"), QMessageBox::RejectRole);
     keep->setObjectName(QStringLiteral("training.ask.keep"));
-    QPushButton* leave = box.addButton(endText, QMessageBox::DestructiveRole);
+    QPushButton* leave = box.addButton(ask.endText, QMessageBox::DestructiveRole);
     leave->setObjectName(QStringLiteral("training.ask.end"));
     box.setDefaultButton(keep);
     box.setEscapeButton(keep);
@@ -162,12 +207,13 @@ QString TrainingScreen::title() const {
 }
 
 QString TrainingScreen::help() const {
+    const QString end = isEndoscope() ? tr("When the procedure is done the debrief opens by itself.") : tr("After the last trial the debrief opens by itself.");
     return tr("Here you work. On the left you see the scene, on the right what is measured, below the controls. A level shows only what "
               "belongs to it; what is hidden is still recorded.\n\n"
               "%1\n\n"
               "Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it "
-              "is.\n\nAfter the last trial the debrief opens by itself.")
-        .arg(keysInWords(m_plan.ownHand()));
+              "is. Start again keeps the attempt so far as stopped and begins a new one from the start.\n\n%2")
+        .arg(keysInWords(m_plan.ownHand(), m_tool), end);
 }
 
 std::vector<ScreenCommand> TrainingScreen::commands() {
@@ -177,9 +223,12 @@ std::vector<ScreenCommand> TrainingScreen::commands() {
         {tr("Stop force"), QKeySequence(Qt::Key_Escape), [this] { stopForce(); }, false},
         {tr("Pause or go on"), QKeySequence(Qt::Key_Space), [this] { pauseOrResume(); }, false},
         {tr("Re-arm force"), QKeySequence(Qt::Key_R), [this] { rearm(); }, false},
+        {tr("Start again from the beginning"), QKeySequence(Qt::Key_F5), [this] { askToStartAgain(); }, false},
         {tr("End the session"), {}, [this] { end(); }, true},
     };
-    if (m_plan.ownHand())
+    if (m_depthOfField && m_depthOfField->isEnabled())
+        list.push_back({tr("Depth of field on or off"), QKeySequence(Qt::Key_F), [this] { m_depthOfField->toggle(); }, false});
+    if (m_plan.ownHand() && !isEndoscope())
         list.push_back({tr("Mark this place"), QKeySequence(Qt::Key_Return), [this] { mark(); }, false});
     if (m_cues.sound)
         list.push_back({tr("Sound on or off"), {}, [this] { toggleMute(); }, true});

@@ -26,8 +26,13 @@ QString operatorTitle(const std::string& name) {
 
 QString deviceTitle(const TrainingPlan& plan) {
     switch (plan.device) {
-    case PlanDevice::demonstration:
-        return Words::tr("Demonstration on the simulated gimbal (%1): shown, not felt").arg(operatorTitle(plan.operatorName.toStdString()));
+    case PlanDevice::demonstration: {
+        const QString who = operatorTitle(plan.operatorName.toStdString());
+        const auto kind = session::exerciseKind(plan.exercise.toStdString());
+        if (kind && (*kind)->mechanism() == "five_bar_spherical")
+            return Words::tr("Demonstration on the simulated five-bar mechanism (%1): shown, not felt").arg(who);
+        return Words::tr("Demonstration on the simulated gimbal (%1): shown, not felt").arg(who);
+    }
     case PlanDevice::trace:
         return Words::tr("Replayed file %1: shown, not felt").arg(QFileInfo(plan.traceFile).fileName());
     case PlanDevice::mouse:
@@ -48,11 +53,15 @@ QString deviceIcon(PlanDevice device) {
     return QStringLiteral("input-mouse");
 }
 
-QString keysInWords(bool ownHand) {
+QString keysInWords(bool ownHand, session::PointerTool tool) {
     if (!ownHand)
         return Words::tr("You are watching. Space: pause or go on. Esc: stop.");
+    if (tool == session::PointerTool::endoscope)
+        return Words::tr("Advance and withdraw: wheel, W and S, or Page Up and Page Down. Turn: mouse or arrow keys. Move sideways: the same "
+                         "with the right button or Shift. Roll: Q and E. Space: pause, frees the pointer. Esc: stop "
+                         "force. F5: start again.");
     return Words::tr("Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or "
-                     "Enter. Space: pause, frees the pointer. Esc: stop force.");
+                     "Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.");
 }
 
 } // namespace chiron::desktop

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/training/training_plan.h"
+#include "session/exercise_kind.h"
 
 #include <QString>
 #include <string>
@@ -12,6 +13,7 @@ namespace chiron::desktop {
 QString operatorTitle(const std::string& name); ///< "an expert"; a name that is not known as it is
 QString deviceTitle(const TrainingPlan& plan);  ///< with what is felt of it
 QString deviceIcon(PlanDevice device);          ///< Breeze name
-QString keysInWords(bool ownHand);              ///< how the tool is moved, marked, paused, stopped
+/// How the tool is moved, marked, paused, stopped.
+QString keysInWords(bool ownHand, session::PointerTool tool = session::PointerTool::point);
 
 } // namespace chiron::desktop

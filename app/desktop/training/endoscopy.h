@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+
+namespace chiron::desktop {
+
+/// The level's parameters where it is done with an endoscope; null where it is not.
+inline const simulation::UrethraInsertionParameters* endoscopyOf(const catalogue::ExerciseLevel& level) {
+    return std::get_if<simulation::UrethraInsertionParameters>(&level.parameters);
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person asks of a running session.
+#include "desktop/training/training_screen.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/training/header_bar.h"
+#include "desktop/training/key_filter.h"
+
+namespace chiron::desktop {
+
+namespace {
+constexpr double kUnasked_s = 5.0; // who has worked no longer than this loses nothing by starting again
+} // namespace
+
+void TrainingScreen::stopForce() {
+    if (!running())
+        return;
+    m_control->stopForce();
+    hold();
+    showControls();
+}
+
+void TrainingScreen::pauseOrResume() {
+    if (!running() || m_storing)
+        return;
+    m_control->pauseOrResume();
+    m_control->held() ? hold() : goOn();
+    showControls();
+}
+
+void TrainingScreen::rearm() {
+    if (!running() || m_storing)
+        return;
+    m_control->rearm();
+    goOn();
+    showControls();
+}
+
+void TrainingScreen::mark() {
+    if (running() && m_plan.ownHand() && !isEndoscope() && !m_control->held())
+        m_control->mark();
+}
+
+void TrainingScreen::end() {
+    if (!running() || m_storing)
+        return;
+    m_control->pause();
+    hold();
+    askToEnd({tr("End the session now?"), keptText(), tr("End the session")}, [this] {
+        if (running())
+            m_control->end();
+    });
+}
+
+void TrainingScreen::askToStartAgain() {
+    if (!running() || m_storing || m_asking)
+        return;
+    m_control->pause();
+    hold();
+    showControls();
+    if (m_feed->worked_s() < kUnasked_s) {
+        startAgain();
+        return;
+    }
+    const QString then = tr("What is recorded so far is kept and counts as stopped, not as completed. A new attempt begins at once.");
+    askToEnd({tr("Start again from the beginning?"), then, tr("Start again")}, [this] { startAgain(); });
+}
+
+void TrainingScreen::startAgain() {
+    if (!running() || m_storing)
+        return;
+    m_again = true;
+    m_control->end();
+}
+
+void TrainingScreen::setDepthOfField(bool on) {
+    m_setup.depthOfField = on;
+    m_plan.depthOfField = on;
+    if (m_scene)
+        m_scene->change(m_setup);
+}
+
+bool TrainingScreen::mayLeave() {
+    bool leave = m_storing; // it has ended by itself: leaving only waits until it is stored
+    if (running() && !leave) {
+        m_control->pause();
+        hold();
+        askToEnd({tr("A session is running. End it and leave?"), keptText(), tr("End and leave")}, [&leave] { leave = true; });
+    }
+    if (leave && running()) { // its end is nobody's news any more: no debrief
+        disconnect(m_feed.get(), nullptr, this, nullptr);
+        m_over = true;
+        m_keys->setActive(false);
+        m_feed->training().requestStop();
+    }
+    return !running();
+}
+
+void TrainingScreen::hold() {
+    if (m_hand)
+        m_hand->releaseKeys();
+    if (m_pointer)
+        m_pointer->release();
+}
+
+void TrainingScreen::goOn() {
+    if (m_pointer && !m_control->held())
+        m_pointer->capture();
+}
+
+void TrainingScreen::toggleMute() {
+    m_sound.setMuted(!m_sound.muted());
+    m_header->setMuted(m_sound.muted());
+    context().settings().setSound(!m_sound.muted());
+}
+
+} // namespace chiron::desktop
