@@ -30,6 +30,7 @@ ReportBlocks::ReportBlocks(const ReportData& data, const PlotTheme& theme, doubl
     addFacts();
     addHeadlines();
     addApex();
+    addInsertion();
     addMetrics();
     addPlots();
     addIntegrity();
@@ -206,6 +207,26 @@ void ReportBlocks::addApex() {
         const double left = box.width() * 0.46;
         scatter->paintTo(p, QRectF(box.left(), box.top(), left, box.height()));
         bars->paintTo(p, QRectF(box.left() + left + 8, box.top(), box.width() - left - 8, box.height()));
+    });
+}
+
+void ReportBlocks::addInsertion() {
+    if (!m_data.insertion)
+        return;
+    const InsertionProfile& profile = *m_data.insertion;
+    addHeading(Words::tr("Off-centre and off-axis over depth"));
+    if (profile.landmarks > 0)
+        addPairs({{Words::tr("Landmarks of the bladder seen"),
+                   Words::tr("%1 of %2").arg(m_theme.locale.toString(profile.landmarksSeen), m_theme.locale.toString(profile.landmarks))}},
+                 1);
+    m_plots.push_back(offsetDepthPlot(profile, m_theme));
+    m_plots.push_back(alignmentDepthPlot(profile, m_theme));
+    PlotView* offset = m_plots[m_plots.size() - 2].get();
+    PlotView* alignment = m_plots.back().get();
+    add(250, 4, [offset, alignment](QCPPainter& p, const QRectF& box) {
+        const double half = 0.5 * (box.width() - 8);
+        offset->paintTo(p, QRectF(box.left(), box.top(), half, box.height()));
+        alignment->paintTo(p, QRectF(box.left() + half + 8, box.top(), half, box.height()));
     });
 }
 

@@ -29,6 +29,7 @@ private:
     void addHeadlines();
     void addMetrics();
     void addApex();
+    void addInsertion();
     void addPlots();
     void addIntegrity();
     void addHeading(const QString& text);

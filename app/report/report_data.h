@@ -34,6 +34,19 @@ struct ApexError {
     bool timedOut = false;
 };
 
+/// How an endoscope kept to its canal, by depth: the largest value in each millimetre, on the way in and on the way out. What
+/// was not passed is not a number. mm and degrees, as people read them.
+struct InsertionProfile {
+    std::vector<double> depth_mm; ///< middle of each millimetre, ascending
+    std::vector<double> offsetIn_mm, offsetOut_mm;       ///< distance from the centre-line
+    std::vector<double> alignmentIn_deg, alignmentOut_deg; ///< between the instrument and the canal
+    double bend_mm = 0.0; ///< where the orientation has to change
+    double neck_mm = 0.0; ///< the canal's end
+    double goal_mm = 0.0; ///< depth that ends the insertion
+    int landmarks = 0;    ///< to be seen
+    int landmarksSeen = 0;
+};
+
 struct TimeSpan {
     double begin_s = 0.0;
     double end_s = 0.0;
@@ -45,7 +58,7 @@ struct TimedEvent {
 };
 
 /// One tool's samples of a session (or of one trial) for plots. All vectors have t_s's length, except that
-/// `measured_N`, `commanded_N` and `speed_mm_per_s` may be empty (not measured, not stored). Positions in W,
+/// `measured_N`, `commanded_N`, `speed_mm_per_s`, `offset_mm` and `alignment_deg` may be empty (not measured, not stored). Positions in W,
 /// forces as norms. Values that are not finite leave a gap.
 struct SampleSeries {
     std::vector<double> t_s; ///< ascending
@@ -54,6 +67,8 @@ struct SampleSeries {
     std::vector<double> commanded_N; ///< after the supervisor
     std::vector<double> measured_N;  ///< by the device
     std::vector<double> speed_mm_per_s;
+    std::vector<double> offset_mm;     ///< from a canal's centre-line; empty where there is none
+    std::vector<double> alignment_deg; ///< between instrument and canal; the same
     std::vector<TimeSpan> paused; ///< hatched; left out of every metric
     std::vector<TimedEvent> events;
 };
@@ -98,6 +113,7 @@ struct ReportData {
     std::optional<bool> passed; ///< absent where nothing is gated
     std::vector<MetricRow> metrics;
     std::vector<ApexError> apexErrors;
+    std::optional<InsertionProfile> insertion; ///< exercises through a canal
     SampleSeries series;
     double forceLimit_N = 4.0;
     LoopFacts loop;

@@ -166,6 +166,11 @@ core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const
         if (!done)
             return tl::unexpected(done.error());
     }
+    if (data.insertion) {
+        auto done = write("insertion.png", offsetDepthPlot(*data.insertion, theme), alignmentDepthPlot(*data.insertion, theme));
+        if (!done)
+            return tl::unexpected(done.error());
+    }
     return written;
 }
 

@@ -84,6 +84,59 @@ std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme&
     return view;
 }
 
+std::unique_ptr<PlotView> offsetPlot(const SampleSeries& series, const PlotTheme& theme) {
+    auto view = timePlot(Words::tr("Distance from the middle of the canal"), {Words::tr("Off-centre (mm)"), 0.0, {}}, series, theme);
+    view->addLine(Words::tr("off-centre"), series.t_s, series.offset_mm, PlotStyle::solidA);
+    finish(*view, series, series.t_s.empty() || series.offset_mm.empty());
+    return view;
+}
+
+std::unique_ptr<PlotView> alignmentPlot(const SampleSeries& series, const PlotTheme& theme) {
+    auto view = timePlot(Words::tr("Angle between endoscope and canal"), {Words::tr("Off-axis (°)"), 0.0, {}}, series, theme);
+    view->addLine(Words::tr("off-axis"), series.t_s, series.alignment_deg, PlotStyle::solidA);
+    finish(*view, series, series.t_s.empty() || series.alignment_deg.empty());
+    return view;
+}
+
+namespace {
+
+/// One quantity over depth: in and out.
+std::unique_ptr<PlotView> depthPlot(const QString& title, const QString& axis, const InsertionProfile& profile,
+                                    const std::vector<double>& in, const std::vector<double>& out, const PlotTheme& theme) {
+    auto view = std::make_unique<PlotView>(theme);
+    view->setTitle(title);
+    const auto isNumber = [](double value) { return std::isfinite(value); };
+    const bool entered = std::any_of(in.begin(), in.end(), isNumber);
+    const double deepest = profile.depth_mm.empty() ? 0.0 : profile.depth_mm.back();
+    view->setXAxis({Words::tr("Depth (mm)"), std::min(0.0, profile.depth_mm.empty() ? 0.0 : profile.depth_mm.front()),
+                    std::max({deepest, profile.goal_mm, 1.0})});
+    view->setYAxis({axis, 0.0, {}});
+    view->addLine(Words::tr("in"), profile.depth_mm, in, PlotStyle::solidA);
+    if (std::any_of(out.begin(), out.end(), isNumber))
+        view->addLine(Words::tr("out"), profile.depth_mm, out, PlotStyle::dashedB);
+    const double end_mm = std::max(deepest, profile.goal_mm);
+    std::vector<TimedEvent> places;
+    for (const auto& [at_mm, name] : {std::pair{profile.bend_mm, Words::tr("bend")}, std::pair{profile.neck_mm, Words::tr("bladder neck")}})
+        if (at_mm > 0.0 && at_mm <= end_mm)
+            places.push_back({at_mm, name});
+    view->addEvents(places);
+    if (!entered)
+        view->setNote(Words::tr("The endoscope did not enter"));
+    return view;
+}
+
+} // namespace
+
+std::unique_ptr<PlotView> offsetDepthPlot(const InsertionProfile& profile, const PlotTheme& theme) {
+    return depthPlot(Words::tr("Off-centre, largest in each millimetre"), Words::tr("Off-centre (mm)"), profile, profile.offsetIn_mm,
+                     profile.offsetOut_mm, theme);
+}
+
+std::unique_ptr<PlotView> alignmentDepthPlot(const InsertionProfile& profile, const PlotTheme& theme) {
+    return depthPlot(Words::tr("Off-axis, largest in each millimetre"), Words::tr("Off-axis (°)"), profile, profile.alignmentIn_deg,
+                     profile.alignmentOut_deg, theme);
+}
+
 std::unique_ptr<PlotView> apexScatterPlot(const std::vector<ApexError>& errors, const PlotTheme& theme) {
     auto view = std::make_unique<PlotView>(theme);
     view->setTitle(Words::tr("Where the marks lie on the sphere"));

@@ -40,10 +40,14 @@ std::optional<GhostTool> ghostAt(const PlaybackTrack& track, const PlaybackTrack
 GhostSeries ghostSeries(const PlaybackTrack& track, const PlaybackTrack& ghost) {
     constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
     GhostSeries series;
-    const auto push = [&series](double t_s, double tissue_N, double speed_m_per_s) {
+    const auto push = [&](double t_s, double tissue_N, double speed_m_per_s, const PlaybackInsertionMoment& canal) {
         series.t_s.push_back(t_s);
         series.tissue_N.push_back(tissue_N);
         series.speed_m_per_s.push_back(speed_m_per_s);
+        if (!ghost.insertion)
+            return;
+        series.offset_m.push_back(canal.offset_m);
+        series.alignment_rad.push_back(canal.alignment_rad);
     };
     for (std::size_t k = 0; k < track.trials.size(); ++k) {
         const PlaybackTrial& mine = track.trials[k];
@@ -59,10 +63,11 @@ GhostSeries ghostSeries(const PlaybackTrack& track, const PlaybackTrack& ghost) 
                 continue;
             if (own_s > its->end_s || t_s > until_s)
                 break;
-            push(t_s, ghost.tool(i, 0).tissue_N.norm(), ghost.tool(i, 0).speed_m_per_s);
+            push(t_s, ghost.tool(i, 0).tissue_N.norm(), ghost.tool(i, 0).speed_m_per_s,
+                 ghost.insertion ? ghost.insertion->moments[i] : PlaybackInsertionMoment{});
             last_s = t_s;
         }
-        push(last_s, kGap, kGap);
+        push(last_s, kGap, kGap, {});
     }
     return series;
 }

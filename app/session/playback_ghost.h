@@ -20,11 +20,13 @@ struct GhostTool {
 /// trial that the ghost does not have. Pure.
 std::optional<GhostTool> ghostAt(const PlaybackTrack& track, const PlaybackTrack& ghost, double t_s);
 
-/// The ghost's tissue force over the first track's time, for a second line in a plot; a gap (not a number) between trials.
+/// What the ghost did over the first track's time, for a second line in a plot; a gap (not a number) between trials.
 struct GhostSeries {
     std::vector<double> t_s;
     std::vector<double> tissue_N;
     std::vector<double> speed_m_per_s;
+    std::vector<double> offset_m;      ///< empty without an endoscope
+    std::vector<double> alignment_rad; ///< the same
 };
 GhostSeries ghostSeries(const PlaybackTrack& track, const PlaybackTrack& ghost);
 

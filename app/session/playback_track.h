@@ -5,6 +5,7 @@
 #include "core/session_state.h"
 #include "core/tool_state.h"
 #include "database/actor.h"
+#include "session/playback_insertion.h"
 #include "session/playback_mark.h"
 #include "session/trial_surfaces.h"
 
@@ -62,6 +63,7 @@ struct PlaybackView {
     PlaybackMoment moment;
     std::vector<PlaybackTool> tools;
     std::optional<TrialObject> object; ///< of the trial at that time
+    std::optional<PlaybackInsertionMoment> insertion; ///< exercises with an endoscope
 };
 
 /// A stored session made ready for playback: built once on a worker (buildPlaybackTrack), then a value that any one
@@ -83,6 +85,7 @@ public:
     std::vector<PlaybackSpan> paused; ///< left out of every metric
     std::vector<PlaybackMark> marks;  ///< by time
     double duration_s = 0.0;          ///< device time of the last frame
+    std::optional<PlaybackInsertion> insertion; ///< exercises with an endoscope whose recording tells how it was turned
 
     bool empty() const noexcept { return moments.empty(); }
     /// Index of the last sample at or before `t_s`; 0 before the first. Undefined on an empty track.

@@ -3,6 +3,7 @@
 
 #include "database/repositories/score_repository.h"
 #include "recording/digest.h"
+#include "session_report/insertion_profile.h"
 #include "session_report/series_maker.h"
 #include "session/exercise_kind.h"
 
@@ -176,6 +177,7 @@ core::Result<ReportData> reportDataOf(session::StoredSession& session, database:
     if (!trace)
         return tl::unexpected(trace.error());
     data.apexErrors = apexErrorsOf(*trace);
+    data.insertion = insertionProfileOf(*trace);
     auto series = makeSeries(session, data.integrity.recordingDigest);
     if (!series)
         return tl::unexpected(series.error());

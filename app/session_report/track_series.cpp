@@ -2,10 +2,15 @@
 #include "session_report/track_series.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace chiron::session_report {
 
 using session::PlaybackTrack;
+
+namespace {
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+} // namespace
 
 report::SampleSeries seriesOf(const PlaybackTrack& track) {
     report::SampleSeries series;
@@ -17,6 +22,10 @@ report::SampleSeries seriesOf(const PlaybackTrack& track) {
         series.z_mm.push_back(tool.p_WT.z() * 1e3);
         series.tissue_N.push_back(tool.tissue_N.norm());
         series.speed_mm_per_s.push_back(tool.speed_m_per_s * 1e3);
+        if (track.insertion) {
+            series.offset_mm.push_back(track.insertion->moments[i].offset_m * 1e3);
+            series.alignment_deg.push_back(track.insertion->moments[i].alignment_rad * kDegrees);
+        }
         if (track.felt)
             series.commanded_N.push_back(tool.commanded_N);
         if (track.measures)
@@ -25,7 +34,8 @@ report::SampleSeries seriesOf(const PlaybackTrack& track) {
     for (const session::PlaybackSpan& span : track.paused)
         series.paused.push_back({span.begin_s, span.end_s});
     for (const session::PlaybackTrial& trial : track.trials)
-        series.events.push_back({trial.start_s, QString::number(trial.index + 1)});
+        if (track.trials.size() > 1 || !track.insertion) // of one procedure there is nothing to number
+            series.events.push_back({trial.start_s, QString::number(trial.index + 1)});
     return series;
 }
 

@@ -4,6 +4,7 @@
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "session/playback_builder.h"
+#include "session_report/insertion_profile.h"
 #include "session_report/session_report.h"
 #include "session_report/track_series.h"
 
@@ -46,6 +47,7 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
         return tl::unexpected(track.error());
     DebriefDetails details;
     details.answers = session_report::apexErrorsOf(*track);
+    details.insertion = session_report::insertionProfileOf(*track);
     details.duration_s = track->duration_s;
     auto card = database::ScoreRepository(connection, actor).scores(session);
     if (!card && card.error().code != core::ErrorCode::notFound)

@@ -26,6 +26,7 @@ struct DebriefHead {
 /// What has to be read from the recording, some tenths of a second later.
 struct DebriefDetails {
     std::vector<report::ApexError> answers;
+    std::optional<report::InsertionProfile> insertion; ///< exercises through a canal
     std::optional<session::WorstMoment> worst;
     double duration_s = 0.0;
 };

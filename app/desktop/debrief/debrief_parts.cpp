@@ -5,6 +5,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
+#include "desktop/training/endoscopy.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 
@@ -122,7 +123,8 @@ QWidget* DebriefScreen::headlineRow() {
 QWidget* DebriefScreen::answersBox() {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("The answers, seen from above"), TextStyle::title));
+    const bool endoscopy = endoscopyOf(m_head->setup.level) != nullptr;
+    box.layout->addWidget(kit::label(theme, endoscopy ? tr("How the endoscope kept to the urethra") : tr("The answers, seen from above"), TextStyle::title));
     m_answers = new StatePanel(theme);
     m_answers->setMinimumHeight(theme.px(290));
     box.layout->addWidget(m_answers);

@@ -8,6 +8,7 @@
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
+#include "desktop/training/endoscopy.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
@@ -133,31 +134,70 @@ void DebriefScreen::showNoDetails(const core::Error& error) {
 
 void DebriefScreen::showDetails(const DebriefDetails& details) {
     m_worstMoment = details.worst;
-    if (details.worst) {
-        const QLocale locale = context().locale();
-        const QString value = report::formatValue(details.worst->value, unitText(QString::fromStdString(details.worst->unit)), locale);
-        m_worst->setText(tr("Worst moment"));
-        m_worst->setToolTip(tr("%1: %2 in trial %3, at %4")
-                                .arg(metricTitle(QString::fromStdString(details.worst->reason)), value,
-                                     locale.toString(details.worst->trial + 1), clockText(details.worst->t_s, locale)));
-        m_worst->setAccessibleDescription(m_worst->toolTip());
-        m_worst->setEnabled(true);
-    }
-    if (details.answers.empty()) {
-        m_answers->showEmpty(tr("No trial was begun"), tr("There is no answer to show. The session is kept and listed."));
-        return;
-    }
+    if (details.worst)
+        showWorst(*details.worst);
+    if (details.insertion)
+        showInsertion(*details.insertion);
+    else if (!details.answers.empty())
+        showAnswers(details.answers);
+    else
+        m_answers->showEmpty(tr("No trial was begun"), endoscopyOf(m_head->setup.level)
+                                                           ? tr("There is nothing to show of the procedure. The session is kept and listed.")
+                                                           : tr("There is no answer to show. The session is kept and listed."));
+}
+
+void DebriefScreen::showWorst(const session::WorstMoment& worst) {
+    const QLocale locale = context().locale();
+    const QString metric = metricTitle(QString::fromStdString(worst.reason));
+    const QString value = report::formatValue(worst.value, unitText(QString::fromStdString(worst.unit)), locale);
+    const QString at = clockText(worst.t_s, locale);
+    m_worst->setText(tr("Worst moment"));
+    m_worst->setToolTip(m_head->record.setup.plannedTrials > 1
+                            ? tr("%1: %2 in trial %3, at %4").arg(metric, value, locale.toString(worst.trial + 1), at)
+                            : tr("%1: %2, at %3").arg(metric, value, at));
+    m_worst->setAccessibleDescription(m_worst->toolTip());
+    m_worst->setEnabled(true);
+}
+
+void DebriefScreen::showAnswers(const std::vector<report::ApexError>& answers) {
     const Theme& theme = context().theme();
     const report::PlotTheme look = plotThemeOf(theme, context().locale());
     auto* row = new ResponsiveRow(theme.px(640), theme.px(12));
-    auto scatter = report::apexScatterPlot(details.answers, look);
-    auto trials = report::apexTrialPlot(details.answers, look);
+    auto scatter = report::apexScatterPlot(answers, look);
+    auto trials = report::apexTrialPlot(answers, look);
     scatter->setObjectName(QStringLiteral("debrief.scatter"));
     for (report::PlotView* view : {scatter.get(), trials.get()})
         view->setMinimumHeight(theme.px(280));
     row->add(scatter.release(), 2); // the row owns them from here on
     row->add(trials.release(), 3);
     m_answers->setContent(row);
+    m_answers->showContent();
+}
+
+void DebriefScreen::showInsertion(const report::InsertionProfile& profile) {
+    const Theme& theme = context().theme();
+    const QLocale locale = context().locale();
+    const report::PlotTheme look = plotThemeOf(theme, locale);
+    auto* holder = new QWidget;
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(8));
+    if (profile.landmarks > 0) {
+        auto* seen = kit::label(theme, tr("%1 of %2 landmarks of the bladder were seen.").arg(locale.toString(profile.landmarksSeen), locale.toString(profile.landmarks)));
+        seen->setObjectName(QStringLiteral("debrief.landmarks"));
+        column->addWidget(seen);
+    }
+    auto* row = new ResponsiveRow(theme.px(640), theme.px(12));
+    auto offset = report::offsetDepthPlot(profile, look);
+    auto alignment = report::alignmentDepthPlot(profile, look);
+    offset->setObjectName(QStringLiteral("debrief.offset"));
+    alignment->setObjectName(QStringLiteral("debrief.alignment"));
+    for (report::PlotView* view : {offset.get(), alignment.get()})
+        view->setMinimumHeight(theme.px(250));
+    row->add(offset.release()); // the row owns them from here on
+    row->add(alignment.release());
+    column->addWidget(row);
+    m_answers->setContent(holder);
     m_answers->showContent();
 }
 

@@ -38,6 +38,9 @@ private:
     void focusNextStep();
     void loadDetails();
     void showDetails(const DebriefDetails& details);
+    void showWorst(const session::WorstMoment& worst);
+    void showAnswers(const std::vector<report::ApexError>& answers);
+    void showInsertion(const report::InsertionProfile& profile);
     void showNoDetails(const core::Error& error);
     QWidget* headBox();
     QWidget* verdictBox();

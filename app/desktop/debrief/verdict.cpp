@@ -34,6 +34,8 @@ Verdict ofCompleted(const DebriefHead& head, const QLocale& locale) {
 
 /// How far the person came, as a half sentence that every unfinished state shares.
 QString reached(const DebriefHead& head) {
+    if (head.record.setup.plannedTrials <= 1)
+        return Words::tr("The procedure was not done to its end.");
     return Words::tr("%1 of %2 trials were done.").arg(QLocale().toString(head.trialsDone), QLocale().toString(head.record.setup.plannedTrials));
 }
 

@@ -41,16 +41,22 @@ QString breakable(QString text) {
 
 } // namespace
 
-DeviceChooser::DeviceChooser(AppContext& context, const std::vector<std::string>& operators, QWidget* parent)
-    : QWidget(parent), m_context(context), m_group(new QButtonGroup(this)), m_pages(new QStackedWidget) {
+DeviceChooser::DeviceChooser(AppContext& context, const session::ExerciseKind* kind, QWidget* parent)
+    : QWidget(parent), m_context(context), m_tool(kind ? kind->pointerTool() : session::PointerTool::point),
+      m_group(new QButtonGroup(this)), m_pages(new QStackedWidget) {
+    const bool fiveBar = kind && kind->mechanism() == "five_bar_spherical";
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(context.theme().px(8));
     column->addWidget(addTile(PlanDevice::mouse, tr("Mouse and keyboard"), tr("Ready. Force is shown, not felt.")));
-    column->addWidget(addTile(PlanDevice::demonstration, tr("Demonstrate"), tr("Ready. Watch a scripted operator on the simulated gimbal.")));
-    column->addWidget(addTile(PlanDevice::trace, tr("Replay a file"), tr("A recorded movement (CSV) moves the tool.")));
+    column->addWidget(addTile(PlanDevice::demonstration, tr("Demonstrate"),
+                              fiveBar ? tr("Ready. Watch a scripted operator on the simulated five-bar mechanism.")
+                                      : tr("Ready. Watch a scripted operator on the simulated gimbal.")));
+    column->addWidget(addTile(PlanDevice::trace, tr("Replay a file"),
+                              m_tool == session::PointerTool::endoscope ? tr("A recorded movement (CSV, with orientation) moves the endoscope.")
+                                                                        : tr("A recorded movement (CSV) moves the tool.")));
     m_pages->addWidget(new QWidget);
-    m_pages->addWidget(demonstrationPage(operators));
+    m_pages->addWidget(demonstrationPage(kind ? kind->operatorNames() : std::vector<std::string>()));
     m_pages->addWidget(tracePage());
     column->addWidget(m_pages);
     connect(m_group, &QButtonGroup::idClicked, this, [this](int id) {

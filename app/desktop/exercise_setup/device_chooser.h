@@ -3,6 +3,7 @@
 
 #include "desktop/theme/theme.h"
 #include "desktop/training/training_plan.h"
+#include "session/exercise_kind.h"
 
 #include <QWidget>
 #include <string>
@@ -23,7 +24,8 @@ class AppContext;
 class DeviceChooser final : public QWidget {
     Q_OBJECT
 public:
-    DeviceChooser(AppContext& context, const std::vector<std::string>& operators, QWidget* parent = nullptr);
+    /// `kind`: of the exercise, whose operators and mechanism are offered; null: nobody demonstrates it.
+    DeviceChooser(AppContext& context, const session::ExerciseKind* kind, QWidget* parent = nullptr);
 
     void setPlan(const TrainingPlan& plan); ///< takes device, operator and trace over
     void fillPlan(TrainingPlan& plan) const;
@@ -43,6 +45,7 @@ private:
     PlanDevice device() const;
 
     AppContext& m_context;
+    session::PointerTool m_tool = session::PointerTool::point;
     QButtonGroup* m_group;
     QStackedWidget* m_pages;
     QComboBox* m_operator = nullptr;

@@ -43,6 +43,7 @@ QWidget* ExerciseSetupScreen::buildCard() {
         return text;
     };
     m_objective = part({}, QStringLiteral("setup.objective"));
+    m_facts = part({}, QStringLiteral("setup.facts"));
     m_measured = part(tr("What is measured"), QStringLiteral("setup.measured"));
     m_gates = part(tr("Pass mark"), QStringLiteral("setup.gates"));
     m_note = kit::label(theme, {}, TextStyle::small, "muted");
@@ -68,10 +69,8 @@ QWidget* ExerciseSetupScreen::buildChoices() {
 
     const kit::Box devices = kit::box(theme);
     devices.layout->addWidget(kit::label(theme, tr("Device"), TextStyle::title));
-    std::vector<std::string> operators;
-    if (const auto kind = session::exerciseKind(m_exercise->id))
-        operators = (*kind)->operatorNames();
-    m_devices = new DeviceChooser(context(), operators);
+    const auto kind = session::exerciseKind(m_exercise->id);
+    m_devices = new DeviceChooser(context(), kind ? *kind : nullptr);
     devices.layout->addWidget(m_devices);
     column->addWidget(devices.frame);
 

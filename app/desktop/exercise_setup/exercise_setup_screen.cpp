@@ -5,6 +5,7 @@
 #include "desktop/exercise_setup/device_chooser.h"
 #include "desktop/exercise_setup/gate_words.h"
 #include "desktop/exercise_setup/level_chooser.h"
+#include "desktop/exercise_setup/level_facts.h"
 #include "desktop/exercise_setup/workspace_box.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/home/exercise_picture.h"
@@ -155,6 +156,9 @@ void ExerciseSetupScreen::showLevel() {
     }
     m_picture->addWidget(new ExercisePicture(context().theme(), *shown, kPicture_px), 0, Qt::AlignHCenter);
     m_objective->setText(textOf(shown->objective));
+    const QStringList facts = levelFacts(*shown, context().locale());
+    m_facts->setVisible(!facts.isEmpty());
+    m_facts->setText(facts.isEmpty() ? QString() : QStringLiteral("•  ") + facts.join(QStringLiteral("\n•  ")));
     m_measured->setText(textOf(shown->measured));
     QStringList gates;
     for (const scoring::Gate& gate : shown->gates)

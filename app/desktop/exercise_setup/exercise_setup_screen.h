@@ -55,6 +55,7 @@ private:
     QBoxLayout* m_columns = nullptr;
     QBoxLayout* m_picture = nullptr; ///< holds the level's picture
     QLabel* m_objective = nullptr;
+    QLabel* m_facts = nullptr; ///< hidden where the objective says it all
     QLabel* m_measured = nullptr;
     QLabel* m_gates = nullptr;
     QLabel* m_note = nullptr;

@@ -61,20 +61,25 @@ ExerciseCard::ExerciseCard(AppContext& context, const catalogue::Exercise& exerc
     words->addStretch();
     head->addLayout(words, 1);
     column->addLayout(head);
+    std::vector<session::LevelStanding> own;
+    std::copy_if(standings.begin(), standings.end(), std::back_inserter(own),
+                 [&](const session::LevelStanding& s) { return s.exercise == exercise.id; });
+    const auto next = session::nextStep(own);
     for (const catalogue::ExerciseLevel& level : exercise.levels) {
         const auto found = std::find_if(standings.begin(), standings.end(), [&](const session::LevelStanding& s) {
             return s.exercise == exercise.id && s.level == level.number;
         });
-        column->addWidget(levelButton(level, found == standings.end() ? nullptr : &*found));
+        column->addWidget(levelButton(level, found == standings.end() ? nullptr : &*found, next && next->level == level.number));
     }
 }
 
-QWidget* ExerciseCard::levelButton(const catalogue::ExerciseLevel& level, const session::LevelStanding* standing) {
+QWidget* ExerciseCard::levelButton(const catalogue::ExerciseLevel& level, const session::LevelStanding* standing, bool next) {
     const Theme& theme = m_context.theme();
     const QString title = tr("Level %1: %2").arg(m_context.locale().toString(level.number), textIn(level.title, m_context));
     auto* button = new TileButton(theme);
     button->setObjectName(QStringLiteral("exercise.%1.%2").arg(QString::fromStdString(level.exercise)).arg(level.number));
-    button->setAccessibleName(standing ? tr("%1. %2").arg(title, standingWords(*standing)) : title);
+    const QString words = !standing ? QString() : next ? tr("%1 · next step").arg(standingWords(*standing)) : standingWords(*standing);
+    button->setAccessibleName(standing ? tr("%1. %2").arg(title, words) : title);
     QHBoxLayout* row = button->row();
     row->addWidget(kit::label(theme, title, TextStyle::strong), 1);
     if (standing) {
@@ -82,7 +87,7 @@ QWidget* ExerciseCard::levelButton(const catalogue::ExerciseLevel& level, const 
         auto* picture = new QLabel;
         picture->setPixmap(theme.icon(QLatin1String(sign.icon), sign.ink).pixmap(theme.px(20), theme.px(20)));
         row->addWidget(picture);
-        row->addWidget(kit::label(theme, standingWords(*standing), TextStyle::body, "muted"), 1);
+        row->addWidget(kit::label(theme, words, TextStyle::body, "muted"), 1);
     }
     button->seal();
     connect(button, &QPushButton::clicked, this, [this, exercise = level.exercise, number = level.number] {

@@ -19,7 +19,7 @@ public:
                  QWidget* parent = nullptr);
 
 private:
-    QWidget* levelButton(const catalogue::ExerciseLevel& level, const session::LevelStanding* standing);
+    QWidget* levelButton(const catalogue::ExerciseLevel& level, const session::LevelStanding* standing, bool next);
 
     AppContext& m_context;
 };

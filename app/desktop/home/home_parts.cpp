@@ -48,7 +48,9 @@ QWidget* HomeScreen::continueCard(const HomeData& home) {
     auto* words = new QVBoxLayout;
     words->setSpacing(theme.px(6));
     words->addWidget(kit::label(theme, next->attempts > 0 ? tr("Go on where you were") : tr("Your next step"), TextStyle::small, "muted"));
-    words->addWidget(kit::label(theme, tr("Level %1: %2").arg(context().locale().toString(level->number), textIn(level->title, context())),
+    const catalogue::Exercise* exercise = context().site().catalogue().find(next->exercise);
+    words->addWidget(kit::label(theme, tr("%1, level %2: %3").arg(exercise ? textIn(exercise->title, context()) : QString(),
+                                                                  context().locale().toString(level->number), textIn(level->title, context())),
                                 TextStyle::title));
     words->addWidget(kit::label(theme, textIn(level->objective, context())));
     words->addWidget(kit::label(theme, standingWords(*next), TextStyle::small, "muted"));

@@ -9,10 +9,12 @@
 #include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
 #include "desktop/scene3d/scene_view.h"
+#include "desktop/training/endoscopy.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QTabWidget>
 #include <algorithm>
@@ -92,9 +94,7 @@ QWidget* PlaybackScreen::stageColumn() {
     m_sceneHolder = new QVBoxLayout(holder);
     m_sceneHolder->setContentsMargins(theme.px(1), theme.px(1), theme.px(1), theme.px(1));
     column->addWidget(holder, 1);
-    m_readout = kit::label(theme, {}, TextStyle::mono);
-    m_readout->setObjectName(QStringLiteral("playback.readout"));
-    column->addWidget(m_readout);
+    column->addWidget(readoutRow());
     m_scrubber = new Scrubber(theme);
     m_scrubber->setObjectName(QStringLiteral("playback.scrubber"));
     m_scrubber->setLocale(locale);
@@ -106,6 +106,24 @@ QWidget* PlaybackScreen::stageColumn() {
     connect(m_plots, &PlaybackPlots::seekAsked, &m_clock, &PlaybackClock::seek);
     column->addWidget(m_plots);
     return stage;
+}
+
+QWidget* PlaybackScreen::readoutRow() {
+    const Theme& theme = context().theme();
+    auto* row = new ResponsiveRow(theme.px(560), theme.px(8));
+    m_readout = kit::label(theme, {}, TextStyle::mono);
+    m_readout->setObjectName(QStringLiteral("playback.readout"));
+    row->add(m_readout, 1);
+    const auto* endoscopy = endoscopyOf(m_data->setup.level);
+    if (!endoscopy)
+        return row;
+    m_depthOfField = new QCheckBox(tr("Depth of field"));
+    m_depthOfField->setObjectName(QStringLiteral("playback.depth_of_field"));
+    m_depthOfField->setToolTip(tr("The picture is sharp at one distance only, as through a real endoscope"));
+    m_depthOfField->setChecked(place().parameters.value(QStringLiteral("depth_of_field"), endoscopy->depthOfField).toBool());
+    connect(m_depthOfField, &QCheckBox::toggled, this, &PlaybackScreen::setDepthOfField);
+    row->add(m_depthOfField, 0);
+    return row;
 }
 
 QWidget* PlaybackScreen::sideColumn() {

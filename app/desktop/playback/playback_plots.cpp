@@ -7,13 +7,14 @@
 
 #include <QVBoxLayout>
 #include <algorithm>
+#include <numbers>
 
 namespace chiron::desktop {
 
 namespace {
 constexpr double kLeftMargin = 64.0;
 constexpr int kForceHeight_px = 170;
-constexpr int kSpeedHeight_px = 134;
+constexpr int kLowHeight_px = 134;
 } // namespace
 
 PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, QWidget* parent)
@@ -37,36 +38,55 @@ void PlaybackPlots::put(std::unique_ptr<report::PlotView> view, report::PlotView
 
 void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, const QString& name) {
     const report::PlotTheme look = plotThemeOf(m_theme, m_locale);
-    auto force = report::forcePlot(m_series, m_limit_N, look);
-    auto speed = report::speedPlot(m_series, look);
-    if (ghost) {
-        std::vector<double> speed_mm_per_s;
-        for (const double v : ghost->speed_m_per_s)
-            speed_mm_per_s.push_back(1e3 * v);
-        force->addLine(name, ghost->t_s, ghost->tissue_N, report::PlotStyle::dashDotD);
-        speed->addLine(name, ghost->t_s, speed_mm_per_s, report::PlotStyle::dashDotD);
-    }
-    // Axis labels name what is drawn, and the lower plot has the time of both: room for the lines instead.
-    const auto slim = [this](report::PlotView& view, const QString& time) {
-        const QString spoken = view.accessibleName();
-        view.setTitle({});
-        view.setAccessibleName(spoken);
-        if (!m_series.t_s.empty())
-            view.setXAxis({time, 0.0, std::max(m_series.t_s.back(), 1e-3)});
+    const bool canal = !m_series.offset_mm.empty();
+    const auto second = [&](report::PlotView& view, const std::vector<double> session::GhostSeries::*values, double factor) {
+        if (!ghost || (*ghost.*values).empty())
+            return;
+        std::vector<double> scaled;
+        for (const double value : *ghost.*values)
+            scaled.push_back(factor * value);
+        view.addLine(name, ghost->t_s, scaled, report::PlotStyle::dashDotD);
     };
+    auto force = report::forcePlot(m_series, m_limit_N, look);
+    second(*force, &session::GhostSeries::tissue_N, 1.0);
     slim(*force, {});
-    slim(*speed, tr("Time (s)"));
-    speed->setLegendShown(false); // the same lines as above
-    speed->setYAxis({QString(), 0.0, {}}); // across the top instead: no language's word for it fits up the side of a low plot
-    speed->setTitle(tr("Speed (mm/s)"));
     put(std::move(force), m_force, "playback.force", kForceHeight_px);
-    put(std::move(speed), m_speed, "playback.speed_plot", kSpeedHeight_px);
+    if (canal) {
+        auto offset = report::offsetPlot(m_series, look);
+        second(*offset, &session::GhostSeries::offset_m, 1e3);
+        putLow(std::move(offset), m_offset, "playback.offset_plot", tr("Off-centre (mm)"), false);
+        auto alignment = report::alignmentPlot(m_series, look);
+        second(*alignment, &session::GhostSeries::alignment_rad, 180.0 / std::numbers::pi);
+        putLow(std::move(alignment), m_alignment, "playback.alignment_plot", tr("Off-axis (°)"), false);
+    }
+    auto speed = report::speedPlot(m_series, look);
+    second(*speed, &session::GhostSeries::speed_m_per_s, 1e3);
+    putLow(std::move(speed), m_speed, "playback.speed_plot", tr("Speed (mm/s)"), true);
+}
+
+// Axis labels name what is drawn, and the lowest plot has the time of all: room for the lines instead.
+void PlaybackPlots::slim(report::PlotView& view, const QString& time) {
+    const QString spoken = view.accessibleName();
+    view.setTitle({});
+    view.setAccessibleName(spoken);
+    if (!m_series.t_s.empty())
+        view.setXAxis({time, 0.0, std::max(m_series.t_s.back(), 1e-3)});
+}
+
+void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, const QString& quantity,
+                           bool last) {
+    slim(*view, last ? tr("Time (s)") : QString());
+    view->setLegendShown(false); // the same lines as above
+    view->setYAxis({QString(), 0.0, {}});
+    view->setTitle(quantity);
+    put(std::move(view), member, name, kLowHeight_px);
 }
 
 void PlaybackPlots::showCursor(double t_s) {
     m_cursor_s = t_s;
-    m_force->showCursor(t_s);
-    m_speed->showCursor(t_s);
+    for (report::PlotView* view : {m_force, m_offset, m_alignment, m_speed})
+        if (view)
+            view->showCursor(t_s);
 }
 
 } // namespace chiron::desktop

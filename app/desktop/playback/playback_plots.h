@@ -14,14 +14,14 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// Force and speed over the whole recording, one above the other, under one cursor; a click seeks. Pauses are hatched, the
-/// limit is a line, a second session is a dash-dotted line. GUI thread.
+/// Force and speed over the whole recording, and off-centre and off-axis where there is a canal, one above the other, under one
+/// cursor; a click seeks. Pauses are hatched, the limit is a line, a second session is a dash-dotted line. GUI thread.
 class PlaybackPlots : public QWidget {
     Q_OBJECT
 public:
     PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, QWidget* parent = nullptr);
 
-    /// Draws both again, with the second session's lines or without; `name` is in the legend.
+    /// Draws all again, with the second session's lines or without; `name` is in the legend.
     void setGhost(const std::optional<session::GhostSeries>& ghost, const QString& name);
     void showCursor(double t_s);
     const report::PlotView& force() const { return *m_force; }
@@ -32,6 +32,9 @@ signals:
 
 private:
     void put(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, int height_px);
+    /// A low plot: its quantity across the top, because no language's word for it fits up its side.
+    void putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, const QString& quantity, bool last);
+    void slim(report::PlotView& view, const QString& time);
 
     const Theme& m_theme;
     QLocale m_locale;
@@ -41,6 +44,8 @@ private:
     QVBoxLayout* m_column;
     report::PlotView* m_force = nullptr;
     report::PlotView* m_speed = nullptr;
+    report::PlotView* m_offset = nullptr;    ///< null without a canal
+    report::PlotView* m_alignment = nullptr; ///< the same
 };
 
 } // namespace chiron::desktop

@@ -10,7 +10,7 @@
 namespace chiron::desktop {
 
 /// The scene of a playback: everything is shown, also what the level hid while it was trained.
-scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forceLimit_N, const Theme& theme);
+scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forceLimit_N, const Theme& theme, bool depthOfField = false);
 
 /// What the scene shows at a moment of the recording; `ghost` may be null. Pure.
 scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost, double t_s);

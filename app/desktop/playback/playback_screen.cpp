@@ -9,9 +9,11 @@
 #include "desktop/playback/scrubber.h"
 #include "desktop/playback/void_dialog.h"
 #include "desktop/scene3d/scene_loader.h"
+#include "desktop/training/stage_words.h"
 #include "desktop/widgets/state_panel.h"
 #include "report/report_text.h"
 
+#include <QCheckBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -41,7 +43,7 @@ QString PlaybackScreen::help() const {
     return tr("A session as it was recorded.\n\nSpace plays and pauses. The arrow keys go one picture on or back, with Shift one "
               "second, with Ctrl to the next or last event; Home and End go to the ends. A click in a plot goes there too.\n\nPauses are hatched. "
               "Triangles on the time bar are penalties, flags are answers, squares below it are comments.\n\nChoose a second session "
-              "to see it beside this one: each of its trials starts when the trial here starts, and it is drawn over the same sphere.");
+              "to see it beside this one: each of its trials starts when the trial here starts, and it is drawn in the same place.");
 }
 
 std::vector<ScreenCommand> PlaybackScreen::commands() {
@@ -104,7 +106,9 @@ void PlaybackScreen::showData(PlaybackData loaded) {
 }
 
 void PlaybackScreen::makeScene() {
-    scene3d::LoadedScene loaded = scene3d::makeSceneView(sceneSetupOf(m_data->setup, m_data->track.forceLimit_N, context().theme()), this);
+    const bool depthOfField = m_depthOfField && m_depthOfField->isChecked();
+    scene3d::LoadedScene loaded =
+        scene3d::makeSceneView(sceneSetupOf(m_data->setup, m_data->track.forceLimit_N, context().theme(), depthOfField), this);
     m_scene = std::move(loaded.view);
     m_sceneHolder->addWidget(m_scene->widget());
     m_scene->widget()->setObjectName(QStringLiteral("playback.scene"));
@@ -122,15 +126,33 @@ void PlaybackScreen::showMoment(double t_s) {
     if (m_scene)
         m_scene->show(sceneStateAt(m_data->track, m_ghost ? &*m_ghost : nullptr, t_s));
     const session::PlaybackView view = m_data->track.at(t_s);
+    m_readout->setText(readoutText(view));
+    if (!m_clock.playing())
+        notePlace();
+}
+
+QString PlaybackScreen::readoutText(const session::PlaybackView& view) const {
     const QLocale locale = context().locale();
     const session::PlaybackTool& tool = view.tools.front();
     const QString force = report::formatValue(tool.tissue_N.norm(), QStringLiteral("N"), locale);
     const QString speed = report::formatValue(1e3 * tool.speed_m_per_s, QStringLiteral("mm/s"), locale);
+    if (view.insertion) {
+        const QString stage = stageTitle(view.insertion->stage);
+        const QString depth = report::formatValue(1e3 * view.insertion->depth_m, QStringLiteral("mm"), locale);
+        return view.moment.paused ? tr("%1 · paused · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed)
+                                  : tr("%1 · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed);
+    }
     const QString trial = locale.toString(view.moment.trial + 1);
-    m_readout->setText(view.moment.paused ? tr("Trial %1 · paused · force %2 · speed %3").arg(trial, force, speed)
-                                          : tr("Trial %1 · force %2 · speed %3").arg(trial, force, speed));
-    if (!m_clock.playing())
-        notePlace();
+    return view.moment.paused ? tr("Trial %1 · paused · force %2 · speed %3").arg(trial, force, speed)
+                              : tr("Trial %1 · force %2 · speed %3").arg(trial, force, speed);
+}
+
+void PlaybackScreen::setDepthOfField(bool on) {
+    if (m_scene)
+        m_scene->change(sceneSetupOf(m_data->setup, m_data->track.forceLimit_N, context().theme(), on));
+    QVariantMap parameters = context().navigator().current().parameters;
+    parameters.insert(QStringLiteral("depth_of_field"), on);
+    context().navigator().note(parameters);
 }
 
 void PlaybackScreen::notePlace() {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QVBoxLayout;
@@ -55,6 +56,9 @@ private:
     QWidget* stageColumn();
     QWidget* sideColumn();
     QWidget* ghostBox();
+    QWidget* readoutRow();
+    QString readoutText(const session::PlaybackView& view) const;
+    void setDepthOfField(bool on);
     void makeScene();
     void fitScene();
     void showMoment(double t_s);
@@ -81,6 +85,7 @@ private:
     QVBoxLayout* m_sceneHolder = nullptr;
     std::unique_ptr<scene3d::ISceneView> m_scene;
     QLabel* m_readout = nullptr;
+    QCheckBox* m_depthOfField = nullptr; ///< null where the exercise has no such switch
     Scrubber* m_scrubber = nullptr;
     PlaybackPlots* m_plots = nullptr;
     CommentPanel* m_comments = nullptr;

@@ -128,7 +128,7 @@ void Scrubber::paintTrials(QPainter& painter) const {
         painter.setPen(Qt::NoPen);
         painter.setBrush(m_theme.color(Colour::seriesA));
         painter.drawRect(span);
-        const QString number = locale().toString(trial.index + 1);
+        const QString number = m_trials.size() > 1 ? locale().toString(trial.index + 1) : QString(); // of one there is nothing to count
         if (painter.fontMetrics().horizontalAdvance(number) + m_theme.px(4) < span.width()) {
             painter.setPen(m_theme.color(Colour::muted));
             painter.drawText(QRectF(span.left(), bar.bottom() + m_theme.px(1), span.width(), m_theme.px(16)), Qt::AlignHCenter, number);

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QWindow>
 #include <QtTest>
+#include <array>
 
 using namespace chiron::desktop;
 
@@ -18,6 +19,7 @@ struct Keys {
         screen.show();
         scene.show();
         filter.setScene(&scene);
+        filter.setToolKeys(std::array<int, 2>{Qt::Key_PageDown, Qt::Key_W});
         filter.setActive(true);
     }
     QWidget screen;
@@ -37,6 +39,7 @@ private slots:
     void escStopsInsteadOfClosing();
     void typingIsLeftAlone();
     void keysRestAfterTheSession();
+    void keysOfTheToolAndOfTheExerciseAlone();
 };
 
 void TestKeyFilter::keysInTheNativeScene() {
@@ -123,6 +126,28 @@ void TestKeyFilter::keysRestAfterTheSession() {
     keys.filter.setActive(false);
     QTest::keyClick(&keys.screen, Qt::Key_Escape);
     QCOMPARE(stop.count(), 0);
+}
+
+void TestKeyFilter::keysOfTheToolAndOfTheExerciseAlone() {
+    Keys keys;
+    QSignalSpy tool(&keys.filter, &KeyFilter::toolKey);
+    QSignalSpy again(&keys.filter, &KeyFilter::startAgainAsked);
+    QSignalSpy depth(&keys.filter, &KeyFilter::depthOfFieldAsked);
+    QTest::keyClick(&keys.screen, Qt::Key_W);
+    QTest::keyClick(&keys.screen, Qt::Key_Q); // not one of this tool's
+    QTest::keyClick(&keys.screen, Qt::Key_F); // the exercise has no such switch
+    QTest::keyClick(&keys.screen, Qt::Key_F5);
+    QCOMPARE(tool.count(), 2);
+    QCOMPARE(again.count(), 1);
+    QCOMPARE(depth.count(), 0);
+    keys.filter.setDepthOfFieldKey(true);
+    QTest::keyClick(&keys.screen, Qt::Key_F);
+    QCOMPARE(depth.count(), 1);
+    keys.field.setFocus();
+    QTest::keyClick(&keys.field, Qt::Key_F);
+    QTest::keyClick(&keys.field, Qt::Key_W);
+    QCOMPARE(keys.field.text(), QStringLiteral("fw")); // typing is left alone
+    QCOMPARE(depth.count(), 1);
 }
 
 QTEST_MAIN(TestKeyFilter)

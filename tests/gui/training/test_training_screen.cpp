@@ -52,6 +52,8 @@ private slots:
     void aStallCostsNoTick();
     void leavingAsks();
     void endKeepsWhatIsRecorded();
+    void startAgainBeginsAtOnce();
+    void startAgainAsksWhoHasWorked();
     void errorsHaveTheirWords();
     void soundCanBeSilent();
 };
@@ -275,6 +277,46 @@ void TestTrainingScreen::endKeepsWhatIsRecorded() {
     const database::SessionRecord record = recordOf(bench, id, bench.desktop.context.actor());
     QVERIFY(record.summary.state == SessionState::stopped);
     QVERIFY(record.summary.frames > 0);
+}
+
+void TestTrainingScreen::startAgainBeginsAtOnce() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    const database::SessionId first = bench.screen()->feed()->training().sessionId();
+    bench.sweepTo({60, 0});
+    QTRY_VERIFY(bench.state().tool[0].p_WT_m[0] > 0.001);
+    bench.key(Qt::Key_F5);
+    const auto second = [&] { return bench.screen() && bench.screen()->feed() ? bench.screen()->feed()->training().sessionId() : 0; };
+    QTRY_VERIFY_WITH_TIMEOUT(second() != 0 && second() != first, 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QVERIFY(bench.at(QStringLiteral("training")));
+    QVERIFY(std::abs(bench.state().tool[0].p_WT_m[0]) < 1e-4); // from the start position, with every value from nothing
+    QCOMPARE(int(bench.state().trial), 0);
+    QVERIFY(bench.screen()->feed()->worked_s() < 4.0);
+    const database::SessionRecord kept = recordOf(bench, first, bench.desktop.context.actor());
+    QVERIFY(kept.summary.state == SessionState::stopped);
+    QVERIFY(kept.summary.frames > 0);
+}
+
+void TestTrainingScreen::startAgainAsksWhoHasWorked() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    const database::SessionId first = bench.screen()->feed()->training().sessionId();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->feed()->worked_s() > 5.2, 15'000);
+    auto* button = bench.desktop.find<QPushButton>(QStringLiteral("training.again"));
+    QVERIFY(button && button->isEnabled() && (button->focusPolicy() & Qt::TabFocus));
+    answer("training.ask.keep");
+    button->click();
+    QTRY_VERIFY(bench.state().paused);
+    QCOMPARE(bench.screen()->feed()->training().sessionId(), first);
+    bench.key(Qt::Key_Space);
+    QTRY_VERIFY(!bench.state().paused); // the same attempt goes on
+    answer("training.ask.end");
+    button->click();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first, 15'000);
+    QVERIFY(recordOf(bench, first, bench.desktop.context.actor()).summary.state == SessionState::stopped);
 }
 
 void TestTrainingScreen::errorsHaveTheirWords() {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/report_data.h"
+#include "scoring/trace.h"
+#include "session/playback_track.h"
+
+#include <optional>
+
+namespace chiron::session_report {
+
+/// How an endoscope kept to its canal, by depth: the largest distance and angle in each millimetre from one centimetre before the
+/// entrance on, in the stages before the goal and in the withdrawal. Pauses do not count. Nothing for exercises without a canal. Pure.
+std::optional<report::InsertionProfile> insertionProfileOf(const scoring::SessionTrace& trace);
+std::optional<report::InsertionProfile> insertionProfileOf(const session::PlaybackTrack& track);
+
+} // namespace chiron::session_report
