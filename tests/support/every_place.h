@@ -2,7 +2,7 @@
 #pragma once
 
 #include "desktop/widgets/state_panel.h"
-#include "support/desktop_fixture.h"
+#include "support/insertion_session.h"
 
 #include <QCoreApplication>
 #include <vector>
@@ -20,6 +20,7 @@ struct VisitedPlace {
 struct VisitedSessions {
     database::SessionId good = 0;
     database::SessionId bad = 0;
+    database::SessionId insertion = 0; ///< a urethra insertion
 };
 
 inline VisitedSessions addVisitedSessions(DesktopFixture& desktop) {
@@ -27,6 +28,7 @@ inline VisitedSessions addVisitedSessions(DesktopFixture& desktop) {
     sessions.good = desktop.addSession("tina", 1, "expert", 1, 2, 20.0);
     sessions.bad = desktop.addSession("tina", 1, "unsafe", 2, 2, 20.0);
     desktop.addSession("tom", 1, "novice", 3, 1, 20.0);
+    sessions.insertion = addInsertion(desktop, "tina", 1, "expert", 4);
     return sessions;
 }
 
@@ -35,6 +37,8 @@ inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions) {
     const auto place = [](const char* screen, const QVariantMap& parameters = {}) { return desktop::Place{QLatin1String(screen), parameters}; };
     const QVariantMap good{{"session", qlonglong(sessions.good)}};
     const QVariantMap bad{{"session", qlonglong(sessions.bad)}};
+    const QVariantMap insertion{{"session", qlonglong(sessions.insertion)}};
+    const auto urethra = [](int level) { return QVariantMap{{"exercise", "urethra_insertion"}, {"level", level}}; };
     const QVariantMap apex{{"exercise", "sphere_apex"}, {"level", 1}};
     return {{"first_start", "", place("first_start")},
             {"login", "", place("login")},
@@ -44,6 +48,11 @@ inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions) {
             {"home_administrator", "ada", place("home")},
             {"home_researcher", "rhea", place("home")},
             {"exercise_setup", "tina", place("exercise_setup", apex)},
+            {"exercise_setup_urethra", "tina", place("exercise_setup", urethra(1))},
+            {"exercise_setup_unguided", "tina", place("exercise_setup", urethra(5))},
+            {"exercises", "tina", place("exercises")},
+            {"debrief_urethra", "tina", place("debrief", insertion)},
+            {"playback_urethra", "tina", place("playback", insertion)},
             {"debrief_passed", "tina", place("debrief", good)},
             {"debrief_failed", "tina", place("debrief", bad)},
             {"playback", "tina", place("playback", good)},

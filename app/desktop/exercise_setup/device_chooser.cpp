@@ -23,11 +23,11 @@ struct TraceCheck {
     double length_s = 0.0;
 };
 
-core::Result<TraceCheck> readTrace(const QString& file) {
+core::Result<TraceCheck> readTrace(const QString& file, session::PointerTool tool) {
     auto rows = scoring::readTraceCsvFile(file.toStdString());
     if (!rows)
         return tl::unexpected(rows.error());
-    if (auto station = session::traceStation(*rows); !station)
+    if (auto station = session::traceStation(*rows, tool); !station)
         return tl::unexpected(station.error());
     return TraceCheck{static_cast<int>(rows->rows.size()), rows->rows.back().t_s - rows->rows.front().t_s};
 }
@@ -160,7 +160,7 @@ void DeviceChooser::checkTrace() {
     emit changed();
     const QString file = m_traceFile;
     m_context.background().run(
-        this, [file](WorkToken&) { return readTrace(file); },
+        this, [file, tool = m_tool](WorkToken&) { return readTrace(file, tool); },
         [this, file](core::Result<TraceCheck> read) {
             if (file != m_traceFile)
                 return; // another one was chosen meanwhile

@@ -4,6 +4,7 @@
 
 #include "desktop/frame/app_context.h"
 #include "desktop/scene3d/scene_loader.h"
+#include "desktop/training/endoscope_control.h"
 #include "desktop/training/force_notice.h"
 #include "desktop/training/header_bar.h"
 #include "desktop/training/info_view.h"
@@ -108,10 +109,14 @@ void TrainingScreen::begin() {
 }
 
 void TrainingScreen::connectPointer() {
-    devices::PointerMailbox* mailbox = m_feed->training().pointer();
-    if (!mailbox)
-        return;
-    m_hand = std::make_unique<PointerControl>(*mailbox, context().theme().scale(), m_plan.workspace.leftHanded);
+    session::LiveTraining& training = m_feed->training();
+    const double scale = context().theme().scale();
+    if (training.pointer())
+        m_hand = std::make_unique<PointerControl>(*training.pointer(), scale, m_plan.workspace.leftHanded);
+    else if (training.endoscope())
+        m_hand = std::make_unique<EndoscopeControl>(*training.endoscope(), scale, m_plan.workspace.leftHanded);
+    else
+        return; // somebody else's hand
     m_keys->setToolKeys(m_hand->keys());
     m_pointer = std::make_unique<ScenePointer>(*m_hand, *m_scene->inputSource(), *m_scene->widget());
     connect(m_pointer.get(), &ScenePointer::marked, this, [this] { m_hand->click(); });

@@ -80,6 +80,25 @@ void takeDemonstration(TrainingBench& bench, Album& album) {
     album.take("demo_stopped");
 }
 
+void takeUrethra(TrainingBench& bench, Album& album) {
+    const auto train = [&bench](int level, const char* who) {
+        bench.train({{QStringLiteral("exercise"), QStringLiteral("urethra_insertion")}, {QStringLiteral("level"), level},
+                     {QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QLatin1String(who)}});
+    };
+    const auto until = [&bench](core::ProcedureStage stage, double depth_m) {
+        (void)QTest::qWaitFor([&] { return bench.state().endoscope.stage >= stage && bench.state().endoscope.depth_m >= depth_m; }, 60'000);
+    };
+    train(3, "novice");
+    until(core::ProcedureStage::insertion, 0.05);
+    album.take("urethra_insertion", 100);
+    bench.key(Qt::Key_F);
+    album.take("urethra_depth_of_field", 300);
+    until(core::ProcedureStage::inspection, 0.0);
+    album.take("urethra_inspection", 1500);
+    bench.key(Qt::Key_F5);
+    album.take("urethra_again", 500);
+}
+
 void leave(TrainingBench& bench) {
     QTimer::singleShot(300, qApp, [] {
         for (QWidget* top : QApplication::topLevelWidgets())
@@ -112,8 +131,12 @@ int main(int argc, char** argv) {
         bench.desktop.settings.setLanguage(QLatin1String(look.language));
         bench.desktop.context.applyAppearance();
         Album album(bench, folder, look.name);
-        bench.desktop.go(QStringLiteral("exercise_setup"), {{QStringLiteral("exercise"), QStringLiteral("sphere_apex")}});
-        album.take("setup", 800);
+        for (const char* exercise : {"sphere_apex", "urethra_insertion"}) {
+            bench.desktop.go(QStringLiteral("exercise_setup"), {{QStringLiteral("exercise"), QLatin1String(exercise)}});
+            album.take(exercise, 800);
+        }
+        takeUrethra(bench, album);
+        leave(bench);
         takeMouse(bench, album);
         leave(bench);
         takeDemonstration(bench, album);
