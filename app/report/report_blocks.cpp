@@ -214,7 +214,7 @@ void ReportBlocks::addInsertion() {
     if (!m_data.insertion)
         return;
     const InsertionProfile& profile = *m_data.insertion;
-    addHeading(Words::tr("Off-centre and off-axis over depth"));
+    addHeading(Words::tr("Off-centre and alignment over depth"));
     if (profile.landmarks > 0)
         addPairs({{Words::tr("Landmarks of the bladder seen"),
                    Words::tr("%1 of %2").arg(m_theme.locale.toString(profile.landmarksSeen), m_theme.locale.toString(profile.landmarks))}},

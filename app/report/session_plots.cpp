@@ -92,8 +92,8 @@ std::unique_ptr<PlotView> offsetPlot(const SampleSeries& series, const PlotTheme
 }
 
 std::unique_ptr<PlotView> alignmentPlot(const SampleSeries& series, const PlotTheme& theme) {
-    auto view = timePlot(Words::tr("Angle between endoscope and canal"), {Words::tr("Off-axis (°)"), 0.0, {}}, series, theme);
-    view->addLine(Words::tr("off-axis"), series.t_s, series.alignment_deg, PlotStyle::solidA);
+    auto view = timePlot(Words::tr("Angle between endoscope and canal"), {Words::tr("Alignment (°)"), 0.0, {}}, series, theme);
+    view->addLine(Words::tr("alignment"), series.t_s, series.alignment_deg, PlotStyle::solidA);
     finish(*view, series, series.t_s.empty() || series.alignment_deg.empty());
     return view;
 }
@@ -133,7 +133,7 @@ std::unique_ptr<PlotView> offsetDepthPlot(const InsertionProfile& profile, const
 }
 
 std::unique_ptr<PlotView> alignmentDepthPlot(const InsertionProfile& profile, const PlotTheme& theme) {
-    return depthPlot(Words::tr("Off-axis, largest in each millimetre"), Words::tr("Off-axis (°)"), profile, profile.alignmentIn_deg,
+    return depthPlot(Words::tr("Alignment, largest in each millimetre"), Words::tr("Alignment (°)"), profile, profile.alignmentIn_deg,
                      profile.alignmentOut_deg, theme);
 }
 

@@ -146,6 +146,17 @@ private:
     double m_now_s = 0.0;
 };
 
+void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace) {
+    const bool any = std::any_of(trace.trials.begin(), trace.trials.end(), [](const auto& trial) { return trial.insertion.has_value(); });
+    if (!any)
+        return; // its device could not be turned, or nothing was begun
+    std::vector<double> times_s;
+    times_s.reserve(track.moments.size());
+    for (const PlaybackMoment& moment : track.moments)
+        times_s.push_back(moment.t_s);
+    track.insertion = playbackInsertionOf(trace, times_s);
+}
+
 } // namespace
 
 core::Result<PlaybackTrack> buildPlaybackTrack(StoredSession& session, const PlaybackProgress& progress) {
@@ -172,6 +183,7 @@ core::Result<PlaybackTrack> buildPlaybackTrack(StoredSession& session, const Pla
         return tl::unexpected(trace.error());
     if (auto done = addInsertionMarks(track, *trace); !done)
         return tl::unexpected(done.error());
+    addInsertion(track, *trace);
     return track;
 }
 

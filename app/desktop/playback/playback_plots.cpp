@@ -57,7 +57,7 @@ void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, c
         putLow(std::move(offset), m_offset, "playback.offset_plot", tr("Off-centre (mm)"), false);
         auto alignment = report::alignmentPlot(m_series, look);
         second(*alignment, &session::GhostSeries::alignment_rad, 180.0 / std::numbers::pi);
-        putLow(std::move(alignment), m_alignment, "playback.alignment_plot", tr("Off-axis (°)"), false);
+        putLow(std::move(alignment), m_alignment, "playback.alignment_plot", tr("Alignment (°)"), false);
     }
     auto speed = report::speedPlot(m_series, look);
     second(*speed, &session::GhostSeries::speed_m_per_s, 1e3);

@@ -14,7 +14,7 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// Force and speed over the whole recording, and off-centre and off-axis where there is a canal, one above the other, under one
+/// Force and speed over the whole recording, and off-centre and alignment where there is a canal, one above the other, under one
 /// cursor; a click seeks. Pauses are hatched, the limit is a line, a second session is a dash-dotted line. GUI thread.
 class PlaybackPlots : public QWidget {
     Q_OBJECT

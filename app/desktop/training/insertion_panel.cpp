@@ -124,7 +124,7 @@ void InsertionPanel::addNumbers() {
     m_numbers[2] = addNumber(tr("Tip z (mm)"), "training.tip_z", *grid, 0, 2);
     m_numbers[3] = addNumber(tr("Depth (mm)"), "training.depth", *grid, 2, 0);
     m_numbers[4] = addNumber(tr("Off-centre (mm)"), "training.offset", *grid, 2, 1);
-    m_numbers[5] = addNumber(tr("Off-axis (°)"), "training.alignment", *grid, 2, 2);
+    m_numbers[5] = addNumber(tr("Alignment (°)"), "training.alignment", *grid, 2, 2);
     m_column->addLayout(grid);
 }
 
@@ -148,7 +148,7 @@ void InsertionPanel::addPlots(const simulation::UrethraInsertionParameters& para
     m_forcePlot = plot("training.force_plot", tr("Force (N)"), parameters.maximumForce_N * 1.25, parameters.maximumForce_N);
     m_lateralPlot = plot("training.lateral_plot", tr("Force across (N)"), parameters.lateralLimit_N * 1.25, parameters.lateralLimit_N);
     m_offsetPlot = plot("training.offset_plot", tr("Off-centre (mm)"), kOffsetAxis_mm);
-    m_alignmentPlot = plot("training.alignment_plot", tr("Off-axis (°)"), kAlignmentAxis_deg);
+    m_alignmentPlot = plot("training.alignment_plot", tr("Alignment (°)"), kAlignmentAxis_deg);
     const auto pair = [this](QWidget* left, QWidget* right) {
         auto* row = new ResponsiveRow(m_theme.px(kPlotsSideBySide_px), m_theme.px(8));
         row->add(left);

@@ -186,7 +186,7 @@ void TestUrethraTraining::theUnguidedLevelTellsNothing() {
     QVERIFY(screen.findChildren<desktop::LivePlot*>().isEmpty());
     QVERIFY(screen.findChildren<QProgressBar*>().isEmpty());
     const QString words = spoken(screen);
-    for (const char* word : {" mm", "mN", "Off-centre", "Off-axis", "Depth (", "Tip x"})
+    for (const char* word : {" mm", "mN", "Off-centre", "Alignment", "Depth (", "Tip x"})
         QVERIFY2(!words.contains(QLatin1String(word)), word);
     QVERIFY(!bench.text("training.stage").contains(QRegularExpression(QStringLiteral("\\d"))));
 }
