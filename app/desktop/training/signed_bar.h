@@ -5,6 +5,7 @@
 
 #include <QLocale>
 #include <QWidget>
+#include <cmath>
 
 namespace chiron::desktop {
 

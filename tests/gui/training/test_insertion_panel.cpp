@@ -9,7 +9,9 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QtTest>
+#include <functional>
 #include <numbers>
+#include <set>
 
 using namespace chiron;
 using namespace chiron::desktop;

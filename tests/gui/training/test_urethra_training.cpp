@@ -10,6 +10,8 @@
 #include <QAccessible>
 #include <QCheckBox>
 #include <QProgressBar>
+#include <functional>
+#include <map>
 
 using namespace chiron;
 using namespace chiron::tests;
