@@ -28,7 +28,7 @@ inline VisitedSessions addVisitedSessions(DesktopFixture& desktop) {
     sessions.good = desktop.addSession("tina", 1, "expert", 1, 2, 20.0);
     sessions.bad = desktop.addSession("tina", 1, "unsafe", 2, 2, 20.0);
     desktop.addSession("tom", 1, "novice", 3, 1, 20.0);
-    sessions.insertion = addInsertion(desktop, "tina", 1, "expert", 4);
+    sessions.insertion = addInsertion(desktop, "tina");
     return sessions;
 }
 

@@ -49,14 +49,18 @@ DeviceChooser::DeviceChooser(AppContext& context, const session::ExerciseKind* k
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(context.theme().px(8));
     column->addWidget(addTile(PlanDevice::mouse, tr("Mouse and keyboard"), tr("Ready. Force is shown, not felt.")));
-    column->addWidget(addTile(PlanDevice::demonstration, tr("Demonstrate"),
-                              fiveBar ? tr("Ready. Watch a scripted operator on the simulated five-bar mechanism.")
-                                      : tr("Ready. Watch a scripted operator on the simulated gimbal.")));
+    const std::vector<std::string> operators = kind ? kind->operatorNames() : std::vector<std::string>();
+    QWidget* demonstrate = addTile(PlanDevice::demonstration, tr("Demonstrate"),
+                                   operators.empty() ? tr("Nobody demonstrates this exercise on this station.")
+                                   : fiveBar         ? tr("Ready. Watch a scripted operator on the simulated five-bar mechanism.")
+                                                     : tr("Ready. Watch a scripted operator on the simulated gimbal."));
+    demonstrate->setEnabled(!operators.empty());
+    column->addWidget(demonstrate);
     column->addWidget(addTile(PlanDevice::trace, tr("Replay a file"),
                               m_tool == session::PointerTool::endoscope ? tr("A recorded movement (CSV, with orientation) moves the endoscope.")
                                                                         : tr("A recorded movement (CSV) moves the tool.")));
     m_pages->addWidget(new QWidget);
-    m_pages->addWidget(demonstrationPage(kind ? kind->operatorNames() : std::vector<std::string>()));
+    m_pages->addWidget(demonstrationPage(operators));
     m_pages->addWidget(tracePage());
     column->addWidget(m_pages);
     connect(m_group, &QButtonGroup::idClicked, this, [this](int id) {
@@ -130,7 +134,8 @@ void DeviceChooser::setPlan(const TrainingPlan& plan) {
     m_traceFile = plan.traceFile;
     if (!m_traceFile.isEmpty())
         checkTrace();
-    show(plan.device);
+    const bool possible = plan.device != PlanDevice::demonstration || m_operator->count() > 0;
+    show(possible ? plan.device : PlanDevice::mouse);
 }
 
 void DeviceChooser::fillPlan(TrainingPlan& plan) const {

@@ -14,7 +14,6 @@ namespace chiron::desktop {
 
 /// What is measured right now, as far as the level allows it: one class a kind of exercise. GUI thread.
 class InfoView : public QFrame {
-    Q_OBJECT
 public:
     using QFrame::QFrame;
     /// Each frame: the newest state and every sample since the frame before.

@@ -143,9 +143,11 @@ void TestKeyFilter::keysOfTheToolAndOfTheExerciseAlone() {
     keys.filter.setDepthOfFieldKey(true);
     QTest::keyClick(&keys.screen, Qt::Key_F);
     QCOMPARE(depth.count(), 1);
+    keys.screen.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&keys.screen));
     keys.field.setFocus();
-    QTest::keyClick(&keys.field, Qt::Key_F);
-    QTest::keyClick(&keys.field, Qt::Key_W);
+    QTRY_VERIFY(keys.field.hasFocus());
+    QTest::keyClicks(&keys.field, QStringLiteral("fw"));
     QCOMPARE(keys.field.text(), QStringLiteral("fw")); // typing is left alone
     QCOMPARE(depth.count(), 1);
 }

@@ -49,7 +49,7 @@ public:
     }
     /// One look at the picture: the angle between view and canal, in the plane of symmetry, is kept small.
     void steer() {
-        const haptics::ToolDisplay& tool = m_bench.state().tool[0];
+        const haptics::ToolDisplay tool = m_bench.state().tool[0];
         const core::Quat q(tool.q_WT[0], tool.q_WT[1], tool.q_WT[2], tool.q_WT[3]);
         const core::Vec3 axis_A = m_p.pose.vectorToA(q * core::Vec3(0.0, 0.0, -1.0));
         const simulation::UrethraCentreline line(m_p.anatomy.curvature_per_m, m_p.anatomy.zEnd_m);
@@ -121,7 +121,7 @@ void TestUrethraTraining::mouseAndWheelMoveIt() {
     QTRY_VERIFY(bench.state().tool[0].p_WT_m[1] > before.p_WT_m[1] + 0.005); // into the patient
     bench.sweepTo({0, -60}); // upwards
     const auto pitch = [&] {
-        const auto& q = bench.state().tool[0].q_WT;
+        const auto q = bench.state().tool[0].q_WT;
         const core::Vec3 axis_W = core::Quat(q[0], q[1], q[2], q[3]) * core::Vec3(0.0, 0.0, -1.0);
         return std::atan2(axis_W.z(), axis_W.y());
     };
