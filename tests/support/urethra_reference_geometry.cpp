@@ -85,10 +85,8 @@ Vec3 UrethraReferenceGeometry::tube(double s, double angle, bool withScope) cons
         const double ahead = 0.5 * (1.0 + std::cos(kPi * clamp01((s - m_now.tip_s_m) / m_scope.beak_m)));
         const double behind = 0.5 * (1.0 + std::cos(kPi * clamp01((m_now.tip_s_m - s) / m_scope.behind_m)));
         const double b = s > m_now.tip_s_m ? ahead : behind;
-        const double a =
-            smooth((s - (m_anatomy.freeLength_m - m_anatomy.freeBlend_m)) / (2.0 * m_anatomy.freeBlend_m));
         const double e = std::sqrt(m_now.ex_m * m_now.ex_m + m_now.en_m * m_now.en_m);
-        const double pressed = std::max(0.0, a * b * e - ahead * std::max(0.0, radius - m_scope.radius_m));
+        const double pressed = std::max(0.0, b * e - ahead * std::max(0.0, radius - m_scope.radius_m));
         if (e > 0.0) {
             ex = m_now.ex_m * pressed / e;
             en = m_now.en_m * pressed / e;

@@ -50,8 +50,6 @@ struct Other {
     double value;
 };
 constexpr Other kOfTheWall[] = {{"radius_m", 0.0026},
-                                {"free_length_m", 0.05},
-                                {"free_blend_m", 0.02},
                                 {"beak_m", 0.012},
                                 {"endoscope_radius_m", 0.004},
                                 {"behind_m", 0.03},
@@ -62,6 +60,8 @@ constexpr Other kOfTheWall[] = {{"radius_m", 0.0026},
                                 {"tip_s_m", 0.0455}};
 constexpr Other kOfTheProfile[] = {{"wall_stiffness_N_per_m3", 2e6},
                                    {"friction", 0.2},
+                                   {"free_length_m", 0.05}, // where offsets cost force; drawn they are everywhere
+                                   {"free_blend_m", 0.02},
                                    {"change_stiffness_factor", 3.0},
                                    {"change_friction_factor", 3.0}};
 constexpr Other kOfTheSurface[] = {{"curvature_per_m", 12.0},

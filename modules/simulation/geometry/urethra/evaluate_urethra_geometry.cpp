@@ -173,9 +173,13 @@ constexpr core::LawDescription kProfile{
     kProfileParameters,
     &evaluateProfile};
 constexpr core::LawDescription kSurface{
-    "urethra-surface",       "drawn surface of the urethra: point and normal at arc length and angle, in A",
-    "P1 §3; models.md §1.1", kSurfaceInputs,
-    kSurfaceOutputs,         kSurfaceParameters,
+    "urethra-surface",
+    "drawn surface of the urethra, moved by the tip's offset in its free and its constrained part alike: point "
+    "and normal at arc length and angle, in A",
+    "P1 §3; models.md §1.1",
+    kSurfaceInputs,
+    kSurfaceOutputs,
+    kSurfaceParameters,
     &evaluateSurface};
 
 } // namespace

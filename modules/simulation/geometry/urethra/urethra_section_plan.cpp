@@ -87,8 +87,9 @@ void UrethraSectionPlan::addMovingBefore(double s_m, int& next) {
     }
 }
 
-// The centre follows the tip by B a e; where the canal is wider than the endoscope, only by what is left of
-// it once the slack is taken up (the same condition as that of a spring being pressed, models.md §1.2).
+// The centre follows the tip by B e, in the free part (it follows the shaft) as in the constrained one (it is
+// moved): else the endoscope would leave through the drawn wall. What is constrained only decides where that
+// costs force. Where the canal is wider than the endoscope, only what is left of it once the slack is taken up.
 UrethraSection UrethraSectionPlan::opened(double s_m) const noexcept {
     const double tip = m_deformation.tip_s_m;
     UrethraSection section;
@@ -98,8 +99,7 @@ UrethraSection UrethraSectionPlan::opened(double s_m) const noexcept {
     if (offset == 0.0)
         return section;
     const double slack = std::max(0.0, m_wall.radius_m(s_m) - m_wall.endoscope().radius_m);
-    const double moved =
-        m_wall.constrained(s_m) * m_wall.following(s_m, tip) * offset - m_wall.opening(s_m, tip) * slack;
+    const double moved = m_wall.following(s_m, tip) * offset - m_wall.opening(s_m, tip) * slack;
     const double share = std::max(0.0, moved) / offset;
     section.ex_m = share * m_deformation.ex_m;
     section.en_m = share * m_deformation.en_m;
