@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kRepeats = 9;
 constexpr int kTicks = 20'000; // 20 s at 1 kHz: in, a look round, out
-constexpr double kGoal_ns = 200.0;
+constexpr double kGoal = 0.83 / 0.2; // the goal was set as 0.2 µs where the plain code took 0.83 µs, on a quiet machine
 
 /// An insertion as a hand makes it: in for 12 s, 3 s in the bladder, out; off the centre by waves of `offset_m` with
 /// tremor on top, tilted up to 9°.
@@ -87,8 +87,8 @@ void compare(std::vector<BenchRow>& rows, const char* name, const simulation::Ur
     row.p999 = percentile(single, 0.999);
     row.allocations = tests::forbiddenCounts().of(tests::Forbidden::allocate);
     row.agreement = text("%.1g N, N·m", worst);
-    row.goal = "≤ 200";
-    row.reached = verdict(*row.oursMedian <= kGoal_ns && *row.allocations == 0);
+    row.goal = "ratio ≥ 4.15, 0 allocations";
+    row.reached = verdict(*row.ratio() >= kGoal && *row.allocations == 0);
     rows.push_back(row);
 }
 
