@@ -5,6 +5,7 @@
 #include "desktop/theme/theme.h"
 
 #include <QWidget>
+#include <optional>
 
 namespace chiron::desktop {
 
@@ -12,7 +13,8 @@ namespace chiron::desktop {
 inline constexpr double kNoPictureScale = 1.5;
 
 /// A picture of a level, painted from its content: the ball in its true proportions, dashed where it is not shown, its dimple
-/// where it has one, and the instrument on its apex. Decorative: what it shows is said in words beside it.
+/// where it has one, and the instrument on its apex; or the urethra from the side with its narrow places, the bladder with its
+/// landmarks, and the endoscope before it. Decorative: what it shows is said in words beside it.
 class ExercisePicture final : public QWidget {
     Q_OBJECT
 public:
@@ -24,11 +26,14 @@ protected:
 
 private:
     void paintBall(QPainter& painter, QPointF centre, double radius) const;
+    void paintSphereApex(QPainter& painter) const;
+    void paintUrethra(QPainter& painter) const;
     void paintTool(QPainter& painter, QPointF tip, double length) const;
 
     const Theme& m_theme;
     QSize m_size;
     simulation::SphereApexParameters m_ball;
+    std::optional<simulation::UrethraInsertionParameters> m_urethra;
     bool m_visible = true;
 };
 
