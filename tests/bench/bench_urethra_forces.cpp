@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kRepeats = 9;
 constexpr int kTicks = 20'000; // 20 s at 1 kHz: in, a look round, out
-constexpr double kGoal = 0.83 / 0.2; // the goal was set as 0.2 µs where the plain code took 0.83 µs, on a quiet machine
+constexpr double kGoal = 0.83 / 0.2; // the goal was set as 0.2 µs where plain code took 0.83 µs
 
 /// An insertion as a hand makes it: in for 12 s, 3 s in the bladder, out; off the centre by waves of `offset_m` with
 /// tremor on top, tilted up to 9°.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Prints how each scripted endoscopist does, as Markdown: urethra_operator_table [seeds] [standard|unguided|stricture|tight]
-// [operator]; with an operator and one seed, what happens every half second. Not a test: it asserts nothing.
+// [operator] [seed]; with a seed, what happens in that session every half second. Not a test: it asserts nothing.
 #include "support/urethra_session.h"
 
 #include <cstdio>
@@ -52,6 +52,36 @@ void tell(const std::string& name, const std::string& levelName, std::uint64_t s
                     1e3 * story[i][5], story[i][7], story[i][6]);
 }
 
+/// One line of the table.
+void printRow(const std::string& name, const std::string& levelName, int seeds) {
+    int completed = 0, landmarks = 0;
+    Spread time, offset, largest, alignment, bend, trauma, reversals, force, torque, overForce, overTorque, mostForce, mostTorque;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        const UrethraOutcome o = support::runUrethraSession({name, static_cast<std::uint64_t>(seed), level(levelName), {}});
+        completed += o.completed;
+        landmarks += o.landmarks;
+        time.add(o.time_s);
+        offset.add(o.offsetRms_mm);
+        largest.add(o.offsetMax_mm);
+        alignment.add(o.alignmentRms_deg);
+        bend.add(o.bendAlignment_deg);
+        trauma.add(static_cast<double>(o.trauma));
+        reversals.add(static_cast<double>(o.reversals));
+        force.add(o.forceP95_N);
+        mostForce.add(o.forceMax_N);
+        torque.add(o.torqueP95_mNm);
+        mostTorque.add(o.torqueMax_mNm);
+        overForce.add(o.overForce_percent);
+        overTorque.add(o.overTorque_percent);
+    }
+    std::printf("| %s | %d of %d | %d of %d | %.0f | %.2f ± %.2f | %.1f | %.1f° | %.1f° ± %.1f | %.1f ± %.1f | %.1f | %.2f (%.1f) | "
+                "%.0f (%.0f) | %.1f %% | %.1f %% |\n",
+                name.c_str(), completed, seeds, landmarks, 5 * seeds, time.mean(), offset.mean(), offset.sd(), largest.mean(),
+                alignment.mean(), bend.mean(), bend.sd(), trauma.mean(), trauma.sd(), reversals.mean(), force.mean(), mostForce.most,
+                torque.mean(), mostTorque.most, overForce.mean(), overTorque.mean());
+    std::fflush(stdout);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -65,36 +95,8 @@ int main(int argc, char** argv) {
     std::printf("| operator | completed | landmarks | time, s | offset RMS, mm | offset max, mm | alignment RMS | at the bend | trauma | "
                 "reversals | force p95 (largest), N | torque p95 (largest), mN·m | over 60 %% of 4.5 N | of 150 mN·m |\n"
                 "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    for (const auto name : operators::urethraInsertionOperatorNames()) {
-        if (!only.empty() && only != name)
-            continue;
-        int completed = 0, landmarks = 0;
-        Spread time, offset, largest, alignment, bend, trauma, reversals, force, torque, overForce, overTorque, mostForce, mostTorque;
-        for (int seed = 1; seed <= seeds; ++seed) {
-            const UrethraOutcome o =
-                support::runUrethraSession({std::string(name), static_cast<std::uint64_t>(seed), level(levelName), {}});
-            completed += o.completed;
-            landmarks += o.landmarks;
-            time.add(o.time_s);
-            offset.add(o.offsetRms_mm);
-            largest.add(o.offsetMax_mm);
-            alignment.add(o.alignmentRms_deg);
-            bend.add(o.bendAlignment_deg);
-            trauma.add(static_cast<double>(o.trauma));
-            reversals.add(static_cast<double>(o.reversals));
-            force.add(o.forceP95_N);
-            mostForce.add(o.forceMax_N);
-            torque.add(o.torqueP95_mNm);
-            mostTorque.add(o.torqueMax_mNm);
-            overForce.add(o.overForce_percent);
-            overTorque.add(o.overTorque_percent);
-        }
-        std::printf("| %s | %d of %d | %d of %d | %.0f | %.2f ± %.2f | %.1f | %.1f° | %.1f° ± %.1f | %.1f ± %.1f | %.1f | %.2f (%.1f) | "
-                    "%.0f (%.0f) | %.1f %% | %.1f %% |\n",
-                    std::string(name).c_str(), completed, seeds, landmarks, 5 * seeds, time.mean(), offset.mean(), offset.sd(),
-                    largest.mean(), alignment.mean(), bend.mean(), bend.sd(), trauma.mean(), trauma.sd(), reversals.mean(),
-                    force.mean(), mostForce.most, torque.mean(), mostTorque.most, overForce.mean(), overTorque.mean());
-        std::fflush(stdout);
-    }
+    for (const auto name : operators::urethraInsertionOperatorNames())
+        if (only.empty() || only == name)
+            printRow(std::string(name), levelName, seeds);
     return 0;
 }
