@@ -9,13 +9,14 @@
 
 namespace chiron::cli {
 
-/// What the demonstration draws: report and plots of one session, and the operators beside each other.
+/// What the demonstration draws: of each exercise a report of one session and its operators beside each other; plots of one session.
 struct DemoPictures {
-    QString reportPdf;
+    std::vector<QString> reports; ///< PDF
     std::vector<QString> pictures;
 };
 
-/// Draws into `folder`. The session shown is the expert's on the level that is felt alone. Needs a QApplication.
+/// Draws into `folder`. The sessions shown are the expert's sphere found by touch alone, plots too, and its cystoscopy. Needs a
+/// QApplication.
 core::Result<DemoPictures> drawDemo(database::Database& database, const std::vector<session::DemoResult>& results,
                                     const QString& folder);
 

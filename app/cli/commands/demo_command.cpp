@@ -10,6 +10,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QJsonArray>
+#include <algorithm>
 
 namespace chiron::cli {
 
@@ -23,24 +24,69 @@ QString valueOf(const scoring::ScoreCard& card, const char* id, int decimals) {
     return QStringLiteral("-");
 }
 
-const QString kLegend = QStringLiteral(
-    "apex error: mean distance between mark and true highest point, in % of the sphere's radius; SD: its spread over the\n"
-    "trials; misses: marked off the sphere, without touching, or not in time; max N: the largest force; passed: every pass\n"
-    "mark of the level met; replay: forces simulated again from the recording; rescored: scores computed again from it\n");
+struct Column {
+    const char* heading;
+    const char* metric;
+    int decimals;
+};
 
-QString resultsTable(const std::vector<session::DemoResult>& results) {
-    TextTable table({">session", "person", "exercise", ">level", "operator", ">apex error %", ">SD %", ">misses",
-                     ">time s", ">max N", "passed", "replay", "rescored"});
+/// What an exercise's table shows beside who, how long and how hard, and the words that explain it.
+struct ExerciseColumns {
+    const char* exercise;
+    std::vector<Column> columns;
+    const char* legend;
+};
+
+const std::vector<ExerciseColumns>& exerciseColumns() {
+    static const std::vector<ExerciseColumns> kColumns{
+        {"sphere_apex",
+         {{">apex error %", "apex_error_mean", 1}, {">SD %", "apex_error_sd", 1}, {">misses", "apex_misses", 0}},
+         "apex error: mean distance between mark and true highest point, in % of the sphere's radius; SD: its spread over the\n"
+         "trials; misses: marked off the sphere, without touching, or not in time\n"},
+        {"urethra_insertion",
+         {{">off mm", "offset_rms", 2}, {">bend °", "bend_alignment", 1}, {">trauma", "trauma_events", 0},
+          {">seen %", "landmarks_seen", 0}, {">max mN·m", "torque_max", 0}},
+         "off: RMS distance from the middle of the canal; bend: RMS angle between instrument and canal at the bend; trauma: pushes\n"
+         "against the wall over the level's limit; seen: landmarks of the bladder inspected; max mN·m: the largest torque\n"}};
+    return kColumns;
+}
+
+const QString kLegend = QStringLiteral("max N: the largest force of the tissue; passed: every pass mark of the level met; replay: forces simulated again from the\n"
+                                       "recording; rescored: scores computed again from it\n");
+
+QString resultsTable(const std::vector<session::DemoResult>& results, const ExerciseColumns& shown) {
+    QStringList headings{">session", "person", ">level", "operator"};
+    for (const Column& column : shown.columns)
+        headings << QString::fromUtf8(column.heading);
+    TextTable table(headings + QStringList{">time s", ">max N", "passed", "replay", "rescored"});
     for (const session::DemoResult& r : results) {
+        if (r.asked.exercise != shown.exercise)
+            continue;
         const scoring::ScoreCard& card = r.result.scores;
-        table.add({QString::number(r.result.session), QString::fromStdString(r.person),
-                   QString::fromStdString(r.asked.exercise), QString::number(r.asked.level),
-                   QString::fromStdString(r.asked.operatorName), valueOf(card, "apex_error_mean", 1),
-                   valueOf(card, "apex_error_sd", 1), valueOf(card, "apex_misses", 0), valueOf(card, "time", 0),
-                   valueOf(card, "force_max", 2), card.passed ? "yes" : "no",
-                   r.replayIdentical ? "identical" : "DIFFERS", r.scoreSame ? "same" : "DIFFERS"});
+        QStringList cells{QString::number(r.result.session), QString::fromStdString(r.person), QString::number(r.asked.level),
+                          QString::fromStdString(r.asked.operatorName)};
+        for (const Column& column : shown.columns)
+            cells << valueOf(card, column.metric, column.decimals);
+        table.add(cells + QStringList{valueOf(card, "time", 0), valueOf(card, "force_max", 2), card.passed ? "yes" : "no",
+                                      r.replayIdentical ? "identical" : "DIFFERS", r.scoreSame ? "same" : "DIFFERS"});
     }
-    return table.toText();
+    return QLatin1String(shown.exercise) + QLatin1String("\n") + table.toText() + QLatin1Char('\n') +
+           QString::fromUtf8(shown.legend) + QLatin1Char('\n');
+}
+
+/// One table an exercise, in the order in which they were done.
+QString resultsTables(const std::vector<session::DemoResult>& results) {
+    QString text;
+    std::vector<std::string> done;
+    for (const session::DemoResult& r : results) {
+        if (std::find(done.begin(), done.end(), r.asked.exercise) != done.end())
+            continue;
+        done.push_back(r.asked.exercise);
+        const auto& known = exerciseColumns();
+        const auto columns = std::find_if(known.begin(), known.end(), [&](const auto& c) { return r.asked.exercise == c.exercise; });
+        text += resultsTable(results, columns != known.end() ? *columns : ExerciseColumns{r.asked.exercise.c_str(), {}, ""});
+    }
+    return text;
 }
 
 QJsonArray resultsJson(const std::vector<session::DemoResult>& results) {
@@ -89,12 +135,18 @@ CommandOutput output(const DemoPlace& place, const std::vector<session::DemoResu
     QJsonArray pictures;
     for (const QString& picture : drawn.pictures)
         pictures.append(picture);
-    const QJsonObject json{{"folder", place.folder}, {"database", place.database}, {"report", drawn.reportPdf},
+    QJsonArray reports;
+    QStringList reportFiles;
+    for (const QString& report : drawn.reports) {
+        reports.append(report);
+        reportFiles << report;
+    }
+    const QJsonObject json{{"folder", place.folder}, {"database", place.database}, {"reports", reports},
                            {"pictures", pictures}, {"sessions", resultsJson(results)}, {"verify_ok", verified.ok()},
                            {"password", session::kDemoPassword}};
-    const QString text = resultsTable(results) + QLatin1Char('\n') + kLegend + QLatin1Char('\n') +
+    const QString text = resultsTables(results) + kLegend + QLatin1Char('\n') +
                          alignedPairs({{"verify", verified.ok() ? "nothing wrong found" : QStringLiteral("%1 findings").arg(verified.findings.size())},
-                                       {"folder", place.folder}, {"database", place.database}, {"report", drawn.reportPdf},
+                                       {"folder", place.folder}, {"database", place.database}, {"reports", reportFiles.join(QStringLiteral(", "))},
                                        {"people", QStringLiteral("amalia (administrator), theo, rhea, nikos, ines, eva; password %1").arg(session::kDemoPassword)}});
     return {QJsonDocument(json), text, holds ? 0 : 1};
 }
