@@ -300,6 +300,14 @@ Details: %2</source>
         <source>The operator&apos;s force is held for a moment and comes back by itself.</source>
         <translation>Η δύναμη του χειριστή συγκρατείται για λίγο και επανέρχεται μόνη της.</translation>
     </message>
+    <message>
+        <source>This device renders no force. The endoscope moves more slowly the harder you press.</source>
+        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη. Το ενδοσκόπιο κινείται τόσο πιο αργά όσο πιο δυνατά πιέζετε.</translation>
+    </message>
+    <message>
+        <source>The procedure begins as soon as the scene is drawn.</source>
+        <translation>Η διαδικασία αρχίζει μόλις σχεδιαστεί η σκηνή.</translation>
+    </message>
 </context>
 <context>
     <name>GateWords</name>
@@ -376,6 +384,73 @@ Details: %2</source>
     <message>
         <source>No completed attempt yet</source>
         <translation>Δεν υπάρχει ακόμη ολοκληρωμένη προσπάθεια</translation>
+    </message>
+</context>
+<context>
+    <name>LevelFacts</name>
+    <message>
+        <source>Tissue: normal</source>
+        <translation>Ιστός: φυσιολογικός</translation>
+    </message>
+    <message>
+        <source>Tissue: tight</source>
+        <translation>Ιστός: στενή ουρήθρα</translation>
+    </message>
+    <message>
+        <source>Tissue: with a stricture, a narrow and stiff ring</source>
+        <translation>Ιστός: με στένωμα, έναν στενό και δύσκαμπτο δακτύλιο</translation>
+    </message>
+    <message>
+        <source>Tissue: %1</source>
+        <translation>Ιστός: %1</translation>
+    </message>
+    <message>
+        <source>Depth of field: on, kept on</source>
+        <translation>Βάθος πεδίου: ενεργό, δεν απενεργοποιείται</translation>
+    </message>
+    <message>
+        <source>Depth of field: off, kept off</source>
+        <translation>Βάθος πεδίου: ανενεργό, δεν ενεργοποιείται</translation>
+    </message>
+    <message>
+        <source>Depth of field: on, can be switched off</source>
+        <translation>Βάθος πεδίου: ενεργό, μπορεί να απενεργοποιηθεί</translation>
+    </message>
+    <message>
+        <source>Depth of field: off, can be switched on</source>
+        <translation>Βάθος πεδίου: ανενεργό, μπορεί να ενεργοποιηθεί</translation>
+    </message>
+    <message>
+        <source>Way: %1 mm in and out again</source>
+        <translation>Διαδρομή: %1 mm μέσα και πάλι έξω</translation>
+    </message>
+    <message>
+        <source>Way: %1 mm in</source>
+        <translation>Διαδρομή: %1 mm προς τα μέσα</translation>
+    </message>
+    <message>
+        <source>Help: the way is marked in the picture, and a second picture shows it from outside</source>
+        <translation>Βοήθεια: η πορεία σημειώνεται στην εικόνα και μια δεύτερη εικόνα τη δείχνει εξωτερικά</translation>
+    </message>
+    <message>
+        <source>Help: the way is marked in the picture</source>
+        <translation>Βοήθεια: η πορεία σημειώνεται στην εικόνα</translation>
+    </message>
+    <message>
+        <source>Help: a second picture shows the endoscope from outside</source>
+        <translation>Βοήθεια: μια δεύτερη εικόνα δείχνει το ενδοσκόπιο εξωτερικά</translation>
+    </message>
+    <message>
+        <source>Help: none, the endoscope&apos;s picture alone</source>
+        <translation>Βοήθεια: καμία, μόνο η εικόνα του ενδοσκοπίου</translation>
+    </message>
+    <message>
+        <source>Landmarks of the bladder to inspect: %1</source>
+        <translation>Οδηγά σημεία της κύστης προς επισκόπηση: %1</translation>
+    </message>
+    <message>
+        <source>Time: %1 s at most</source>
+        <translation>Χρόνος: το πολύ %1 s</translation>
     </message>
 </context>
 <context>
@@ -574,19 +649,19 @@ Details: %2</source>
     </message>
     <message>
         <source>Off-centre distance, root mean square</source>
-        <translation>Απόσταση από το κέντρο, ενεργός τιμή (RMS)</translation>
+        <translation>Απόκλιση από τον άξονα, ενεργός τιμή (RMS)</translation>
     </message>
     <message>
         <source>How far the tip was from the middle of the urethra, on the way in and out: large distances weigh more than in the mean.</source>
-        <translation>Πόσο απείχε η άκρη από τη μέση της ουρήθρας, στην είσοδο και στην έξοδο: οι μεγάλες αποστάσεις βαραίνουν περισσότερο απ&apos; ό,τι στον μέσο όρο.</translation>
+        <translation>Πόσο απείχε η άκρη από τον άξονα της ουρήθρας, κατά την εισαγωγή και την απόσυρση: οι μεγάλες αποστάσεις βαραίνουν περισσότερο από ό,τι στον μέσο όρο.</translation>
     </message>
     <message>
         <source>Off-centre distance, largest</source>
-        <translation>Απόσταση από το κέντρο, μέγιστη</translation>
+        <translation>Απόκλιση από τον άξονα, μέγιστη</translation>
     </message>
     <message>
         <source>The farthest that the tip was from the middle of the urethra.</source>
-        <translation>Η μεγαλύτερη απόσταση της άκρης από τη μέση της ουρήθρας.</translation>
+        <translation>Η μεγαλύτερη απόσταση της άκρης από τον άξονα της ουρήθρας.</translation>
     </message>
     <message>
         <source>Alignment, root mean square</source>
@@ -602,7 +677,7 @@ Details: %2</source>
     </message>
     <message>
         <source>The same angle on the way in, within 10 mm of the bend, where the endoscope has to be turned.</source>
-        <translation>Η ίδια γωνία κατά την είσοδο, ως 10 mm από την καμπή, όπου το ενδοσκόπιο πρέπει να στραφεί.</translation>
+        <translation>Η ίδια γωνία κατά την εισαγωγή, ως 10 mm από την καμπή, όπου το ενδοσκόπιο πρέπει να στραφεί.</translation>
     </message>
     <message>
         <source>Trauma events</source>
@@ -634,7 +709,7 @@ Details: %2</source>
     </message>
     <message>
         <source>How often the tip went back by 1 mm or more on the way in.</source>
-        <translation>Πόσες φορές η άκρη οπισθοχώρησε κατά 1 mm ή περισσότερο στην είσοδο.</translation>
+        <translation>Πόσες φορές η άκρη οπισθοχώρησε κατά 1 mm ή περισσότερο κατά την εισαγωγή.</translation>
     </message>
     <message>
         <source>Landmarks seen</source>
@@ -1359,6 +1434,10 @@ Do you want to replace it?</source>
         <source>Recorded trace</source>
         <translation>Καταγεγραμμένη κίνηση</translation>
     </message>
+    <message>
+        <source>Simulated five-bar mechanism</source>
+        <translation>Προσομοιωμένος μηχανισμός πέντε ράβδων</translation>
+    </message>
 </context>
 <context>
     <name>SoundLoader</name>
@@ -1377,6 +1456,53 @@ Do you want to replace it?</source>
     <message>
         <source>This station has no sound output. Everything that can be heard is also shown.</source>
         <translation>Αυτός ο σταθμός δεν έχει έξοδο ήχου. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
+    </message>
+</context>
+<context>
+    <name>StageWords</name>
+    <message>
+        <source>Inspection: %1 of %2 landmarks seen. Hold still</source>
+        <translation>Επισκόπηση: φάνηκαν %1 από %2 οδηγά σημεία. Μείνετε ακίνητοι</translation>
+    </message>
+    <message>
+        <source>Inspection: %1 of %2 landmarks seen</source>
+        <translation>Επισκόπηση: φάνηκαν %1 από %2 οδηγά σημεία</translation>
+    </message>
+    <message>
+        <source>Before the entrance</source>
+        <translation>Πριν από την είσοδο</translation>
+    </message>
+    <message>
+        <source>Insertion</source>
+        <translation>Εισαγωγή</translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Επισκόπηση</translation>
+    </message>
+    <message>
+        <source>Withdrawal</source>
+        <translation>Απόσυρση</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>Before the entrance: advance into the urethra</source>
+        <translation>Πριν από την είσοδο: προωθήστε το ενδοσκόπιο στην ουρήθρα</translation>
+    </message>
+    <message>
+        <source>Insertion: %1 of %2 mm</source>
+        <translation>Εισαγωγή: %1 από %2 mm</translation>
+    </message>
+    <message>
+        <source>Insertion: on the way to the goal</source>
+        <translation>Εισαγωγή: καθ’ οδόν προς τον στόχο</translation>
+    </message>
+    <message>
+        <source>Withdrawal: bring the endoscope out again</source>
+        <translation>Απόσυρση: βγάλτε πάλι έξω το ενδοσκόπιο</translation>
     </message>
 </context>
 <context>
@@ -1567,8 +1693,16 @@ Do you want to replace it?</source>
         <translation>Παρακολουθείτε. Διάστημα: παύση ή συνέχεια. Esc: διακοπή.</translation>
     </message>
     <message>
-        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σημείωση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης.</translation>
+        <source>Demonstration on the simulated five-bar mechanism (%1): shown, not felt</source>
+        <translation>Επίδειξη, προσομοιωμένος μηχανισμός πέντε ράβδων (%1): μόνο προβολή δύναμης</translation>
+    </message>
+    <message>
+        <source>Advance and withdraw: wheel, W and S, or Page Up and Page Down. Turn: mouse or arrow keys. Move sideways: the same with the right button or Shift. Roll: Q and E. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Προώθηση και απόσυρση: τροχός, W και S, ή Page Up και Page Down. Στροφή: ποντίκι ή βέλη. Πλάγια κίνηση: το ίδιο με δεξί κουμπί ή Shift. Περιστροφή στον άξονα: Q και E. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+    </message>
+    <message>
+        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σημείωση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
 </context>
 <context>
@@ -1676,6 +1810,10 @@ Recording and scores are kept; they count for nothing.</source>
     <message>
         <source>Familiarisation: recorded, never counted. %1</source>
         <translation>Εξοικείωση: καταγράφεται, δεν μετράει ποτέ. %1</translation>
+    </message>
+    <message>
+        <source>The procedure was not done to its end.</source>
+        <translation>Η διαδικασία δεν έγινε ως το τέλος της.</translation>
     </message>
 </context>
 <context>
@@ -1896,6 +2034,14 @@ Recording and scores are kept; they count for nothing.</source>
         <source>Re-arm (R)</source>
         <translation>Ενεργοποίηση (R)</translation>
     </message>
+    <message>
+        <source>Start again …</source>
+        <translation>Επανέναρξη …</translation>
+    </message>
+    <message>
+        <source>Start again from the beginning (F5). The attempt so far is kept as stopped.</source>
+        <translation>Επανέναρξη από την αρχή (F5). Η προσπάθεια ως τώρα διατηρείται και θεωρείται ότι σταμάτησε.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DebriefScreen</name>
@@ -2023,6 +2169,22 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <source>The report could not be written.</source>
         <translation>Δεν ήταν δυνατή η εγγραφή της αναφοράς.</translation>
     </message>
+    <message>
+        <source>How the endoscope kept to the urethra</source>
+        <translation>Πώς ακολούθησε το ενδοσκόπιο την ουρήθρα</translation>
+    </message>
+    <message>
+        <source>There is nothing to show of the procedure. The session is kept and listed.</source>
+        <translation>Δεν υπάρχει τίποτα για προβολή από τη διαδικασία. Η συνεδρία διατηρείται και υπάρχει στη λίστα.</translation>
+    </message>
+    <message>
+        <source>%1: %2, at %3</source>
+        <translation>%1: %2, στο %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 landmarks of the bladder were seen.</source>
+        <translation>Φάνηκαν %1 από %2 οδηγά σημεία της κύστης.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DeviceChooser</name>
@@ -2090,6 +2252,18 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
 %1</source>
         <translation>Αυτό το αρχείο δεν αναπαράγεται. Διορθώστε το ή επιλέξτε άλλο.
 %1</translation>
+    </message>
+    <message>
+        <source>Nobody demonstrates this exercise on this station.</source>
+        <translation>Δεν υπάρχει επίδειξη αυτής της άσκησης σε αυτόν τον σταθμό.</translation>
+    </message>
+    <message>
+        <source>Ready. Watch a scripted operator on the simulated five-bar mechanism.</source>
+        <translation>Έτοιμη. Δείτε προγραμματισμένο χειριστή στον προσομοιωμένο μηχανισμό πέντε ράβδων.</translation>
+    </message>
+    <message>
+        <source>A recorded movement (CSV, with orientation) moves the endoscope.</source>
+        <translation>Μια καταγεγραμμένη κίνηση (CSV, με προσανατολισμό) κινεί το ενδοσκόπιο.</translation>
     </message>
 </context>
 <context>
@@ -2189,6 +2363,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1 · next step</source>
+        <translation>%1 · επόμενο βήμα</translation>
     </message>
 </context>
 <context>
@@ -2477,10 +2655,6 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Το επόμενο βήμα σας</translation>
     </message>
     <message>
-        <source>Level %1: %2</source>
-        <translation>Επίπεδο %1: %2</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Συνέχεια</translation>
     </message>
@@ -2625,6 +2799,10 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
         <source>Look at it</source>
         <translation>Προβολή</translation>
     </message>
+    <message>
+        <source>%1, level %2: %3</source>
+        <translation>%1, επίπεδο %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
@@ -2693,6 +2871,117 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
     <message>
         <source>away</source>
         <translation>εμπρός</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::InsertionPanel</name>
+    <message>
+        <source>How much of this stage is done</source>
+        <translation>Πρόοδος αυτού του σταδίου</translation>
+    </message>
+    <message>
+        <source>Resistance along</source>
+        <translation>Αντίσταση κατά μήκος</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Force across</source>
+        <translation>Πλάγια δύναμη</translation>
+    </message>
+    <message>
+        <source>Forces on the endoscope (N)</source>
+        <translation>Δυνάμεις στο ενδοσκόπιο (N)</translation>
+    </message>
+    <message>
+        <source>Fx</source>
+        <translation>Fx</translation>
+    </message>
+    <message>
+        <source>Force along x, to the side</source>
+        <translation>Δύναμη κατά τον άξονα x, προς το πλάι</translation>
+    </message>
+    <message>
+        <source>Fy</source>
+        <translation>Fy</translation>
+    </message>
+    <message>
+        <source>Force along y, upwards</source>
+        <translation>Δύναμη κατά τον άξονα y, προς τα πάνω</translation>
+    </message>
+    <message>
+        <source>Fz</source>
+        <translation>Fz</translation>
+    </message>
+    <message>
+        <source>Force along z, into the patient</source>
+        <translation>Δύναμη κατά τον άξονα z, προς τον ασθενή</translation>
+    </message>
+    <message>
+        <source>Torques on the endoscope (mN·m)</source>
+        <translation>Ροπές στο ενδοσκόπιο (mN·m)</translation>
+    </message>
+    <message>
+        <source>Tx</source>
+        <translation>Tx</translation>
+    </message>
+    <message>
+        <source>Torque about x</source>
+        <translation>Ροπή ως προς τον άξονα x</translation>
+    </message>
+    <message>
+        <source>mN·m</source>
+        <translation>mN·m</translation>
+    </message>
+    <message>
+        <source>Ty</source>
+        <translation>Ty</translation>
+    </message>
+    <message>
+        <source>Torque about y</source>
+        <translation>Ροπή ως προς τον άξονα y</translation>
+    </message>
+    <message>
+        <source>Tz</source>
+        <translation>Tz</translation>
+    </message>
+    <message>
+        <source>Torque about the endoscope&apos;s axis</source>
+        <translation>Ροπή ως προς τον άξονα του ενδοσκοπίου</translation>
+    </message>
+    <message>
+        <source>Tip x (mm)</source>
+        <translation>Άκρη x (mm)</translation>
+    </message>
+    <message>
+        <source>Tip y (mm)</source>
+        <translation>Άκρη y (mm)</translation>
+    </message>
+    <message>
+        <source>Tip z (mm)</source>
+        <translation>Άκρη z (mm)</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Βάθος (mm)</translation>
+    </message>
+    <message>
+        <source>Off-centre (mm)</source>
+        <translation>Απόκλιση (mm)</translation>
+    </message>
+    <message>
+        <source>Alignment (°)</source>
+        <translation>Ευθυγράμμιση (°)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Δύναμη (N)</translation>
+    </message>
+    <message>
+        <source>Force across (N)</source>
+        <translation>Πλάγια δύναμη (N)</translation>
     </message>
 </context>
 <context>
@@ -3245,6 +3534,14 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <source>Speed (mm/s)</source>
         <translation>Ταχύτητα (mm/s)</translation>
     </message>
+    <message>
+        <source>Off-centre (mm)</source>
+        <translation>Απόκλιση (mm)</translation>
+    </message>
+    <message>
+        <source>Alignment (°)</source>
+        <translation>Ευθυγράμμιση (°)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlaybackScreen</name>
@@ -3319,22 +3616,6 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Playback</source>
         <translation>Αναπαραγωγή</translation>
-    </message>
-    <message>
-        <source>A session as it was recorded.
-
-Space plays and pauses. The arrow keys go one picture on or back, with Shift one second, with Ctrl to the next or last event; Home and End go to the ends. A click in a plot goes there too.
-
-Pauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
-
-Choose a second session to see it beside this one: each of its trials starts when the trial here starts, and it is drawn over the same sphere.</source>
-        <translation>Μια συνεδρία όπως καταγράφηκε.
-
-Το Διάστημα αναπαράγει και σταματά. Τα βέλη πηγαίνουν ένα καρέ εμπρός ή πίσω, με Shift ένα δευτερόλεπτο, με Ctrl στο επόμενο ή το προηγούμενο συμβάν· τα Home και End στα άκρα. Ένα κλικ σε διάγραμμα πηγαίνει επίσης εκεί.
-
-Οι παύσεις είναι διαγραμμισμένες. Τα τρίγωνα στη γραμμή χρόνου είναι ποινές, οι σημαίες απαντήσεις, τα τετράγωνα από κάτω σχόλια.
-
-Επιλέξτε δεύτερη συνεδρία για να τη δείτε δίπλα σε αυτήν: κάθε δοκιμή της αρχίζει όταν αρχίζει η εδώ δοκιμή και σχεδιάζεται πάνω στην ίδια σφαίρα.</translation>
     </message>
     <message>
         <source>Play or pause</source>
@@ -3427,6 +3708,38 @@ Choose a second session to see it beside this one: each of its trials starts whe
     <message>
         <source>second session</source>
         <translation>δεύτερη συνεδρία</translation>
+    </message>
+    <message>
+        <source>Depth of field</source>
+        <translation>Βάθος πεδίου</translation>
+    </message>
+    <message>
+        <source>The picture is sharp at one distance only, as through a real endoscope</source>
+        <translation>Η εικόνα είναι εστιασμένη σε μία μόνο απόσταση, όπως σε πραγματικό ενδοσκόπιο</translation>
+    </message>
+    <message>
+        <source>A session as it was recorded.
+
+Space plays and pauses. The arrow keys go one picture on or back, with Shift one second, with Ctrl to the next or last event; Home and End go to the ends. A click in a plot goes there too.
+
+Pauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
+
+Choose a second session to see it beside this one: each of its trials starts when the trial here starts, and it is drawn in the same place.</source>
+        <translation>Μια συνεδρία όπως καταγράφηκε.
+
+Το Διάστημα αναπαράγει και σταματά. Τα βέλη πηγαίνουν ένα καρέ εμπρός ή πίσω, με Shift ένα δευτερόλεπτο, με Ctrl στο επόμενο ή το προηγούμενο συμβάν· τα Home και End στα άκρα. Ένα κλικ σε διάγραμμα πηγαίνει επίσης εκεί.
+
+Οι παύσεις είναι διαγραμμισμένες. Τα τρίγωνα στη γραμμή χρόνου είναι ποινές, οι σημαίες απαντήσεις, τα τετράγωνα από κάτω σχόλια.
+
+Επιλέξτε δεύτερη συνεδρία για να τη δείτε δίπλα σε αυτήν: κάθε δοκιμή της αρχίζει όταν αρχίζει η εδώ δοκιμή και σχεδιάζεται στην ίδια θέση.</translation>
+    </message>
+    <message>
+        <source>%1 · paused · depth %2 · force %3 · speed %4</source>
+        <translation>%1 · σε παύση · βάθος %2 · δύναμη %3 · ταχύτητα %4</translation>
+    </message>
+    <message>
+        <source>%1 · depth %2 · force %3 · speed %4</source>
+        <translation>%1 · βάθος %2 · δύναμη %3 · ταχύτητα %4</translation>
     </message>
 </context>
 <context>
@@ -4198,6 +4511,21 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
     </message>
 </context>
 <context>
+    <name>chiron::desktop::SignedBar</name>
+    <message>
+        <source>%1 %2, over the limit</source>
+        <translation>%1 %2, πάνω από το όριο</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>over the limit</source>
+        <translation>πάνω από το όριο</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::StatePanel</name>
     <message>
         <source>Progress</source>
@@ -4587,22 +4915,6 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Εκπαίδευση</translation>
     </message>
     <message>
-        <source>Here you work. On the left you see the scene, on the right what is measured, below the controls. A level shows only what belongs to it; what is hidden is still recorded.
-
-%1
-
-Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it is.
-
-After the last trial the debrief opens by itself.</source>
-        <translation>Εδώ εργάζεστε. Αριστερά βλέπετε τη σκηνή, δεξιά όσα μετρώνται, κάτω τα κουμπιά. Κάθε επίπεδο δείχνει μόνο όσα του ανήκουν· όσα κρύβονται καταγράφονται και αυτά.
-
-%1
-
-Το «Στοπ δύναμης» αφαιρεί αμέσως τη δύναμη και ο χρόνος σταματά. Η «Ενεργοποίηση» την επαναφέρει αργά. Η «Παύση» κρατά τα πάντα όπως είναι.
-
-Μετά την τελευταία δοκιμή ο απολογισμός ανοίγει μόνος του.</translation>
-    </message>
-    <message>
         <source>Stop force</source>
         <translation>Στοπ δύναμης</translation>
     </message>
@@ -4625,6 +4937,66 @@ After the last trial the debrief opens by itself.</source>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>What is recorded so far is kept and counts as stopped, not as completed. A new attempt begins at once.</source>
+        <translation>Όσα καταγράφηκαν ως τώρα διατηρούνται και η συνεδρία θεωρείται ότι σταμάτησε, όχι ότι ολοκληρώθηκε. Μια νέα προσπάθεια αρχίζει αμέσως.</translation>
+    </message>
+    <message>
+        <source>Start again from the beginning?</source>
+        <translation>Επανέναρξη από την αρχή;</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Επανέναρξη</translation>
+    </message>
+    <message>
+        <source>Depth of field (F)</source>
+        <translation>Βάθος πεδίου (F)</translation>
+    </message>
+    <message>
+        <source>Depth of field: this level keeps it on</source>
+        <translation>Βάθος πεδίου: ενεργό σε αυτό το επίπεδο</translation>
+    </message>
+    <message>
+        <source>Depth of field: this level keeps it off</source>
+        <translation>Βάθος πεδίου: ανενεργό σε αυτό το επίπεδο</translation>
+    </message>
+    <message>
+        <source>The picture is sharp at one distance only, as through a real endoscope</source>
+        <translation>Η εικόνα είναι εστιασμένη σε μία μόνο απόσταση, όπως σε πραγματικό ενδοσκόπιο</translation>
+    </message>
+    <message>
+        <source>When the procedure is done the debrief opens by itself.</source>
+        <translation>Όταν ολοκληρωθεί η διαδικασία, ο απολογισμός ανοίγει μόνος του.</translation>
+    </message>
+    <message>
+        <source>After the last trial the debrief opens by itself.</source>
+        <translation>Μετά την τελευταία δοκιμή ο απολογισμός ανοίγει μόνος του.</translation>
+    </message>
+    <message>
+        <source>Here you work. On the left you see the scene, on the right what is measured, below the controls. A level shows only what belongs to it; what is hidden is still recorded.
+
+%1
+
+Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it is. Start again keeps the attempt so far as stopped and begins a new one from the start.
+
+%2</source>
+        <translation>Εδώ εργάζεστε. Αριστερά βλέπετε τη σκηνή, δεξιά όσα μετρώνται, κάτω τα κουμπιά. Κάθε επίπεδο δείχνει μόνο όσα του ανήκουν· όσα κρύβονται καταγράφονται και αυτά.
+
+%1
+
+Το «Στοπ δύναμης» αφαιρεί αμέσως τη δύναμη και ο χρόνος σταματά. Η «Ενεργοποίηση» την επαναφέρει αργά. Η «Παύση» κρατά τα πάντα όπως είναι. Η «Επανέναρξη» διατηρεί την προσπάθεια ως τώρα, που θεωρείται ότι σταμάτησε, και αρχίζει μια νέα από την αρχή.
+
+%2</translation>
+    </message>
+    <message>
+        <source>Start again from the beginning</source>
+        <translation>Επανέναρξη από την αρχή</translation>
+    </message>
+    <message>
+        <source>Depth of field on or off</source>
+        <translation>Βάθος πεδίου ναι ή όχι</translation>
     </message>
 </context>
 <context>
@@ -4787,10 +5159,24 @@ After the last trial the debrief opens by itself.</source>
     </message>
 </context>
 <context>
+    <name>chiron::scene3d::FlatUrethra</name>
+    <message>
+        <source>The endoscope&apos;s picture, and the canal from the side</source>
+        <translation>Η εικόνα του ενδοσκοπίου και η ουρήθρα από το πλάι</translation>
+    </message>
+</context>
+<context>
     <name>chiron::scene3d::ForceGauge</name>
     <message>
         <source>Force (N)</source>
         <translation>Δύναμη (N)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::NoticePainter</name>
+    <message>
+        <source>The endoscope&apos;s picture is off at this level.</source>
+        <translation>Η εικόνα του ενδοσκοπίου είναι ανενεργή σε αυτό το επίπεδο.</translation>
     </message>
 </context>
 <context>
@@ -5172,6 +5558,74 @@ After the last trial the debrief opens by itself.</source>
     <message>
         <source>No sessions to compare</source>
         <translation>Δεν υπάρχουν συνεδρίες για σύγκριση</translation>
+    </message>
+    <message>
+        <source>Off-centre and alignment over depth</source>
+        <translation>Απόκλιση από τον άξονα και ευθυγράμμιση ανά βάθος</translation>
+    </message>
+    <message>
+        <source>Landmarks of the bladder seen</source>
+        <translation>Οδηγά σημεία της κύστης που φάνηκαν</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 από %2</translation>
+    </message>
+    <message>
+        <source>Distance from the middle of the canal</source>
+        <translation>Απόκλιση από τον άξονα της ουρήθρας</translation>
+    </message>
+    <message>
+        <source>Off-centre (mm)</source>
+        <translation>Απόκλιση (mm)</translation>
+    </message>
+    <message>
+        <source>off-centre</source>
+        <translation>απόκλιση</translation>
+    </message>
+    <message>
+        <source>Angle between endoscope and canal</source>
+        <translation>Γωνία ανάμεσα σε ενδοσκόπιο και ουρήθρα</translation>
+    </message>
+    <message>
+        <source>Alignment (°)</source>
+        <translation>Ευθυγρ. (°)</translation>
+    </message>
+    <message>
+        <source>alignment</source>
+        <translation>ευθυγράμμιση</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Βάθος (mm)</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>εισαγωγή</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>απόσυρση</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>καμπή</translation>
+    </message>
+    <message>
+        <source>bladder neck</source>
+        <translation>αυχένας της κύστης</translation>
+    </message>
+    <message>
+        <source>The endoscope did not enter</source>
+        <translation>Το ενδοσκόπιο δεν εισήχθη</translation>
+    </message>
+    <message>
+        <source>Off-centre, largest in each millimetre</source>
+        <translation>Απόκλιση από τον άξονα, μέγιστη ανά χιλιοστό</translation>
+    </message>
+    <message>
+        <source>Alignment, largest in each millimetre</source>
+        <translation>Ευθυγράμμιση, μέγιστη γωνία ανά χιλιοστό</translation>
     </message>
 </context>
 </TS>
