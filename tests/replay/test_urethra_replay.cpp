@@ -52,6 +52,7 @@ class TestUrethraReplay : public QObject {
 private slots:
     void wholeProcedureReplaysAndScores_data();
     void wholeProcedureReplaysAndScores();
+    void endoscopistsReplayToTheSameBits();
     void realtimeAndAsFastAgree();
     void stagesOfTheSeriesAreThoseOfTheScene();
     void anotherTissueIsNoticed();
@@ -86,6 +87,20 @@ void TestUrethraReplay::wholeProcedureReplaysAndScores() {
     QVERIFY(valueOf(result->scores, "insertion_depth") >= 1000.0 * parametersOf(number).goalDepth_m);
     if (number > 2)
         QCOMPARE(valueOf(result->scores, "landmarks_seen"), 100.0);
+}
+
+// On P1's mechanism, whose hand feels what is commanded.
+void TestUrethraReplay::endoscopistsReplayToTheSameBits() {
+    for (const char* name : {"expert", "unsafe"}) {
+        SessionFixture site;
+        auto result = site.run(site.request(level(2), name, 5));
+        QVERIFY2(result, result ? "" : result.error().message.c_str());
+        OpenStored stored(*site.database, result->session);
+        auto replay = session::replaySession(*stored.session);
+        QVERIFY(replay && replay->comparable && replay->identical);
+        auto again = stored.session->computeScores();
+        QVERIFY(again && session::sameScores(result->scores, *again));
+    }
 }
 
 void TestUrethraReplay::realtimeAndAsFastAgree() {
