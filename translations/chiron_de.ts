@@ -300,6 +300,14 @@ Einzelheiten: %2</translation>
         <source>The operator&apos;s force is held for a moment and comes back by itself.</source>
         <translation>Die Kraft der programmierten Hand wird kurz zurückgehalten und kommt von selbst zurück.</translation>
     </message>
+    <message>
+        <source>This device renders no force. The endoscope moves more slowly the harder you press.</source>
+        <translation>Dieses Gerät gibt keine Kraft aus. Das Endoskop bewegt sich umso langsamer, je fester Sie drücken.</translation>
+    </message>
+    <message>
+        <source>The procedure begins as soon as the scene is drawn.</source>
+        <translation>Der Eingriff beginnt, sobald die Szene zu sehen ist.</translation>
+    </message>
 </context>
 <context>
     <name>GateWords</name>
@@ -376,6 +384,73 @@ Einzelheiten: %2</translation>
     <message>
         <source>No completed attempt yet</source>
         <translation>Noch kein abgeschlossener Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>LevelFacts</name>
+    <message>
+        <source>Tissue: normal</source>
+        <translation>Gewebe: normal</translation>
+    </message>
+    <message>
+        <source>Tissue: tight</source>
+        <translation>Gewebe: eng</translation>
+    </message>
+    <message>
+        <source>Tissue: with a stricture, a narrow and stiff ring</source>
+        <translation>Gewebe: mit einer Striktur, einem engen und steifen Ring</translation>
+    </message>
+    <message>
+        <source>Tissue: %1</source>
+        <translation>Gewebe: %1</translation>
+    </message>
+    <message>
+        <source>Depth of field: on, kept on</source>
+        <translation>Schärfentiefe: an, fest eingestellt</translation>
+    </message>
+    <message>
+        <source>Depth of field: off, kept off</source>
+        <translation>Schärfentiefe: aus, fest eingestellt</translation>
+    </message>
+    <message>
+        <source>Depth of field: on, can be switched off</source>
+        <translation>Schärfentiefe: an, kann ausgeschaltet werden</translation>
+    </message>
+    <message>
+        <source>Depth of field: off, can be switched on</source>
+        <translation>Schärfentiefe: aus, kann eingeschaltet werden</translation>
+    </message>
+    <message>
+        <source>Way: %1 mm in and out again</source>
+        <translation>Weg: %1 mm hinein und wieder hinaus</translation>
+    </message>
+    <message>
+        <source>Way: %1 mm in</source>
+        <translation>Weg: %1 mm hinein</translation>
+    </message>
+    <message>
+        <source>Help: the way is marked in the picture, and a second picture shows it from outside</source>
+        <translation>Hilfe: Der Weg ist im Bild markiert, und ein zweites Bild zeigt ihn von außen</translation>
+    </message>
+    <message>
+        <source>Help: the way is marked in the picture</source>
+        <translation>Hilfe: Der Weg ist im Bild markiert</translation>
+    </message>
+    <message>
+        <source>Help: a second picture shows the endoscope from outside</source>
+        <translation>Hilfe: Ein zweites Bild zeigt das Endoskop von außen</translation>
+    </message>
+    <message>
+        <source>Help: none, the endoscope&apos;s picture alone</source>
+        <translation>Hilfe: keine, nur das Bild des Endoskops</translation>
+    </message>
+    <message>
+        <source>Landmarks of the bladder to inspect: %1</source>
+        <translation>Zu inspizierende Landmarken der Blase: %1</translation>
+    </message>
+    <message>
+        <source>Time: %1 s at most</source>
+        <translation>Zeit: höchstens %1 s</translation>
     </message>
 </context>
 <context>
@@ -574,7 +649,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Off-centre distance, root mean square</source>
-        <translation>Abstand von der Mitte, quadratisches Mittel</translation>
+        <translation>Auslenkung von der Mitte, quadratisches Mittel</translation>
     </message>
     <message>
         <source>How far the tip was from the middle of the urethra, on the way in and out: large distances weigh more than in the mean.</source>
@@ -582,7 +657,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Off-centre distance, largest</source>
-        <translation>Abstand von der Mitte, größter</translation>
+        <translation>Auslenkung von der Mitte, größte</translation>
     </message>
     <message>
         <source>The farthest that the tip was from the middle of the urethra.</source>
@@ -638,19 +713,19 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Landmarks seen</source>
-        <translation>Gesehene Orientierungspunkte</translation>
+        <translation>Gesehene Landmarken</translation>
     </message>
     <message>
         <source>The landmarks of the bladder that were inspected, in % of those that the level asks for.</source>
-        <translation>Die betrachteten Orientierungspunkte der Blase, in % derer, die die Stufe verlangt.</translation>
+        <translation>Die inspizierten Landmarken der Blase, in % derer, die die Stufe verlangt.</translation>
     </message>
     <message>
         <source>Tip travel during inspection</source>
-        <translation>Weg der Spitze beim Betrachten</translation>
+        <translation>Weg der Spitze bei der Inspektion</translation>
     </message>
     <message>
         <source>How far the tip travelled while the bladder was inspected: turning it shows as much and harms less.</source>
-        <translation>Wie weit sich die Spitze bewegte, während die Blase betrachtet wurde: Drehen zeigt ebenso viel und schadet weniger.</translation>
+        <translation>Wie weit sich die Spitze bewegte, während die Blase inspiziert wurde: Drehen zeigt ebenso viel und schadet weniger.</translation>
     </message>
     <message>
         <source>Insertion depth</source>
@@ -678,11 +753,11 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>the level has no landmarks</source>
-        <translation>die Stufe hat keine Orientierungspunkte</translation>
+        <translation>die Stufe hat keine Landmarken</translation>
     </message>
     <message>
         <source>the inspection was not reached</source>
-        <translation>das Betrachten wurde nicht erreicht</translation>
+        <translation>die Inspektion wurde nicht erreicht</translation>
     </message>
     <message>
         <source>published, 5 subjects × 10</source>
@@ -777,15 +852,15 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The inspection begins</source>
-        <translation>Das Betrachten beginnt</translation>
+        <translation>Die Inspektion beginnt</translation>
     </message>
     <message>
         <source>The withdrawal begins</source>
-        <translation>Das Zurückziehen beginnt</translation>
+        <translation>Der Rückzug beginnt</translation>
     </message>
     <message>
         <source>The next stage begins</source>
-        <translation>Der nächste Abschnitt beginnt</translation>
+        <translation>Die nächste Phase beginnt</translation>
     </message>
     <message>
         <source>Time was up before the end</source>
@@ -797,15 +872,15 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Landmarks seen: %1</source>
-        <translation>Gesehene Orientierungspunkte: %1</translation>
+        <translation>Gesehene Landmarken: %1</translation>
     </message>
     <message>
         <source>A landmark was seen</source>
-        <translation>Ein Orientierungspunkt wurde gesehen</translation>
+        <translation>Eine Landmarke wurde gesehen</translation>
     </message>
     <message>
         <source>Pressed on the wall for %1, up to %2</source>
-        <translation>%1 gegen die Wand gedrückt, bis %2</translation>
+        <translation>%1 lang gegen die Wand gedrückt, mit bis zu %2</translation>
     </message>
     <message>
         <source>Went back by %1</source>
@@ -1359,6 +1434,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Recorded trace</source>
         <translation>Aufgezeichnete Bewegung</translation>
     </message>
+    <message>
+        <source>Simulated five-bar mechanism</source>
+        <translation>Simuliertes Fünfgelenk</translation>
+    </message>
 </context>
 <context>
     <name>SoundLoader</name>
@@ -1377,6 +1456,53 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>This station has no sound output. Everything that can be heard is also shown.</source>
         <translation>Dieser Arbeitsplatz hat keine Tonausgabe. Alles Hörbare wird auch angezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>StageWords</name>
+    <message>
+        <source>Inspection: %1 of %2 landmarks seen. Hold still</source>
+        <translation>Inspektion: %1 von %2 Landmarken gesehen. Stillhalten</translation>
+    </message>
+    <message>
+        <source>Inspection: %1 of %2 landmarks seen</source>
+        <translation>Inspektion: %1 von %2 Landmarken gesehen</translation>
+    </message>
+    <message>
+        <source>Before the entrance</source>
+        <translation>Vor der Öffnung</translation>
+    </message>
+    <message>
+        <source>Insertion</source>
+        <translation>Einführen</translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Inspektion</translation>
+    </message>
+    <message>
+        <source>Withdrawal</source>
+        <translation>Rückzug</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Before the entrance: advance into the urethra</source>
+        <translation>Vor der Öffnung: in die Harnröhre vorschieben</translation>
+    </message>
+    <message>
+        <source>Insertion: %1 of %2 mm</source>
+        <translation>Einführen: %1 von %2 mm</translation>
+    </message>
+    <message>
+        <source>Insertion: on the way to the goal</source>
+        <translation>Einführen: auf dem Weg zum Ziel</translation>
+    </message>
+    <message>
+        <source>Withdrawal: bring the endoscope out again</source>
+        <translation>Rückzug: das Endoskop wieder herausführen</translation>
     </message>
 </context>
 <context>
@@ -1567,8 +1693,16 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Sie sehen zu. Leertaste: Pause oder weiter. Esc: Stopp.</translation>
     </message>
     <message>
-        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Markieren: Klick oder Enter. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen.</translation>
+        <source>Demonstration on the simulated five-bar mechanism (%1): shown, not felt</source>
+        <translation>Vorführung am simulierten Fünfgelenk (%1): gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>Advance and withdraw: wheel, W and S, or Page Up and Page Down. Turn: mouse or arrow keys. Move sideways: the same with the right button or Shift. Roll: Q and E. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Vorschieben und zurückziehen: Mausrad, W und S oder Bild auf und Bild ab. Drehen: Maus oder Pfeiltasten. Seitlich bewegen: ebenso mit rechter Taste oder Umschalt. Rollen um die eigene Achse: Q und E. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Markieren: Klick oder Enter. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
 </context>
 <context>
@@ -1676,6 +1810,10 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     <message>
         <source>Familiarisation: recorded, never counted. %1</source>
         <translation>Eingewöhnung: aufgezeichnet, nie gezählt. %1</translation>
+    </message>
+    <message>
+        <source>The procedure was not done to its end.</source>
+        <translation>Der Eingriff wurde nicht bis zum Ende durchgeführt.</translation>
     </message>
 </context>
 <context>
@@ -1896,6 +2034,14 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <source>Re-arm (R)</source>
         <translation>Freigeben (R)</translation>
     </message>
+    <message>
+        <source>Start again …</source>
+        <translation>Neu beginnen …</translation>
+    </message>
+    <message>
+        <source>Start again from the beginning (F5). The attempt so far is kept as stopped.</source>
+        <translation>Von vorn neu beginnen (F5). Der bisherige Versuch bleibt als abgebrochen erhalten.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DebriefScreen</name>
@@ -2023,6 +2169,22 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <source>The report could not be written.</source>
         <translation>Der Bericht konnte nicht geschrieben werden.</translation>
     </message>
+    <message>
+        <source>How the endoscope kept to the urethra</source>
+        <translation>Wie das Endoskop der Harnröhre folgte</translation>
+    </message>
+    <message>
+        <source>There is nothing to show of the procedure. The session is kept and listed.</source>
+        <translation>Vom Eingriff gibt es nichts zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+    </message>
+    <message>
+        <source>%1: %2, at %3</source>
+        <translation>%1: %2, bei %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 landmarks of the bladder were seen.</source>
+        <translation>%1 von %2 Landmarken der Blase wurden gesehen.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DeviceChooser</name>
@@ -2090,6 +2252,18 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
 %1</source>
         <translation>Diese Datei kann nicht abgespielt werden. Berichtigen Sie sie oder wählen Sie eine andere.
 %1</translation>
+    </message>
+    <message>
+        <source>Nobody demonstrates this exercise on this station.</source>
+        <translation>An diesem Arbeitsplatz gibt es für diese Übung keine Vorführung.</translation>
+    </message>
+    <message>
+        <source>Ready. Watch a scripted operator on the simulated five-bar mechanism.</source>
+        <translation>Bereit. Eine programmierte Hand am simulierten Fünfgelenk.</translation>
+    </message>
+    <message>
+        <source>A recorded movement (CSV, with orientation) moves the endoscope.</source>
+        <translation>Eine aufgezeichnete Bewegung (CSV, mit Orientierung) führt das Endoskop.</translation>
     </message>
 </context>
 <context>
@@ -2189,6 +2363,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1 · next step</source>
+        <translation>%1 · nächster Schritt</translation>
     </message>
 </context>
 <context>
@@ -2477,10 +2655,6 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Ihr nächster Schritt</translation>
     </message>
     <message>
-        <source>Level %1: %2</source>
-        <translation>Stufe %1: %2</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Weiter</translation>
     </message>
@@ -2625,6 +2799,10 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
         <source>Look at it</source>
         <translation>Ansehen</translation>
     </message>
+    <message>
+        <source>%1, level %2: %3</source>
+        <translation>%1, Stufe %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
@@ -2693,6 +2871,117 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
     <message>
         <source>away</source>
         <translation>weg</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::InsertionPanel</name>
+    <message>
+        <source>How much of this stage is done</source>
+        <translation>Fortschritt in dieser Phase</translation>
+    </message>
+    <message>
+        <source>Resistance along</source>
+        <translation>Widerstand längs</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Force across</source>
+        <translation>Querkraft</translation>
+    </message>
+    <message>
+        <source>Forces on the endoscope (N)</source>
+        <translation>Kräfte am Endoskop (N)</translation>
+    </message>
+    <message>
+        <source>Fx</source>
+        <translation>Fx</translation>
+    </message>
+    <message>
+        <source>Force along x, to the side</source>
+        <translation>Kraft entlang x, zur Seite</translation>
+    </message>
+    <message>
+        <source>Fy</source>
+        <translation>Fy</translation>
+    </message>
+    <message>
+        <source>Force along y, upwards</source>
+        <translation>Kraft entlang y, nach oben</translation>
+    </message>
+    <message>
+        <source>Fz</source>
+        <translation>Fz</translation>
+    </message>
+    <message>
+        <source>Force along z, into the patient</source>
+        <translation>Kraft entlang z, in den Körper hinein</translation>
+    </message>
+    <message>
+        <source>Torques on the endoscope (mN·m)</source>
+        <translation>Drehmomente am Endoskop (mN·m)</translation>
+    </message>
+    <message>
+        <source>Tx</source>
+        <translation>Tx</translation>
+    </message>
+    <message>
+        <source>Torque about x</source>
+        <translation>Drehmoment um x</translation>
+    </message>
+    <message>
+        <source>mN·m</source>
+        <translation>mN·m</translation>
+    </message>
+    <message>
+        <source>Ty</source>
+        <translation>Ty</translation>
+    </message>
+    <message>
+        <source>Torque about y</source>
+        <translation>Drehmoment um y</translation>
+    </message>
+    <message>
+        <source>Tz</source>
+        <translation>Tz</translation>
+    </message>
+    <message>
+        <source>Torque about the endoscope&apos;s axis</source>
+        <translation>Drehmoment um die Achse des Endoskops</translation>
+    </message>
+    <message>
+        <source>Tip x (mm)</source>
+        <translation>Spitze x (mm)</translation>
+    </message>
+    <message>
+        <source>Tip y (mm)</source>
+        <translation>Spitze y (mm)</translation>
+    </message>
+    <message>
+        <source>Tip z (mm)</source>
+        <translation>Spitze z (mm)</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>Off-centre (mm)</source>
+        <translation>Auslenkung (mm)</translation>
+    </message>
+    <message>
+        <source>Alignment (°)</source>
+        <translation>Ausrichtung (°)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>Force across (N)</source>
+        <translation>Querkraft (N)</translation>
     </message>
 </context>
 <context>
@@ -3245,6 +3534,14 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <source>Speed (mm/s)</source>
         <translation>Geschwindigkeit (mm/s)</translation>
     </message>
+    <message>
+        <source>Off-centre (mm)</source>
+        <translation>Auslenkung (mm)</translation>
+    </message>
+    <message>
+        <source>Alignment (°)</source>
+        <translation>Ausrichtung (°)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlaybackScreen</name>
@@ -3319,22 +3616,6 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Playback</source>
         <translation>Wiedergabe</translation>
-    </message>
-    <message>
-        <source>A session as it was recorded.
-
-Space plays and pauses. The arrow keys go one picture on or back, with Shift one second, with Ctrl to the next or last event; Home and End go to the ends. A click in a plot goes there too.
-
-Pauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
-
-Choose a second session to see it beside this one: each of its trials starts when the trial here starts, and it is drawn over the same sphere.</source>
-        <translation>Eine Sitzung, wie sie aufgezeichnet wurde.
-
-Die Leertaste startet und hält an. Die Pfeiltasten gehen ein Bild vor oder zurück, mit Umschalt eine Sekunde, mit Strg zum nächsten oder vorigen Ereignis; Pos1 und Ende gehen an die Enden. Ein Klick in ein Diagramm führt ebenfalls dorthin.
-
-Pausen sind schraffiert. Dreiecke auf der Zeitleiste sind Abzüge, Fahnen sind Antworten, Quadrate darunter sind Kommentare.
-
-Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durchgänge beginnt, wenn der Durchgang hier beginnt, und sie wird über derselben Kugel gezeichnet.</translation>
     </message>
     <message>
         <source>Play or pause</source>
@@ -3427,6 +3708,38 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>second session</source>
         <translation>zweite Sitzung</translation>
+    </message>
+    <message>
+        <source>Depth of field</source>
+        <translation>Schärfentiefe</translation>
+    </message>
+    <message>
+        <source>The picture is sharp at one distance only, as through a real endoscope</source>
+        <translation>Das Bild ist nur in einer Entfernung scharf, wie durch ein echtes Endoskop</translation>
+    </message>
+    <message>
+        <source>A session as it was recorded.
+
+Space plays and pauses. The arrow keys go one picture on or back, with Shift one second, with Ctrl to the next or last event; Home and End go to the ends. A click in a plot goes there too.
+
+Pauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
+
+Choose a second session to see it beside this one: each of its trials starts when the trial here starts, and it is drawn in the same place.</source>
+        <translation>Eine Sitzung, wie sie aufgezeichnet wurde.
+
+Die Leertaste startet und hält an. Die Pfeiltasten gehen ein Bild vor oder zurück, mit Umschalt eine Sekunde, mit Strg zum nächsten oder vorigen Ereignis; Pos1 und Ende gehen an die Enden. Ein Klick in ein Diagramm führt ebenfalls dorthin.
+
+Pausen sind schraffiert. Dreiecke auf der Zeitleiste sind Abzüge, Fahnen sind Antworten, Quadrate darunter sind Kommentare.
+
+Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durchgänge beginnt, wenn der Durchgang hier beginnt, und sie wird an derselben Stelle gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 · paused · depth %2 · force %3 · speed %4</source>
+        <translation>%1 · Pause · Tiefe %2 · Kraft %3 · Tempo %4</translation>
+    </message>
+    <message>
+        <source>%1 · depth %2 · force %3 · speed %4</source>
+        <translation>%1 · Tiefe %2 · Kraft %3 · Tempo %4</translation>
     </message>
 </context>
 <context>
@@ -4198,6 +4511,21 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
     </message>
 </context>
 <context>
+    <name>chiron::desktop::SignedBar</name>
+    <message>
+        <source>%1 %2, over the limit</source>
+        <translation>%1 %2, über der Grenze</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>over the limit</source>
+        <translation>über der Grenze</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::StatePanel</name>
     <message>
         <source>Progress</source>
@@ -4587,22 +4915,6 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Training</translation>
     </message>
     <message>
-        <source>Here you work. On the left you see the scene, on the right what is measured, below the controls. A level shows only what belongs to it; what is hidden is still recorded.
-
-%1
-
-Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it is.
-
-After the last trial the debrief opens by itself.</source>
-        <translation>Hier arbeiten Sie. Links sehen Sie die Szene, rechts die Messwerte, unten die Bedienelemente. Eine Stufe zeigt nur, was zu ihr gehört; Verborgenes wird trotzdem aufgezeichnet.
-
-%1
-
-„Kraft stoppen“ nimmt die Kraft sofort weg, und die Uhr steht. „Freigeben“ bringt sie langsam zurück. „Pause“ lässt alles, wie es ist.
-
-Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
-    </message>
-    <message>
         <source>Stop force</source>
         <translation>Kraft stoppen</translation>
     </message>
@@ -4625,6 +4937,66 @@ Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>What is recorded so far is kept and counts as stopped, not as completed. A new attempt begins at once.</source>
+        <translation>Bisher Aufgezeichnetes bleibt erhalten und gilt als abgebrochen, nicht als abgeschlossen. Ein neuer Versuch beginnt sofort.</translation>
+    </message>
+    <message>
+        <source>Start again from the beginning?</source>
+        <translation>Von vorn neu beginnen?</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Depth of field (F)</source>
+        <translation>Schärfentiefe (F)</translation>
+    </message>
+    <message>
+        <source>Depth of field: this level keeps it on</source>
+        <translation>Schärfentiefe: auf dieser Stufe immer an</translation>
+    </message>
+    <message>
+        <source>Depth of field: this level keeps it off</source>
+        <translation>Schärfentiefe: auf dieser Stufe immer aus</translation>
+    </message>
+    <message>
+        <source>The picture is sharp at one distance only, as through a real endoscope</source>
+        <translation>Das Bild ist nur in einer Entfernung scharf, wie durch ein echtes Endoskop</translation>
+    </message>
+    <message>
+        <source>When the procedure is done the debrief opens by itself.</source>
+        <translation>Nach dem Eingriff öffnet sich die Auswertung von selbst.</translation>
+    </message>
+    <message>
+        <source>After the last trial the debrief opens by itself.</source>
+        <translation>Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
+    </message>
+    <message>
+        <source>Here you work. On the left you see the scene, on the right what is measured, below the controls. A level shows only what belongs to it; what is hidden is still recorded.
+
+%1
+
+Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it is. Start again keeps the attempt so far as stopped and begins a new one from the start.
+
+%2</source>
+        <translation>Hier arbeiten Sie. Links sehen Sie die Szene, rechts die Messwerte, unten die Bedienelemente. Eine Stufe zeigt nur, was zu ihr gehört; Verborgenes wird trotzdem aufgezeichnet.
+
+%1
+
+„Kraft stoppen“ nimmt die Kraft sofort weg, und die Uhr steht. „Freigeben“ bringt sie langsam zurück. „Pause“ lässt alles, wie es ist. „Neu beginnen“ bewahrt den bisherigen Versuch als abgebrochen auf und beginnt einen neuen von vorn.
+
+%2</translation>
+    </message>
+    <message>
+        <source>Start again from the beginning</source>
+        <translation>Von vorn neu beginnen</translation>
+    </message>
+    <message>
+        <source>Depth of field on or off</source>
+        <translation>Schärfentiefe an oder aus</translation>
     </message>
 </context>
 <context>
@@ -4787,10 +5159,24 @@ Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
     </message>
 </context>
 <context>
+    <name>chiron::scene3d::FlatUrethra</name>
+    <message>
+        <source>The endoscope&apos;s picture, and the canal from the side</source>
+        <translation>Das Bild des Endoskops und der Kanal von der Seite</translation>
+    </message>
+</context>
+<context>
     <name>chiron::scene3d::ForceGauge</name>
     <message>
         <source>Force (N)</source>
         <translation>Kraft (N)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::NoticePainter</name>
+    <message>
+        <source>The endoscope&apos;s picture is off at this level.</source>
+        <translation>Das Bild des Endoskops ist auf dieser Stufe ausgeschaltet.</translation>
     </message>
 </context>
 <context>
@@ -5172,6 +5558,74 @@ Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
     <message>
         <source>No sessions to compare</source>
         <translation>Keine Sitzungen zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>Off-centre and alignment over depth</source>
+        <translation>Auslenkung und Ausrichtung über der Tiefe</translation>
+    </message>
+    <message>
+        <source>Landmarks of the bladder seen</source>
+        <translation>Gesehene Landmarken der Blase</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Distance from the middle of the canal</source>
+        <translation>Auslenkung von der Mittellinie</translation>
+    </message>
+    <message>
+        <source>Off-centre (mm)</source>
+        <translation>Auslenkung (mm)</translation>
+    </message>
+    <message>
+        <source>off-centre</source>
+        <translation>Auslenkung</translation>
+    </message>
+    <message>
+        <source>Angle between endoscope and canal</source>
+        <translation>Winkel zwischen Endoskop und Kanal</translation>
+    </message>
+    <message>
+        <source>Alignment (°)</source>
+        <translation>Ausrichtung (°)</translation>
+    </message>
+    <message>
+        <source>alignment</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>hinein</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>hinaus</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>bladder neck</source>
+        <translation>Blasenhals</translation>
+    </message>
+    <message>
+        <source>The endoscope did not enter</source>
+        <translation>Das Endoskop wurde nicht eingeführt</translation>
+    </message>
+    <message>
+        <source>Off-centre, largest in each millimetre</source>
+        <translation>Auslenkung, größte je Millimeter</translation>
+    </message>
+    <message>
+        <source>Alignment, largest in each millimetre</source>
+        <translation>Ausrichtung, größter Winkel je Millimeter</translation>
     </message>
 </context>
 </TS>
