@@ -7,8 +7,14 @@
 
 namespace chiron::desktop {
 
+namespace {
+constexpr double kStackedFrom = 1.5; // above this scale four buttons side by side are wider than a small window in German
+} // namespace
+
 ControlBar::ControlBar(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme) {
-    setFixedHeight(theme.px(58)); // a stop is found without looking
+    const bool stacked = theme.scale() > kStackedFrom;
+    const int gap = theme.px(stacked ? 4 : 10);
+    setFixedHeight(stacked ? 2 * theme.controlHeight() + gap : theme.px(58)); // a stop is found without looking
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.px(10));
@@ -21,9 +27,12 @@ ControlBar::ControlBar(const Theme& theme, QWidget* parent) : QWidget(parent), m
     row->addWidget(m_resumeHere, 2);
     m_again = add(tr("Start again …"), "", QStringLiteral("media-skip-backward"), QStringLiteral("training.again"));
     m_again->setToolTip(tr("Start again from the beginning (F5). The attempt so far is kept as stopped."));
-    row->addWidget(m_again, 1);
     m_end = add(tr("End session …"), "", QStringLiteral("media-playback-stop"), QStringLiteral("training.end"));
-    row->addWidget(m_end, 1);
+    auto* last = new QBoxLayout(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    last->setSpacing(gap);
+    last->addWidget(m_again, 1);
+    last->addWidget(m_end, 1);
+    row->addLayout(last, 2);
     connect(m_stop, &QPushButton::clicked, this, &ControlBar::stopAsked);
     connect(m_main, &QPushButton::clicked, this, [this] { emit mainAsked(m_is); });
     connect(m_resumeHere, &QPushButton::clicked, this, &ControlBar::resumeHereAsked);

@@ -21,7 +21,7 @@ QSize SignedBar::sizeHint() const {
     const QFontMetrics metrics(m_theme.font(TextStyle::label));
     const int words = metrics.horizontalAdvance(m_quantity.sign) +
                       (m_number ? metrics.horizontalAdvance(m_locale.toString(-m_quantity.limit, 'f', m_quantity.decimals)) + m_theme.px(6) : 0);
-    return {std::max(words, m_theme.px(72)), metrics.height() + (m_bar ? m_theme.px(16) : 0)};
+    return {std::max(words, m_theme.px(62)), metrics.height() + (m_bar ? m_theme.px(16) : 0)};
 }
 
 void SignedBar::setValue(double value) {
