@@ -77,8 +77,10 @@ scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const sess
         state.marked = true;
         state.p_WMark = trial->p_WEnd;
     }
-    if (view.insertion)
+    if (view.insertion) {
+        state.objectShown = true; // the endoscope's picture
         state.endoscope = endoscopeOf(track, view, t_s);
+    }
     if (ghost) {
         if (const auto found = session::ghostAt(track, *ghost, t_s))
             state.ghost = viewOf(found->tool, ghost->felt);

@@ -57,22 +57,24 @@ InsertionPanel::InsertionPanel(const Theme& theme, const QLocale& locale, const 
 void InsertionPanel::addStage() {
     m_stage = kit::label(m_theme, stageText({}, m_telling, m_locale), TextStyle::strong);
     m_stage->setObjectName(QStringLiteral("training.stage"));
-    m_column->addWidget(m_stage);
+    m_elapsed = kit::line(m_theme, InfoPanel::elapsedText(0), TextStyle::body);
+    m_elapsed->setObjectName(QStringLiteral("training.elapsed"));
+    auto* head = new QHBoxLayout;
+    head->setSpacing(m_theme.px(8));
+    head->addWidget(m_stage, 1);
+    head->addWidget(m_elapsed, 0, Qt::AlignTop);
+    m_column->addLayout(head);
     if (m_telling.numbers || m_telling.guidance) {
         m_progress = new QProgressBar;
         m_progress->setObjectName(QStringLiteral("training.stage_progress"));
         m_progress->setAccessibleName(tr("How much of this stage is done"));
         m_progress->setTextVisible(false);
         m_progress->setRange(0, 100);
-        m_progress->setFixedHeight(m_theme.px(8));
         QSizePolicy stays = m_progress->sizePolicy();
         stays.setRetainSizeWhenHidden(true); // nothing below it jumps
         m_progress->setSizePolicy(stays);
         m_column->addWidget(m_progress);
     }
-    m_elapsed = kit::label(m_theme, InfoPanel::elapsedText(0), TextStyle::body);
-    m_elapsed->setObjectName(QStringLiteral("training.elapsed"));
-    m_column->addWidget(m_elapsed);
 }
 
 void InsertionPanel::addForces(const simulation::UrethraInsertionParameters& parameters) {

@@ -51,7 +51,7 @@ scene3d::SceneState sceneStateOf(const haptics::DisplayState& shown, const sessi
     scene3d::SceneState state;
     for (std::size_t i = 0; i < state.tool.size() && static_cast<int>(i) < shown.tools; ++i)
         state.tool[i] = toolOf(shown.tool[i], cues);
-    state.objectShown = shown.objectShown && cues.object;
+    state.objectShown = (shown.objectShown || shown.endoscope.present) && cues.object; // the object of endoscopy is its picture
     state.p_WObject = vectorOf(shown.p_WObject_m);
     state.endoscope = shown.endoscope;
     state.time_s = static_cast<double>(shown.now_ns - startedAt_ns) * 1e-9;
