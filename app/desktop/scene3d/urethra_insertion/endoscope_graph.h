@@ -45,7 +45,7 @@ public:
     Qt3DRender::QTexture2D* blurred() const { return m_blurred; }
 
     /// Side of passes 1 and 2 to that of the picture.
-    static constexpr double kSmall = 0.4;
+    static constexpr double kSmall = 0.33;
 
 private:
     void makeDirect(Qt3DRender::QFrameGraphNode* parent);
