@@ -13,6 +13,8 @@ namespace {
 
 using simulation::CentrelineFoot;
 
+constexpr std::uint64_t kTick_us = 1000; // the scene's
+
 class SeriesBuilder {
 public:
     SeriesBuilder(const simulation::UrethraInsertionParameters& p, const scoring::ToolTrace& tool)
@@ -48,11 +50,19 @@ private:
     }
 
     void follow(std::size_t i, const simulation::ProcedureSample& sample) {
+        if (m_tool.heldTicks.size() == m_tool.t_s.size()) {
+            for (std::uint32_t tick = 0; tick < m_tool.heldTicks[i]; ++tick)
+                step(i, sample, kTick_us);
+            return;
+        }
         const bool paused = i < m_tool.paused.size() && m_tool.paused[i] != 0;
         if (paused)
             return;
         const double since_s = i > 0 ? m_tool.t_s[i] - m_tool.t_s[i - 1] : 0.0;
-        const auto since_us = static_cast<std::uint64_t>(std::max(0LL, std::llround(since_s * 1e6)));
+        step(i, sample, static_cast<std::uint64_t>(std::max(0LL, std::llround(since_s * 1e6))));
+    }
+
+    void step(std::size_t i, const simulation::ProcedureSample& sample, std::uint64_t since_us) {
         const std::uint32_t seen = m_tracker.advance(sample, since_us).seenNow;
         for (std::size_t k = 0; k < m_series.landmarkSeen_s.size(); ++k)
             if ((seen & (std::uint32_t{1} << k)) != 0)

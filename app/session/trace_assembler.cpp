@@ -5,6 +5,8 @@
 
 #include "scoring/trace_grid.h"
 
+#include <utility>
+
 namespace chiron::session {
 
 namespace {
@@ -37,6 +39,7 @@ void TraceAssembler::add(std::span<const core::HapticFrame> frames) {
 
 void TraceAssembler::begin(const core::HapticFrame& frame) {
     m_inTrial = true;
+    m_ticksBefore = {};
     scoring::TrialTrace trial;
     trial.trial = frame.header.trial;
     trial.tools.resize(static_cast<std::size_t>(m_tools));
@@ -47,12 +50,18 @@ void TraceAssembler::append(const core::HapticFrame& frame) {
     if (!isRefused(frame.tool[0]))
         m_lastGood = frame.tool[0];
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_tools); ++i) {
-        if (isRefused(frame.tool[i]))
-            continue;
-        const bool isNew = m_clocks[i].advances(frame.tool[i].deviceTime_us); // also between trials
+        const bool isNew = !isRefused(frame.tool[i]) && m_clocks[i].advances(frame.tool[i].deviceTime_us); // also between trials
         if (isNew && m_inTrial && m_time.started())
             appendTool(frame, i);
+        if (m_inTrial && frame.header.paused == 0)
+            hold(i);
     }
+}
+
+/// A tick that the newest sample had.
+void TraceAssembler::hold(std::size_t index) {
+    std::vector<std::uint32_t>& held = m_trials.back().tools[index].heldTicks;
+    ++(held.empty() ? m_ticksBefore[index] : held.back());
 }
 
 void TraceAssembler::appendTool(const core::HapticFrame& frame, std::size_t index) {
@@ -63,6 +72,7 @@ void TraceAssembler::appendTool(const core::HapticFrame& frame, std::size_t inde
     trace.tissue_N.push_back(forceOf(tool.tissue));
     trace.commanded_N.push_back(forceOf(tool.commanded));
     trace.paused.push_back(frame.header.paused);
+    trace.heldTicks.push_back(std::exchange(m_ticksBefore[index], 0));
     if (m_orientations && m_orientations->turns(static_cast<int>(index))) {
         trace.q_WT.push_back(m_orientations->q_WT(static_cast<int>(index), tool));
         trace.tissueTorque_Nm.push_back(torqueOf(tool.tissue));

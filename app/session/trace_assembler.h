@@ -48,6 +48,7 @@ private:
     void begin(const core::HapticFrame& frame);
     void append(const core::HapticFrame& frame);
     void appendTool(const core::HapticFrame& frame, std::size_t tool);
+    void hold(std::size_t tool); ///< one more running tick for the newest sample
     void end(const core::HapticFrame& frame);
 
     const recording::IPositionOf& m_positions;
@@ -56,6 +57,7 @@ private:
     bool m_inTrial = false;
     DeviceTime m_time;
     std::array<SampleClock, core::kMaxTools> m_clocks{};
+    std::array<std::uint32_t, core::kMaxTools> m_ticksBefore{}; ///< running ticks of the trial before its first sample
     core::ToolFrame m_lastGood{}; ///< of tool 0: where a mark is taken
     std::vector<scoring::TrialTrace> m_trials;
 };

@@ -26,6 +26,9 @@ struct ToolTrace {
     std::vector<std::uint8_t> paused;    ///< 1: left out of every metric
     std::vector<core::Quat> q_WT; ///< unit; empty where orientation means nothing (a Cartesian device, a file without it)
     std::vector<core::Vec3> tissueTorque_Nm; ///< about the tip, on the tool, at the stored 0.01 mN·m; empty as q_WT
+    /// Running ticks (no pause) that had the sample as their newest: what the scene counted with it, whatever the device's
+    /// clock says. From recordings only; empty in a trace file, and on the stored grids, where nothing is stepped any more.
+    std::vector<std::uint32_t> heldTicks;
 };
 
 /// What the tool did with respect to a canal, sample by sample of tool 0: derived from stored poses and wrenches by the

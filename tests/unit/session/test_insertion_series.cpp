@@ -42,6 +42,8 @@ private slots:
     void torqueIsTakenAboutTheAxis();
     void pausedSamplesMoveNothing();
     void landmarksGetTheirTimes();
+    void ticksCountNotTheDevicesClock();
+    void ticksOfASlowDevice();
     void levelsNumbersGoAlong();
 };
 
@@ -120,6 +122,53 @@ void TestInsertionSeries::landmarksGetTheirTimes() {
     const auto series = *session::insertionSeries(p, along(p, held(0.155, 400)));
     QVERIFY(std::isnan(series.landmarkSeen_s[0]));
     QVERIFY(std::abs(series.landmarkSeen_s[1] - 0.300) < 1e-9);
+}
+
+// Level ends at its last landmark, on a device whose clock runs 0.03 % slow: after 300 ticks it has counted 299.9 ms.
+void TestInsertionSeries::ticksCountNotTheDevicesClock() {
+    UrethraInsertionParameters p = tests::wholeProcedure();
+    p.landmarks = {{"ahead", 0.0, 0.0}};
+    p.withdraws = false;
+    for (const double clock : {0.9997, 1.0, 1.0003, 0.5}) {
+        simulation::UrethraInsertionScene scene(p); // what live says
+        realtime::TickSource source;
+        simulation::SceneInput in;
+        simulation::SceneOutput out;
+        in.tools.count = 1;
+        in.tools.tools[0] = tests::onTheLine(p, 0.155);
+        in.started = in.forceReady = true;
+        std::size_t samples = 0;
+        while ((out.events & core::event_bits::kCompleted) == 0 && samples < 2000) {
+            scene.respond(source.next(0), in, out);
+            samples += out.phase == core::TrialPhase::running;
+        }
+        QVERIFY((out.events & core::event_bits::kLandmarkSeen) != 0);
+        scoring::TrialTrace trial = along(p, held(0.155, samples));
+        for (double& t_s : trial.tools[0].t_s)
+            t_s *= clock;
+        trial.tools[0].heldTicks.assign(samples, 1);
+        const auto series = *session::insertionSeries(p, trial);
+        QCOMPARE(series.landmarkSeen_s[0], trial.tools[0].t_s.back());
+        QCOMPARE(series.stage.back(), static_cast<std::uint8_t>(ProcedureStage::completed));
+        QVERIFY(series.stage[samples - 2] != series.stage.back()); // nor a tick earlier
+    }
+}
+
+// Packets of 8 ms: seen amid one, it is seen at the sample that was held; ticks without any are no time.
+void TestInsertionSeries::ticksOfASlowDevice() {
+    UrethraInsertionParameters p = tests::wholeProcedure();
+    p.landmarks = {{"ahead", 0.0, 0.0}};
+    p.withdraws = false;
+    scoring::TrialTrace trial = along(p, held(0.155, 38));
+    for (std::size_t i = 0; i < 38; ++i)
+        trial.tools[0].t_s[i] = 0.0081 * static_cast<double>(i);
+    trial.tools[0].heldTicks.assign(38, 8);
+    trial.tools[0].heldTicks.back() = 5; // 1 that begins, 300 that count
+    auto series = *session::insertionSeries(p, trial);
+    QCOMPARE(series.landmarkSeen_s[0], trial.tools[0].t_s.back());
+    trial.tools[0].heldTicks[7] = 0; // paused
+    series = *session::insertionSeries(p, trial);
+    QVERIFY(std::isnan(series.landmarkSeen_s[0]));
 }
 
 void TestInsertionSeries::levelsNumbersGoAlong() {
