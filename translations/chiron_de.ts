@@ -886,6 +886,14 @@ Einzelheiten: %2</translation>
         <source>Went back by %1</source>
         <translation>Um %1 zurückgegangen</translation>
     </message>
+    <message>
+        <source>Off the middle for %1, up to %2</source>
+        <translation>%1 neben der Mitte, bis %2</translation>
+    </message>
+    <message>
+        <source>Torque over its limit for %1, up to %2</source>
+        <translation>Drehmoment %1 über seiner Grenze, bis %2</translation>
+    </message>
 </context>
 <context>
     <name>QDialogButtonBox</name>

@@ -886,6 +886,14 @@ Details: %2</source>
         <source>Went back by %1</source>
         <translation>Οπισθοχώρηση κατά %1</translation>
     </message>
+    <message>
+        <source>Off the middle for %1, up to %2</source>
+        <translation>Εκτός του μέσου για %1, ως %2</translation>
+    </message>
+    <message>
+        <source>Torque over its limit for %1, up to %2</source>
+        <translation>Ροπή πάνω από το όριό της για %1, ως %2</translation>
+    </message>
 </context>
 <context>
     <name>QDialogButtonBox</name>

@@ -3,6 +3,7 @@
 
 #include "core/endoscope_cues.h"
 #include "scoring/insertion_events.h"
+#include "scoring/insertion_moments.h"
 #include "scoring/trace_columns.h"
 #include "scoring/trace_grid.h"
 
@@ -29,13 +30,16 @@ void addEvents(PlaybackTrack& track, int trial, PlaybackMarkKind kind,
     }
 }
 
-/// The words of the stages that a trial went through, the first one and the end left out: one for each stageChanged mark.
+/// The words of the stages that a trial went through, where it waits outside and the end left out: one for each stageChanged mark.
+/// Before its first sample every trial is outside; one that begins with the beak in changes at that very sample.
 std::vector<std::string> stagesOf(const scoring::InsertionSeries& series) {
     std::vector<std::string> stages;
-    for (std::size_t i = 1; i < series.stage.size(); ++i) {
-        const auto stage = static_cast<core::ProcedureStage>(series.stage[i]);
-        if (series.stage[i] != series.stage[i - 1] && stage != core::ProcedureStage::completed)
+    auto last = core::ProcedureStage::outside;
+    for (const std::uint8_t value : series.stage) {
+        const auto stage = static_cast<core::ProcedureStage>(value);
+        if (stage != last && stage != core::ProcedureStage::completed)
             stages.emplace_back(scoring::stageName(stage));
+        last = stage;
     }
     return stages;
 }
@@ -64,9 +68,32 @@ void completeMarks(PlaybackTrack& track, int trial, const scoring::InsertionSeri
     }
 }
 
+/// Only what a sample alone can exceed: a mean over the trial has no moment.
+void addStretches(PlaybackTrack& track, const scoring::TrialTrace& trial, std::span<const scoring::Gate> gates) {
+    for (const scoring::Gate& gate : gates) {
+        if (!gate.maximum)
+            continue;
+        if (gate.metric == "offset_max")
+            addEvents(track, trial.trial, PlaybackMarkKind::offCentre,
+                      scoring::stretchesOver(trial, scoring::InsertionQuantity::offset, *gate.maximum));
+        if (gate.metric == "torque_max")
+            addEvents(track, trial.trial, PlaybackMarkKind::overTorque,
+                      scoring::stretchesOver(trial, scoring::InsertionQuantity::torque, *gate.maximum));
+    }
+}
+
+void addPeaks(PlaybackTrack& track, const scoring::TrialTrace& trial) {
+    using scoring::InsertionQuantity;
+    for (const InsertionQuantity quantity : {InsertionQuantity::offset, InsertionQuantity::alignment,
+                                             InsertionQuantity::bendAlignment, InsertionQuantity::torque})
+        if (const auto largest = scoring::largestOf(trial, quantity))
+            track.peaks.push_back({quantity, trial.trial, largest->begin_s, largest->value});
+}
+
 } // namespace
 
-core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::SessionTrace& trace) {
+core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::SessionTrace& trace,
+                                     std::span<const scoring::Gate> gates) {
     const auto scored = scoring::onStoredGrids(trace);
     if (!scored)
         return tl::unexpected(scored.error());
@@ -77,6 +104,8 @@ core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::Sessio
         const scoring::InsertionEvents events = scoring::insertionEvents(trial);
         addEvents(track, trial.trial, PlaybackMarkKind::trauma, events.trauma);
         addEvents(track, trial.trial, PlaybackMarkKind::reversal, events.reversals);
+        addStretches(track, trial, gates);
+        addPeaks(track, trial);
     }
     std::stable_sort(track.marks.begin(), track.marks.end(),
                      [](const PlaybackMark& a, const PlaybackMark& b) { return a.t_s < b.t_s; });

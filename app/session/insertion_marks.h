@@ -2,15 +2,20 @@
 #pragma once
 
 #include "core/result.h"
+#include "scoring/score_card.h"
 #include "scoring/trace.h"
 #include "session/playback_track.h"
+
+#include <span>
 
 namespace chiron::session {
 
 /// Adds to a track what the scores of an insertion count, from the same list (scoring/insertion_events.h), so that each
-/// penalty can be looked at: trauma events and reversals with their ends and sizes. Tells the marks that are there already
+/// penalty can be looked at: trauma events, reversals and the stretches beyond what the level's gates on offset_max and
+/// torque_max allow, with their ends and sizes. Notes each trial's largest offset, misalignment and torque. Tells the marks that are there already
 /// which stage began and how many landmarks had been seen. Marks stay in the order of time; nothing changes where no trial
 /// has an insertion series. Failure: a trace that cannot be scored (trace_grid.h).
-core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::SessionTrace& trace);
+core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::SessionTrace& trace,
+                                     std::span<const scoring::Gate> gates);
 
 } // namespace chiron::session

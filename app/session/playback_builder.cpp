@@ -181,7 +181,7 @@ core::Result<PlaybackTrack> buildPlaybackTrack(StoredSession& session, const Pla
     auto trace = session.trace(); // what is scored from the whole of it is marked from the same
     if (!trace)
         return tl::unexpected(trace.error());
-    if (auto done = addInsertionMarks(track, *trace); !done)
+    if (auto done = addInsertionMarks(track, *trace, session.setup().level.gates); !done)
         return tl::unexpected(done.error());
     addInsertion(track, *trace);
     return track;

@@ -22,7 +22,8 @@ double tissueOf(const core::ToolFrame& tool) {
 
 bool isPenalty(PlaybackMarkKind kind) noexcept {
     return kind == PlaybackMarkKind::overLimit || kind == PlaybackMarkKind::timedOut || kind == PlaybackMarkKind::fault ||
-           kind == PlaybackMarkKind::trauma || kind == PlaybackMarkKind::reversal;
+           kind == PlaybackMarkKind::trauma || kind == PlaybackMarkKind::reversal || kind == PlaybackMarkKind::offCentre ||
+           kind == PlaybackMarkKind::overTorque;
 }
 
 PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind, int tool) {

@@ -30,6 +30,8 @@ enum class PlaybackMarkKind : std::uint8_t {
     landmarkSeen, ///< value: how many until then
     trauma,       ///< penalty: force across the canal over the level's limit, from t_s to end_s; value: the largest, N
     reversal,     ///< penalty: the tip went back during the insertion, from t_s to end_s; value: how far, m
+    offCentre,    ///< penalty: farther from the centre-line than the level's gate allows, from t_s to end_s; value: the largest, m
+    overTorque,   ///< penalty: torque over the level's gate, from t_s to end_s; value: the largest, N·m
 };
 
 /// `detail` of a time-out of a procedure, which nobody marks.
@@ -49,7 +51,7 @@ struct PlaybackMark {
     std::string detail;
 };
 
-/// Whether it costs: over the limit, timed out, a fault, trauma, a reversal.
+/// Whether it costs: over the limit, timed out, a fault, trauma, a reversal, off centre, torque.
 bool isPenalty(PlaybackMarkKind kind) noexcept;
 
 /// Stored frames -> marks, in the order of time, by the rules of EventExtractor, so that playback tells what the database

@@ -5,6 +5,7 @@
 #include "core/session_state.h"
 #include "core/tool_state.h"
 #include "database/actor.h"
+#include "scoring/insertion_moments.h"
 #include "session/playback_insertion.h"
 #include "session/playback_mark.h"
 #include "session/trial_surfaces.h"
@@ -53,6 +54,15 @@ struct PlaybackTrial {
     std::optional<TrialObject> object;      ///< the truth
 };
 
+/// Where a quantity of an insertion was largest in a trial, among the samples that its metrics take: exact, at the recording's own
+/// rate, where `insertion` has one sample in four.
+struct PlaybackPeak {
+    scoring::InsertionQuantity quantity = scoring::InsertionQuantity::offset;
+    int trial = 0;
+    double t_s = 0.0;
+    double value = 0.0; ///< SI, as the quantity says
+};
+
 struct PlaybackSpan {
     double begin_s = 0.0;
     double end_s = 0.0;
@@ -84,6 +94,7 @@ public:
     std::vector<PlaybackTrial> trials;
     std::vector<PlaybackSpan> paused; ///< left out of every metric
     std::vector<PlaybackMark> marks;  ///< by time
+    std::vector<PlaybackPeak> peaks;  ///< of trials through a canal
     double duration_s = 0.0;          ///< device time of the last frame
     std::optional<PlaybackInsertion> insertion; ///< exercises with an endoscope whose recording tells how it was turned
 

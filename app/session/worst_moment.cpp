@@ -93,6 +93,22 @@ std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkK
     return worst;
 }
 
+/// Where a quantity was largest in any trial, in its metrics' unit.
+std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, scoring::InsertionQuantity quantity) {
+    const PlaybackPeak* found = nullptr;
+    for (const PlaybackPeak& peak : track.peaks)
+        if (peak.quantity == quantity && (found == nullptr || peak.value > found->value))
+            found = &peak;
+    if (found == nullptr)
+        return std::nullopt;
+    WorstMoment worst;
+    worst.t_s = found->t_s;
+    worst.trial = found->trial;
+    worst.value = scoring::inMetricUnit(quantity, found->value);
+    worst.unit = scoring::metricUnitOf(quantity);
+    return worst;
+}
+
 std::optional<WorstMoment> ofGate(const PlaybackTrack& track, const scoring::ScoreCard& card, const scoring::Gate& gate) {
     if (startsWith(gate.metric, "force_"))
         return largestForce(track);
@@ -102,6 +118,9 @@ std::optional<WorstMoment> ofGate(const PlaybackTrack& track, const scoring::Sco
         return largestMark(track, PlaybackMarkKind::trauma, 1.0, "N");
     if (gate.metric == "reversals")
         return largestMark(track, PlaybackMarkKind::reversal, 1e3, "mm");
+    if (const auto quantity = scoring::insertionQuantityOf(gate.metric))
+        if (auto worst = largestPeak(track, *quantity))
+            return worst;
     return worstTrial(track, card, gate);
 }
 

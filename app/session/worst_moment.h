@@ -21,7 +21,8 @@ struct WorstMoment {
 };
 
 /// Where the first failed gate was missed most: for a force metric the largest tissue force; for an apex metric the answer of
-/// the trial that was farthest off; for trauma events and reversals the largest one's beginning; for any other the end of the trial with the worst value. Without a failed gate the
+/// the trial that was farthest off; for trauma events and reversals the largest one's beginning; for offset,
+/// alignment and torque of an insertion the sample where it was largest, of means too; for any other the end of the trial with the worst value. Without a failed gate the
 /// largest tissue force of all trials. Pauses and the time between trials do not count. Nothing on a track
 /// without a trial. Pure.
 std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring::ScoreCard& card,

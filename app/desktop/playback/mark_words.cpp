@@ -80,6 +80,10 @@ QString markText(const session::PlaybackMark& mark, const QLocale& locale) {
         return Words::tr("Pressed on the wall for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
     case PlaybackMarkKind::reversal:
         return Words::tr("Went back by %1").arg(report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mm"), locale));
+    case PlaybackMarkKind::offCentre:
+        return Words::tr("Off the middle for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mm"), locale));
+    case PlaybackMarkKind::overTorque:
+        return Words::tr("Torque over its limit for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mN·m"), locale));
     }
     return {};
 }
@@ -103,6 +107,8 @@ QString markIcon(PlaybackMarkKind kind) {
     case PlaybackMarkKind::landmarkSeen: return QStringLiteral("view-visible");
     case PlaybackMarkKind::trauma: return QStringLiteral("dialog-warning");
     case PlaybackMarkKind::reversal: return QStringLiteral("edit-undo");
+    case PlaybackMarkKind::offCentre: return QStringLiteral("dialog-warning");
+    case PlaybackMarkKind::overTorque: return QStringLiteral("dialog-warning");
     }
     return {};
 }

@@ -7,13 +7,6 @@ namespace chiron::scoring {
 
 namespace {
 
-constexpr double kBendHalf_nm = 10e6; // 10 mm either way: where the bend's forces set in (models.md §1.2, a_i)
-
-/// In whole nm, so that both ends belong to it.
-bool isAtBend(const InsertionSeries& series, std::size_t i) {
-    return std::abs(std::nearbyint(series.s_m[i] * 1e9) - std::nearbyint(series.bend_m * 1e9)) <= kBendHalf_nm;
-}
-
 Measurement measure(std::span<const PreparedTrial> trials) {
     if (auto why = withoutCanal(trials))
         return *why;

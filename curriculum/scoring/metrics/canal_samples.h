@@ -32,6 +32,14 @@ inline bool isInUrethra(const InsertionSeries& series, std::size_t i) {
     return series.s_m[i] >= 0.0 && series.s_m[i] <= series.length_m;
 }
 
+/// Half the stretch that counts as the bend: there its forces set in (models.md §1.2, a_i).
+inline constexpr double kBendHalf_nm = 10e6;
+
+/// Whether the tip is within 10 mm of s_B; in whole nm, so that both ends belong to it.
+inline bool isAtBend(const InsertionSeries& series, std::size_t i) {
+    return std::abs(std::nearbyint(series.s_m[i] * 1e9) - std::nearbyint(series.bend_m * 1e9)) <= kBendHalf_nm;
+}
+
 /// Calls visit(series, i) for each unpaused sample of tool 0. Only where withoutCanal() has nothing to say.
 template <class Visit> void forEachCanalSample(std::span<const PreparedTrial> trials, Visit&& visit) {
     for (const PreparedTrial& trial : trials)
