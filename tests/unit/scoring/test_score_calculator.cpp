@@ -1,84 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "traces.h"
-
-#include "scoring/trace_builder.h"
-#include "scoring/trace_csv.h"
-
-#include "core/random.h"
+#include "busy_session.h"
 
 #include <QtTest>
-#include <bit>
 #include <set>
 
 using namespace chiron;
 using namespace chiron::scoring;
+using traces::busySession;
+using traces::everyMetric;
 using traces::sampled;
 using traces::session;
 using traces::Vec3;
 
 namespace {
-
-/// Three trials of two tools with unrounded doubles, a pause and packets read twice.
-SessionTrace busySession() {
-    core::Random random(21);
-    SessionTrace trace;
-    trace.exercise = "sphere_apex";
-    trace.forceLimit_N = 1.5;
-    for (int k = 0; k < 3; ++k) {
-        TrialTrace trial;
-        trial.trial = k;
-        for (int toolIndex = 0; toolIndex < 2; ++toolIndex) {
-            ToolTrace tool = sampled(
-                3.0, 0.001,
-                [&](double t) {
-                    return Vec3(0.03 * std::sin(3 * t + k), 0.02 * std::cos(2 * t),
-                                0.01 + 1e-5 * random.normal());
-                },
-                [&](double t) {
-                    return Vec3(0.1 * random.normal(), 0.0, std::max(0.0, 2.0 * std::sin(4.0 * t)));
-                });
-            for (double& t : tool.t_s)
-                t += 5.0 * k + 1e-8 * random.normal();
-            for (std::size_t i = 1500; i < 1700; ++i)
-                tool.paused[i] = 1;
-            tool.t_s[40] = tool.t_s[39];
-            tool.commanded_N = tool.tissue_N;
-            trial.tools.push_back(std::move(tool));
-        }
-        trial.marked = k != 2;
-        trial.timedOut = k == 2;
-        trial.markInContact = true;
-        trial.p_WMark_m = trial.tools[0].p_WT_m.back();
-        trial.apex = ApexTruth{0.03 * random.uniform(), -0.03 * random.uniform(), 0.020};
-        trace.trials.push_back(std::move(trial));
-    }
-    return trace;
-}
-
-std::vector<MetricRequest> everyMetric() {
-    std::vector<MetricRequest> all;
-    for (const MetricDefinition& metric : metricCatalogue())
-        all.push_back({std::string(metric.id), metric.version});
-    return all;
-}
-
-bool sameBits(const std::optional<double>& a, const std::optional<double>& b) {
-    return a.has_value() == b.has_value() &&
-           (!a || std::bit_cast<std::uint64_t>(*a) == std::bit_cast<std::uint64_t>(*b));
-}
-
-bool sameScores(const ScoreCard& a, const ScoreCard& b) {
-    if (a.metrics.size() != b.metrics.size() || a.trials.size() != b.trials.size() || a.passed != b.passed)
-        return false;
-    for (std::size_t i = 0; i < a.metrics.size(); ++i)
-        if (!sameBits(a.metrics[i].value, b.metrics[i].value))
-            return false;
-    for (std::size_t k = 0; k < a.trials.size(); ++k)
-        for (std::size_t i = 0; i < a.trials[k].size(); ++i)
-            if (!sameBits(a.trials[k][i].value, b.trials[k][i].value))
-                return false;
-    return true;
-}
 
 Gate gate(const std::string& metric, std::optional<double> minimum, std::optional<double> maximum) {
     return {metric, minimum, maximum};
@@ -99,10 +33,6 @@ private slots:
     void gateOnAbsentValueDoesNotHold();
     void gatedMetricIsAdded();
     void bothEndsOfAGateCount();
-    void sameTraceSameBits();
-    void exportedTraceScoresTheSame();
-    void storedGridsAreIdempotent();
-    void repeatedPacketsChangeNothing();
 };
 
 void TestScoreCalculator::catalogueIsComplete() {
@@ -241,64 +171,6 @@ void TestScoreCalculator::bothEndsOfAGateCount() {
     const std::vector<Gate> gates{gate("force_max", {}, 100.0), gate("force_max", 99.0, {})};
     const auto card = calculateScore(busySession(), {}, gates, true);
     QVERIFY(!card->passed && !card->metrics[0].passed.value());
-}
-
-void TestScoreCalculator::sameTraceSameBits() {
-    const auto all = everyMetric();
-    QVERIFY(sameScores(*calculateScore(busySession(), all, {}, true),
-                       *calculateScore(busySession(), all, {}, true)));
-}
-
-// cli.md: the same score live and from the exported trace.
-void TestScoreCalculator::exportedTraceScoresTheSame() {
-    const auto all = everyMetric();
-    const auto trace = busySession();
-    const auto live = calculateScore(trace, all, {}, true);
-    const std::string csv = writeTraceCsv(rowsOf(trace));
-    const auto rows = readTraceCsv(csv, "exported.csv");
-    QVERIFY2(rows.has_value(), rows ? "" : rows.error().message.c_str());
-    const auto again = buildSessionTrace(*rows, "sphere_apex");
-    QVERIFY(again.has_value());
-    QCOMPARE(again->forceLimit_N, 1.5);
-    const auto fromFile = calculateScore(*again, all, {}, true);
-    QVERIFY(fromFile.has_value());
-    QVERIFY(sameScores(*live, *fromFile));
-    QVERIFY(writeTraceCsv(*rows) == csv);
-    for (const auto& metric : live->metrics) { // the comparison above was about numbers
-        const bool needsCanal =
-            metric.reason == "the trace has no insertion data" || metric.reason == "the trace has no torques";
-        QVERIFY2(metric.value.has_value() != needsCanal, metric.id.c_str());
-    }
-}
-
-void TestScoreCalculator::storedGridsAreIdempotent() {
-    core::Random random(3);
-    for (int i = 0; i < 100000; ++i) {
-        const double x = random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-9.0, 2.0));
-        for (const auto& grid : {onMicroseconds, onNanometres, onMillinewtons}) {
-            const double once = grid(x);
-            QCOMPARE(std::bit_cast<std::uint64_t>(grid(once)), std::bit_cast<std::uint64_t>(once));
-        }
-        QVERIFY(std::abs(onNanometres(x) - x) <= 0.5e-9 * (1.0 + 1e-6));
-    }
-    QVERIFY(!std::signbit(onNanometres(-1e-12)));
-}
-
-void TestScoreCalculator::repeatedPacketsChangeNothing() {
-    const auto all = everyMetric();
-    auto trace = busySession();
-    const auto before = calculateScore(trace, all, {}, true);
-    for (auto& trial : trace.trials)
-        for (auto& tool : trial.tools)
-            for (std::size_t at : {std::size_t{100}, std::size_t{2000}}) {
-                const auto i = static_cast<std::ptrdiff_t>(at);
-                tool.t_s.insert(tool.t_s.begin() + i, tool.t_s[at - 1]);
-                tool.p_WT_m.insert(tool.p_WT_m.begin() + i, Vec3(tool.p_WT_m[at - 1]));
-                tool.tissue_N.insert(tool.tissue_N.begin() + i, Vec3(9.0, 9.0, 9.0));
-                tool.commanded_N.insert(tool.commanded_N.begin() + i, Vec3::Zero().eval());
-                tool.paused.insert(tool.paused.begin() + i, std::uint8_t{0});
-            }
-    QVERIFY(sameScores(*before, *calculateScore(trace, all, {}, true)));
 }
 
 QTEST_APPLESS_MAIN(TestScoreCalculator)
