@@ -22,6 +22,7 @@ constexpr double kAxialTorqueLimit_Nm = 0.010; // about the endoscope's axis: P1
 constexpr double kOffsetAxis_mm = 3.0;
 constexpr double kAlignmentAxis_deg = 20.0;
 constexpr double kPlotsSideBySide_px = 330;
+constexpr double kPlotHeight_px = 64; // at least: all four are seen in a small window, and grow with a larger one
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 core::Vec3 vec(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
@@ -90,11 +91,12 @@ void InsertionPanel::addForces(const simulation::UrethraInsertionParameters& par
         return;
     const double force_N = parameters.maximumForce_N;
     const double torque_mNm = parameters.maximumTorque_Nm * 1e3;
-    addComponents(tr("Forces on the endoscope (N)"), m_force,
+    m_column->addWidget(kit::label(m_theme, tr("Forces (N) and torques (mN·m) on the endoscope"), TextStyle::small, "muted"));
+    addComponents(m_force,
                   {component("training.force_x", tr("Fx"), tr("Force along x, to the side"), tr("N"), force_N, 2),
                    component("training.force_y", tr("Fy"), tr("Force along y, upwards"), tr("N"), force_N, 2),
                    component("training.force_z", tr("Fz"), tr("Force along z, into the patient"), tr("N"), force_N, 2)});
-    addComponents(tr("Torques on the endoscope (mN·m)"), m_torque,
+    addComponents(m_torque,
                   {component("training.torque_x", tr("Tx"), tr("Torque about x"), tr("mN·m"), torque_mNm, 0),
                    component("training.torque_y", tr("Ty"), tr("Torque about y"), tr("mN·m"), torque_mNm, 0),
                    component("training.torque_z", tr("Tz"), tr("Torque about the endoscope's axis"), tr("mN·m"), kAxialTorqueLimit_Nm * 1e3, 1)});
@@ -107,8 +109,7 @@ SignedBar* InsertionPanel::component(const char* name, const QString& sign, cons
     return bar;
 }
 
-void InsertionPanel::addComponents(const QString& heading, std::array<SignedBar*, 3>& into, std::array<SignedBar*, 3> bars) {
-    m_column->addWidget(kit::label(m_theme, heading, TextStyle::small, "muted"));
+void InsertionPanel::addComponents(std::array<SignedBar*, 3>& into, std::array<SignedBar*, 3> bars) {
     auto* row = new QHBoxLayout;
     row->setSpacing(m_theme.px(10));
     for (SignedBar* bar : bars)
@@ -143,6 +144,7 @@ QLabel* InsertionPanel::addNumber(const QString& name, const char* objectName, Q
 LivePlot* InsertionPanel::plot(const char* name, const QString& title, double top, std::optional<double> limit) {
     auto* made = new LivePlot(m_theme, m_locale, title, top, limit);
     made->setObjectName(QLatin1String(name));
+    made->setMinimumHeight(m_theme.px(kPlotHeight_px));
     return made;
 }
 

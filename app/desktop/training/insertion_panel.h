@@ -31,7 +31,7 @@ public:
 private:
     void addStage();
     void addForces(const simulation::UrethraInsertionParameters& parameters);
-    void addComponents(const QString& heading, std::array<SignedBar*, 3>& into, std::array<SignedBar*, 3> bars);
+    void addComponents(std::array<SignedBar*, 3>& into, std::array<SignedBar*, 3> bars);
     SignedBar* component(const char* name, const QString& sign, const QString& spoken, const QString& unit, double limit, int decimals);
     void addNumbers();
     QLabel* addNumber(const QString& name, const char* objectName, QGridLayout& grid, int row, int column);

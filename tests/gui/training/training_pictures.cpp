@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QScreen>
 #include <cstdio>
+#include <utility>
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -131,9 +132,9 @@ int main(int argc, char** argv) {
         bench.desktop.settings.setLanguage(QLatin1String(look.language));
         bench.desktop.context.applyAppearance();
         Album album(bench, folder, look.name);
-        for (const char* exercise : {"sphere_apex", "urethra_insertion"}) {
+        for (const auto& [exercise, name] : {std::pair{"sphere_apex", "setup"}, std::pair{"urethra_insertion", "setup_urethra"}}) {
             bench.desktop.go(QStringLiteral("exercise_setup"), {{QStringLiteral("exercise"), QLatin1String(exercise)}});
-            album.take(exercise, 800);
+            album.take(name, 800);
         }
         takeUrethra(bench, album);
         leave(bench);
