@@ -13,7 +13,6 @@ namespace chiron::scene3d::samples {
 /// The parameters' defaults, five landmarks, everything shown.
 inline SceneSetup urethraSetup() {
     simulation::UrethraInsertionParameters p;
-    p.mesh.perPatch = 4;
     p.landmarks = {{"dome", 0.349, -1.571},
                    {"left_wall", 1.5, 3.0},
                    {"right_wall", 1.5, 0.15},

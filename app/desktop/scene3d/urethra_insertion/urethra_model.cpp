@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene3d/urethra_insertion/urethra_model.h"
 
+#include <algorithm>
+
 namespace chiron::scene3d {
 
 namespace {
+
+/// At most 4 × 4 a patch: at 8 × 8 nothing more is seen, and a software rasteriser works on four times the vertices.
+simulation::UrethraMeshSettings drawnMesh(simulation::UrethraMeshSettings mesh) {
+    mesh.perPatch = std::min(mesh.perPatch, 4);
+    return mesh;
+}
 
 constexpr double kBehind_m = 0.015; // of the canal behind the tip, that a camera turned to the side may see
 
@@ -16,7 +24,7 @@ void addEntity(Qt3DRender::QGeometryRenderer* shape, Qt3DRender::QMaterial* mate
 } // namespace
 
 UrethraModel::UrethraModel(const simulation::UrethraInsertionParameters& parameters, Qt3DCore::QNode* owner)
-    : m_drawing(parameters), m_surface(parameters.anatomy, parameters.endoscope, parameters.mesh),
+    : m_drawing(parameters), m_surface(parameters.anatomy, parameters.endoscope, drawnMesh(parameters.mesh)),
       m_lining(m_drawing, ring(0), ring(m_surface.vertexCount() - m_surface.ringSize())), m_buffers(m_surface, owner),
       m_bladder(new MeshRenderer(m_lining.bladder(), owner)),
       m_neck(new MeshRenderer(m_lining.neck(ring(m_surface.vertexCount() - m_surface.ringSize())), owner)),
