@@ -42,6 +42,7 @@ private slots:
     void rowsAreTheModel();
     void everyParameterReachesTheModel();
     void axisMayHaveAnyLengthButNone();
+    void impossibleUrethrasAreRefused();
 };
 
 void TestUrethraForcesLaw::isListed() {
@@ -106,6 +107,25 @@ void TestUrethraForcesLaw::axisMayHaveAnyLengthButNone() {
     QVERIFY(std::abs(rowOf({}, motion)["torque_x_Nm"] - torque) < 1e-15 && torque != 0.0);
     motion.axis_A.setZero();
     QVERIFY(std::isnan(rowOf({}, motion)["torque_x_Nm"]));
+}
+
+// Each of these reads as a number in its own range, and no urethra can be like it.
+void TestUrethraForcesLaw::impossibleUrethrasAreRefused() {
+    const UrethraForces forces({}, {});
+    const EndoscopeMotion motion = motionAt(forces.centreline(), {0.080, 0.001, 0.0, 0.3, 0.0});
+    const std::vector<Values> impossible{{{"change_length_m", 0.005}},
+                                         {{"change_length_m", 0.012}, {"change_edge_m", 0.020}},
+                                         {{"change_length_m", 0.012}, {"change_centre_m", 0.250}},
+                                         {{"free_length_m", 0.200}},
+                                         {{"free_length_m", 0.004}, {"free_blend_m", 0.004}, {"angular_corner_m", 0.005}},
+                                         {{"free_length_m", 0.030}, {"free_blend_m", 0.031}},
+                                         {{"bladder_opening_rad", 0.02}},
+                                         {{"radius_m", 0.006}, {"curvature_per_m", 100.0}}};
+    for (const Values& values : impossible)
+        for (const auto& [name, value] : rowOf(values, motion))
+            QVERIFY2(std::isnan(value), (values.begin()->first + ": " + name).c_str());
+    for (const auto& [name, value] : rowOf({{"free_length_m", 0.005}, {"free_blend_m", 0.005}, {"angular_corner_m", 0.005}}, motion))
+        QVERIFY2(std::isfinite(value), name.c_str());
 }
 
 QTEST_APPLESS_MAIN(TestUrethraForcesLaw)

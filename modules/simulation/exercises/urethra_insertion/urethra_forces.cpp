@@ -65,11 +65,11 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
     UrethraResponse r;
     r.foot = m_centreline.foot(motion.p_A);
     const CentrelinePoint& at = r.foot.at;
-    const double k_phi = tables.angular.value_Nm_per_rad(at.s_m);
-    orient(r, a, k_phi);
     const BladderResponse bladder = tables.bladder.respond(motion.p_A);
     r.bladder_A = bladder.force_A;
     r.touching = at.s_m > -tables.ahead_m || bladder.energy_J > 0.0;
+    const double k_phi = r.touching ? tables.angular.value_Nm_per_rad(at.s_m) : 0.0; // nothing outside the body
+    orient(r, a, k_phi);
     if (!r.touching)
         return r;
     const UrethraSectionSums sums = sumUrethraSections(tables, at.s_m, r.foot.ex_m, r.foot.en_m);

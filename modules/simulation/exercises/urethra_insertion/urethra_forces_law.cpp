@@ -2,6 +2,7 @@
 #include "simulation/exercises/urethra_insertion/urethra_forces_law.h"
 
 #include "simulation/exercises/urethra_insertion/urethra_forces.h"
+#include "simulation/geometry/urethra/urethra_validity_setup.h"
 
 #include <array>
 #include <limits>
@@ -137,10 +138,14 @@ UrethraAnatomy anatomyFrom(std::span<const double> p) noexcept {
     return anatomy;
 }
 
-void evaluate(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+Endoscope endoscopeFrom(std::span<const double> p) noexcept {
     Endoscope endoscope;
     for (std::size_t i = 0; i < kEndoscope.size(); ++i)
         endoscope.*kEndoscope[i].member = p[kEndoscopeFrom + i];
+    return endoscope;
+}
+
+UrethraForceSettings settingsFrom(std::span<const double> p) noexcept {
     UrethraForceSettings settings;
     for (std::size_t i = 0; i < kSettings.size(); ++i)
         settings.*kSettings[i].member = p[kSettingsFrom + i];
@@ -148,16 +153,10 @@ void evaluate(std::span<const double> p, std::span<const double> in, std::span<d
         settings.sections = ForceSections::p1Basic;
         settings.basicSections = static_cast<int>(basic);
     }
-    const core::Vec3 axis(in[3], in[4], in[5]);
-    const double length = axis.norm();
-    if (!(length > 0.0)) { // an endoscope that looks nowhere
-        for (double& value : out)
-            value = std::numeric_limits<double>::quiet_NaN();
-        return;
-    }
-    const UrethraForces forces(anatomyFrom(p), endoscope, settings);
-    const UrethraResponse r = forces.respond({core::Vec3(in[0], in[1], in[2]), axis / length,
-                                              core::Vec3(in[6], in[7], in[8]), core::Vec3(in[9], in[10], in[11])});
+    return settings;
+}
+
+void write(const UrethraResponse& r, std::span<double> out) noexcept {
     const core::Array6 whole = core::toArray(r.wrench_A);
     const std::array<double, kOutputs.size()> values{
         r.foot.at.s_m,   r.foot.ex_m,     r.foot.en_m,     r.phiX_rad,     r.phiY_rad,
@@ -167,6 +166,23 @@ void evaluate(std::span<const double> p, std::span<const double> in, std::span<d
         whole[5],        r.energy_J,      r.stiffness_N_per_m, r.bladder_A.norm(), r.touching ? 1.0 : 0.0};
     for (std::size_t i = 0; i < values.size(); ++i)
         out[i] = values[i];
+}
+
+/// Not a number for an endoscope that looks nowhere and for a urethra that cannot be, as the geometry's laws answer.
+void evaluate(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+    const core::Vec3 axis(in[3], in[4], in[5]);
+    const double length = axis.norm();
+    const UrethraAnatomy anatomy = anatomyFrom(p);
+    const Endoscope endoscope = endoscopeFrom(p);
+    if (!(length > 0.0) || !urethraProblems(anatomy, endoscope, {}).empty()) {
+        for (double& value : out)
+            value = std::numeric_limits<double>::quiet_NaN();
+        return;
+    }
+    const UrethraForces forces(anatomy, endoscope, settingsFrom(p));
+    write(forces.respond({core::Vec3(in[0], in[1], in[2]), axis / length, core::Vec3(in[6], in[7], in[8]),
+                          core::Vec3(in[9], in[10], in[11])}),
+          out);
 }
 
 constexpr core::LawDescription kLaw{"urethra-force",

@@ -74,7 +74,7 @@ UrethraAnatomy anatomyFrom(std::span<const double> p) noexcept {
     anatomy.freeLength_m = p[5];
     anatomy.freeBlend_m = p[6];
     anatomy.angularCorner_m =
-        1e-4; // torques and bladder are not asked about: nothing is refused for their sake
+        std::min(1e-4, p[5]); // torques and bladder are not asked about: nothing is refused for their sake
     anatomy.bladderRadius_m = 1.0;
     if (p[10] > 0.0) {
         anatomy.changeCount = 1;

@@ -68,12 +68,18 @@ void checkFreePart(Check& check, const UrethraAnatomy& a, double length_m) {
     if (check.range("freeLength_m", a.freeLength_m, 0.0, true) && a.freeLength_m >= length_m)
         check.add("freeLength_m",
                   "is " + number(a.freeLength_m) + ", but the canal ends at " + number(length_m));
-    else if (check.positive("angularCorner_m", a.angularCorner_m) &&
-             a.freeLength_m + 2.0 * a.angularCorner_m > length_m)
+    else if (a.angularCorner_m > 0.0 && a.freeLength_m + 2.0 * a.angularCorner_m > length_m)
         check.add("angularCorner_m", "is " + number(a.angularCorner_m) + ": the rounded corners at " +
                                          number(a.freeLength_m) + " and at the canal's end, " +
                                          number(length_m) + ", run into one another");
-    check.positive("freeBlend_m", a.freeBlend_m);
+    // Before the entrance there is no body to hold the shaft or to turn it back (models.md §1.2).
+    const bool corner = check.positive("angularCorner_m", a.angularCorner_m);
+    if (corner && std::isfinite(a.freeLength_m) && a.angularCorner_m > a.freeLength_m)
+        check.add("angularCorner_m", "is " + number(a.angularCorner_m) + ": a torque outside the body; it must be at most " +
+                                         "freeLength_m, " + number(a.freeLength_m));
+    if (check.positive("freeBlend_m", a.freeBlend_m) && a.freeBlend_m > a.freeLength_m)
+        check.add("freeBlend_m", "is " + number(a.freeBlend_m) + ": the wall's hold would begin at the entrance with a jump; it " +
+                                     "must be at most freeLength_m, " + number(a.freeLength_m));
 }
 
 bool checkChange(Check& check, const UrethraLocalChange& change, const std::string& at, double length_m) {
