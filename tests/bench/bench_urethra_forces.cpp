@@ -100,8 +100,8 @@ int main() {
     simulation::UrethraForceSettings drawn;
     drawn.sections = simulation::ForceSections::p1Basic;
     std::vector<BenchRow> rows;
-    compare(rows, "56 fine sections, offsets to 0.8 mm (no spring slack)", {}, 0.0008);
-    compare(rows, "56 fine sections, offsets to 3 mm (springs slack)", {}, 0.003);
+    compare(rows, "112 fine sections, offsets to 0.8 mm (no spring slack)", {}, 0.0008);
+    compare(rows, "112 fine sections, offsets to 3 mm (springs slack)", {}, 0.003);
     compare(rows, "26 drawn sections, offsets to 0.8 mm", drawn, 0.0008);
     compare(rows, "26 drawn sections, offsets to 3 mm", drawn, 0.003);
     printTable(rows);

@@ -31,11 +31,14 @@ struct UrethraReferenceForces::Foot {
 
 UrethraReferenceForces::UrethraReferenceForces(const simulation::UrethraAnatomy& anatomy,
                                                const simulation::Endoscope& endoscope,
-                                               const simulation::UrethraForceSettings& settings)
+                                               const simulation::UrethraForceSettings& settings, std::size_t springs)
     : m_anatomy(anatomy), m_scope(endoscope), m_settings(settings), m_length(arcLength(anatomy.zEnd_m)) {
     std::vector<std::array<double, 2>> places; // s, Δs
     if (settings.sections == simulation::ForceSections::fine) {
-        const int count = static_cast<int>(std::ceil(m_length / settings.maximumStep_m));
+        double step = settings.maximumStep_m;
+        for (std::size_t i = 0; i < anatomy.changeCount; ++i)
+            step = std::min(step, anatomy.changes[i].edge_m / 3.2);
+        const int count = static_cast<int>(std::ceil(m_length / step));
         for (int i = 0; i < count; ++i)
             places.push_back({(i + 0.5) * m_length / count, m_length / count});
     } else {
@@ -56,11 +59,11 @@ UrethraReferenceForces::UrethraReferenceForces(const simulation::UrethraAnatomy&
             return base * c.frictionFactor;
         });
         const double a = smooth((s - anatomy.freeLength_m + anatomy.freeBlend_m) / (2.0 * anatomy.freeBlend_m));
-        m_sections.push_back({s, ds, kappa * 2.0 * kPi * r / 16.0 * ds, endoscope.radius_m - r, mu, a});
+        m_sections.push_back({s, ds, kappa * 2.0 * kPi * r / static_cast<double>(springs) * ds, endoscope.radius_m - r, mu, a});
     }
-    for (std::size_t j = 0; j < 16; ++j) {
-        m_cos[j] = std::cos(2.0 * kPi * static_cast<double>(j) / 16.0);
-        m_sin[j] = std::sin(2.0 * kPi * static_cast<double>(j) / 16.0);
+    for (std::size_t j = 0; j < springs; ++j) {
+        m_cos.push_back(std::cos(2.0 * kPi * static_cast<double>(j) / static_cast<double>(springs)));
+        m_sin.push_back(std::sin(2.0 * kPi * static_cast<double>(j) / static_cast<double>(springs)));
     }
 }
 
@@ -157,7 +160,7 @@ void UrethraReferenceForces::springs(const Foot& f, ReferenceResponse& r, double
             dW = dB = 0.5 * kPi / l * std::sin(kPi * x / l);
         }
         opened += W * at.ds;
-        for (std::size_t j = 0; j < 16; ++j) {
+        for (std::size_t j = 0; j < m_cos.size(); ++j) {
             const double eu = f.ex * m_cos[j] + f.en * m_sin[j];
             const double d = W * at.gap + at.a * B * eu;
             if (d <= 0.0)

@@ -21,11 +21,11 @@ struct ReferenceResponse {
 };
 
 /// P1's forces straight from the equations of models.md §1, plain and slow: every section, every spring, every time. Shares
-/// plain data with the product and none of its code. The torque vector is made from the virtual work of T_x and T_y.
+/// plain data with the product and none of its code. `springs` is n′, 16 in the product. The torque vector is made from the virtual work of T_x and T_y.
 class UrethraReferenceForces {
 public:
     UrethraReferenceForces(const simulation::UrethraAnatomy& anatomy, const simulation::Endoscope& endoscope,
-                           const simulation::UrethraForceSettings& settings = {});
+                           const simulation::UrethraForceSettings& settings = {}, std::size_t springs = 16);
     ReferenceResponse respond(const simulation::EndoscopeMotion& motion) const;
 
 private:
@@ -47,7 +47,7 @@ private:
     simulation::UrethraForceSettings m_settings;
     double m_length = 0.0;
     std::vector<Section> m_sections;
-    std::array<double, 16> m_cos{}, m_sin{};
+    std::vector<double> m_cos, m_sin; ///< of n′ springs
 };
 
 } // namespace chiron::testing

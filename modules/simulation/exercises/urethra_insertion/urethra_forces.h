@@ -10,13 +10,13 @@ namespace chiron::simulation {
 
 /// Which grid carries the springs.
 enum class ForceSections {
-    fine,    ///< own grid, Δs = L/⌈L/2.5 mm⌉ (56 sections), n′ = 16: independent of what is drawn
+    fine,    ///< own grid, 112 sections (maximumStep_m), n′ = 16: independent of what is drawn
     p1Basic, ///< the 26 drawn sections of P1, for comparison ("p1_basic")
 };
 
 struct UrethraForceSettings {
     ForceSections sections = ForceSections::fine;
-    double maximumStep_m = 0.0025;    ///< of fine: Δs = L/⌈L/this⌉
+    double maximumStep_m = 0.00125;   ///< of fine: Δs = L/⌈L/this⌉, this no more than the narrowest edge of a local change / 3.2
     int basicSections = 26;           ///< of p1Basic, equidistant along z; ≥ 2
     double count_m = 25e-6;           ///< one count of the device at the tip: V₀ ≥ count/15 ms (models.md §0)
     double maximumDamping_Ns_per_m = 20.0; ///< b_max of the device: V₀ ≥ μN/b_max; 20 is P1's mechanism's (README.md)
