@@ -45,7 +45,7 @@ private:
         m_series.lateral_N.push_back((f_A - f_A.dot(foot.at.t_A) * foot.at.t_A).norm());
         const bool torque = i < m_tool.tissueTorque_Nm.size();
         m_series.axialTorque_Nm.push_back(torque ? std::abs(m_p.pose.vectorToA(m_tool.tissueTorque_Nm[i]).dot(axis_A)) : 0.0);
-        follow(i, {foot.at.s_m, p_A, axis_A});
+        follow(i, {foot.at.s_m, p_A, axis_A, m_series.offset_m.back()});
         m_series.stage.push_back(static_cast<std::uint8_t>(m_tracker.stage()));
     }
 

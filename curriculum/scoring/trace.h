@@ -37,7 +37,7 @@ struct InsertionSeries {
     std::vector<double> s_m;             ///< arc length of the tip's foot; < 0 before the entrance
     std::vector<double> offset_m;        ///< distance from the centre-line, ≥ 0
     std::vector<double> alignment_rad;   ///< angle between the instrument's axis and the centre-line's tangent, ≥ 0
-    std::vector<double> lateral_N;       ///< tissue force perpendicular to the centre-line's tangent, ≥ 0
+    std::vector<double> lateral_N;       ///< all tissue force perpendicular to the centre-line's tangent (wall, and friction on a tilted shaft), ≥ 0
     std::vector<double> axialTorque_Nm;  ///< |T_z|
     std::vector<std::uint8_t> stage;     ///< core::ProcedureStage
     double length_m = 0.0;               ///< L

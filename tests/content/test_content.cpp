@@ -7,6 +7,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
+#include <cmath>
+#include <map>
 #include <set>
 
 using namespace chiron;
@@ -158,6 +160,20 @@ void TestContent::urethraLevelsHaveTheirGates() {
         else
             QCOMPARE(*gates["landmarks_seen"].minimum, 100.0);
         QCOMPARE(gates.contains("bend_alignment"), level.number > 1);
+        QCOMPARE(gates.contains("alignment_rms"), p.landmarks.empty()); // who looks round in the bladder is not aligned there
+        QVERIFY(gates.contains("offset_rms"));
+        if (p.landmarks.empty()) { // who pushes straight in, neither steering nor turning, must fail both
+            const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+            double offsets_mm2 = 0.0, angles_deg2 = 0.0;
+            int samples = 0;
+            for (double z = 0.0; line.foot({0.0, 0.0, z}).at.s_m < p.goalDepth_m; z += 0.0005, ++samples) {
+                const simulation::CentrelineFoot foot = line.foot({0.0, 0.0, z});
+                offsets_mm2 += 1e6 * foot.en_m * foot.en_m;
+                angles_deg2 += std::pow(foot.at.psi_rad * 57.29577951308232, 2);
+            }
+            QVERIFY(std::sqrt(offsets_mm2 / samples) > *gates["offset_rms"].maximum);
+            QVERIFY(std::sqrt(angles_deg2 / samples) > *gates["alignment_rms"].maximum);
+        }
     }
 }
 

@@ -161,7 +161,7 @@ private:
         motion.p_A = m_level.pose.pointToA(tool.p_WT);
         motion.axis_A = m_level.pose.vectorToA(simulation::endoscopeAxis_W(tool.q_WT));
         const simulation::UrethraResponse r = m_forces.respond(motion);
-        m_tracker.advance({r.foot.at.s_m, motion.p_A, motion.axis_A}, 1000);
+        m_tracker.advance({r.foot.at.s_m, motion.p_A, motion.axis_A, std::hypot(r.foot.ex_m, r.foot.en_m)}, 1000);
         const core::Wrench tissue = core::toWrench(frame.tool[0].tissue);
         const core::Vec3 t_W = m_level.pose.vectorToW(r.foot.at.t_A);
         const double lateral = (tissue.force - tissue.force.dot(t_W) * t_W).norm();

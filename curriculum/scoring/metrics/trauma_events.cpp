@@ -27,7 +27,8 @@ MetricDefinition traumaEventsMetric() {
             .tools = MetricTools::first,
             .definition =
                 "How often the force across the canal was over the level's lateral limit for 20 ms or longer, to begin "
-                "again only from below 80 % of it.",
+                "again only from below 80 % of it. It is the whole tissue force without its part along the centre-line's "
+                "tangent at the tip: the wall's push, and of friction along a tilted shaft the part that lies across.",
             .source = "models.md §6, insertion",
             .measure = measure};
 }

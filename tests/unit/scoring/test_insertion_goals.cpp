@@ -30,6 +30,7 @@ private slots:
     void landmarks();
     void inspectionTravel();
     void depthStopsAtTheGoal();
+    void depthIsInTheCanal();
 };
 
 void TestInsertionGoals::torques() {
@@ -99,6 +100,15 @@ void TestInsertionGoals::depthStopsAtTheGoal() {
     const auto outside = canalTrial(1.0, 0.001, [](double t) { return CanalSample{-0.02 * t}; });
     QCOMPARE(valueOf(canalSession(outside), "insertion_depth"), 0.0);
     QCOMPARE(valueOf(canalSession({shallow, outside}), "insertion_depth"), 30.0);
+}
+
+// In to 30 mm on the line, then on to 70 mm beside it: 10 mm aside is still in the canal, more is not.
+void TestInsertionGoals::depthIsInTheCanal() {
+    const auto beside = [](double offset_m) {
+        return canalTrial(1.0, 0.001, [offset_m](double t) { return CanalSample{0.07 * t, t > 0.4286 ? offset_m : 0.0}; });
+    };
+    QCOMPARE(valueOf(canalSession(beside(0.010)), "insertion_depth"), 70.0);
+    QVERIFY(isNear(valueOf(canalSession(beside(0.0101)), "insertion_depth"), 30.0, 0.08));
 }
 
 QTEST_APPLESS_MAIN(TestInsertionGoals)

@@ -39,12 +39,14 @@ private slots:
     void nothingWithoutOrientation();
     void placeAndAlignment();
     void forceIsSplitAtTheTangent();
+    void frictionOnATiltedShaftLiesPartlyAcross();
     void torqueIsTakenAboutTheAxis();
     void pausedSamplesMoveNothing();
     void landmarksGetTheirTimes();
     void ticksCountNotTheDevicesClock();
     void ticksOfASlowDevice();
     void levelsNumbersGoAlong();
+    void besideTheCanalNothingAdvances();
 };
 
 void TestInsertionSeries::nothingWithoutOrientation() {
@@ -84,6 +86,18 @@ void TestInsertionSeries::forceIsSplitAtTheTangent() {
     const auto series = *session::insertionSeries(p, trial);
     QCOMPARE(series.lateral_N[0], 0.0);
     QVERIFY(std::abs(series.lateral_N[1] - 0.5) < 1e-9);
+}
+
+// Lateral is all that lies across the canal: of friction along a shaft tilted by 0.3 rad its sine.
+void TestInsertionSeries::frictionOnATiltedShaftLiesPartlyAcross() {
+    const UrethraInsertionParameters p = tests::wholeProcedure();
+    scoring::TrialTrace trial = along(p, {0.06});
+    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::CentrelinePoint at = line.at(0.06);
+    const Vec3 axis_A = std::cos(0.3) * at.t_A + std::sin(0.3) * at.n_A;
+    trial.tools[0].q_WT[0] = tests::endoscopeAt(p.pose, at.p_A, axis_A).q_WT;
+    trial.tools[0].tissue_N[0] = p.pose.vectorToW(-0.8 * axis_A);
+    QVERIFY(std::abs(session::insertionSeries(p, trial)->lateral_N[0] - 0.8 * std::sin(0.3)) < 1e-9);
 }
 
 void TestInsertionSeries::torqueIsTakenAboutTheAxis() {
@@ -181,6 +195,21 @@ void TestInsertionSeries::levelsNumbersGoAlong() {
     QCOMPARE(series.bend_m, p.anatomy.freeLength_m);
     QCOMPARE(series.goal_m, 0.145);
     QCOMPARE(series.lateralLimit_N, 1.5);
+}
+
+// The same movements, 30 mm to the side: the stored series says outside, as the scene does, and nothing was inserted.
+void TestInsertionSeries::besideTheCanalNothingAdvances() {
+    const UrethraInsertionParameters p = tests::wholeProcedure();
+    std::vector<double> way;
+    for (int mm = -20; mm <= 150; ++mm)
+        way.push_back(1e-3 * mm);
+    scoring::TrialTrace trial = along(p, way);
+    QCOMPARE(session::insertionSeries(p, trial)->stage.back(), static_cast<std::uint8_t>(ProcedureStage::inspection));
+    for (Vec3& place : trial.tools[0].p_WT_m)
+        place += p.pose.vectorToW(0.030 * Vec3::UnitX());
+    const auto series = *session::insertionSeries(p, trial);
+    QVERIFY(series.s_m.back() > 0.149 && std::abs(series.offset_m.back() - 0.030) < 1e-9);
+    QCOMPARE(series.stage.back(), static_cast<std::uint8_t>(ProcedureStage::outside));
 }
 
 QTEST_APPLESS_MAIN(TestInsertionSeries)

@@ -29,7 +29,9 @@ ProcedurePlan straightPlan(std::size_t landmarks = 1) {
     return plan;
 }
 
-ProcedureSample at(double z_m, const Vec3& axis = Vec3::UnitZ(), double x_m = 0.0) { return {z_m, Vec3(x_m, 0.0, z_m), axis}; }
+ProcedureSample at(double z_m, const Vec3& axis = Vec3::UnitZ(), double x_m = 0.0) {
+    return {z_m, Vec3(x_m, 0.0, z_m), axis, std::abs(x_m)};
+}
 
 /// Holds a pose for so many milliseconds; what became seen.
 std::uint32_t hold(ProcedureTracker& tracker, const ProcedureSample& sample, int ms) {
@@ -49,6 +51,7 @@ private slots:
     void withoutLandmarksInsertionIsFollowedByWithdrawal();
     void withoutWithdrawalTheGoalEndsIt();
     void startingInsideRunsThroughTheStages();
+    void besideTheCanalIsNotInIt();
     void landmarkNeedsItsWholeTime();
     void aBreakBeginsAnew();
     void everyConditionCounts_data();
@@ -111,6 +114,23 @@ void TestProcedureTracker::startingInsideRunsThroughTheStages() {
     ProcedureTracker tracker(straightPlan());
     QVERIFY(tracker.advance(at(0.065), 0).stageChanged);
     QCOMPARE(tracker.stage(), ProcedureStage::inspection);
+}
+
+// A tip pushed along 30 mm beside the canal is neither inserted nor at the goal, however far it goes; out is out anywhere.
+void TestProcedureTracker::besideTheCanalIsNotInIt() {
+    ProcedureTracker tracker(straightPlan(0));
+    for (const double x : {0.030, 0.0101}) {
+        for (const double z : {-0.005, 0.020, 0.060, 0.080})
+            QVERIFY(!tracker.advance(at(z, Vec3::UnitZ(), x), 1000).stageChanged);
+        QCOMPARE(tracker.stage(), ProcedureStage::outside);
+    }
+    QVERIFY(tracker.advance(at(0.0, Vec3::UnitZ(), 0.0099), 1000).stageChanged);
+    QVERIFY(!tracker.advance(at(0.065, Vec3::UnitZ(), 0.0101), 1000).stageChanged);
+    QCOMPARE(tracker.stage(), ProcedureStage::insertion);
+    QVERIFY(tracker.advance(at(0.065, Vec3::UnitZ(), 0.0099), 1000).stageChanged);
+    QCOMPARE(tracker.stage(), ProcedureStage::withdrawal);
+    QVERIFY(tracker.advance(at(-0.0101, Vec3::UnitZ(), 0.030), 1000).stageChanged);
+    QCOMPARE(tracker.stage(), ProcedureStage::completed);
 }
 
 void TestProcedureTracker::landmarkNeedsItsWholeTime() {

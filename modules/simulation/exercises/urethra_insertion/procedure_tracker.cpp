@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/exercises/urethra_insertion/procedure_tracker.h"
 
+#include "core/canal_reach.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,33 +18,34 @@ core::Vec3 vectorOf(const std::array<double, 3>& a) noexcept { return {a[0], a[1
 
 ProcedureStep ProcedureTracker::advance(const ProcedureSample& now, std::uint64_t dt_us) noexcept {
     ProcedureStep step;
-    if (!std::isfinite(now.s_m) || !now.p_A.allFinite() || !now.axis_A.allFinite())
+    if (!std::isfinite(now.s_m) || !std::isfinite(now.offset_m) || !now.p_A.allFinite() || !now.axis_A.allFinite())
         return step;
     m_now_us += m_began ? dt_us : 0;
     measureSpeed(now.p_A);
     if (m_stage == ProcedureStage::inspection)
         step.seenNow = look(now, m_began ? dt_us : 0);
     m_began = true;
-    for (ProcedureStage next = after(m_stage, now.s_m); next != m_stage; next = after(m_stage, now.s_m)) {
+    for (ProcedureStage next = after(m_stage, now); next != m_stage; next = after(m_stage, now)) {
         m_stage = next;
         step.stageChanged = true;
     }
     return step;
 }
 
-ProcedureStage ProcedureTracker::after(ProcedureStage stage, double s_m) const noexcept {
+ProcedureStage ProcedureTracker::after(ProcedureStage stage, const ProcedureSample& now) const noexcept {
+    const bool inCanal = now.offset_m <= core::kCanalReach_m;
     const bool allSeen = m_seen == (std::uint32_t{1} << m_plan.landmarks) - 1;
     switch (stage) {
     case ProcedureStage::outside:
-        return s_m > -m_plan.beak_m ? ProcedureStage::insertion : stage;
+        return inCanal && now.s_m > -m_plan.beak_m ? ProcedureStage::insertion : stage;
     case ProcedureStage::insertion:
-        return s_m >= m_plan.goal_m ? ProcedureStage::inspection : stage;
+        return inCanal && now.s_m >= m_plan.goal_m ? ProcedureStage::inspection : stage;
     case ProcedureStage::inspection:
         if (!allSeen)
             return stage;
         return m_plan.withdraws ? ProcedureStage::withdrawal : ProcedureStage::completed;
     case ProcedureStage::withdrawal:
-        return s_m < -m_plan.beak_m ? ProcedureStage::completed : stage;
+        return now.s_m < -m_plan.beak_m ? ProcedureStage::completed : stage;
     case ProcedureStage::completed:
         break;
     }

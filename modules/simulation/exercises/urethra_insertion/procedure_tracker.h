@@ -31,6 +31,7 @@ struct ProcedureSample {
     double s_m = 0.0; ///< arc length of the tip's foot on the centre-line
     core::Vec3 p_A = core::Vec3::Zero();
     core::Vec3 axis_A = core::Vec3::UnitZ();
+    double offset_m = 0.0; ///< distance of the tip from the centre-line
 };
 
 /// What one sample brought.
@@ -43,7 +44,9 @@ struct ProcedureStep {
 /// steps it over the stored poses, so that stage and landmarks can always be recomputed.
 ///
 /// Stages only go forward: *outside* until s > −ℓ; *insertion* until s ≥ goal; *inspection* (if there are landmarks) until all
-/// are seen; *withdrawal* (if asked for) until s < −ℓ; *completed*.
+/// are seen; *withdrawal* (if asked for) until s < −ℓ; *completed*. A tip farther than core::kCanalReach_m from the
+/// centre-line neither enters nor reaches the goal: it is beside the canal. Out is out, wherever: past the entrance the
+/// canal hangs free and follows the shaft, and beside it nothing is in the patient.
 /// A landmark is seen when, in inspection and with the tip beyond the neck, it stayed within the half angle of the view's
 /// middle and nearer than the distance, with the tip no faster than the limit, for the holding time without a break. Any order counts.
 /// Speed is ‖p(t) − p(t₀)‖/(t − t₀) with t₀ the newest kept sample at least 100 ms old (the first one before that): a mean over
@@ -78,7 +81,7 @@ private:
     void measureSpeed(const core::Vec3& p_A) noexcept;
     std::uint32_t look(const ProcedureSample& now, std::uint64_t dt_us) noexcept;
     bool inView(const ProcedureSample& now, std::size_t landmark) const noexcept;
-    core::ProcedureStage after(core::ProcedureStage stage, double s_m) const noexcept;
+    core::ProcedureStage after(core::ProcedureStage stage, const ProcedureSample& now) const noexcept;
     const Place& place(std::uint64_t number) const noexcept { return m_places[number % kPlaces]; }
 
     ProcedurePlan m_plan;

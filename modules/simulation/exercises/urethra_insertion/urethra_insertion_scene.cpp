@@ -84,7 +84,9 @@ void UrethraInsertionScene::advance(const SceneInput& in, SceneOutput& out) noex
 void UrethraInsertionScene::runTrial(SceneOutput& out) noexcept {
     ++m_clock;
     if (m_sensed) {
-        const ProcedureStep step = m_tracker.advance({m_response.foot.at.s_m, m_motion.p_A, m_motion.axis_A}, kTick_us);
+        const CentrelineFoot& foot = m_response.foot;
+        const ProcedureStep step =
+            m_tracker.advance({foot.at.s_m, m_motion.p_A, m_motion.axis_A, std::hypot(foot.ex_m, foot.en_m)}, kTick_us);
         out.events |= step.stageChanged ? bits::kStageChanged : 0u;
         out.events |= step.seenNow != 0 ? bits::kLandmarkSeen : 0u;
     }
