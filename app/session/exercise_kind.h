@@ -17,6 +17,8 @@
 
 namespace chiron::session {
 
+struct SessionSetup;
+
 /// A scripted trainee: the mind, and the hand it moves.
 struct ScriptedTrainee {
     std::unique_ptr<mechanisms::HandStrategy> strategy;
@@ -39,8 +41,8 @@ public:
     virtual std::string_view mechanism() const noexcept { return "gimbal_hprd"; }
     /// How a mouse and a keyboard move the tool: a point, or an endoscope that is advanced along its axis and turned.
     virtual PointerTool pointerTool() const noexcept { return PointerTool::point; }
-    virtual std::unique_ptr<simulation::IScene> makeScene(const catalogue::ExerciseLevel& level,
-                                                          std::uint64_t seed) const = 0;
+    /// From what is stored with the session alone, its devices' data included, so that a replay makes the same scene.
+    virtual std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const = 0;
     /// Failure: notFound naming the operators that exist.
     virtual core::Result<ScriptedTrainee> makeOperator(const std::string& name, std::uint64_t seed) const = 0;
     virtual std::vector<std::string> operatorNames() const = 0;

@@ -70,7 +70,7 @@ public:
             m_devices.push_back(std::move(*device));
             tools.push_back({*m_devices.back(), setup.mappings[i]});
         }
-        auto scene = (*kind)->makeScene(setup.level, setup.seed);
+        auto scene = (*kind)->makeScene(setup);
         m_scenes.offer(scene);
         auto loop = haptics::HapticLoop::create({tools, m_inputs, m_supervisor, setup.safety, m_scenes, m_sink});
         if (!loop)

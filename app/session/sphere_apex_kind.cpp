@@ -2,6 +2,7 @@
 #include "session/sphere_apex_kind.h"
 
 #include "operators/sphere_apex/sphere_apex_operator.h"
+#include "session/session_setup.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
 
@@ -49,9 +50,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<simulation::IScene> SphereApexKind::makeScene(const catalogue::ExerciseLevel& level,
-                                                              std::uint64_t seed) const {
-    return std::make_unique<simulation::SphereApexScene>(parametersOf(level), seed);
+std::unique_ptr<simulation::IScene> SphereApexKind::makeScene(const SessionSetup& setup) const {
+    return std::make_unique<simulation::SphereApexScene>(parametersOf(setup.level), setup.seed);
 }
 
 core::Result<ScriptedTrainee> SphereApexKind::makeOperator(const std::string& name, std::uint64_t seed) const {

@@ -4,7 +4,7 @@
 #include "core/random.h"
 #include "devices/drivers/simulated/simulated_device.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
-#include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
+#include "simulation/exercises/urethra_insertion/procedure_plan.h"
 
 #include <cmath>
 #include <filesystem>
@@ -13,10 +13,9 @@ namespace chiron::session {
 
 namespace {
 constexpr double kFollowing_s = 0.025; // longer than a pointer's reports are apart, shorter than anybody notices
-constexpr double kBeforeEntrance_m = 0.025; // an endoscope begins this far outside
 
 core::Vec3 endoscopeStart_W() {
-    return simulation::AnatomyPose{}.pointToW({0.0, 0.0, -kBeforeEntrance_m});
+    return simulation::AnatomyPose{}.pointToW({0.0, 0.0, -simulation::kStartBeforeEntrance_m});
 }
 
 /// A driver whose box of W stays the same whatever the scale, so that the hand's part of it shrinks as the scale grows.

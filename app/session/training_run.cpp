@@ -129,7 +129,7 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
     haptics::LiveInputs& inputs = request.live ? request.live->inputs() : own;
     haptics::SafetySupervisor supervisor;
     haptics::SceneExchange scenes;
-    auto scene = kind.makeScene(setup.level, setup.seed);
+    auto scene = kind.makeScene(setup);
     scenes.offer(scene);
     TeeSink sink(recording.sink(), request.witness);
     auto loop = haptics::HapticLoop::create({tools, inputs, supervisor, setup.safety, scenes, sink});

@@ -2,7 +2,9 @@
 #include "session/urethra_insertion_kind.h"
 
 #include "operators/urethra_insertion/urethra_insertion_operator.h"
+#include "session/device_friction.h"
 #include "session/insertion_series.h"
+#include "session/session_setup.h"
 #include "simulation/exercises/urethra_insertion/drawn_tip.h"
 #include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"
 
@@ -34,8 +36,11 @@ private:
 
 } // namespace
 
-std::unique_ptr<simulation::IScene> UrethraInsertionKind::makeScene(const catalogue::ExerciseLevel& level, std::uint64_t) const {
-    return std::make_unique<simulation::UrethraInsertionScene>(parametersOf(level));
+std::unique_ptr<simulation::IScene> UrethraInsertionKind::makeScene(const SessionSetup& setup) const {
+    simulation::UrethraInsertionParameters felt = parametersOf(setup.level);
+    if (!setup.devices.empty() && !setup.mappings.empty())
+        felt.forces = onDevice(felt.forces, setup.devices[0], setup.mappings[0]);
+    return std::make_unique<simulation::UrethraInsertionScene>(felt);
 }
 
 core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const std::string& name, std::uint64_t seed) const {

@@ -11,7 +11,8 @@ public:
     std::string_view id() const noexcept override { return "urethra_insertion"; }
     std::string_view mechanism() const noexcept override { return "five_bar_spherical"; }
     PointerTool pointerTool() const noexcept override { return PointerTool::endoscope; }
-    std::unique_ptr<simulation::IScene> makeScene(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    /// Friction sets in as slowly as the first tool's device needs it (device_friction.h).
+    std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
     core::Result<ScriptedTrainee> makeOperator(const std::string& name, std::uint64_t seed) const override;
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;

@@ -2,6 +2,7 @@
 #include "catalogue/urethra_insertion_content.h"
 
 #include "core/units.h"
+#include "mechanisms/five_bar_plant_parameters.h"
 #include "simulation/exercises/urethra_insertion/procedure_plan.h"
 #include "simulation/geometry/urethra/urethra_validity_setup.h"
 
@@ -15,6 +16,25 @@ namespace {
 using Parameters = simulation::UrethraInsertionParameters;
 
 QString mm(double length_m) { return QStringLiteral("%1 mm").arg(core::mmFromM(length_m), 0, 'g', 4); }
+
+constexpr double kWayStep_m = 0.001;
+
+/// Why P1's mechanism (D is W) cannot have its tip at `p_W` with the endoscope along the canal; empty: it can.
+QString outsideMechanism(const core::Vec3& p_W, double psi_rad) {
+    static const mechanisms::FiveBarPlantParameters kPlant;
+    const QString place = QStringLiteral("(%1 inwards, %2 up)").arg(mm(p_W.y()), mm(p_W.z()));
+    const auto theta = mechanisms::FiveBarKinematics(kPlant.geometry).inverse(p_W);
+    if (!theta)
+        return place + QStringLiteral(" its links do not reach");
+    const double axes[] = {(*theta)[0], (*theta)[1], psi_rad - kPlant.mountingPitch_rad};
+    const char* const names[] = {"theta1", "theta2", "pitch"};
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!(axes[i] >= kPlant.minimum[i] && axes[i] <= kPlant.maximum[i]))
+            return place + QStringLiteral(" its axis %1 would stand at %2°, beyond its travel")
+                               .arg(QLatin1String(names[i]))
+                               .arg(core::degFromRad(axes[i]), 0, 'f', 1);
+    return {};
+}
 
 /// `changes[1].radius_m` of the structs is `local_changes[1].radius_mm` of the content.
 QString contentKey(const QString& field) {
@@ -74,6 +94,7 @@ public:
         geometry();
         forces();
         goal();
+        workspace();
         landmarks();
         cues();
     }
@@ -100,9 +121,6 @@ private:
     }
 
     void forces() {
-        const double free_m = m_p.anatomy.freeLength_m;
-        if (m_p.anatomy.freeBlend_m > free_m)
-            add("free_blend_mm", mm(m_p.anatomy.freeBlend_m), QStringLiteral("at most free_length_mm = %1").arg(mm(free_m)));
         if (m_p.anatomy.bladderRadius_m < 3.0 * m_p.endoscope.radius_m)
             add("bladder_radius_mm", mm(m_p.anatomy.bladderRadius_m),
                 QStringLiteral("at least three times the endoscope's radius, %1").arg(mm(3.0 * m_p.endoscope.radius_m)));
@@ -115,6 +133,25 @@ private:
         if (!m_p.landmarks.empty() && m_p.goalDepth_m > 0.0 && m_p.goalDepth_m < m_length_m)
             add("goal_depth_mm", mm(m_p.goalDepth_m),
                 QStringLiteral("in the bladder, at least %1, since landmarks are inspected from there").arg(mm(m_length_m)));
+    }
+
+    /// The way from the start to the bladder's middle, which is as deep as a goal may lie, has to be one that P1's mechanism can go.
+    void workspace() {
+        const simulation::UrethraCentreline line(m_p.anatomy.curvature_per_m, m_p.anatomy.zEnd_m);
+        const double deepest_m = m_length_m + m_p.anatomy.bladderRadius_m;
+        for (double s_m = -simulation::kStartBeforeEntrance_m; s_m <= deepest_m + 1e-9; s_m += kWayStep_m) {
+            simulation::CentrelinePoint at = line.at(std::min(s_m, m_length_m));
+            at.p_A += std::max(0.0, s_m - m_length_m) * at.t_A;
+            const QString why = outsideMechanism(m_p.pose.pointToW(at.p_A), at.psi_rad);
+            if (why.isEmpty())
+                continue;
+            const bool bladder = s_m > m_length_m;
+            add(bladder ? "bladder_radius_mm" : "bladder_neck_z_mm",
+                mm(bladder ? m_p.anatomy.bladderRadius_m : m_p.anatomy.zEnd_m),
+                QStringLiteral("a %1 within the mechanism's workspace; at a depth of %2 %3")
+                    .arg(bladder ? QStringLiteral("bladder") : QStringLiteral("canal"), mm(s_m), why));
+            return;
+        }
     }
 
     void landmarks() {

@@ -12,7 +12,6 @@ namespace {
 using Parameters = simulation::UrethraInsertionParameters;
 
 constexpr double kMm = 1000.0;
-constexpr double kUm = 1.0e6;
 constexpr double kDeg = 180.0 / core::kPi;
 constexpr double kFr = 6000.0; // of a radius: 1 Fr = 1/3 mm of diameter
 
@@ -53,11 +52,7 @@ constexpr Number kNumbers[] = {
     {"behind_mm", [](Parameters& p) -> double& { return p.endoscope.behind_m; }, kMm},
     {"field_of_view_deg", [](Parameters& p) -> double& { return p.endoscope.fieldOfView_rad; }, kDeg},
     {"force_step_mm", [](Parameters& p) -> double& { return p.forces.maximumStep_m; }, kMm},
-    {"position_count_um", [](Parameters& p) -> double& { return p.forces.count_m; }, kUm},
-    {"device_damping_N_s_per_m", [](Parameters& p) -> double& { return p.forces.maximumDamping_Ns_per_m; }, 1.0},
-    {"anatomy_x_mm", [](Parameters& p) -> double& { return p.pose.p_WA.x(); }, kMm},
-    {"anatomy_y_mm", [](Parameters& p) -> double& { return p.pose.p_WA.y(); }, kMm},
-    {"anatomy_z_mm", [](Parameters& p) -> double& { return p.pose.p_WA.z(); }, kMm},
+    {"largest_damping_N_s_per_m", [](Parameters& p) -> double& { return p.forces.maximumDamping_Ns_per_m; }, 1.0},
     {"goal_depth_mm", [](Parameters& p) -> double& { return p.goalDepth_m; }, kMm},
     {"landmark_half_angle_deg", [](Parameters& p) -> double& { return p.landmarkHalfAngle_rad; }, kDeg},
     {"landmark_distance_mm", [](Parameters& p) -> double& { return p.landmarkDistance_m; }, kMm},

@@ -36,10 +36,11 @@ struct FiveBarPlantParameters {
     double axialInertia_kgm2 = 2.4e-5;  ///< shaft and handle
     double counterbalance = 0.9;        ///< share of all weight carried by counterweights (their inertia: in the rotors')
 
-    // Tendons: pretensioned pairs of steel cable between capstan and joint. 1 mm rope (EA ≈ 30 kN), 0.2 m long, drum radius
-    // 30 mm for the linkage; 0.6 mm rope (EA ≈ 10 kN), 0.6 m, drums of 15 and 10 mm for the spherical joint: 2 EA r²/L.
-    PerAxis tendonStiffness{270.0, 270.0, 7.5, 7.5, 3.3};    ///< N·m/rad
-    PerAxis tendonDamping{0.060, 0.060, 5.3e-3, 5.3e-3, 6.7e-4}; ///< N·m·s/rad, a tenth of critical with the rotor
+    // Tendons: pretensioned pairs of steel cable between capstan and joint. 1.5 mm rope (EA ≈ 67.5 kN), 0.2 m long, drum radius
+    // 30 mm for the linkage; 0.9 mm rope (EA ≈ 22.5 kN), 0.6 m, drums of 15 and 10 mm for the spherical joint: 2 EA r²/L.
+    // Drums of 20 rope diameters and more, as steel rope wants. Thinner ropes sing with friction (drivers/simulated/README.md).
+    PerAxis tendonStiffness{607.5, 607.5, 16.9, 16.9, 7.5};    ///< N·m/rad
+    PerAxis tendonDamping{0.090, 0.090, 8.0e-3, 8.0e-3, 1.0e-3}; ///< N·m·s/rad, a tenth of critical with the rotor
     PerAxis rotorInertia{4.0e-4, 4.0e-4, 1.0e-4, 1.0e-4, 4.0e-6};   ///< kg·m², capstan ratios 10, 10, 10, 10, 2
 
     // Friction of motors and capstans: 0.1 N at the tip over 50 µm of presliding, 2 % and 3 % of the largest torques.

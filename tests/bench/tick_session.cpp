@@ -115,7 +115,7 @@ struct Playback {
 } // namespace
 
 std::unique_ptr<simulation::IScene> sceneOf(const session::SessionSetup& setup) {
-    return (*session::exerciseKind(setup.level.exercise))->makeScene(setup.level, setup.seed);
+    return (*session::exerciseKind(setup.level.exercise))->makeScene(setup);
 }
 
 core::Result<RecordedSession> recordSession(int level, std::uint64_t seed, std::size_t ticks) {

@@ -116,7 +116,7 @@ void TestUrethraContent::everyParameterKeyReachesTheStruct() {
     QJsonObject document = json(stored);
     QJsonObject level = document["level"].toObject();
     const QJsonObject parameters = level["parameters"].toObject();
-    QCOMPARE(parameters.size(), qsizetype{46});
+    QCOMPARE(parameters.size(), qsizetype{42});
     for (const QString& key : parameters.keys()) {
         QJsonObject changed = parameters;
         const QJsonValue value = parameters[key];
@@ -151,7 +151,7 @@ void TestUrethraContent::schemaDefaultsAreTheStructs() {
     for (std::size_t i = 0; i < read.size(); ++i)
         QVERIFY2(near(read[i], defaults[i]), qPrintable(QStringLiteral("%1: %2, %3").arg(i).arg(read[i]).arg(defaults[i])));
     const QJsonObject resolved = json(catalogue->find("urethra_insertion", 4)->resolvedJson)["level"].toObject();
-    QCOMPARE(resolved["parameters"].toObject().size(), qsizetype{46});
+    QCOMPARE(resolved["parameters"].toObject().size(), qsizetype{42});
 }
 
 void TestUrethraContent::levelOverridesItsPreset() {
@@ -195,7 +195,19 @@ void TestUrethraContent::faults_data() {
     row("zero radius", "\"rest_radius_mm\": 0", "$.parameters.rest_radius_mm: 0: expected a number, 0.3 to 8 mm");
     row("negative stiffness", "\"wall_stiffness_N_per_m3\": -1",
         "$.parameters.wall_stiffness_N_per_m3: -1: expected a number, 10000 to 1e+08 N/m³");
-    row("n below 5", "\"mesh_points\": 3", "$.parameters.mesh_points: 3: expected a whole number, 5 to 129");
+    row("n below 4", "\"mesh_points\": 3", "$.parameters.mesh_points: 3: expected a whole number, 5 to 129");
+    row("n is 4, three distinct points", "\"mesh_points\": 4", "$.parameters.mesh_points: 4: expected a whole number, 5 to 129");
+    row("n is 5, four distinct points", "\"mesh_points\": 5", "");
+    row("a torque outside the body", "\"free_length_mm\": 4, \"free_blend_mm\": 4, \"angular_corner_mm\": 5",
+        "$.parameters.angular_corner_mm: impossible: expected a urethra that can exist (in SI units: is 0.005: a torque outside");
+    row("a hold outside the body", "\"free_length_mm\": 20, \"free_blend_mm\": 21", "$.parameters.free_blend_mm: impossible: expected");
+    row("the shortest free part", "\"free_length_mm\": 5, \"free_blend_mm\": 5, \"angular_corner_mm\": 5", "");
+    row("canal out of the mechanism's reach", "\"bladder_neck_z_mm\": 120",
+        "$.parameters.bladder_neck_z_mm: 120 mm: expected a canal within the mechanism's workspace; at a depth of ");
+    row("bladder out of the mechanism's reach", "\"bladder_radius_mm\": 80",
+        "$.parameters.bladder_radius_mm: 80 mm: expected a bladder within the mechanism's workspace; at a depth of ");
+    row("anatomy elsewhere", "\"anatomy_x_mm\": 5", "$.parameters.anatomy_x_mm: unknown key");
+    row("the device's data", "\"position_count_um\": 5", "$.parameters.position_count_um: unknown key");
     row("half a section", "\"mesh_sections\": 4.5", "$.parameters.mesh_sections: 4.5: expected a whole number");
     row("self-crossing", "\"centreline_curvature_per_m\": 100, \"endoscope_size_Fr\": 30, \"rest_radius_mm\": 8, \"bladder_opening_deg\": 30",
         "$.parameters.rest_radius_mm: impossible: expected a urethra that can exist (in SI units: the wall crosses itself");

@@ -123,7 +123,8 @@ private slots:
         QVERIFY(strongest > 0.2 && strongest < 4.0);
         QVERIFY(tilt_deg == 0.0 || hardest > 0.030);
         QVERIFY(jump < 0.4);
-        QVERIFY((high - low).maxCoeff() < 0.15); // a count of each axis, at b_max: nothing swings
+        // A count of each base axis in the estimator's window, either way, at b_max: 4 · 22 µm / 15 ms · 50 N·s/m = 0.29 N. Nothing swings.
+        QVERIFY((high - low).maxCoeff() < 0.29);
     }
 };
 

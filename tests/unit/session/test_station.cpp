@@ -31,7 +31,7 @@ public:
     explicit AnyKind(std::string_view mechanism) : m_mechanism(mechanism) {}
     std::string_view id() const noexcept override { return "any"; }
     std::string_view mechanism() const noexcept override { return m_mechanism; }
-    std::unique_ptr<simulation::IScene> makeScene(const catalogue::ExerciseLevel&, std::uint64_t) const override { return nullptr; }
+    std::unique_ptr<simulation::IScene> makeScene(const session::SessionSetup&) const override { return nullptr; }
     core::Result<session::ScriptedTrainee> makeOperator(const std::string& name, std::uint64_t) const override {
         if (name != "stayer")
             return core::fail(core::ErrorCode::notFound, "operator: expected stayer");

@@ -9,6 +9,9 @@ namespace chiron::simulation {
 /// Beyond the bladder neck, where a level names no depth of its own: the tip is in the bladder's cavity, past the neck's rounded wall.
 inline constexpr double kGoalBeyondNeck_m = 0.010;
 
+/// A procedure starts with the tip on the straight line before the entrance, this far outside.
+inline constexpr double kStartBeforeEntrance_m = 0.025;
+
 /// Centre of the bladder's sphere, whose wall meets the centre-line at C: C + R t(C). A, m.
 core::Vec3 bladderCentre_A(const UrethraAnatomy& anatomy, const UrethraCentreline& line) noexcept;
 

@@ -18,8 +18,8 @@ struct UrethraForceSettings {
     ForceSections sections = ForceSections::fine;
     double maximumStep_m = 0.00125;   ///< of fine: Δs = L/⌈L/this⌉, this no more than the narrowest edge of a local change / 3.2
     int basicSections = 26;           ///< of p1Basic, equidistant along z; ≥ 2
-    double count_m = 25e-6;           ///< one count of the device at the tip: V₀ ≥ count/15 ms (models.md §0)
-    double maximumDamping_Ns_per_m = 20.0; ///< b_max of the device: V₀ ≥ μN/b_max; 20 is P1's mechanism's (README.md)
+    double count_m = 25e-6; ///< one count at the tip, V₀ ≥ count/15 ms (models.md §0): a session puts its device's here
+    double maximumDamping_Ns_per_m = 50.0; ///< b_max, V₀ ≥ μN/b_max: a session takes its device's where that is smaller
 };
 
 /// The endoscope in A. `axis_A`: unit, the way it looks (forward); `spin`: about that axis.
