@@ -888,11 +888,11 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Off the middle for %1, up to %2</source>
-        <translation>%1 neben der Mitte, bis %2</translation>
+        <translation>%1 lang von der Mitte ausgelenkt, um bis zu %2</translation>
     </message>
     <message>
         <source>Torque over its limit for %1, up to %2</source>
-        <translation>Drehmoment %1 über seiner Grenze, bis %2</translation>
+        <translation>Drehmoment %1 lang über seiner Grenze, mit bis zu %2</translation>
     </message>
 </context>
 <context>
@@ -2900,10 +2900,6 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
         <translation>Querkraft</translation>
     </message>
     <message>
-        <source>Forces on the endoscope (N)</source>
-        <translation>Kräfte am Endoskop (N)</translation>
-    </message>
-    <message>
         <source>Fx</source>
         <translation>Fx</translation>
     </message>
@@ -2926,10 +2922,6 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
     <message>
         <source>Force along z, into the patient</source>
         <translation>Kraft entlang z, in den Körper hinein</translation>
-    </message>
-    <message>
-        <source>Torques on the endoscope (mN·m)</source>
-        <translation>Drehmomente am Endoskop (mN·m)</translation>
     </message>
     <message>
         <source>Tx</source>
@@ -2990,6 +2982,10 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
     <message>
         <source>Force across (N)</source>
         <translation>Querkraft (N)</translation>
+    </message>
+    <message>
+        <source>Forces (N) and torques (mN·m) on the endoscope</source>
+        <translation>Kräfte (N) und Drehmomente (mN·m) am Endoskop</translation>
     </message>
 </context>
 <context>
