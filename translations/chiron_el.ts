@@ -2900,10 +2900,6 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
         <translation>Πλάγια δύναμη</translation>
     </message>
     <message>
-        <source>Forces on the endoscope (N)</source>
-        <translation>Δυνάμεις στο ενδοσκόπιο (N)</translation>
-    </message>
-    <message>
         <source>Fx</source>
         <translation>Fx</translation>
     </message>
@@ -2926,10 +2922,6 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
     <message>
         <source>Force along z, into the patient</source>
         <translation>Δύναμη κατά τον άξονα z, προς τον ασθενή</translation>
-    </message>
-    <message>
-        <source>Torques on the endoscope (mN·m)</source>
-        <translation>Ροπές στο ενδοσκόπιο (mN·m)</translation>
     </message>
     <message>
         <source>Tx</source>
@@ -2990,6 +2982,10 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
     <message>
         <source>Force across (N)</source>
         <translation>Πλάγια δύναμη (N)</translation>
+    </message>
+    <message>
+        <source>Forces (N) and torques (mN·m) on the endoscope</source>
+        <translation>Δυνάμεις (N) και ροπές (mN·m) στο ενδοσκόπιο</translation>
     </message>
 </context>
 <context>
