@@ -456,6 +456,14 @@ Einzelheiten: %2</translation>
 <context>
     <name>Metrics</name>
     <message>
+        <source>Procedure completed</source>
+        <translation>Eingriff abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Whether everything that the level asks for was done in time, the way out included: 100 % or 0 %.</source>
+        <translation>Ob alles, was die Stufe verlangt, rechtzeitig getan war, der Rückzug eingeschlossen: 100 % oder 0 %.</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>

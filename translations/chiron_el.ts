@@ -456,6 +456,14 @@ Details: %2</source>
 <context>
     <name>Metrics</name>
     <message>
+        <source>Procedure completed</source>
+        <translation>Ολοκλήρωση της διαδικασίας</translation>
+    </message>
+    <message>
+        <source>Whether everything that the level asks for was done in time, the way out included: 100 % or 0 %.</source>
+        <translation>Αν έγιναν εγκαίρως όλα όσα ζητά το επίπεδο, μαζί με την απόσυρση: 100 % ή 0 %.</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>Χρόνος</translation>
     </message>

@@ -138,6 +138,7 @@ QString metricName(const std::string& id) {
         {"torque_rms", "Torque RMS"},
         {"reversals", "Reversals"},
         {"landmarks_seen", "Landmarks seen"},
+        {"procedure_completed", "Procedure completed"},
         {"inspection_travel", "Tip travel during inspection"},
         {"insertion_depth", "Insertion depth"},
         {"apex_error_mean", "Apex error, mean"},

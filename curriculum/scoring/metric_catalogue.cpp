@@ -29,6 +29,7 @@ namespace chiron::scoring {
     METRIC(torqueRmsMetric)                                                                                  \
     METRIC(reversalsMetric)                                                                                  \
     METRIC(landmarksSeenMetric)                                                                              \
+    METRIC(procedureCompletedMetric)                                                                         \
     METRIC(inspectionTravelMetric)                                                                           \
     METRIC(insertionDepthMetric)                                                                             \
     METRIC(apexErrorMeanMetric)                                                                              \

@@ -137,7 +137,8 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
         std::size_t ofNoCanal = 0; // every metric but those of an instrument in a canal
         const std::set<std::string_view> ofACanal{"offset_rms", "offset_max", "alignment_rms", "bend_alignment",
                                                   "trauma_events", "torque_max", "torque_rms", "reversals",
-                                                  "landmarks_seen", "inspection_travel", "insertion_depth"};
+                                                  "landmarks_seen", "inspection_travel", "insertion_depth",
+                                                  "procedure_completed"};
         for (const auto& metric : scoring::metricCatalogue())
             ofNoCanal += ofACanal.contains(metric.id) ? 0 : 1;
         QCOMPARE(level.metrics.size(), ofNoCanal);
@@ -155,6 +156,7 @@ void TestContent::urethraLevelsHaveTheirGates() {
             gates[gate.metric] = gate;
         QVERIFY(gates.contains("trauma_events") && gates.contains("force_time_over_limit"));
         QVERIFY(gates.contains("time") && *gates["time"].maximum < p.trialLimit_s);
+        QCOMPARE(*gates["procedure_completed"].minimum, 100.0);
         if (p.landmarks.empty())
             QCOMPARE(*gates["insertion_depth"].minimum, 1000.0 * p.goalDepth_m);
         else

@@ -15,7 +15,7 @@ struct MetricWords {
 };
 
 // clang-format off
-constexpr std::array<MetricWords, 28> kMetrics{{
+constexpr std::array<MetricWords, 29> kMetrics{{
     {"time", QT_TRANSLATE_NOOP("Metrics", "Time"),
      QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count.")},
     {"path_length", QT_TRANSLATE_NOOP("Metrics", "Path length"),
@@ -58,6 +58,8 @@ constexpr std::array<MetricWords, 28> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "How often the tip went back by 1 mm or more on the way in.")},
     {"landmarks_seen", QT_TRANSLATE_NOOP("Metrics", "Landmarks seen"),
      QT_TRANSLATE_NOOP("Metrics", "The landmarks of the bladder that were inspected, in % of those that the level asks for.")},
+    {"procedure_completed", QT_TRANSLATE_NOOP("Metrics", "Procedure completed"),
+     QT_TRANSLATE_NOOP("Metrics", "Whether everything that the level asks for was done in time, the way out included: 100 % or 0 %.")},
     {"inspection_travel", QT_TRANSLATE_NOOP("Metrics", "Tip travel during inspection"),
      QT_TRANSLATE_NOOP("Metrics", "How far the tip travelled while the bladder was inspected: turning it shows as much and harms less.")},
     {"insertion_depth", QT_TRANSLATE_NOOP("Metrics", "Insertion depth"),

@@ -28,6 +28,7 @@ class TestInsertionGoals : public QObject {
 private slots:
     void torques();
     void landmarks();
+    void procedureCompleted();
     void inspectionTravel();
     void depthStopsAtTheGoal();
     void depthIsInTheCanal();
@@ -46,6 +47,16 @@ void TestInsertionGoals::torques() {
     auto paused = trial;
     paused.tools[0].paused[500] = 1;
     QVERIFY(isNear(valueOf(canalSession(paused), "torque_max"), 5.0, 1e-9));
+}
+
+void TestInsertionGoals::procedureCompleted() {
+    auto trial = straightIn();
+    trial.completed = true;
+    QCOMPARE(valueOf(canalSession(trial), "procedure_completed"), 100.0);
+    auto timedOut = straightIn();
+    timedOut.timedOut = true;
+    QCOMPARE(valueOf(canalSession(timedOut), "procedure_completed"), 0.0);
+    QCOMPARE(valueOf(canalSession({trial, timedOut}), "procedure_completed"), 50.0);
 }
 
 void TestInsertionGoals::landmarks() {

@@ -24,6 +24,7 @@ bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= to
 
 const std::vector<std::string> kOfTheCanal{"offset_rms",    "offset_max", "alignment_rms",  "bend_alignment",
                                            "trauma_events", "reversals",  "landmarks_seen", "inspection_travel",
+                                           "procedure_completed",
                                            "insertion_depth"};
 
 } // namespace
@@ -233,7 +234,7 @@ void TestInsertionMetrics::catalogueTellsThem() {
         QVERIFY2(metric != nullptr, id.c_str());
         QCOMPARE(metric->version, 1);
         QVERIFY(!metric->unit.empty() && !metric->definition.empty() && !metric->source.empty());
-        const bool more = id == "landmarks_seen" || id == "insertion_depth";
+        const bool more = id == "landmarks_seen" || id == "insertion_depth" || id == "procedure_completed";
         QVERIFY(metric->direction == (more ? Direction::higherIsBetter : Direction::lowerIsBetter));
     }
     QVERIFY(findMetric("trauma_events")->wrench == MetricWrench::tissue);
