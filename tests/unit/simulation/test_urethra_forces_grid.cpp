@@ -14,9 +14,11 @@ using namespace chiron::simulation::testing;
 
 namespace {
 
+constexpr double kSteepEdge_m = 0.0005; // steeper than content allows: less than half of the usual step
+
 UrethraAnatomy steepStricture() {
     UrethraAnatomy anatomy = strictured();
-    anatomy.changes[0].edge_m = 0.002; // the steepest that content allows
+    anatomy.changes[0].edge_m = kSteepEdge_m;
     anatomy.changes[0].length_m = 0.010;
     return anatomy;
 }
@@ -88,7 +90,7 @@ void TestUrethraForcesGrid::twiceAsManySectionsAndSprings() {
     QFETCH(int, springs);
     const UrethraAnatomy anatomy = which == 0 ? UrethraAnatomy{} : which == 1 ? strictured() : steepStricture();
     UrethraForceSettings halved;
-    halved.maximumStep_m = (which == 2 ? 0.002 / 3.2 : UrethraForceSettings{}.maximumStep_m) / 2.0;
+    halved.maximumStep_m = (which == 2 ? kSteepEdge_m / 3.2 : UrethraForceSettings{}.maximumStep_m) / 2.0;
     const Difference d = differenceOf(UrethraForces(anatomy, {}),
                                       chiron::testing::UrethraReferenceForces(anatomy, {}, halved, static_cast<std::size_t>(springs)),
                                       0.004);
