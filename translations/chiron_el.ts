@@ -3583,7 +3583,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     </message>
     <message>
         <source>No other completed session of this level</source>
-        <translation>Καμία άλλη ολοκληρωμένη συνεδρία αυτού του επιπέδου</translation>
+        <translation>Δεν υπάρχει άλλη ολοκληρωμένη συνεδρία</translation>
     </message>
     <message>
         <source>The second session could not be read. This one is shown alone.</source>

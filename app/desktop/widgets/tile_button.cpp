@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/widgets/tile_button.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 
@@ -35,7 +36,18 @@ int TileButton::heightForWidth(int width) const {
 
 void TileButton::resizeEvent(QResizeEvent* event) {
     QPushButton::resizeEvent(event);
-    // A scroll area asks for the smallest size only: without this it would squeeze the second line of words.
+    keepWords();
+}
+
+bool TileButton::event(QEvent* event) {
+    const bool done = QPushButton::event(event);
+    if (event->type() == QEvent::LayoutRequest)
+        keepWords(); // words that came later need room as well, though the width is the same
+    return done;
+}
+
+// A scroll area asks for the smallest size only: without this it would squeeze the second line of words.
+void TileButton::keepWords() {
     setMinimumHeight(heightForWidth(width()));
 }
 

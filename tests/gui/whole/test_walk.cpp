@@ -36,13 +36,10 @@ private slots:
         m_desktop->context.applyAppearance();
         QStringList findings;
         for (const tests::VisitedPlace& place : m_places) {
-            if (!desktop::findScreen(place.place.screen)) continue; // TEMP
             QVERIFY2(tests::visit(*m_desktop, place, m_person), place.name);
             QVERIFY2(m_desktop->window->screen(), place.name);
             QCOMPARE(m_desktop->window->screen()->objectName(), QStringLiteral("screen.") + place.place.screen);
-            if (m_desktop->window->size() != QSize(1280, 720)) { findings << QStringLiteral("%1: makes the window %2 x %3").arg(QLatin1String(place.name)).arg(m_desktop->window->width()).arg(m_desktop->window->height()); m_desktop->window->resize(1280, 720); } // a screen must not force the window to grow
-            QTest::qWait(20); // layouts settle
-            for (const QString& finding : tests::clippedOn(m_desktop->window.get()) + tests::unnamedOn(m_desktop->window.get()))
+            for (const QString& finding : settledFindings())
                 findings << QStringLiteral("%1: %2").arg(QLatin1String(place.name), finding);
         }
         findings.removeDuplicates();
@@ -58,6 +55,23 @@ private slots:
     }
 
 private:
+    /// What is wrong with the screen, once its layouts are at rest: words that a worker brought ask for another layout.
+    QStringList settledFindings() {
+        QStringList found;
+        for (int look = 0; look < 5; ++look) {
+            QTest::qWait(20 << look);
+            found = tests::clippedOn(m_desktop->window.get()) + tests::unnamedOn(m_desktop->window.get());
+            if (found.isEmpty())
+                break;
+        }
+        const QSize size = m_desktop->window->size(); // a screen must not force the window to grow
+        if (size != QSize(1280, 720)) {
+            found << QStringLiteral("makes the window %1 x %2").arg(size.width()).arg(size.height());
+            m_desktop->window->resize(1280, 720);
+        }
+        return found;
+    }
+
     std::unique_ptr<tests::DesktopFixture> m_desktop;
     std::vector<tests::VisitedPlace> m_places;
     std::string m_person;

@@ -59,6 +59,7 @@ void TestScoreCalculator::catalogueIsComplete() {
                                               "landmarks_seen",
                                               "inspection_travel",
                                               "insertion_depth",
+                                              "procedure_completed",
                                               "apex_error_mean",
                                               "apex_error_sd",
                                               "apex_bias_x",
