@@ -36,6 +36,18 @@ void take(const tests::DesktopFixture& desktop, const QString& file) {
     std::printf("%s\n", qPrintable(file));
 }
 
+/// Out of the session, or the next look waits for its end.
+void leaveTraining(tests::DesktopFixture& desktop) {
+    QTimer::singleShot(600, [&desktop] {
+        if (auto* end = desktop.find<QPushButton>(QStringLiteral("training.ask.end")))
+            end->click();
+    });
+    desktop.find<QPushButton>(QStringLiteral("training.end"))->click();
+    if (!QTest::qWaitFor([&desktop] { return !desktop.context.trialRuns(); }, 10000))
+        std::fprintf(stderr, "the session did not end\n");
+    tests::waitUntilLoaded(desktop);
+}
+
 /// A demonstration running for some seconds, then paused.
 void takeTraining(tests::DesktopFixture& desktop, const QDir& folder, const Look& look, std::string& person) {
     const tests::VisitedPlace setup{"training", "tina", {QStringLiteral("training"), {{"exercise", "sphere_apex"}, {"level", 1}, {"device", "demonstration"}, {"operator", "intermediate"}}}};
@@ -48,15 +60,16 @@ void takeTraining(tests::DesktopFixture& desktop, const QDir& folder, const Look
     QTest::keyClick(desktop.window.get(), Qt::Key_Escape);
     QTest::qWait(300);
     take(desktop, folder.filePath(QStringLiteral("training_stopped_%1.png").arg(QLatin1String(look.name))));
-    // Out of the session, or the next look waits for its end.
-    QTimer::singleShot(600, [&desktop] {
-        if (auto* end = desktop.find<QPushButton>(QStringLiteral("training.ask.end")))
-            end->click();
-    });
-    desktop.find<QPushButton>(QStringLiteral("training.end"))->click();
-    if (!QTest::qWaitFor([&desktop] { return !desktop.context.trialRuns(); }, 10000))
-        std::fprintf(stderr, "the session did not end\n");
-    tests::waitUntilLoaded(desktop);
+    leaveTraining(desktop);
+}
+
+/// P1's screen: a scripted endoscopist on the way through the urethra.
+void takeInsertion(tests::DesktopFixture& desktop, const QDir& folder, const Look& look, std::string& person) {
+    const tests::VisitedPlace setup{"training_urethra", "tina", {QStringLiteral("training"), {{"exercise", "urethra_insertion"}, {"level", 3}, {"device", "demonstration"}, {"operator", "expert"}}}};
+    tests::visit(desktop, setup, person);
+    QTest::qWait(17000);
+    take(desktop, folder.filePath(QStringLiteral("training_urethra_%1.png").arg(QLatin1String(look.name))));
+    leaveTraining(desktop);
 }
 
 } // namespace
@@ -90,6 +103,7 @@ int main(int argc, char** argv) {
             take(desktop, folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(place.name), QLatin1String(look.name))));
         }
         takeTraining(desktop, folder, look, person);
+        takeInsertion(desktop, folder, look, person);
     }
     return 0;
 }
