@@ -32,6 +32,16 @@ std::vector<core::Vec3> corners(const UrethraDrawing& drawing) {
     return points;
 }
 
+/// Half way between the farthest points each way, on this axis through W's origin.
+core::Vec3 middleAlong(const std::vector<core::Vec3>& points, const core::Vec3& axis) {
+    double low = 1e9, high = -1e9;
+    for (const core::Vec3& q : points) {
+        low = std::min(low, q.dot(axis));
+        high = std::max(high, q.dot(axis));
+    }
+    return 0.5 * (low + high) * axis;
+}
+
 } // namespace
 
 OverviewFit fitOverview(const UrethraDrawing& drawing, double aspect) {
@@ -44,15 +54,7 @@ OverviewFit fitOverview(const UrethraDrawing& drawing, double aspect) {
     const core::Vec3 right = fit.up_W.cross(back).normalized();
     const core::Vec3 up = back.cross(right);
     const double tangent = kEdge * std::tan(0.5 * fit.fieldOfView_deg * core::kPi / 180.0);
-    core::Vec3 middle = core::Vec3::Zero();
-    for (const core::Vec3& axis : {right, up}) {
-        double low = 1e9, high = -1e9;
-        for (const core::Vec3& q : points) {
-            low = std::min(low, q.dot(axis));
-            high = std::max(high, q.dot(axis));
-        }
-        middle += 0.5 * (low + high) * axis;
-    }
+    core::Vec3 middle = middleAlong(points, right) + middleAlong(points, up);
     double distance = 0.05;
     for (int pass = 0; pass < 2; ++pass) { // the second time about the picture's middle as perspective moved it
         double left = 1e9, rightmost = -1e9, bottom = 1e9, top = -1e9;
