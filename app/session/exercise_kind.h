@@ -3,6 +3,8 @@
 
 #include "catalogue/exercise.h"
 #include "core/result.h"
+#include "core/quantity.h"
+#include "devices/api/device_descriptor.h"
 #include "mechanisms/hand_parameters.h"
 #include "mechanisms/hand_strategy.h"
 #include "scoring/trace.h"
@@ -13,19 +15,29 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace chiron::session {
 
 struct SessionSetup;
 
-/// A scripted trainee: the mind, and the hand it moves.
+/// A scripted trainee: what moves each hand (one a tool; of one mind where there are several), and what the hands are like.
 struct ScriptedTrainee {
-    std::unique_ptr<mechanisms::HandStrategy> strategy;
+    std::vector<std::unique_ptr<mechanisms::HandStrategy>> strategies;
     mechanisms::HandParameters hand;
 };
 
-enum class PointerTool { point, endoscope };
+/// A trainee with one hand.
+inline ScriptedTrainee oneHanded(std::unique_ptr<mechanisms::HandStrategy> strategy, const mechanisms::HandParameters& hand) {
+    ScriptedTrainee trainee;
+    trainee.strategies.push_back(std::move(strategy));
+    trainee.hand = hand;
+    return trainee;
+}
+
+/// What a mouse and a keyboard move: a point, an endoscope, or the graspers of a laparoscopy, one at a time.
+enum class PointerTool { point, endoscope, grasper };
 
 /// How one kind of exercise is run: the only place that knows its scene, its operators and its truth by type. A new
 /// kind adds a class and one line in exercise_kind.cpp. Stateless.
@@ -39,12 +51,21 @@ public:
     virtual std::string_view id() const noexcept = 0;
     /// The simulated mechanism that a scripted operator holds: kinematics id "gimbal_hprd" (P2) or "five_bar_spherical" (P1).
     virtual std::string_view mechanism() const noexcept { return "gimbal_hprd"; }
+    /// How many instruments a level is done with, 1..core::kMaxTools.
+    virtual int toolCount(const catalogue::ExerciseLevel&) const { return 1; }
+    /// Where the device base of an instrument stands in W when nothing else is said: its entry point in the abdomen's wall.
+    virtual devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel&, int) const { return {}; }
+    /// What the scene puts into `SceneOutput::quantities`, in that order; recorded with the session. At most core::kMaxQuantities.
+    virtual std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel&) const { return {}; }
+    /// Whether the books of energy are recorded (TickHeader::energySupplied_J, energyStored_J) and plotted in playback.
+    virtual bool recordsEnergy(const catalogue::ExerciseLevel&) const { return false; }
     /// How a mouse and a keyboard move the tool: a point, or an endoscope that is advanced along its axis and turned.
     virtual PointerTool pointerTool() const noexcept { return PointerTool::point; }
     /// From what is stored with the session alone, its devices' data included, so that a replay makes the same scene.
     virtual std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const = 0;
     /// Failure: notFound naming the operators that exist.
-    virtual core::Result<ScriptedTrainee> makeOperator(const std::string& name, std::uint64_t seed) const = 0;
+    virtual core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+                                                       std::uint64_t seed) const = 0;
     virtual std::vector<std::string> operatorNames() const = 0;
     virtual int trialCount(const catalogue::ExerciseLevel& level) const = 0;
     virtual double forceLimit_N(const catalogue::ExerciseLevel& level) const = 0;

@@ -24,10 +24,18 @@ core::Result<std::unique_ptr<database::Database>> createOrOpen(const std::string
     return database::Database::create(file, options);
 }
 
-core::Result<Station> stationFor(const ExerciseKind& kind, const ScriptedSession& session) {
+core::Result<const catalogue::ExerciseLevel*> levelOf(const catalogue::Catalogue& catalogue, const ScriptedSession& session) {
+    if (const catalogue::ExerciseLevel* level = catalogue.find(session.exercise, session.level))
+        return level;
+    return core::fail(core::ErrorCode::notFound, "exercise \"" + session.exercise + "\": no level " +
+                                                     std::to_string(session.level));
+}
+
+core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                                 const ScriptedSession& session) {
     const std::vector<std::string> names = kind.operatorNames();
     if (std::find(names.begin(), names.end(), session.operatorName) != names.end())
-        return scriptedStation(kind, session.operatorName, session.seed);
+        return scriptedStation(kind, level, session.operatorName, session.seed);
     std::error_code ignored;
     if (!std::filesystem::exists(session.operatorName, ignored)) {
         std::string known;
@@ -54,11 +62,14 @@ core::Result<OpenedSite> openSite(const std::string& file, const database::Datab
     return OpenedSite{std::move(*database), std::move(*recovered)};
 }
 
-core::Result<void> checkOperator(const ScriptedSession& session) {
+core::Result<void> checkOperator(const catalogue::Catalogue& catalogue, const ScriptedSession& session) {
     auto kind = exerciseKind(session.exercise);
     if (!kind)
         return tl::unexpected(kind.error());
-    auto station = stationFor(**kind, session);
+    const auto level = levelOf(catalogue, session);
+    if (!level)
+        return tl::unexpected(level.error());
+    auto station = stationFor(**kind, **level, session);
     return station ? core::Result<void>() : tl::unexpected(station.error());
 }
 
@@ -68,15 +79,14 @@ core::Result<TrainingResult> runScripted(database::Database& database, const dat
     auto kind = exerciseKind(session.exercise);
     if (!kind)
         return tl::unexpected(kind.error());
-    const catalogue::ExerciseLevel* level = catalogue.find(session.exercise, session.level);
+    const auto level = levelOf(catalogue, session);
     if (!level)
-        return core::fail(core::ErrorCode::notFound, "exercise \"" + session.exercise + "\": no level " +
-                                                         std::to_string(session.level));
-    auto station = stationFor(**kind, session);
+        return tl::unexpected(level.error());
+    auto station = stationFor(**kind, **level, session);
     if (!station)
         return tl::unexpected(station.error());
     TrainingRequest request;
-    request.level = *level;
+    request.level = **level;
     request.seed = session.seed;
     request.station = std::move(*station);
     request.realtime = session.realtime;

@@ -33,8 +33,8 @@ struct ScriptedSession {
 };
 
 /// Whether its operator, or trace, can be had at all: asked before a database is made for it. Failure: notFound (exercise,
-/// operator), badInput (trace).
-core::Result<void> checkOperator(const ScriptedSession& session);
+/// level, operator), badInput (trace).
+core::Result<void> checkOperator(const catalogue::Catalogue& catalogue, const ScriptedSession& session);
 
 /// Runs it as `actor`. Failure: notFound (exercise, level, operator), badInput (trace), as runTraining.
 core::Result<TrainingResult> runScripted(database::Database& database, const database::Actor& actor,

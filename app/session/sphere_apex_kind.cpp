@@ -54,14 +54,15 @@ std::unique_ptr<simulation::IScene> SphereApexKind::makeScene(const SessionSetup
     return std::make_unique<simulation::SphereApexScene>(parametersOf(setup.level), setup.seed);
 }
 
-core::Result<ScriptedTrainee> SphereApexKind::makeOperator(const std::string& name, std::uint64_t seed) const {
+core::Result<ScriptedTrainee> SphereApexKind::makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
+                                                          std::uint64_t seed) const {
     auto settings = operators::sphereApexOperatorSettings(name);
     if (!settings)
         return tl::unexpected(settings.error());
     auto strategy = operators::makeSphereApexOperator(*settings, seed);
     if (!strategy)
         return tl::unexpected(strategy.error());
-    return ScriptedTrainee{std::move(*strategy), settings->hand};
+    return oneHanded(std::move(*strategy), settings->hand);
 }
 
 std::vector<std::string> SphereApexKind::operatorNames() const {

@@ -10,7 +10,8 @@ class SphereApexKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "sphere_apex"; }
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
-    core::Result<ScriptedTrainee> makeOperator(const std::string& name, std::uint64_t seed) const override;
+    core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+                                               std::uint64_t seed) const override;
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <span>
 
 namespace chiron::session {
 
@@ -30,17 +31,34 @@ core::Result<std::unique_ptr<Device>> makePointer(Settings settings, double scal
     return Device::create(settings);
 }
 
+/// One device a hand; each hand trembles for itself, the first as it always did.
 template <class Device>
-core::Result<Station> withDevice(Station station, typename Device::Configuration configuration, ScriptedTrainee trainee,
-                                 std::uint64_t handSeed) {
-    configuration.seed = handSeed;
-    configuration.hand = trainee.hand;
-    auto device = Device::create(configuration, std::move(trainee.strategy));
-    if (!device)
-        return tl::unexpected(device.error());
-    station.mappings.push_back(configuration.mapping);
-    station.devices.push_back(std::move(*device));
+core::Result<Station> withDevices(Station station, const typename Device::Configuration& usual, ScriptedTrainee trainee,
+                                  std::uint64_t handSeed, std::span<const devices::WorkspaceMapping> places) {
+    for (std::size_t i = 0; i < trainee.strategies.size(); ++i) {
+        typename Device::Configuration configuration = usual;
+        configuration.seed = i == 0 ? handSeed : core::Random::mix(handSeed, "hand " + std::to_string(i));
+        configuration.hand = trainee.hand;
+        configuration.mapping = places[i];
+        auto device = Device::create(configuration, std::move(trainee.strategies[i]));
+        if (!device)
+            return tl::unexpected(device.error());
+        station.mappings.push_back(configuration.mapping);
+        station.devices.push_back(std::move(*device));
+    }
     return station;
+}
+
+core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                                                              std::size_t hands) {
+    const int tools = kind.toolCount(level);
+    if (tools < 1 || tools > core::kMaxTools || hands != static_cast<std::size_t>(tools))
+        return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) + ": " + std::to_string(hands) +
+                                                         " hands for " + std::to_string(tools) + " instruments");
+    std::vector<devices::WorkspaceMapping> places;
+    for (int tool = 0; tool < tools; ++tool)
+        places.push_back(kind.toolPlace(level, tool));
+    return places;
 }
 } // namespace
 
@@ -82,22 +100,29 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, Pointe
     return station;
 }
 
-core::Result<Station> scriptedStation(const ExerciseKind& kind, const std::string& operatorName, std::uint64_t seed) {
+core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                                      const std::string& operatorName, std::uint64_t seed, mechanisms::PolarMap map) {
     // Hand and mind have streams of their own: the same person in another field trembles alike.
-    auto trainee = kind.makeOperator(operatorName, core::Random::mix(seed, "operator"));
+    auto trainee = kind.makeOperator(level, operatorName, core::Random::mix(seed, "operator"));
     if (!trainee)
         return tl::unexpected(trainee.error());
+    const auto places = placesOf(kind, level, trainee->strategies.size());
+    if (!places)
+        return tl::unexpected(places.error());
     Station station;
     station.operatorName = operatorName;
     const std::uint64_t handSeed = core::Random::mix(seed, "hand");
     if (kind.mechanism() == devices::FiveBarSphericalKinematics::kId) {
         devices::SimulatedEndoscopeDevice::Configuration configuration;
         configuration.start_D = endoscopeStart_W(); // D is W where nothing else is said
-        return withDevice<devices::SimulatedEndoscopeDevice>(std::move(station), configuration, std::move(*trainee), handSeed);
+        return withDevices<devices::SimulatedEndoscopeDevice>(std::move(station), configuration, std::move(*trainee), handSeed,
+                                                              *places);
     }
-    if (kind.mechanism() == devices::GimbalHprdKinematics::kId)
-        return withDevice<devices::SimulatedDevice>(std::move(station), devices::SimulatedDevice::Configuration{},
-                                                    std::move(*trainee), handSeed);
+    if (kind.mechanism() == devices::GimbalHprdKinematics::kId) {
+        devices::SimulatedDevice::Configuration configuration;
+        configuration.map = map;
+        return withDevices<devices::SimulatedDevice>(std::move(station), configuration, std::move(*trainee), handSeed, *places);
+    }
     return core::fail(core::ErrorCode::wrongUse,
                       "exercise " + std::string(kind.id()) + ": no simulated mechanism \"" + std::string(kind.mechanism()) +
                           "\"");

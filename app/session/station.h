@@ -6,6 +6,7 @@
 #include "devices/drivers/endoscope_pointer/endoscope_pointer_device.h"
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 #include "devices/drivers/replay/replay_device.h"
+#include "mechanisms/gimbal_kinematics.h"
 #include "scoring/trace_rows.h"
 #include "session/exercise_kind.h"
 
@@ -46,9 +47,12 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
 /// Failure: badInput.
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {}, PointerTool tool = PointerTool::point);
 
-/// The simulated mechanism that the kind names, with a scripted operator on it. Failure: that of the kind's makeOperator();
+/// The simulated mechanism that the kind names, one for each instrument of the level, with a scripted operator on it. Failure: that of the kind's makeOperator();
 /// wrongUse for a mechanism that does not exist.
-core::Result<Station> scriptedStation(const ExerciseKind& kind, const std::string& operatorName, std::uint64_t seed);
+/// `map`: how a force becomes motor torques on P2's gimbal (models.md §2.1).
+core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                                      const std::string& operatorName, std::uint64_t seed,
+                                      mechanisms::PolarMap map = mechanisms::PolarMap::exact);
 
 /// A recorded trace as input device (class "shown": nobody feels anything). `tool`: the kind's pointerTool(); an endoscope
 /// needs the columns of orientation. Failure: badInput naming file and row or columns.

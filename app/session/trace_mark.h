@@ -7,7 +7,8 @@ namespace chiron::session {
 
 /// A trial's last frame has one of these, unless it was stopped.
 inline constexpr std::uint32_t kTrialEnds =
-    core::event_bits::kMarked | core::event_bits::kCompleted | core::event_bits::kTimedOut;
+    core::event_bits::kMarked | core::event_bits::kCompleted | core::event_bits::kTimedOut |
+    core::event_bits::kFailed;
 
 /// Argument of a mark command that nobody gave: a trace ended without a mark, so its last position is the
 /// answer.

@@ -43,14 +43,15 @@ std::unique_ptr<simulation::IScene> UrethraInsertionKind::makeScene(const Sessio
     return std::make_unique<simulation::UrethraInsertionScene>(felt);
 }
 
-core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const std::string& name, std::uint64_t seed) const {
+core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
+                                                          std::uint64_t seed) const {
     auto settings = operators::urethraInsertionOperatorSettings(name);
     if (!settings)
         return tl::unexpected(settings.error());
     auto strategy = operators::makeUrethraInsertionOperator(*settings, seed);
     if (!strategy)
         return tl::unexpected(strategy.error());
-    return ScriptedTrainee{std::move(*strategy), settings->hand};
+    return oneHanded(std::move(*strategy), settings->hand);
 }
 
 std::vector<std::string> UrethraInsertionKind::operatorNames() const {

@@ -13,7 +13,8 @@ public:
     PointerTool pointerTool() const noexcept override { return PointerTool::endoscope; }
     /// Friction sets in as slowly as the first tool's device needs it (device_friction.h).
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
-    core::Result<ScriptedTrainee> makeOperator(const std::string& name, std::uint64_t seed) const override;
+    core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+                                               std::uint64_t seed) const override;
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;

@@ -54,6 +54,18 @@ struct ApexTruth {
     double radius_m = 0.02;
 };
 
+/// One of the recorded quantities of the scene (core::QuantityDescription), sample by sample of tool 0, on the recording's grid.
+struct QuantityTrace {
+    std::string id; ///< with its unit, e.g. "squeeze_0_N"
+    std::vector<double> values;
+};
+
+/// Something that is true of a trial, from its content and seed, that a metric needs: a target, a limit. SI; the name has the unit.
+struct NamedValue {
+    std::string id;
+    double value = 0.0;
+};
+
 /// One trial: samples from the tick it started (event kTrialStarted) to its mark or time-out, both included.
 struct TrialTrace {
     int trial = 0;
@@ -64,6 +76,9 @@ struct TrialTrace {
     bool markInContact = false;
     std::optional<ApexTruth> apex;
     std::optional<InsertionSeries> insertion; ///< exercises through a canal
+    std::vector<QuantityTrace> quantities; ///< exercises whose scene records some
+    std::vector<NamedValue> truth;    ///< of this trial, what its kind of exercise adds
+    bool failed = false;    ///< kFailed: it could not be done any more
     bool completed = false; ///< the procedure was done to its end (kCompleted); marks end other exercises
     bool forcesKnown = true; ///< false: a file without force columns; tissue_N is zero and means nothing
 };

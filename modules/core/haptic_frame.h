@@ -4,6 +4,7 @@
 #include "core/command.h"
 #include "core/device_sample.h"
 #include "core/session_state.h"
+#include "core/quantity.h"
 
 #include <array>
 #include <cstdint>
@@ -12,7 +13,7 @@
 namespace chiron::core {
 
 /// Layout version of HapticFrame in memory and in the crash ring; raise it with every change of these structs.
-inline constexpr std::uint32_t kFrameLayoutVersion = 1;
+inline constexpr std::uint32_t kFrameLayoutVersion = 2;
 
 struct TickHeader {
     std::uint64_t index = 0;            ///< executed ticks since the session's first
@@ -26,6 +27,11 @@ struct TickHeader {
     std::uint8_t paused = 0;            ///< 1 while paused: left out of every metric
     std::uint8_t reserved = 0;
     std::array<Command, kMaxCommandsPerTick> commands{};
+    /// Books of the passivity observer, all contacts summed, J: what people have put into the objects they touch, and what
+    /// these hold (as rendered). Passive as long as held ≤ supplied (P2, passive object modelling; models.md §5).
+    double energySupplied_J = 0.0;
+    double energyStored_J = 0.0;
+    std::array<double, kMaxQuantities> quantities{}; ///< of the scene, as its kind of exercise names them; the rest is zero
 };
 
 struct ToolFrame {

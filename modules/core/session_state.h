@@ -58,6 +58,13 @@ inline constexpr std::uint32_t kFinished = 1u << 6;      ///< the last trial end
 inline constexpr std::uint32_t kCompleted = 1u << 7;     ///< the trial's procedure is done: ends the trial as a mark does
 inline constexpr std::uint32_t kStageChanged = 1u << 8;  ///< core::ProcedureStage moved on
 inline constexpr std::uint32_t kLandmarkSeen = 1u << 9;  ///< one more landmark was inspected
+inline constexpr std::uint32_t kGrasped = 1u << 10;      ///< an instrument took hold of something
+inline constexpr std::uint32_t kReleased = 1u << 11;     ///< an instrument let go, on purpose
+inline constexpr std::uint32_t kSlipped = 1u << 12;      ///< something slipped out of an instrument, or was dropped
+inline constexpr std::uint32_t kDamaged = 1u << 13;      ///< a limit of the tissue was passed (over-stretched, over-squeezed)
+inline constexpr std::uint32_t kFailed = 1u << 14;       ///< the trial cannot be done any more (torn): ends it as a time-out does
+/// The slow model's answer took effect in this tick: a replay applies it at the same tick (architecture.md, Determinism).
+inline constexpr std::uint32_t kSlowApplied = 1u << 15;
 } // namespace event_bits
 
 } // namespace chiron::core

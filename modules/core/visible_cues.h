@@ -3,6 +3,7 @@
 
 #include "core/endoscope_cues.h"
 #include "core/geometry.h"
+#include "core/laparoscopy_cues.h"
 #include "core/session_state.h"
 
 #include <cstdint>
@@ -22,6 +23,7 @@ struct VisibleCues {
     double shownForce_N = 0.0;     ///< ‖tissue force‖ on this tool, filled by the loop for input-only devices (slowed
                                    ///< motion); zero on a device that renders force, whose hand feels it instead
     EndoscopeCues endoscope;       ///< endoscopic exercises only
+    LaparoscopyCues laparoscopy;   ///< exercises that grasp only
 };
 
 } // namespace chiron::core

@@ -3,6 +3,7 @@
 
 #include "core/endoscope_cues.h"
 #include "core/geometry.h"
+#include "core/laparoscopy_cues.h"
 #include "core/session_state.h"
 #include "core/tool_state.h"
 #include "haptics/safety_io.h"
@@ -58,6 +59,9 @@ struct DisplayState {
     std::array<double, 3> p_WObject_m{};
     double objectRadius_m = 0.0;
     core::EndoscopeCues endoscope; ///< endoscopic exercises only
+    core::LaparoscopyCues laparoscopy; ///< exercises that grasp only
+    double energySupplied_J = 0.0; ///< see core::TickHeader
+    double energyStored_J = 0.0;
 
     std::uint64_t lateTicks = 0;
     std::uint64_t skippedDeadlines = 0;

@@ -110,6 +110,7 @@ void HapticLoop::respond(const realtime::HapticTick& now) noexcept {
     in.forceReady = m_safe.forceReady;
     in.mark = m_mark;
     in.force = m_safe.force;
+    in.slow = m_in.slow;
     m_scene->respond(now, in, m_out);
     if (m_swapped)
         m_out.events |= core::event_bits::kSceneChanged;

@@ -40,6 +40,9 @@ void HapticLoop::fillFrame(const realtime::HapticTick& now) noexcept {
     header.force = m_safe.force;
     header.paused = m_paused ? 1 : 0;
     header.commands = m_in.commands;
+    header.energySupplied_J = m_safe.energySupplied_J;
+    header.energyStored_J = m_safe.energyStored_J;
+    header.quantities = m_out.quantities;
     for (std::size_t i = 0; i < m_count; ++i) {
         core::ToolFrame& frame = m_frame.tool[i];
         frame = frameOf(m_in.tools[i]);
@@ -96,6 +99,9 @@ void HapticLoop::fillDisplay(const realtime::HapticTick& now) noexcept {
     m_shown.p_WObject_m = arrayOf(m_out.cues.p_WObject);
     m_shown.objectRadius_m = m_out.cues.objectRadius_m;
     m_shown.endoscope = m_out.cues.endoscope;
+    m_shown.laparoscopy = m_out.cues.laparoscopy;
+    m_shown.energySupplied_J = m_safe.energySupplied_J;
+    m_shown.energyStored_J = m_safe.energyStored_J;
     m_shown.lateTicks = m_statistics.late();
     m_shown.skippedDeadlines = m_statistics.skippedDeadlines();
     m_shown.droppedFrames = m_droppedFrames;

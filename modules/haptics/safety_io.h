@@ -58,6 +58,8 @@ struct SafetyOutput {
     bool forceReady = false; ///< full gain; always true where no tool renders force
     bool paused = false;     ///< from the pause command's tick up to the tick before the resume command's
     double gain = 0.0;       ///< 0..1, for the screen
+    double energySupplied_J = 0.0; ///< see core::TickHeader
+    double energyStored_J = 0.0;
 };
 
 } // namespace chiron::haptics

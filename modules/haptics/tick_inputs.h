@@ -5,6 +5,7 @@
 #include "core/device_sample.h"
 #include "devices/api/device.h"
 #include "realtime/haptic_tick.h"
+#include "simulation/slow_model.h"
 
 #include <array>
 #include <cstdint>
@@ -23,6 +24,8 @@ struct TickInputs {
     std::array<core::Command, core::kMaxCommandsPerTick> commands{}; ///< unused ones are CommandKind::none
     std::uint16_t heartbeatAge_ms = 0; ///< saturated; 0 where no heartbeat is wanted
     std::array<ToolInput, core::kMaxTools> tools{};
+    /// When a slow model's answer takes effect; recorded as event_bits::kSlowApplied of the tick in which it did.
+    simulation::SlowUpdate slow = simulation::SlowUpdate::asDue;
 };
 
 /// Where a loop's inputs come from: devices, people and clocks (LiveInputs), or a recording (RecordedInputs). The seam

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/session_state.h"
+#include "core/quantity.h"
 #include "core/tool_state.h"
 #include "core/visible_cues.h"
 #include "realtime/haptic_tick.h"
+#include "simulation/slow_model.h"
 
 #include <cstdint>
 
@@ -18,6 +20,7 @@ struct SceneInput {
     bool forceReady = false; ///< the supervisor's gain is full (on an input-only device: always true)
     bool mark = false;       ///< the mark command arrived this tick (button marks come with the tools)
     core::ForceState force = core::ForceState::off; ///< of the previous tick, for the cues
+    SlowUpdate slow = SlowUpdate::asDue; ///< when the slow model's answer takes effect
 };
 
 /// What the scene answers.
@@ -35,6 +38,14 @@ struct SceneOutput {
     std::array<core::Vec3, core::kMaxTools> p_WProxy{core::Vec3::Zero(), core::Vec3::Zero(),
                                                      core::Vec3::Zero(), core::Vec3::Zero()};
     core::VisibleCues cues;
+    /// Which tools touch one and the same body: tools with the same number (0..kMaxTools-1) share one book of energy, because
+    /// they can pass energy to each other through it. All 0 where a scene does not say.
+    std::array<std::uint8_t, core::kMaxTools> body{};
+    /// `storedEnergy_J` and `contactStiffness_N_per_m` by body, valid with `energyByBody`; else all of it is body 0's.
+    bool energyByBody = false;
+    std::array<double, core::kMaxTools> bodyEnergy_J{};
+    std::array<double, core::kMaxTools> bodyStiffness_N_per_m{};
+    std::array<double, core::kMaxQuantities> quantities{}; ///< recorded; the kind of exercise names them in this order
 };
 
 /// One exercise running: geometry + attributes + task state (all trials of the session, planned from the seed
@@ -46,6 +57,9 @@ public:
     /// Thread: haptic. Never allocates, locks or throws.
     virtual void respond(const realtime::HapticTick& now, const SceneInput& in,
                          SceneOutput& out) noexcept = 0;
+    /// What has to be stepped beside the loop, at 30–100 Hz, on a thread of its own when the session runs in real time
+    /// (two rates, P2); null where there is no such model. Owned by the scene; thread: set-up.
+    virtual ISlowModel* slowModel() noexcept { return nullptr; }
 };
 
 } // namespace chiron::simulation

@@ -74,7 +74,7 @@ core::Result<bool> SummarySite::record(std::uint64_t seed) {
         return tl::unexpected(level.error());
     const auto kind = session::exerciseKind(level->exercise);
     const std::vector<std::string> operators = (*kind)->operatorNames();
-    auto station = session::scriptedStation(**kind, operators[seed % operators.size()], seed);
+    auto station = session::scriptedStation(**kind, *level, operators[seed % operators.size()], seed);
     if (!station)
         return tl::unexpected(station.error());
     Stopper stopper;

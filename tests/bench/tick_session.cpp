@@ -89,7 +89,7 @@ core::Result<session::Station> stationOf(const session::SessionSetup& setup) {
     const auto kind = session::exerciseKind(setup.level.exercise);
     if (!kind)
         return tl::unexpected(kind.error());
-    auto station = session::scriptedStation(**kind, kOperator, setup.seed);
+    auto station = session::scriptedStation(**kind, setup.level, kOperator, setup.seed);
     if (!station)
         return station;
     if (auto opened = station->devices[0]->open(); !opened)

@@ -39,7 +39,7 @@ int train(database::Database& database, const std::string& rings, Witness& witne
           double limit_s) {
     const catalogue::ExerciseLevel level = tests::shortLevel(2, 1, limit_s);
     const auto kind = session::exerciseKind(level.exercise);
-    auto station = session::scriptedStation(**kind, "intermediate", seed);
+    auto station = session::scriptedStation(**kind, level, "intermediate", seed);
     if (!station)
         return failed(station.error());
     CountingWitness counter(witness);

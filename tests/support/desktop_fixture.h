@@ -72,7 +72,7 @@ public:
         request.seed = seed;
         request.ringFolder = recording::defaultRingFolder();
         const auto kind = session::exerciseKind(request.level.exercise);
-        auto station = session::scriptedStation(**kind, operatorName, seed);
+        auto station = session::scriptedStation(**kind, request.level, operatorName, seed);
         if (!station)
             qFatal("%s", station.error().message.c_str());
         request.station = std::move(*station);

@@ -57,7 +57,7 @@ public:
         request.seed = seed;
         request.ringFolder = recording::defaultRingFolder(); // memory: a ring on a disk makes ticks wait for write-back
         const auto kind = session::exerciseKind(level.exercise);
-        auto station = session::scriptedStation(**kind, operatorName, seed);
+        auto station = session::scriptedStation(**kind, level, operatorName, seed);
         if (!station)
             qFatal("%s", station.error().message.c_str());
         request.station = std::move(*station);

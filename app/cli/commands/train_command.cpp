@@ -37,8 +37,6 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
     if (!seed)
         return tl::unexpected(seed.error());
     asked.seed = *seed;
-    if (auto there = session::checkOperator(asked); !there)
-        return tl::unexpected(there.error());
     asked.realtime = arguments.has(QStringLiteral("realtime"));
     asked.familiarisation = arguments.has(QStringLiteral("familiarisation"));
     std::vector<session::ScriptedSession> sessions;
@@ -49,6 +47,8 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
         return tl::unexpected(level.error());
     for (int number = all ? 1 : static_cast<int>(*level); number <= (all ? levels : static_cast<int>(*level)); ++number) {
         asked.level = number;
+        if (auto there = session::checkOperator(catalogue, asked); !there)
+            return tl::unexpected(there.error());
         sessions.push_back(asked);
     }
     return sessions;

@@ -4,6 +4,7 @@
 #include "core/endoscope_cues.h"
 #include "core/geometry.h"
 #include "core/haptic_frame.h"
+#include "core/laparoscopy_cues.h"
 
 #include <array>
 
@@ -38,6 +39,7 @@ struct SceneState {
     bool marked = false;                            ///< playback: the place where the person marked
     core::Vec3 p_WMark = core::Vec3::Zero();
     core::EndoscopeCues endoscope; ///< endoscopic exercises: stage, landmarks, guidance; the pose is tool[0]'s
+    core::LaparoscopyCues laparoscopy; ///< exercises that grasp: tube, bodies, target, bands
     double time_s = 0.0;
 };
 

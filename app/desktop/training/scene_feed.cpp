@@ -54,6 +54,7 @@ scene3d::SceneState sceneStateOf(const haptics::DisplayState& shown, const sessi
     state.objectShown = (shown.objectShown || shown.endoscope.present) && cues.object; // the object of endoscopy is its picture
     state.p_WObject = vectorOf(shown.p_WObject_m);
     state.endoscope = shown.endoscope;
+    state.laparoscopy = shown.laparoscopy;
     state.time_s = static_cast<double>(shown.now_ns - startedAt_ns) * 1e-9;
     return state;
 }

@@ -18,7 +18,7 @@ core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalog
     case PlanDevice::mouse:
         return session::keyboardMouseStation(plan.workspace, (*kind)->pointerTool());
     case PlanDevice::demonstration:
-        return session::scriptedStation(**kind, plan.operatorName.toStdString(), seed);
+        return session::scriptedStation(**kind, level, plan.operatorName.toStdString(), seed);
     case PlanDevice::trace:
         break;
     }

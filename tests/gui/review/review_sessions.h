@@ -38,7 +38,7 @@ private:
         request.level = shortLevel(level, trials, 20.0);
         request.seed = seed;
         request.ringFolder = recording::defaultRingFolder();
-        auto station = session::scriptedStation(**session::exerciseKind("sphere_apex"), name, seed);
+        auto station = session::scriptedStation(**session::exerciseKind("sphere_apex"), request.level, name, seed);
         if (!station)
             qFatal("%s", station.error().message.c_str());
         request.station = std::move(*station);

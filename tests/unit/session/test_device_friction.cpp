@@ -24,7 +24,7 @@ session::SessionSetup onMechanism() {
     static const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
     if (!catalogue)
         qFatal("%s", catalogue.error().message.c_str());
-    auto station = session::scriptedStation(kind(), "expert", 1);
+    auto station = session::scriptedStation(kind(), *catalogue->find("urethra_insertion", 3), "expert", 1);
     if (!station)
         qFatal("%s", station.error().message.c_str());
     session::SessionSetup setup;

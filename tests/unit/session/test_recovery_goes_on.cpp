@@ -20,7 +20,7 @@ namespace {
 database::SessionId openSession(tests::SessionFixture& site, const std::function<void(database::NewSession&)>& change) {
     session::SessionSetup setup;
     setup.level = tests::shortLevel(2, 1, 5.0);
-    auto station = session::scriptedStation(**session::exerciseKind("sphere_apex"), "expert", 1);
+    auto station = session::scriptedStation(**session::exerciseKind("sphere_apex"), setup.level, "expert", 1);
     setup.devices = {station->devices.front()->descriptor()};
     setup.mappings = station->mappings;
     setup.safety = session::headlessSafety(setup.level);

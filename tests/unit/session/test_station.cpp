@@ -32,10 +32,11 @@ public:
     std::string_view id() const noexcept override { return "any"; }
     std::string_view mechanism() const noexcept override { return m_mechanism; }
     std::unique_ptr<simulation::IScene> makeScene(const session::SessionSetup&) const override { return nullptr; }
-    core::Result<session::ScriptedTrainee> makeOperator(const std::string& name, std::uint64_t) const override {
+    core::Result<session::ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
+                                                        std::uint64_t) const override {
         if (name != "stayer")
             return core::fail(core::ErrorCode::notFound, "operator: expected stayer");
-        return session::ScriptedTrainee{std::make_unique<Stayer>(), {}};
+        return session::oneHanded(std::make_unique<Stayer>(), {});
     }
     std::vector<std::string> operatorNames() const override { return {"stayer"}; }
     int trialCount(const catalogue::ExerciseLevel&) const override { return 1; }
@@ -85,20 +86,20 @@ private slots:
     }
 
     void theScriptedOperatorHoldsTheMechanismOfTheExercise() {
-        auto endoscope = session::scriptedStation(AnyKind("five_bar_spherical"), "stayer", 5);
+        auto endoscope = session::scriptedStation(AnyKind("five_bar_spherical"), {}, "stayer", 5);
         QVERIFY(endoscope.has_value());
         QCOMPARE(endoscope->devices[0]->descriptor().kinematics, std::string("five_bar_spherical"));
         QVERIFY(endoscope->devices[0]->open().has_value());
         const core::ToolState tool = poseOf(*endoscope);
         QVERIFY((tool.p_WT - kBeforeTheEntrance).norm() < 30e-6);
         QVERIFY((tool.q_WT * -Vec3::UnitZ() - Vec3::UnitY()).norm() < 3e-4);
-        auto gimbal = session::scriptedStation(AnyKind("gimbal_hprd"), "stayer", 5);
+        auto gimbal = session::scriptedStation(AnyKind("gimbal_hprd"), {}, "stayer", 5);
         QVERIFY(gimbal.has_value());
         QCOMPARE(gimbal->devices[0]->descriptor().kinematics, std::string("gimbal_hprd"));
-        const auto unknown = session::scriptedStation(AnyKind("hexapod"), "stayer", 5);
+        const auto unknown = session::scriptedStation(AnyKind("hexapod"), {}, "stayer", 5);
         QVERIFY(!unknown && unknown.error().code == core::ErrorCode::wrongUse);
         QVERIFY(unknown.error().message.find("hexapod") != std::string::npos);
-        QVERIFY(!session::scriptedStation(AnyKind("gimbal_hprd"), "nobody", 5));
+        QVERIFY(!session::scriptedStation(AnyKind("gimbal_hprd"), {}, "nobody", 5));
     }
 
     /// Row by row the pose that was recorded, orientation included; without it an endoscope is refused, a point is not.

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulation/attributes/object_attributes.h"
+#include "simulation/geometry/mesh/mesh_source.h"
+
+#include <string>
+#include <vector>
+
+namespace chiron::simulation {
+
+enum class HandlingTask {
+    place, ///< lift the object and set it down in the target
+    weigh, ///< of several objects that look alike, set the heaviest down in the target
+};
+
+/// One level of object handling (P2: mass, deformation, roughness, friction of an ovary; models.md §2.2), filled from content
+/// by the catalogue, which also checks the ranges.
+struct ObjectHandlingParameters {
+    HandlingTask task = HandlingTask::place;
+    ObjectAttributes object;            ///< content/objects, e.g. the ovary
+    ObjectAttributes bed;               ///< what it lies on
+    bool organBed = false;              ///< the bed is a deformable organ, simulated at the slow rate (P2, two rates)
+    MeshSource bedMesh;                 ///< of the organ
+    double bedRate_Hz = 30.0;           ///< of the slow model, 30..100
+    int bedLatency_ticks = 33;          ///< L
+    int objects = 1;                    ///< 1..3
+    double massLow_kg = 0.0;            ///< each object of a trial draws its mass in [low, high]; both 0: the object's own
+    double massHigh_kg = 0.0;
+    double massRatio = 1.5;             ///< weigh: the heaviest is at least this much heavier than the next
+    double radius_m = 0.011;            ///< of the object, half its thickness between the jaws
+    double placesRadius_m = 0.035;      ///< where objects and target are drawn, round the middle of the field
+    double targetRadius_m = 0.014;
+    double squeezeLimit_N = 2.0;        ///< over-squeezed beyond this grip force
+    double jawLength_m = 0.020;         ///< from the joint to the tip: the opening of the jaws
+    double graspReach_m = 0.007;        ///< how near to the object's surface the tip has to be to take hold of it
+    double releaseClearance_m = 0.002;  ///< lets go when the jaws are this much wider than the object
+    double liftHeight_m = 0.030;        ///< has to be lifted so high on the way
+    double dropSpeed_m_per_s = 0.15;    ///< set down harder than this counts as dropped
+    double hold_s = 1.0;                ///< at rest in the target, let go
+
+    int trials = 4;
+    double trialLimit_s = 60.0;
+    double betweenTrials_s = 1.0;
+    double maximumForce_N = 4.0;
+    std::vector<std::string> cues;
+
+    int tools() const noexcept { return 1; }
+};
+
+} // namespace chiron::simulation
