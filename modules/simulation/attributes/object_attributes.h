@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "simulation/attributes/elasticity.h"
+
 #include <cstdint>
 #include <string>
 
@@ -34,5 +36,10 @@ struct ObjectAttributes {
     double viscosity_Ns_per_m = 0.0; ///< f = -b v inside the object
     double damping_Ns_per_m = 1.0;   ///< along the contact normal, weighted by min(1, d/0.5 mm)
 };
+
+/// The elasticity of an object: of its surface against the depth, of a tube against its stretch.
+inline ElasticLaw elasticOf(const ObjectAttributes& attributes) noexcept {
+    return {attributes.stiffness_N_per_m, attributes.stiffening_per_m};
+}
 
 } // namespace chiron::simulation

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/objects/object_contact.h"
+
+#include "simulation/attributes/contact_damping.h"
+#include "simulation/attributes/viscosity.h"
+
+#include <cmath>
+
+namespace chiron::simulation {
+
+ObjectContactResponse ObjectContact::respond(const ContactPlace& place, double dt_s,
+                                             ObjectContactState& state) const noexcept {
+    ObjectContactResponse out;
+    double depth = place.depth_m;
+    core::Vec3 outward = -place.depthGradient;
+    if (!m_roughness.smooth() && depth > -reach_m()) {
+        const RoughnessSample micro = m_roughness.sample(place.foot);
+        depth += micro.height_m;
+        outward -= place.footScale * (micro.gradient - place.normal * place.normal.dot(micro.gradient));
+    }
+    const double slant = outward.norm();
+    out.normal = slant > 0.0 ? core::Vec3(outward / slant) : place.normal;
+
+    const DeformationResponse pressed = state.dent.press(m_surface, depth, dt_s);
+    out.energy_J = pressed.energy_J;
+    out.surface_m = pressed.surface_m;
+    if (!(depth > 0.0)) {
+        state.bristle.release();
+        return out;
+    }
+    out.inContact = true;
+    out.depth_m = depth;
+    out.stiffness_N_per_m = pressed.stiffness_N_per_m;
+    const double leaving = place.velocity.dot(out.normal);
+    if (pressed.force_N > 0.0) { // a surface that has not come back yet neither pushes nor rubs
+        out.normalForce_N = ContactDamping::normalForce(pressed.force_N * slant, m_damping_Ns_per_m + m_viscosity_Ns_per_m,
+                                                        depth, leaving);
+        out.viscous = Viscosity::force(m_viscosity_Ns_per_m, depth, place.velocity - leaving * out.normal);
+    }
+    if (m_friction > 0.0)
+        out.friction = state.bristle.update(place.position, out.normal, out.normalForce_N, m_friction,
+                                            m_bristleStiffness_N_per_m);
+    out.force = out.normalForce_N * out.normal + out.viscous + out.friction;
+    return out;
+}
+
+} // namespace chiron::simulation
