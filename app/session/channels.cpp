@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/channels.h"
 
+#include "session/exercise_kind.h"
+
 namespace chiron::session {
 
 core::Result<recording::ChannelTable> channelTableFor(const SessionSetup& setup) {
@@ -13,7 +15,10 @@ core::Result<recording::ChannelTable> channelTableFor(const SessionSetup& setup)
         channels.period_us = device.period_us;
         tools.push_back(std::move(channels));
     }
-    return recording::ChannelTable::forTools(tools);
+    const auto kind = exerciseKind(setup.level.exercise);
+    if (!kind)
+        return tl::unexpected(kind.error());
+    return recording::ChannelTable::forTools(tools, {(*kind)->quantities(setup.level), (*kind)->recordsEnergy(setup.level)});
 }
 
 } // namespace chiron::session

@@ -7,7 +7,8 @@
 
 namespace chiron::session {
 
-/// The channel table of a session's recording, from its devices' axes.
+/// The channel table of a session's recording, from its devices' axes and what its kind of exercise records of the scene.
+/// Failure: an exercise that does not exist; what ChannelTable::forTools refuses.
 core::Result<recording::ChannelTable> channelTableFor(const SessionSetup& setup);
 
 } // namespace chiron::session

@@ -4,6 +4,7 @@
 #include "session/device_time.h"
 #include "session/exercise_kind.h"
 #include "session/insertion_marks.h"
+#include "session/recorded_quantities.h"
 #include "session/trace_mark.h"
 
 #include <algorithm>
@@ -20,8 +21,8 @@ double normOf(const core::Array6& wrench) { return std::hypot(wrench[0], wrench[
 /// Adds up frames to samples, trials and marks.
 class TrackBuilder {
 public:
-    TrackBuilder(const StoredSession& session, const TrialSurfaces& surfaces)
-        : m_positions(session.positions()), m_surfaces(surfaces),
+    TrackBuilder(StoredSession& session, const TrialSurfaces& surfaces)
+        : m_quantities(session.reader().table()), m_positions(session.positions()), m_surfaces(surfaces),
           m_marks(session.record().setup.forceLimit_N, session.positions().tools()) {
         m_track.session = session.record().summary.id;
         m_track.exercise = session.setup().level.exercise;
@@ -30,6 +31,8 @@ public:
         m_track.forceLimit_N = session.record().setup.forceLimit_N;
         m_track.toolCount = m_positions.tools();
         m_open.resize(static_cast<std::size_t>(m_track.toolCount));
+        for (const RecordedQuantities::Quantity& quantity : m_quantities.list())
+            m_track.quantities.push_back({quantity.id, quantity.unit, {}});
     }
 
     void add(const core::HapticFrame& frame) {
@@ -80,6 +83,8 @@ private:
             return;
         const core::TickHeader& header = m_last.header;
         m_track.moments.push_back({m_now_s, header.index, header.trial, header.phase, header.force, header.paused != 0});
+        for (std::size_t i = 0; i < m_quantities.size(); ++i)
+            m_track.quantities[i].values.push_back(m_quantities.value(i, m_last));
         const bool present = header.phase == core::TrialPhase::ready || header.phase == core::TrialPhase::running;
         for (std::size_t i = 0; i < m_open.size(); ++i) {
             const core::ToolState pose = m_positions.pose(static_cast<int>(i), m_last.tool[i]);
@@ -113,6 +118,7 @@ private:
             trial.marked = (frame.header.events & kMarked) != 0 && !isMarkOfTraceEnd(frame);
             trial.completed = (frame.header.events & kCompleted) != 0;
             trial.timedOut = (frame.header.events & kTimedOut) != 0;
+            trial.failed = (frame.header.events & kFailed) != 0;
             trial.endedInContact = normOf(frame.tool[0].tissue) > kContact_N;
             m_inTrial = false;
         }
@@ -134,6 +140,7 @@ private:
         }
     }
 
+    RecordedQuantities m_quantities;
     const ToolPositions& m_positions;
     const TrialSurfaces& m_surfaces;
     MarkExtractor m_marks;

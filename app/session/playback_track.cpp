@@ -42,6 +42,8 @@ PlaybackView PlaybackTrack::at(double t_s) const {
         view.object = shown->object;
     if (insertion)
         view.insertion = insertion->moments[i];
+    for (const PlaybackQuantity& each : quantities)
+        view.quantities.push_back(each.values[i]);
     return view;
 }
 
@@ -73,6 +75,11 @@ std::uint64_t PlaybackTrack::tickAt(double t_s) const noexcept { return empty() 
 bool PlaybackTrack::pausedAt(double t_s) const noexcept {
     return std::any_of(paused.begin(), paused.end(),
                        [t_s](const PlaybackSpan& span) { return t_s >= span.begin_s && t_s <= span.end_s; });
+}
+
+const PlaybackQuantity* PlaybackTrack::quantity(std::string_view id) const noexcept {
+    const auto found = std::find_if(quantities.begin(), quantities.end(), [id](const auto& each) { return each.id == id; });
+    return found == quantities.end() ? nullptr : &*found;
 }
 
 } // namespace chiron::session

@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace chiron::session {
@@ -49,6 +50,7 @@ struct PlaybackTrial {
     bool marked = false;
     bool timedOut = false;
     bool completed = false;      ///< the procedure was done to its end
+    bool failed = false;         ///< it could not be done any more (torn)
     bool endedInContact = false; ///< tissue force over 0.02 N at its end, as scoring asks of a mark
     core::Vec3 p_WEnd = core::Vec3::Zero(); ///< tool 0 at the mark, or where it stood at the end
     std::optional<TrialObject> object;      ///< the truth
@@ -63,6 +65,14 @@ struct PlaybackPeak {
     double value = 0.0; ///< SI, as the quantity says
 };
 
+/// One of the scene's quantities as recorded (ExerciseKind::quantities, and "energy_supplied_J", "energy_stored_J" where the
+/// books of energy were kept), at each moment of the track.
+struct PlaybackQuantity {
+    std::string id;
+    std::string unit; ///< SI
+    std::vector<double> values; ///< one a moment: that of its last tick
+};
+
 struct PlaybackSpan {
     double begin_s = 0.0;
     double end_s = 0.0;
@@ -74,6 +84,7 @@ struct PlaybackView {
     std::vector<PlaybackTool> tools;
     std::optional<TrialObject> object; ///< of the trial at that time
     std::optional<PlaybackInsertionMoment> insertion; ///< exercises with an endoscope
+    std::vector<double> quantities; ///< as PlaybackTrack::quantities, of the earlier sample
 };
 
 /// A stored session made ready for playback: built once on a worker (buildPlaybackTrack), then a value that any one
@@ -95,6 +106,7 @@ public:
     std::vector<PlaybackSpan> paused; ///< left out of every metric
     std::vector<PlaybackMark> marks;  ///< by time
     std::vector<PlaybackPeak> peaks;  ///< of trials through a canal
+    std::vector<PlaybackQuantity> quantities; ///< those that were recorded; none for exercises without
     double duration_s = 0.0;          ///< device time of the last frame
     std::optional<PlaybackInsertion> insertion; ///< exercises with an endoscope whose recording tells how it was turned
 
@@ -113,6 +125,7 @@ public:
     double timeOfTick(std::uint64_t tick) const noexcept; ///< of the first sample that reaches the tick; clamped
     std::uint64_t tickAt(double t_s) const noexcept;
     bool pausedAt(double t_s) const noexcept;
+    const PlaybackQuantity* quantity(std::string_view id) const noexcept; ///< null where it was not recorded
 };
 
 } // namespace chiron::session

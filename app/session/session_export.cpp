@@ -33,7 +33,8 @@ core::Vec3 torqueOf(const core::Array6& wrench) {
 /// Frames -> rows: the session's own trials (trace()) say what became of each, the frames give the samples.
 class RowMaker {
 public:
-    RowMaker(StoredSession& session, const std::vector<scoring::TrialTrace>& trials) : m_session(session) {
+    RowMaker(StoredSession& session, const std::vector<scoring::TrialTrace>& trials, const scoring::TraceColumns& columns)
+        : m_session(session), m_columns(columns), m_quantities(session.reader().table()) {
         for (const scoring::TrialTrace& trial : trials)
             m_trials[trial.trial] = &trial;
     }
@@ -67,6 +68,8 @@ public:
         row.phase = frame.header.phase;
         row.paused = frame.header.paused != 0;
         row.forceLimit_N = m_session.record().setup.forceLimit_N;
+        for (std::size_t i = 0; tool == 0 && i < m_quantities.size(); ++i) // tool 0 stands for the tick
+            row.quantities.push_back(m_quantities.value(i, frame));
         addOutcome(row);
         return row;
     }
@@ -85,11 +88,14 @@ private:
         }
         if (trial.insertion)
             scoring::setTrialOfCanal(row.insertion, trial);
+        row.truth = scoring::truthOf(trial, m_columns.truth);
         if (!known)
             return;
         addCanalSample(row, trial);
         row.marked = trial.marked;
         row.timedOut = trial.timedOut;
+        row.completed = trial.completed;
+        row.failed = trial.failed;
         row.markInContact = trial.markInContact;
         row.p_WMark_m = trial.p_WMark_m;
     }
@@ -106,12 +112,14 @@ private:
     }
 
     StoredSession& m_session;
+    const scoring::TraceColumns& m_columns;
+    RecordedQuantities m_quantities;
     std::map<int, const scoring::TrialTrace*> m_trials;
     std::array<SampleClock, core::kMaxTools> m_clocks{};
     DeviceTime m_time;
 };
 
-scoring::TraceColumns columnsOf(const StoredSession& session, const std::vector<scoring::TrialTrace>& trials) {
+scoring::TraceColumns columnsOf(StoredSession& session, const std::vector<scoring::TrialTrace>& trials) {
     scoring::TraceColumns columns;
     columns.orientation = columns.buttons = columns.tool = columns.tissue = columns.commanded = true;
     columns.trial = columns.phase = columns.paused = columns.mark = columns.forceLimit = true;
@@ -122,6 +130,12 @@ scoring::TraceColumns columnsOf(const StoredSession& session, const std::vector<
     columns.insertion = !trials.empty() && trials.front().insertion.has_value();
     columns.torque = columns.insertion && !trials.front().tools.empty() && !trials.front().tools[0].tissueTorque_Nm.empty();
     columns.target = !trials.empty() && trials.front().apex.has_value();
+    const RecordedQuantities quantities(session.reader().table());
+    for (const RecordedQuantities::Quantity& quantity : quantities.list())
+        columns.quantities.push_back(quantity.id);
+    columns.truth = scoring::truthIdsOf(trials);
+    columns.failed = quantities.size() > 0; // exercises with quantities end a trial in more than one way
+    columns.completed = columns.insertion || columns.failed;
     return columns;
 }
 
@@ -136,7 +150,7 @@ core::Result<void> exportCsv(StoredSession& session, const QString& path) {
         return tl::unexpected(cannotWrite(path, file.errorString()));
     const scoring::TraceColumns columns = columnsOf(session, trace->trials);
     std::string text = scoring::traceCsvHeader(columns);
-    RowMaker rows(session, trace->trials);
+    RowMaker rows(session, trace->trials, columns);
     const int tools = session.positions().tools();
     const auto flush = [&]() -> core::Result<void> {
         if (file.write(text.data(), qint64(text.size())) != qint64(text.size()))

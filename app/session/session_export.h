@@ -10,7 +10,7 @@
 namespace chiron::session {
 
 /// Writes a session's raw samples as a trace file (cli.md, Trace files), every executed tick, with trial, phase, pause,
-/// commanded and measured force and the truth beside them: `metrics` on this file gives the session's own scores.
+/// commanded and measured force, the scene's quantities and the truth beside them: `metrics` on this file gives the session's own scores.
 /// Replaces `path` only when the whole file is written. Failure: storage, the reader's.
 core::Result<void> exportCsv(StoredSession& session, const QString& path);
 

@@ -53,7 +53,7 @@ core::Result<scoring::SessionTrace> StoredSession::trace() {
     auto kind = exerciseKind(m_setup.level.exercise);
     if (!kind)
         return tl::unexpected(kind.error());
-    TraceAssembler assembler(*m_positions, m_positions->tools(), m_positions.get());
+    TraceAssembler assembler(*m_positions, m_positions->tools(), m_positions.get(), RecordedQuantities(m_reader->table()));
     auto read = eachChunk([&assembler](std::span<const core::HapticFrame> frames) -> core::Result<void> {
         assembler.add(frames);
         return {};

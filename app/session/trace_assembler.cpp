@@ -43,6 +43,7 @@ void TraceAssembler::begin(const core::HapticFrame& frame) {
     scoring::TrialTrace trial;
     trial.trial = frame.header.trial;
     trial.tools.resize(static_cast<std::size_t>(m_tools));
+    trial.quantities = m_quantities.emptyColumns();
     m_trials.push_back(std::move(trial));
 }
 
@@ -73,6 +74,9 @@ void TraceAssembler::appendTool(const core::HapticFrame& frame, std::size_t inde
     trace.commanded_N.push_back(forceOf(tool.commanded));
     trace.paused.push_back(frame.header.paused);
     trace.heldTicks.push_back(std::exchange(m_ticksBefore[index], 0));
+    if (index == 0)
+        for (std::size_t i = 0; i < m_quantities.size(); ++i)
+            m_trials.back().quantities[i].values.push_back(m_quantities.value(i, frame));
     if (m_orientations && m_orientations->turns(static_cast<int>(index))) {
         trace.q_WT.push_back(m_orientations->q_WT(static_cast<int>(index), tool));
         trace.tissueTorque_Nm.push_back(torqueOf(tool.tissue));
@@ -93,6 +97,7 @@ void TraceAssembler::end(const core::HapticFrame& frame) {
     trial.marked = (frame.header.events & core::event_bits::kMarked) != 0 && !isMarkOfTraceEnd(frame);
     trial.completed = (frame.header.events & core::event_bits::kCompleted) != 0;
     trial.timedOut = (frame.header.events & core::event_bits::kTimedOut) != 0;
+    trial.failed = (frame.header.events & core::event_bits::kFailed) != 0;
     trial.p_WMark_m = onNanometres(m_positions.p_WT_m(0, m_lastGood));
     // Contact as models.md §6 has it for every metric: more than 0.02 N of tissue force.
     trial.markInContact = forceOf(frame.tool[0].tissue).norm() > 0.02;

@@ -6,6 +6,7 @@
 #include "scoring/trace.h"
 #include "session/device_time.h"
 #include "session/orientation_of.h"
+#include "session/recorded_quantities.h"
 
 #include <array>
 #include <span>
@@ -31,15 +32,17 @@ private:
 };
 
 /// Stored frames -> what metrics see. Frames are given in order, chunk by chunk, so a long session is never held as
-/// frames; a trial runs from its kTrialStarted frame to its kMarked, kCompleted or kTimedOut frame, both included. A trial that has
+/// frames; a trial runs from its kTrialStarted frame to its kMarked, kCompleted, kTimedOut or kFailed frame, both included. A trial that has
 /// no end (stopped, interrupted) stays, unmarked, as does one that ended with its trace (trace_mark.h). A packet read twice (device time not later than the last kept one
 /// of that tool, over the whole recording) gives one sample; one that the supervisor refused gives none, and a mark that came with
-/// it is where the last good one left the tool. Orientation and torque are kept of tools that can turn. Live scoring, review and verify all come through here.
+/// it is where the last good one left the tool. Orientation and torque are kept of tools that can turn; the scene's quantities as
+/// they were at the samples of tool 0, which stands for the tick. Live scoring, review and verify all come through here.
 class TraceAssembler {
 public:
-    /// `orientations` may be null: then no tool turns.
-    TraceAssembler(const recording::IPositionOf& positions, int tools, const IOrientationOf* orientations = nullptr)
-        : m_positions(positions), m_orientations(orientations), m_tools(tools) {}
+    /// `orientations` may be null: then no tool turns. `quantities`: those that the recording has.
+    TraceAssembler(const recording::IPositionOf& positions, int tools, const IOrientationOf* orientations = nullptr,
+                   RecordedQuantities quantities = {})
+        : m_positions(positions), m_orientations(orientations), m_tools(tools), m_quantities(std::move(quantities)) {}
 
     void add(std::span<const core::HapticFrame> frames);
     std::vector<scoring::TrialTrace> takeTrials() { return std::move(m_trials); }
@@ -54,6 +57,7 @@ private:
     const recording::IPositionOf& m_positions;
     const IOrientationOf* m_orientations;
     int m_tools;
+    RecordedQuantities m_quantities;
     bool m_inTrial = false;
     DeviceTime m_time;
     std::array<SampleClock, core::kMaxTools> m_clocks{};

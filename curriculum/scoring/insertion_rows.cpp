@@ -5,7 +5,6 @@ namespace chiron::scoring {
 
 void setTrialOfCanal(InsertionRow& row, const TrialTrace& trial) {
     const InsertionSeries& series = *trial.insertion;
-    row.completed = trial.completed;
     row.length_m = series.length_m;
     row.bend_m = series.bend_m;
     row.goal_m = series.goal_m;

@@ -2,6 +2,7 @@
 #include "scoring/trace_builder.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace chiron::scoring {
 
@@ -20,13 +21,23 @@ TraceColumns columnsOf(const SessionTrace& trace) {
             columns.orientation = columns.orientation || !tool.q_WT.empty();
             columns.torque = columns.torque || !tool.tissueTorque_Nm.empty();
         }
+        columns.failed = columns.failed || trial.failed;
+        columns.completed = columns.completed || trial.completed;
     }
+    columns.completed = columns.completed || columns.insertion;
+    columns.truth = truthIdsOf(trace.trials);
+    if (!trace.trials.empty())
+        for (const QuantityTrace& quantity : trace.trials.front().quantities)
+            columns.quantities.push_back(quantity.id);
     return columns;
 }
 
-TraceRow trialRow(const SessionTrace& trace, const TrialTrace& trial) {
+TraceRow trialRow(const SessionTrace& trace, const TrialTrace& trial, const TraceColumns& columns) {
     TraceRow row;
     row.trial = trial.trial;
+    row.completed = trial.completed;
+    row.failed = trial.failed;
+    row.truth = truthOf(trial, columns.truth);
     row.marked = trial.marked;
     row.timedOut = trial.timedOut;
     row.markInContact = trial.markInContact;
@@ -58,11 +69,29 @@ TraceRow sampleRow(const TraceRow& ofTrial, const ToolTrace& samples, std::size_
 
 } // namespace
 
+std::vector<std::string> truthIdsOf(const std::vector<TrialTrace>& trials) {
+    std::vector<std::string> ids;
+    for (const TrialTrace& trial : trials)
+        for (const NamedValue& value : trial.truth)
+            if (std::find(ids.begin(), ids.end(), value.id) == ids.end())
+                ids.push_back(value.id);
+    return ids;
+}
+
+std::vector<double> truthOf(const TrialTrace& trial, const std::vector<std::string>& ids) {
+    std::vector<double> values;
+    for (const std::string& id : ids) {
+        const auto found = std::find_if(trial.truth.begin(), trial.truth.end(), [&id](const auto& v) { return v.id == id; });
+        values.push_back(found == trial.truth.end() ? std::numeric_limits<double>::quiet_NaN() : found->value);
+    }
+    return values;
+}
+
 TraceRows rowsOf(const SessionTrace& trace) {
     TraceRows out;
     out.columns = columnsOf(trace);
     for (const TrialTrace& trial : trace.trials) {
-        const TraceRow ofTrial = trialRow(trace, trial);
+        const TraceRow ofTrial = trialRow(trace, trial, out.columns);
         const auto first = static_cast<std::ptrdiff_t>(out.rows.size());
         for (std::size_t tool = 0; tool < trial.tools.size(); ++tool) {
             const ToolTrace& samples = trial.tools[tool];
@@ -71,6 +100,9 @@ TraceRows rowsOf(const SessionTrace& trace) {
                 row.tool = static_cast<std::uint8_t>(tool);
                 if (tool == 0 && trial.insertion)
                     setSampleOfCanal(row.insertion, *trial.insertion, i, row.t_s);
+                for (const QuantityTrace& quantity : trial.quantities)
+                    if (tool == 0)
+                        row.quantities.push_back(quantity.values[i]);
                 out.rows.push_back(row);
             }
         }

@@ -2,6 +2,7 @@
 #include "scoring/trace_builder.h"
 
 #include "scoring/prepared_trial.h"
+#include "scoring/trace_columns.h"
 #include "scoring/trace_grid.h"
 
 #include <algorithm>
@@ -81,8 +82,7 @@ core::Result<void> setTruth(TrialTrace& trial, const RowList& rows, const std::s
 
 /// Name of the first column that is the trial's own but differs between two of its rows, or null.
 const char* differing(const InsertionRow& a, const InsertionRow& b) {
-    return a.completed != b.completed             ? "completed"
-           : a.length_m != b.length_m             ? "length_mm"
+    return a.length_m != b.length_m             ? "length_mm"
            : a.bend_m != b.bend_m                 ? "bend_mm"
            : a.goal_m != b.goal_m                 ? "goal_mm"
            : a.lateralLimit_N != b.lateralLimit_N ? "lateral_limit_N"
@@ -121,8 +121,38 @@ core::Result<void> setInsertion(TrialTrace& trial, const RowList& rows, const st
         if (row->tool == 0)
             append(series, *row);
     }
-    trial.completed = first.completed;
     trial.insertion = std::move(series);
+    return {};
+}
+
+bool sameValue(double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b)); // NaN: an empty field
+}
+
+/// What is said of the trial on each of its rows beside mark, target and canal.
+core::Result<void> setNamed(TrialTrace& trial, const TraceColumns& columns, const RowList& rows, const std::string& source) {
+    const TraceRow& first = *rows.front();
+    const auto changes = [&](const std::string& column, const TraceRow& row) {
+        return core::fail(core::ErrorCode::badInput, source + ": trial " + std::to_string(trial.trial + 1) + ": " + column +
+                                                         " changes at t_s " + std::to_string(row.t_s) +
+                                                         ": expected the same on each row of a trial");
+    };
+    for (const std::string& id : columns.quantities)
+        trial.quantities.push_back({id, {}});
+    for (const TraceRow* row : rows) {
+        if (row->completed != first.completed || row->failed != first.failed)
+            return changes(row->completed != first.completed ? "completed" : "failed", *row);
+        for (std::size_t i = 0; i < columns.truth.size(); ++i)
+            if (!sameValue(row->truth[i], first.truth[i]))
+                return changes(std::string(kTruthPrefix) + columns.truth[i], *row);
+        for (std::size_t i = 0; row->tool == 0 && i < columns.quantities.size(); ++i)
+            trial.quantities[i].values.push_back(row->quantities[i]);
+    }
+    trial.completed = first.completed;
+    trial.failed = first.failed;
+    for (std::size_t i = 0; i < columns.truth.size(); ++i)
+        if (!std::isnan(first.truth[i]))
+            trial.truth.push_back({columns.truth[i], first.truth[i]});
     return {};
 }
 
@@ -162,6 +192,8 @@ core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_
         if (rows.columns.target)
             if (auto truth = setTruth(trial, list, rows.source); !truth)
                 return tl::unexpected(truth.error());
+        if (auto named = setNamed(trial, rows.columns, list, rows.source); !named)
+            return tl::unexpected(named.error());
         if (rows.columns.insertion)
             if (auto canal = setInsertion(trial, list, rows.source); !canal)
                 return tl::unexpected(canal.error());

@@ -108,7 +108,8 @@ const auto kColumns = std::to_array<TraceColumn>({
     CHIRON_CANAL("stage", stage, stage, 0.0, 4.0, "outside, insertion, inspection, withdrawal or completed"),
     CHIRON_CANAL("landmarks_seen", integer, landmarksSeen, 0.0, kMostBits,
                  "a whole number, 0 to 4294967295: one bit a landmark"),
-    CHIRON_CANAL("completed", integer, completed, 0.0, 1.0, "0 or 1"),
+    CHIRON_FLAG("completed", &TraceColumns::completed, completed),
+    CHIRON_FLAG("failed", &TraceColumns::failed, failed),
     CHIRON_CANAL("length_mm", length, length_m, 1e-6, kFurthest_mm, "millimetres, 1e-6 to 1e6"),
     CHIRON_CANAL("bend_mm", length, bend_m, 0.0, kFurthest_mm, kDistanceText),
     CHIRON_CANAL("goal_mm", length, goal_m, 0.0, kFurthest_mm, kDistanceText),
@@ -127,6 +128,15 @@ int findTraceColumn(std::string_view name) {
         if (kColumns[i].name == name)
             return static_cast<int>(i);
     return -1;
+}
+
+std::string_view namedColumnId(std::string_view name, std::string_view prefix) {
+    constexpr std::size_t kLongest = 64;
+    constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+    if (!name.starts_with(prefix))
+        return {};
+    const std::string_view id = name.substr(prefix.size());
+    return id.size() > kLongest || id.find_first_not_of(kLetters) != std::string_view::npos ? std::string_view{} : id;
 }
 
 std::string_view phaseName(core::TrialPhase phase) {

@@ -40,6 +40,12 @@ std::span<const TraceColumn> traceColumns();
 /// Position in traceColumns(), or -1.
 int findTraceColumn(std::string_view name);
 
+inline constexpr std::string_view kQuantityPrefix = "quantity_"; ///< + id: of the scene, core::QuantityDescription
+inline constexpr std::string_view kTruthPrefix = "truth_";       ///< + id: of the trial, NamedValue
+
+/// The id behind the prefix of a column that an exercise named: letters, digits and _, 1 to 64 of them; empty for any other.
+std::string_view namedColumnId(std::string_view name, std::string_view prefix);
+
 std::string_view phaseName(core::TrialPhase phase);
 std::string_view stageName(core::ProcedureStage stage);
 

@@ -5,10 +5,12 @@
 
 #include "core/units.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace chiron::scoring {
 
@@ -30,6 +32,15 @@ std::string shown(std::string_view text) {
     }
     return out + (text.size() > kLongest ? "...\"" : "\"");
 }
+
+constexpr std::size_t kMostNamed = 64; ///< quantities, and truths
+
+/// A column of the file: one of the table's, or one that an exercise named.
+struct Column {
+    const TraceColumn* fixed = nullptr;
+    std::vector<double> TraceRow::*list = nullptr;
+    std::size_t place = 0; ///< in the list
+};
 
 class Reader {
 public:
@@ -84,15 +95,36 @@ private:
         for (std::size_t start = 0, number = 1; start <= line.size(); ++number) {
             const std::size_t end = std::min(line.find(',', start), line.size());
             const std::string_view name = line.substr(start, end - start);
-            const int column = findTraceColumn(name);
-            if (column < 0)
-                return refuse(number, shown(name), "a column name: " + allNames());
-            if (seen[static_cast<std::size_t>(column)])
-                return refuse(number, shown(name), "each column once");
-            seen[static_cast<std::size_t>(column)] = true;
-            m_columns.push_back(&traceColumns()[static_cast<std::size_t>(column)]);
             start = end + 1;
+            if (const int column = findTraceColumn(name); column >= 0) {
+                if (std::exchange(seen[static_cast<std::size_t>(column)], true))
+                    return refuse(number, shown(name), "each column once");
+                m_columns.push_back({&traceColumns()[static_cast<std::size_t>(column)], nullptr, 0});
+            } else if (auto named = addNamed(name, number); !named) {
+                return named;
+            }
         }
+        return checkGroups(seen);
+    }
+
+    /// A column that an exercise named.
+    core::Result<void> addNamed(std::string_view name, std::size_t number) {
+        const std::string_view quantity = namedColumnId(name, kQuantityPrefix);
+        const std::string_view truth = namedColumnId(name, kTruthPrefix);
+        if (quantity.empty() && truth.empty())
+            return refuse(number, shown(name), "a column name: " + allNames());
+        auto& ids = truth.empty() ? m_out.columns.quantities : m_out.columns.truth;
+        const std::string_view id = truth.empty() ? quantity : truth;
+        if (std::find(ids.begin(), ids.end(), id) != ids.end())
+            return refuse(number, shown(name), "each column once");
+        if (ids.size() >= kMostNamed)
+            return refuse(number, shown(name), "at most " + std::to_string(kMostNamed) + " of its kind");
+        m_columns.push_back({nullptr, truth.empty() ? &TraceRow::quantities : &TraceRow::truth, ids.size()});
+        ids.emplace_back(id);
+        return {};
+    }
+
+    core::Result<void> checkGroups(const std::array<bool, 64>& seen) {
         for (std::size_t i = 0; i < traceColumns().size(); ++i)
             if (const TraceColumn& column = traceColumns()[i]; column.group != nullptr && seen[i])
                 m_out.columns.*column.group = true;
@@ -102,6 +134,8 @@ private:
                 return refuse(1, "no column \"" + std::string(column.name) + "\"",
                               column.group == nullptr ? "t_s,x_mm,y_mm,z_mm at least"
                                                       : "all columns of its group or none of them");
+        if (m_out.columns.insertion && !m_out.columns.completed)
+            return refuse(1, "no column \"completed\"", "it beside those of a canal");
         return {};
     }
 
@@ -109,6 +143,8 @@ private:
         std::string names;
         for (const TraceColumn& column : traceColumns())
             names.append(names.empty() ? "" : ",").append(column.name);
+        for (const std::string_view prefix : {kQuantityPrefix, kTruthPrefix})
+            names.append(",").append(prefix).append("<id>");
         return names;
     }
 
@@ -120,15 +156,15 @@ private:
             return false;
         }
         TraceRow row;
+        row.quantities.resize(m_out.columns.quantities.size());
+        row.truth.resize(m_out.columns.truth.size());
         std::size_t start = 0;
         for (std::size_t i = 0; i < m_columns.size(); ++i) {
             if (start > line.size())
                 return refuse(i + 1, "row of " + std::to_string(i) + " values", columnCount());
             const std::size_t end = std::min(line.find(',', start), line.size());
-            if (auto value = readValue(*m_columns[i], line.substr(start, end - start), i + 1))
-                m_columns[i]->set(row, *value);
-            else
-                return tl::unexpected(value.error());
+            if (auto set = setValue(row, m_columns[i], line.substr(start, end - start), i + 1); !set)
+                return tl::unexpected(set.error());
             start = end + 1;
         }
         if (start <= line.size())
@@ -138,6 +174,24 @@ private:
     }
 
     std::string columnCount() const { return std::to_string(m_columns.size()) + " values as in the header"; }
+
+    core::Result<void> setValue(TraceRow& row, const Column& column, std::string_view text, std::size_t number) const {
+        if (column.fixed != nullptr) {
+            const auto value = readValue(*column.fixed, text, number);
+            if (!value)
+                return tl::unexpected(value.error());
+            column.fixed->set(row, *value);
+            return {};
+        }
+        double value = std::numeric_limits<double>::quiet_NaN(); // an empty field: not there
+        if (!text.empty()) {
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+            if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+                return refuse(number, shown(text), "a finite number, or nothing");
+        }
+        (row.*column.list)[column.place] = value;
+        return {};
+    }
 
     core::Result<double> readValue(const TraceColumn& column, std::string_view text,
                                    std::size_t number) const {
@@ -209,14 +263,14 @@ private:
 
     std::size_t columnOf(std::string_view name) const {
         for (std::size_t i = 0; i < m_columns.size(); ++i)
-            if (m_columns[i]->name == name)
+            if (m_columns[i].fixed != nullptr && m_columns[i].fixed->name == name)
                 return i + 1;
         return 1;
     }
 
     std::string_view m_text;
     std::size_t m_line = 0;
-    std::vector<const TraceColumn*> m_columns;
+    std::vector<Column> m_columns;
     std::array<double, 4> m_lastTime{};
     TraceRows m_out;
 };

@@ -87,6 +87,15 @@ void appendValue(std::string& out, ColumnKind kind, double value) {
     }
 }
 
+/// What is missing or not finite is an empty field.
+void appendNamed(std::string& out, std::size_t count, const std::vector<double>& values) {
+    for (std::size_t i = 0; i < count; ++i) {
+        out += ',';
+        if (i < values.size() && std::isfinite(values[i]))
+            appendShortest(out, values[i] + 0.0); // no minus zero
+    }
+}
+
 } // namespace
 
 std::string traceCsvHeader(const TraceColumns& columns) {
@@ -96,6 +105,10 @@ std::string traceCsvHeader(const TraceColumns& columns) {
             out += out.empty() ? "" : ",";
             out += column.name;
         }
+    for (const std::string& id : columns.quantities)
+        out.append(",").append(kQuantityPrefix).append(id);
+    for (const std::string& id : columns.truth)
+        out.append(",").append(kTruthPrefix).append(id);
     return out + "\n";
 }
 
@@ -108,6 +121,8 @@ void appendTraceCsvRow(std::string& out, const TraceColumns& columns, const Trac
             first = false;
             appendValue(out, column.kind, column.get(row));
         }
+    appendNamed(out, columns.quantities.size(), row.quantities);
+    appendNamed(out, columns.truth.size(), row.truth);
     out += '\n';
 }
 

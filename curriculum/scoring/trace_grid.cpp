@@ -46,8 +46,17 @@ bool isFinite(const InsertionSeries& raw, std::size_t i) {
            std::isfinite(raw.lateral_N[i]) && std::isfinite(raw.axialTorque_Nm[i]);
 }
 
-/// Which samples stay; `series` is tool 0's, if there is one.
-std::vector<std::size_t> keptSamples(const ToolTrace& raw, const InsertionSeries* series) {
+bool isFinite(const std::vector<QuantityTrace>& quantities, std::size_t i) {
+    return std::all_of(quantities.begin(), quantities.end(), [i](const auto& q) { return std::isfinite(q.values[i]); });
+}
+
+bool fits(const std::vector<QuantityTrace>& quantities, std::size_t n) {
+    return std::all_of(quantities.begin(), quantities.end(), [n](const auto& q) { return q.values.size() == n; });
+}
+
+/// Which samples stay; `series` and `quantities` are tool 0's.
+std::vector<std::size_t> keptSamples(const ToolTrace& raw, const InsertionSeries* series,
+                                     const std::vector<QuantityTrace>& quantities) {
     std::vector<std::size_t> kept;
     double last = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < raw.t_s.size(); ++i) {
@@ -55,7 +64,7 @@ std::vector<std::size_t> keptSamples(const ToolTrace& raw, const InsertionSeries
         const bool finite = std::isfinite(t) && raw.p_WT_m[i].allFinite() && raw.tissue_N[i].allFinite() &&
                             (raw.q_WT.empty() || raw.q_WT[i].coeffs().allFinite()) &&
                             (raw.tissueTorque_Nm.empty() || raw.tissueTorque_Nm[i].allFinite()) &&
-                            (series == nullptr || isFinite(*series, i));
+                            (series == nullptr || isFinite(*series, i)) && isFinite(quantities, i);
         if (!finite || !(t > last))
             continue;
         last = t;
@@ -109,12 +118,25 @@ InsertionSeries insertionOnGrids(const InsertionSeries& raw, const std::vector<s
     return out;
 }
 
+/// The values themselves: a recording rounds each to its own resolution, a file holds all their digits.
+std::vector<QuantityTrace> keptOf(const std::vector<QuantityTrace>& raw, const std::vector<std::size_t>& kept) {
+    std::vector<QuantityTrace> out;
+    for (const QuantityTrace& quantity : raw) {
+        out.push_back({quantity.id, {}});
+        for (const std::size_t i : kept)
+            out.back().values.push_back(quantity.values[i] + 0.0); // no minus zero: a file has none
+    }
+    return out;
+}
+
 TrialTrace endingOnGrids(const TrialTrace& raw) {
     TrialTrace trial;
     trial.trial = raw.trial;
     trial.marked = raw.marked;
     trial.timedOut = raw.timedOut;
     trial.completed = raw.completed;
+    trial.failed = raw.failed;
+    trial.truth = raw.truth;
     trial.forcesKnown = raw.forcesKnown;
     trial.markInContact = raw.markInContact;
     trial.p_WMark_m = onGrid(raw.p_WMark_m, 1e9);
@@ -125,6 +147,7 @@ TrialTrace endingOnGrids(const TrialTrace& raw) {
 }
 
 core::Result<TrialTrace> trialOnGrids(const TrialTrace& raw) {
+    static const std::vector<QuantityTrace> kNone;
     const auto unequal = [] {
         return core::fail(core::ErrorCode::badInput,
                           "trace: its columns differ in length: expected one value a sample");
@@ -133,14 +156,17 @@ core::Result<TrialTrace> trialOnGrids(const TrialTrace& raw) {
     for (std::size_t i = 0; i < raw.tools.size(); ++i) {
         const ToolTrace& tool = raw.tools[i];
         const InsertionSeries* series = i == 0 && raw.insertion ? &*raw.insertion : nullptr;
-        if (!fits(tool) || (series != nullptr && !fits(*series, tool.t_s.size())))
+        const auto& quantities = i == 0 ? raw.quantities : kNone;
+        if (!fits(tool) || (series != nullptr && !fits(*series, tool.t_s.size())) || !fits(quantities, tool.t_s.size()))
             return unequal();
-        const std::vector<std::size_t> kept = keptSamples(tool, series);
+        const std::vector<std::size_t> kept = keptSamples(tool, series, quantities);
         trial.tools.push_back(toolOnGrids(tool, kept));
         if (series != nullptr)
             trial.insertion = insertionOnGrids(*series, kept, trial.tools.back().t_s);
+        if (i == 0)
+            trial.quantities = keptOf(quantities, kept);
     }
-    if (raw.insertion && raw.tools.empty())
+    if ((raw.insertion || !raw.quantities.empty()) && raw.tools.empty())
         return unequal();
     if (raw.insertion && raw.insertion->landmarkSeen_s.size() > kMostLandmarks)
         return core::fail(core::ErrorCode::badInput,

@@ -17,9 +17,9 @@ double onMicrodegrees(double angle_rad);
 
 /// A copy with every value on its grid and, per tool, strictly increasing time: a sample whose time is not
 /// later than the last kept one (a packet read twice) or that is not finite is left out, of the insertion
-/// series too. Whoever cuts a recording into trials leaves such samples out before cutting, so that an exported
+/// series and the quantities too. Whoever cuts a recording into trials leaves such samples out before cutting, so that an exported
 /// recording cuts alike. The time at which a landmark was seen becomes that of the first sample then or later.
-/// Failure: vectors of unequal length, an insertion series without tool 0, more than kMostLandmarks landmarks.
+/// Failure: vectors of unequal length, an insertion series or quantities without tool 0, more than kMostLandmarks landmarks.
 core::Result<SessionTrace> onStoredGrids(const SessionTrace& trace);
 
 } // namespace chiron::scoring

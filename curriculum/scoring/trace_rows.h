@@ -28,7 +28,11 @@ struct TraceColumns {
     bool target = false;     ///< target_x_mm, target_y_mm, target_radius_mm
     bool forceLimit = false; ///< force_limit_N
     bool torque = false;     ///< tx_mNm,ty_mNm,tz_mNm
-    bool insertion = false;  ///< arc_mm ... stage, and of the trial: completed, length_mm ... landmarks
+    bool insertion = false;  ///< arc_mm ... stage, and of the trial: length_mm ... landmarks
+    bool completed = false;  ///< of the trial; always with `insertion`
+    bool failed = false;     ///< of the trial
+    std::vector<std::string> quantities; ///< ids of the columns quantity_<id>, in the file's order
+    std::vector<std::string> truth;      ///< ids of the columns truth_<id>, in the file's order
 };
 
 /// What a row tells of a canal: see InsertionSeries. The second half is of the trial, the same on each of its rows.
@@ -40,7 +44,6 @@ struct InsertionRow {
     double axialTorque_Nm = 0.0;
     core::ProcedureStage stage = core::ProcedureStage::outside;
     std::uint32_t landmarksSeen = 0; ///< until this row, one bit each
-    bool completed = false;
     double length_m = 0.0;
     double bend_m = 0.0;
     double goal_m = 0.0;
@@ -72,6 +75,10 @@ struct TraceRow {
     double forceLimit_N = 0.0;
     core::Vec3 tissueTorque_Nm = core::Vec3::Zero(); ///< about the tip
     InsertionRow insertion;
+    bool completed = false; ///< of the trial
+    bool failed = false;    ///< of the trial
+    std::vector<double> quantities; ///< SI, as TraceColumns::quantities; on tool 0's rows, elsewhere NaN or nothing
+    std::vector<double> truth;      ///< SI, as TraceColumns::truth; the same on each row of a trial, NaN where it has none
 };
 
 /// A trace file's content, also what drives the replay of a recorded trace.

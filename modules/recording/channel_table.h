@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/quantity.h"
 #include "core/result.h"
 
 #include <cstdint>
@@ -28,6 +29,12 @@ struct ToolChannels {
         1000; ///< declared time between packets: predicts device time from the packet number
 };
 
+/// What the recording holds of the scene beside the tools.
+struct SceneChannels {
+    std::vector<core::QuantityDescription> quantities; ///< in the order of TickHeader::quantities; at most core::kMaxQuantities
+    bool energy = false; ///< the passivity books: "energy.supplied" and "energy.stored", at kEnergyResolution_J
+};
+
 enum class ChannelKind : std::uint8_t { lossless = 0, quantised = 1 };
 
 inline constexpr std::uint8_t kNoTool = 255; ///< a channel of the tick header
@@ -41,7 +48,7 @@ struct Channel {
     double resolution = 1.0; ///< unit a count
     std::string frame;       ///< frame that the value is expressed in ("W", "D"), empty if it has none
     ChannelKind kind = ChannelKind::lossless;
-    std::uint8_t slot = 0;        ///< coordinate number of an "axis." channel
+    std::uint8_t slot = 0;        ///< coordinate number of an "axis." channel, place of a "quantity." one in the header
     int reference = kNoReference; ///< a column may hold value − factor · value of this earlier channel
     std::int64_t factor = 0;
 };
@@ -53,9 +60,9 @@ public:
     static constexpr std::size_t kMaximumChannels = 512;
     static constexpr std::size_t kMaximumBytes = 64 * 1024;
 
-    /// The table that this program writes for the given tools (1..kMaxTools). Error: wrongUse naming the
-    /// tool.
-    static core::Result<ChannelTable> forTools(std::span<const ToolChannels> tools);
+    /// The table that this program writes for the given tools (1..kMaxTools) and scene: channels without a tool,
+    /// "quantity.<id>" each at its resolution, after all the others. Error: wrongUse naming the tool or quantity.
+    static core::Result<ChannelTable> forTools(std::span<const ToolChannels> tools, const SceneChannels& scene = {});
     /// Any list of channels, checked (unique ids, finite positive resolutions, references). Error: badInput.
     static core::Result<ChannelTable> fromChannels(std::vector<Channel> channels);
     /// Error: badInput naming the byte offset, what was found and what was expected.

@@ -28,7 +28,7 @@ struct Known {
 constexpr std::size_t kHeader = offsetof(HapticFrame, header);
 constexpr std::size_t kCommands = kHeader + offsetof(TickHeader, commands);
 
-constexpr std::array<Known, 13> kHeaderFields = {{
+constexpr std::array<Known, 15> kHeaderFields = {{
     {"tick", Type::u64, kHeader + offsetof(TickHeader, index)},
     {"now", Type::i64, kHeader + offsetof(TickHeader, now_ns)},
     {"events", Type::u32, kHeader + offsetof(TickHeader, events)},
@@ -42,6 +42,8 @@ constexpr std::array<Known, 13> kHeaderFields = {{
     {"command_0_argument", Type::u16, kCommands + offsetof(Command, argument)},
     {"command_1_kind", Type::u16, kCommands + sizeof(Command) + offsetof(Command, kind)},
     {"command_1_argument", Type::u16, kCommands + sizeof(Command) + offsetof(Command, argument)},
+    {"energy.supplied", Type::real, kHeader + offsetof(TickHeader, energySupplied_J)},
+    {"energy.stored", Type::real, kHeader + offsetof(TickHeader, energyStored_J)},
 }};
 
 constexpr std::size_t real(std::size_t array, std::size_t i) {
@@ -131,6 +133,12 @@ FrameField fieldOf(const Channel& channel) noexcept {
         field.type = Type::i32;
         field.offset = base + offsetof(ToolFrame, counts) + channel.slot * sizeof(std::int32_t);
         return field;
+    }
+    if (channel.tool == kNoTool && channel.id.starts_with("quantity.")) {
+        if (channel.slot >= core::kMaxQuantities || channel.kind != ChannelKind::quantised)
+            return field;
+        return {Type::real, kHeader + offsetof(TickHeader, quantities) + channel.slot * sizeof(double),
+                stepsPerUnit(channel.resolution)};
     }
     const auto known =
         channel.tool == kNoTool ? std::span<const Known>(kHeaderFields) : std::span<const Known>(kToolFields);

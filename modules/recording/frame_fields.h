@@ -18,7 +18,7 @@ struct FrameField {
     double stepsPerUnit = 1.0; ///< for real
 };
 
-/// The field of a channel, by its tool and id (and slot, for an axis).
+/// The field of a channel, by its tool and id (and slot, for an axis or a quantity).
 FrameField fieldOf(const Channel& channel) noexcept;
 
 /// Column of counts of one field over frames. values.size() == frames.size().

@@ -4,6 +4,7 @@
 #include "recording/channel_table.h"
 #include "recording/wrench_rounding.h"
 
+#include <algorithm>
 #include <array>
 
 namespace chiron::recording {
@@ -76,9 +77,34 @@ void addTool(std::vector<Channel>& out, std::uint8_t tool, const ToolChannels& i
     out.push_back(quantised(tool, "display.pitch", "rad", kAngleResolution_rad, ""));
     out.push_back(quantised(tool, "display.roll", "rad", kAngleResolution_rad, ""));
 }
+
+bool isIdentifier(const std::string& id) {
+    return !id.empty() && std::all_of(id.begin(), id.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    });
+}
+
+core::Result<void> addScene(std::vector<Channel>& out, const SceneChannels& scene) {
+    if (scene.quantities.size() > core::kMaxQuantities)
+        return core::fail(core::ErrorCode::wrongUse, "recording: " + std::to_string(scene.quantities.size()) +
+                                                         " quantities, expected at most " +
+                                                         std::to_string(core::kMaxQuantities));
+    for (std::size_t i = 0; i < scene.quantities.size(); ++i) {
+        const core::QuantityDescription& quantity = scene.quantities[i];
+        if (!isIdentifier(quantity.id)) // it becomes the name of a column in trace files
+            return core::fail(core::ErrorCode::wrongUse, "recording: quantity " + std::to_string(i) + " \"" + quantity.id +
+                                                             "\": expected letters, digits and _");
+        out.push_back(quantised(kNoTool, "quantity." + quantity.id, quantity.unit, quantity.resolution, ""));
+        out.back().slot = static_cast<std::uint8_t>(i);
+    }
+    if (scene.energy)
+        for (const char* id : {"energy.supplied", "energy.stored"})
+            out.push_back(quantised(kNoTool, id, "J", kEnergyResolution_J, ""));
+    return {};
+}
 } // namespace
 
-core::Result<ChannelTable> ChannelTable::forTools(std::span<const ToolChannels> tools) {
+core::Result<ChannelTable> ChannelTable::forTools(std::span<const ToolChannels> tools, const SceneChannels& scene) {
     if (tools.empty() || tools.size() > core::kMaxTools)
         return core::fail(core::ErrorCode::wrongUse, "recording: " + std::to_string(tools.size()) +
                                                          " tools, expected 1.." +
@@ -93,6 +119,8 @@ core::Result<ChannelTable> ChannelTable::forTools(std::span<const ToolChannels> 
                                                              std::to_string(core::kMaxCoordinates));
         addTool(channels, static_cast<std::uint8_t>(t), tools[t]);
     }
+    if (auto added = addScene(channels, scene); !added)
+        return tl::unexpected(added.error());
     return fromChannels(std::move(channels));
 }
 

@@ -45,6 +45,8 @@ core::HapticFrame roundedFrame(const core::HapticFrame& frame) noexcept {
     rounded.tools = std::min<std::uint32_t>(frame.tools, core::kMaxTools);
     rounded.header = frame.header;
     rounded.header.reserved = 0;
+    rounded.header.energySupplied_J = rounded.header.energyStored_J = 0.0;
+    rounded.header.quantities = {};
     const double forceSteps = stepsPerUnit(kForceResolution_N);
     const double angleSteps = stepsPerUnit(kAngleResolution_rad);
     for (std::size_t t = 0; t < rounded.tools; ++t) {

@@ -11,6 +11,7 @@ namespace chiron::recording {
 inline constexpr double kForceResolution_N = 1e-3;   ///< 1 mN
 inline constexpr double kTorqueResolution_Nm = 1e-5; ///< 0.01 mN·m
 inline constexpr double kAngleResolution_rad = 1e-5; ///< display pose
+inline constexpr double kEnergyResolution_J = 1e-5;  ///< 10 µJ, a hundredth of what the passivity guard acts on
 
 /// Largest count a finite value is stored as (about 1 MN at 1 mN): beyond it the value saturates.
 inline constexpr std::int64_t kMaximumQuantum = std::int64_t{1} << 30;
@@ -45,7 +46,8 @@ inline double dequantise(std::int64_t count, double stepsPerUnit) noexcept {
 /// Force parts at 1 mN, torque parts at 0.01 mN·m: exactly what a reader of the recording gets.
 core::Array6 roundedWrench(const core::Array6& wrench) noexcept;
 /// The frame with its wrenches and display pose as they will be read back, and its reserved and unused parts
-/// zero: live scoring from rounded frames equals later scoring from the file.
+/// zero: live scoring from rounded frames equals later scoring from the file. Quantities and energies are zero too: which of
+/// them a recording has, and how finely, is its channel table's to say.
 core::HapticFrame roundedFrame(const core::HapticFrame& frame) noexcept;
 
 } // namespace chiron::recording

@@ -213,7 +213,7 @@ void TestInsertionCsv::otherExercisesHaveNoneOfIt() {
 
 void TestInsertionCsv::writesExactDecimals() {
     TraceRows rows;
-    rows.columns.torque = rows.columns.insertion = true;
+    rows.columns.torque = rows.columns.insertion = rows.columns.completed = true;
     TraceRow r;
     r.tissueTorque_Nm = Vec3(-0.00001, 0.15, 0.00123);
     r.insertion.arc_m = -0.010000001;
