@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "operators/laparoscopy/grasp_senses.h"
+
+#include <algorithm>
+
+namespace chiron::operators {
+
+using mechanisms::MarkovNoise;
+
+GraspSenses::GraspSenses(const GraspPerceptionSettings& s, std::size_t hand, const devices::WorkspaceMapping& place,
+                         std::uint64_t seed) noexcept
+    : m_settings(s), m_hand(hand), m_map(place), m_random(core::Random::stream(seed, "laparoscopy/senses")),
+      m_senses(s.hand, seed) {
+    const auto make = [&](double sd, double time_s) { return MarkovNoise(sd, time_s, Senses::kLook_s, m_random); };
+    m_tensionWeber = make(s.gaugeWeberFraction, s.gaugeNoiseTime_s);
+    m_tensionFloor = make(s.gaugeFloorSd_N, s.gaugeNoiseTime_s);
+    m_squeezeWeber = make(s.gaugeWeberFraction, s.gaugeNoiseTime_s);
+    m_squeezeFloor = make(s.gaugeFloorSd_N, s.gaugeNoiseTime_s);
+    m_length = make(s.lengthWeberFraction, s.lengthNoiseTime_s);
+}
+
+bool GraspSenses::feel(const mechanisms::HandPerception& real) noexcept {
+    mechanisms::HandPerception seen = real;
+    seen.cues.objectShown = real.cues.laparoscopy.objectShown; // the picture is there: the tip is placed by sight
+    if (!m_senses.feel(seen))
+        return false;
+    const Percept& felt = m_senses.percept();
+    const core::LaparoscopyCues& screen = real.cues.laparoscopy;
+    m_percept.time_s = felt.time_s;
+    m_percept.cues = real.cues;
+    m_percept.place = m_map.pointToW(felt.place);
+    m_percept.force = m_map.wrenchToW({felt.force, core::Vec3::Zero()}).force;
+    m_percept.tension_N = readBar(screen.tensionShown ? screen.tension_N : 0.0, m_tensionWeber, m_tensionFloor);
+    m_percept.squeeze_N = readBar(screen.squeezeShown ? screen.squeeze_N[m_hand] : 0.0, m_squeezeWeber, m_squeezeFloor);
+    m_percept.stretch_m = (screen.restLength_m + screen.stretch_m) * (1.0 + m_length.advance(m_random)) - screen.restLength_m;
+    return true;
+}
+
+/// An empty bar is read as empty.
+double GraspSenses::readBar(double shown_N, MarkovNoise& weber, MarkovNoise& floor) noexcept {
+    const double read = shown_N * (1.0 + weber.advance(m_random)) + floor.advance(m_random);
+    return shown_N > 0.0 ? std::max(0.0, read) : 0.0;
+}
+
+} // namespace chiron::operators

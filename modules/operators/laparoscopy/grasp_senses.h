@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/random.h"
+#include "devices/api/workspace_map.h"
+#include "mechanisms/hand_strategy.h"
+#include "mechanisms/markov_noise.h"
+#include "operators/laparoscopy/grasp_perception_settings.h"
+#include "operators/sphere_apex/senses.h"
+
+#include <cstdint>
+
+namespace chiron::operators {
+
+/// What a laparoscopist believes one hand feels and the screen shows: all that its mind may use. W.
+struct GraspPercept {
+    double time_s = 0.0;
+    core::Vec3 place = core::Vec3::Zero(); ///< of the instrument's tip, as seen, or as felt where the screen shows nothing, m
+    core::Vec3 force = core::Vec3::Zero(); ///< on the hand, N
+    double tension_N = 0.0;                ///< as read from its bar; 0 where that is not shown
+    double squeeze_N = 0.0;                ///< of this hand's jaw, likewise
+    double stretch_m = 0.0;                ///< of the tube, as it looks
+    core::VisibleCues cues;                ///< as shown; what is named above is not to be read here
+
+    bool working() const noexcept {
+        return cues.phase == core::TrialPhase::running && cues.force == core::ForceState::on;
+    }
+    const core::LaparoscopyCues& screen() const noexcept { return cues.laparoscopy; }
+};
+
+/// Turns what really happens to one hand and on the screen into what is felt and seen: 100 looks a second over the mean of ten
+/// ticks (Senses), through GraspPerceptionSettings' noises. Seeded. Haptic thread, no allocation.
+class GraspSenses {
+public:
+    GraspSenses(const GraspPerceptionSettings& settings, std::size_t hand, const devices::WorkspaceMapping& place,
+                std::uint64_t seed) noexcept;
+    /// Every tick. True when a new look is ready in percept().
+    bool feel(const mechanisms::HandPerception& real) noexcept;
+    const GraspPercept& percept() const noexcept { return m_percept; }
+
+private:
+    double readBar(double shown_N, mechanisms::MarkovNoise& weber, mechanisms::MarkovNoise& floor) noexcept;
+
+    GraspPerceptionSettings m_settings;
+    std::size_t m_hand;
+    devices::WorkspaceMap m_map;
+    core::Random m_random;
+    Senses m_senses;
+    mechanisms::MarkovNoise m_tensionWeber, m_tensionFloor, m_squeezeWeber, m_squeezeFloor, m_length;
+    GraspPercept m_percept;
+};
+
+} // namespace chiron::operators

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "operators/laparoscopy/laparoscopy_mind.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace chiron::operators {
+
+/// One mind behind several hands: it hears of each, and thinks once the last of them has looked. Tool 0 is asked first in a tick,
+/// so what is thought in a tick moves the first hand in the next one.
+class SharedMind {
+public:
+    SharedMind(std::unique_ptr<LaparoscopyMind> mind, std::size_t hands) noexcept;
+    void hear(std::size_t hand, const GraspPercept& felt, double jaw_rad) noexcept;
+    const GraspWish& wishOf(std::size_t hand) const noexcept { return m_wishes[hand]; }
+
+private:
+    std::unique_ptr<LaparoscopyMind> m_mind;
+    GraspLook m_look;
+    GraspWishes m_wishes{};
+};
+
+/// One hand of a scripted laparoscopist: its own senses and reach, and the mind that it shares with the other hand. Haptic
+/// thread: no allocation after construction.
+class ScriptedHand final : public mechanisms::HandStrategy {
+public:
+    ScriptedHand(std::shared_ptr<SharedMind> mind, std::size_t hand, const GraspPerceptionSettings& perception,
+                 const GraspReachSettings& reach, const devices::WorkspaceMapping& place, std::uint64_t seed);
+    ~ScriptedHand() override;
+    mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override;
+
+private:
+    std::shared_ptr<SharedMind> m_mind; ///< shared: the hands live in different devices, and the last one gone takes it along
+    std::size_t m_hand;
+    devices::WorkspaceMap m_map;
+    GraspSenses m_senses;
+    GraspReach m_reach;
+};
+
+/// Hands in the order of the tools, each at its instrument's place. Allocates; not in the tick.
+std::vector<std::unique_ptr<mechanisms::HandStrategy>> makeHands(std::unique_ptr<LaparoscopyMind> mind,
+                                                                 const GraspPerceptionSettings& perception,
+                                                                 const GraspReachSettings& reach,
+                                                                 const std::vector<devices::WorkspaceMapping>& places,
+                                                                 std::uint64_t seed);
+
+} // namespace chiron::operators
