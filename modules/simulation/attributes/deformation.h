@@ -64,6 +64,12 @@ public:
         return out;
     }
 
+    /// Goes on from a dent that is kept elsewhere (per vertex of a mesh, geometry/mesh/mesh_dents.h): q and the depth of the
+    /// tick before, both m, ≥ 0. Then "never active" holds as far as that dent is the one this tool left.
+    void resume(double stretch_m, double depth_m) noexcept {
+        m_stretch_m = stretch_m;
+        m_depth_m = depth_m;
+    }
     /// As new: nothing dented.
     void reset() noexcept { m_stretch_m = m_depth_m = 0.0; }
     double stretch_m() const noexcept { return m_stretch_m; } ///< q

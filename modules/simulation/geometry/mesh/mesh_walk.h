@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simulation/geometry/mesh/mesh_place.h"
+
+#include <cmath>
+
+namespace chiron::simulation {
+
+/// How a place follows a point: along the field of blended normals where that is unique, else by gliding over the surface.
+struct MeshWalk {
+    static constexpr int kMostSteps = 64;       ///< triangles or Newton steps a tick; 2–3 is usual
+    static constexpr int kMostRound = 32;       ///< triangles round a vertex that are looked at
+    static constexpr double kResidual_m = 1e-8; ///< 5 µN at 500 N/m
+    /// The surface moved inwards along its normals may shrink to this share of its area; beyond, the normals are about to
+    /// cross (a ridge pressed deeper than its radius), and which of them is meant is no longer decided by the point alone.
+    static constexpr double kLeastShrink = 0.08;
+};
+
+/// The place x whose blended normal points to p:  p = x − t n̂(x), n̂ the blend of the vertex normals, not normalised.
+/// In one triangle with corners a + u e₁ + v e₂ that is F(u,v,t) = p, solved by Newton (F is bilinear in (u,v) and t, so what
+/// is left after a step is exactly δt (δu Δn₁ + δv Δn₂)). A step that leaves the triangle stops at its side and goes on in
+/// the neighbour: position and normal agree there, so the place is a continuous function of p as long as the field does not
+/// fold. `place` and `along` (t, m; > 0 inside) are where to begin and the answer. False, with `place` as it was: folded, or not
+/// found in kMostSteps. The idea: Phong projection (Panozzo et al. 2013); P2 figure 6 gives the field.
+template <class Surface> bool projectAlongNormals(const Surface& surface, const core::Vec3& p, MeshPlace& place, double& along) noexcept {
+    MeshPlace now = place;
+    double t = along;
+    for (int step = 0; step < MeshWalk::kMostSteps; ++step) {
+        const SurfaceTriangle& triangle = surface.triangle(now.triangle);
+        const core::Vec3 &a = surface.position(triangle.vertex[0]), &na = surface.normal(triangle.vertex[0]);
+        const core::Vec3 e1 = surface.position(triangle.vertex[1]) - a, e2 = surface.position(triangle.vertex[2]) - a;
+        const core::Vec3 d1 = surface.normal(triangle.vertex[1]) - na, d2 = surface.normal(triangle.vertex[2]) - na;
+        const double u = now.weights[1], v = now.weights[2];
+        const core::Vec3 n = na + u * d1 + v * d2;
+        const core::Vec3 r = (p - a) - (u * e1 + v * e2) + t * n;
+        const core::Vec3 m1 = e1 - t * d1, m2 = e2 - t * d2, area = m1.cross(m2);
+        const double volume = area.dot(n);
+        if (!(volume > MeshWalk::kLeastShrink * e1.cross(e2).dot(n)))
+            return false;
+        const double inverse = 1.0 / volume;
+        const double du = inverse * r.dot(m2.cross(n)), dv = inverse * r.dot(n.cross(m1)), dt = -inverse * r.dot(area);
+        const core::Vec3 change(-du - dv, du, dv);
+        double share = 1.0;
+        int leaves = -1;
+        for (int i = 0; i < 3; ++i)
+            if (now.weights[i] + change[i] < 0.0 && now.weights[i] + share * change[i] < 0.0) {
+                share = now.weights[i] / -change[i];
+                leaves = i;
+            }
+        now.weights = (now.weights + share * change).cwiseMax(0.0);
+        t += share * dt;
+        if (leaves < 0) {
+            if ((dt * (du * d1 + dv * d2)).squaredNorm() < MeshWalk::kResidual_m * MeshWalk::kResidual_m) {
+                place = now;
+                along = t;
+                return true;
+            }
+            continue;
+        }
+        now.weights[leaves] = 0.0;
+        now = across(surface, now, static_cast<std::size_t>(leaves));
+    }
+    return false;
+}
+
+namespace detail {
+
+template <class Surface> double nearestIn(const Surface& surface, std::uint32_t index, const core::Vec3& q, MeshPlace& place) noexcept {
+    const SurfaceTriangle& t = surface.triangle(index);
+    place.triangle = index;
+    place.weights = nearestWeights(surface.position(t.vertex[0]), surface.position(t.vertex[1]), surface.position(t.vertex[2]), q);
+    return (q - pointAt(surface, place)).squaredNorm();
+}
+
+/// A triangle round the vertex in which a nearer point lies; false if none is.
+template <class Surface>
+bool nearerRoundVertex(const Surface& surface, const core::Vec3& q, std::size_t corner, MeshPlace& place, double& distance2) noexcept {
+    const std::uint32_t vertex = surface.triangle(place.triangle).vertex[corner];
+    std::uint32_t index = surface.triangle(place.triangle).neighbour[(corner + 1) % 3];
+    for (int round = 0; round < MeshWalk::kMostRound && index != place.triangle; ++round) {
+        MeshPlace there;
+        const double d2 = nearestIn(surface, index, q, there);
+        if (d2 < distance2) {
+            place = there;
+            distance2 = d2;
+            return true;
+        }
+        const std::size_t at = cornerOf(surface.triangle(index), vertex);
+        if (at == 3)
+            return false;
+        index = surface.triangle(index).neighbour[(at + 1) % 3];
+    }
+    return false;
+}
+
+} // namespace detail
+
+/// Goes over the surface from `place` downhill to the nearest place to q that can be reached so: strictly nearer with every step,
+/// kMostSteps at most. For q near the surface that is the nearest place of this sheet. Thread: haptic.
+template <class Surface> MeshPlace glide(const Surface& surface, MeshPlace place, const core::Vec3& q) noexcept {
+    double distance2 = detail::nearestIn(surface, place.triangle, q, place);
+    for (int step = 0; step < MeshWalk::kMostSteps; ++step) {
+        std::size_t zeros = 0, zero = 0, other = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const bool none = place.weights[static_cast<Eigen::Index>(i)] <= 0.0;
+            zeros += none ? 1 : 0;
+            (none ? zero : other) = i;
+        }
+        if (zeros == 0)
+            break;
+        if (zeros >= 2) {
+            if (!detail::nearerRoundVertex(surface, q, other, place, distance2))
+                break;
+            continue;
+        }
+        MeshPlace there;
+        const double d2 = detail::nearestIn(surface, surface.triangle(place.triangle).neighbour[zero], q, there);
+        if (!(d2 < distance2))
+            break;
+        place = there;
+        distance2 = d2;
+    }
+    return place;
+}
+
+} // namespace chiron::simulation

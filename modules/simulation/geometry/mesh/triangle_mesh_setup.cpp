@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/geometry/mesh/triangle_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace chiron::simulation {
+
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+/// A side of a triangle, by its two vertices in ascending order.
+struct Side {
+    std::uint64_t key = 0;
+    std::uint32_t triangle = 0;
+    std::uint8_t opposite = 0; ///< which corner it does not touch
+    bool forward = false;      ///< runs from the lower vertex to the higher one
+
+    bool operator<(const Side& other) const {
+        return key != other.key ? key < other.key : triangle < other.triangle;
+    }
+};
+
+std::vector<Side> sortedSides(std::span<const Corners> triangles) {
+    std::vector<Side> sides;
+    sides.reserve(3 * triangles.size());
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+        for (std::uint8_t i = 0; i < 3; ++i) {
+            const std::uint32_t from = triangles[t][(i + 1U) % 3], to = triangles[t][(i + 2U) % 3];
+            const std::uint64_t low = std::min(from, to), high = std::max(from, to);
+            sides.push_back({low << 32U | high, t, i, from < to});
+        }
+    std::sort(sides.begin(), sides.end());
+    return sides;
+}
+
+std::string edgeName(std::uint64_t key) {
+    return "edge " + std::to_string(key >> 32U) + "-" + std::to_string(key & 0xffffffffU);
+}
+
+core::Result<void> join(std::span<const Corners> corners, std::vector<SurfaceTriangle>& triangles) {
+    const std::vector<Side> sides = sortedSides(corners);
+    for (std::size_t i = 0; i < sides.size();) {
+        std::size_t end = i + 1;
+        while (end < sides.size() && sides[end].key == sides[i].key)
+            ++end;
+        if (end - i != 2)
+            return core::fail(core::ErrorCode::badInput, edgeName(sides[i].key) + ": found in " +
+                                                             std::to_string(end - i) + " triangles, expected 2");
+        const Side& a = sides[i];
+        const Side& b = sides[i + 1];
+        if (a.forward == b.forward)
+            return core::fail(core::ErrorCode::badInput,
+                              edgeName(a.key) + ": triangles " + std::to_string(a.triangle) + " and " +
+                                  std::to_string(b.triangle) + " run along it the same way, expected opposite ways");
+        triangles[a.triangle].neighbour[a.opposite] = b.triangle;
+        triangles[b.triangle].neighbour[b.opposite] = a.triangle;
+        i = end;
+    }
+    return {};
+}
+
+/// The normals of one triangle, added to its corners with their angles as weights.
+void addNormals(const Corners& corners, const std::array<core::Vec3, 3>& p, std::span<core::Vec3> normals) {
+    const core::Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const core::Vec3 a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
+        normals[corners[i]] += std::atan2(a.cross(b).norm(), a.dot(b)) * normal;
+    }
+}
+
+core::Result<void> checkNumbers(std::span<const core::Vec3> vertices, std::span<const Corners> triangles) {
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+        if (!vertices[v].allFinite())
+            return core::fail(core::ErrorCode::badInput, "vertex " + std::to_string(v) + ": not a finite number");
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (const std::uint32_t v : triangles[t])
+            if (v >= vertices.size())
+                return core::fail(core::ErrorCode::badInput, "triangle " + std::to_string(t) + ": vertex " +
+                                                                 std::to_string(v) + " of " + std::to_string(vertices.size()));
+        const core::Vec3& a = vertices[triangles[t][0]];
+        const core::Vec3 side = (vertices[triangles[t][1]] - a).cross(vertices[triangles[t][2]] - a);
+        if (!(side.squaredNorm() > 0.0))
+            return core::fail(core::ErrorCode::badInput, "triangle " + std::to_string(t) + ": no area");
+    }
+    return {};
+}
+
+} // namespace
+
+core::Result<TriangleMesh> TriangleMesh::create(std::span<const core::Vec3> vertices, std::span<const Corners> triangles) {
+    if (triangles.empty() || triangles.size() > kMostTriangles)
+        return core::fail(core::ErrorCode::badInput, std::to_string(triangles.size()) + " triangles, expected 4 to " +
+                                                         std::to_string(kMostTriangles));
+    if (auto checked = checkNumbers(vertices, triangles); !checked)
+        return tl::unexpected(checked.error());
+    TriangleMesh mesh;
+    mesh.m_triangles.resize(triangles.size());
+    if (auto joined = join(triangles, mesh.m_triangles); !joined)
+        return tl::unexpected(joined.error());
+    std::vector<core::Vec3> normals(vertices.size(), core::Vec3::Zero());
+    std::vector<std::array<core::Vec3, 3>> corners;
+    corners.reserve(triangles.size());
+    double sum = 0.0;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        mesh.m_triangles[t].vertex = triangles[t];
+        const auto& p = corners.emplace_back(
+            std::array{vertices[triangles[t][0]], vertices[triangles[t][1]], vertices[triangles[t][2]]});
+        addNormals(triangles[t], p, normals);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double edge = (p[(i + 1) % 3] - p[i]).norm();
+            sum += edge;
+            mesh.m_longestEdge_m = std::max(mesh.m_longestEdge_m, edge);
+        }
+    }
+    mesh.m_meanEdge_m = sum / (3.0 * static_cast<double>(triangles.size()));
+    mesh.m_lowest = mesh.m_highest = corners.front()[0];
+    mesh.m_vertices.reserve(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        const double length = normals[v].norm();
+        mesh.m_vertices.push_back({vertices[v], length > 0.0 ? core::Vec3(normals[v] / length) : core::Vec3::UnitZ()});
+        mesh.m_lowest = mesh.m_lowest.cwiseMin(vertices[v]);
+        mesh.m_highest = mesh.m_highest.cwiseMax(vertices[v]);
+    }
+    mesh.m_tree = MeshTree(corners);
+    return mesh;
+}
+
+void smoothNormals(const TriangleMesh& mesh, std::span<const core::Vec3> moved, std::span<core::Vec3> normals) noexcept {
+    std::fill(normals.begin(), normals.end(), core::Vec3::Zero());
+    for (const SurfaceTriangle& triangle : mesh.triangles())
+        addNormals(triangle.vertex, {moved[triangle.vertex[0]], moved[triangle.vertex[1]], moved[triangle.vertex[2]]}, normals);
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+        const double length = normals[v].norm();
+        normals[v] = length > 0.0 ? core::Vec3(normals[v] / length) : mesh.normal(static_cast<std::uint32_t>(v));
+    }
+}
+
+} // namespace chiron::simulation
