@@ -34,8 +34,25 @@ void addDamping(core::Vec3& shown, const core::Vec3& rate, double b) noexcept {
 
 void PassivityController::reset(const SafetySettings& settings) noexcept {
     m_settings = settings;
-    m_observer.reset();
-    m_excess_J = 0.0;
+    m_accounts = {};
+    m_bodyOf = {};
+    m_used = {};
+}
+
+double PassivityController::supplied_J() const noexcept {
+    double sum = 0.0;
+    for (const Account& account : m_accounts) {
+        sum += account.open ? account.observer.supplied_J() : 0.0;
+    }
+    return sum;
+}
+
+double PassivityController::stored_J() const noexcept {
+    double sum = 0.0;
+    for (const Account& account : m_accounts) {
+        sum += account.open ? account.stored_J : 0.0;
+    }
+    return sum;
 }
 
 double PassivityController::renderedEnergy_J(const PassivityContact& contact, double gain,
@@ -53,22 +70,69 @@ double PassivityController::renderedEnergy_J(const PassivityContact& contact, do
 }
 
 bool PassivityController::apply(const Limits& limits, int count, const core::ToolStates& states,
-                                const PassivityContact& contact, Wrenches& wrenches) noexcept {
-    m_observer.addWork(states);
-    if (!contact.touching || contact.gain <= 0.0) {
-        m_observer.endContact();
-        m_excess_J = 0.0;
-        return false;
+                                const PassivityBodies& bodies, Wrenches& wrenches) noexcept {
+    for (std::size_t body = 0; body < m_accounts.size(); ++body) {
+        if (m_used[body]) {
+            m_accounts[body].observer.addWork(states);
+        }
     }
-    const double rendered = renderedEnergy_J(contact, contact.gain, count);
-    if (contact.gain != contact.gainBefore) {
-        m_observer.credit(rendered - renderedEnergy_J(contact, contact.gainBefore, count));
+    regroup(count, bodies);
+    bool injected = false;
+    for (std::size_t body = 0; body < m_accounts.size(); ++body) {
+        if (m_used[body]) {
+            injected = applyTo(m_accounts[body], limits, count, states, bodies.contacts[body], wrenches) || injected;
+        } else {
+            m_accounts[body].observer.endContact();
+            m_accounts[body].open = false;
+        }
     }
-    m_excess_J = rendered - m_observer.supplied_J();
-    return inject(limits, count, states, contact, wrenches);
+    return injected;
 }
 
-bool PassivityController::inject(const Limits& limits, int count, const core::ToolStates& states,
+void PassivityController::regroup(int count, const PassivityBodies& bodies) noexcept {
+    const std::array<bool, core::kMaxTools> before = m_used;
+    m_used = {};
+    for (int tool = 0; tool < count; ++tool) {
+        m_used[bodies.bodyOf[static_cast<std::size_t>(tool)]] = true;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(std::max(0, count)); ++i) {
+        const std::size_t from = m_bodyOf[i];
+        const std::size_t to = bodies.bodyOf[i];
+        if (from == to || !before[from]) {
+            continue;
+        }
+        const double had = m_accounts[from].observer.supplied_J();
+        double moved = 0.0;
+        if (!m_used[from]) {
+            moved = had; // nobody stays behind
+        } else if (!before[to]) {
+            const PassivityContact& contact = bodies.contacts[to];
+            moved = std::clamp(renderedEnergy_J(contact, contact.gain, count), 0.0, std::max(0.0, had));
+        }
+        m_accounts[from].observer.credit(-moved);
+        m_accounts[to].observer.credit(moved);
+    }
+    m_bodyOf = bodies.bodyOf;
+}
+
+bool PassivityController::applyTo(Account& account, const Limits& limits, int count, const core::ToolStates& states,
+                                  const PassivityContact& contact, Wrenches& wrenches) noexcept {
+    account.open = contact.touching && contact.gain > 0.0;
+    if (!account.open) {
+        account.observer.endContact();
+        account.stored_J = 0.0;
+        account.excess_J = 0.0;
+        return false;
+    }
+    account.stored_J = renderedEnergy_J(contact, contact.gain, count);
+    if (contact.gain != contact.gainBefore) {
+        account.observer.credit(account.stored_J - renderedEnergy_J(contact, contact.gainBefore, count));
+    }
+    account.excess_J = account.stored_J - account.observer.supplied_J();
+    return inject(account.excess_J, limits, count, states, contact, wrenches);
+}
+
+bool PassivityController::inject(double excess_J, const Limits& limits, int count, const core::ToolStates& states,
                                  const PassivityContact& contact, Wrenches& wrenches) const noexcept {
     double rate2 = 0.0;  // Σ(v² + r²ω²) of the tools that touch
     double speed2 = 0.0; // Σv² of the same
@@ -87,7 +151,7 @@ bool PassivityController::inject(const Limits& limits, int count, const core::To
     }
     constexpr double kT = core::kTickSeconds;
     const double leak = 0.5 * contact.gain * contact.stiffness_N_per_m * speed2 * kT * kT;
-    const double excess = m_excess_J + leak;
+    const double excess = excess_J + leak;
     const double slowest = m_settings.passivityMinimumSpeed_m_per_s;
     if (!(excess > m_settings.passivityExcess_J * scale) || !(rate2 > slowest * slowest * scale * scale)) {
         return false;
@@ -105,7 +169,17 @@ bool PassivityController::inject(const Limits& limits, int count, const core::To
 }
 
 void PassivityController::hold(const core::ToolStates& states, const core::ToolWrenches& commanded) noexcept {
-    m_observer.hold(states, commanded);
+    for (std::size_t body = 0; body < m_accounts.size(); ++body) {
+        if (!m_used[body]) {
+            m_accounts[body].observer.holdNothing();
+            continue;
+        }
+        std::array<bool, core::kMaxTools> members{};
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            members[i] = m_bodyOf[i] == body;
+        }
+        m_accounts[body].observer.hold(states, commanded, members);
+    }
 }
 
 } // namespace chiron::haptics

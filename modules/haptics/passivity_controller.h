@@ -10,15 +10,22 @@
 
 namespace chiron::haptics {
 
-/// What a contact looks like to the passivity stage at one tick.
+/// What one body that is touched looks like to the passivity stage at one tick.
 struct PassivityContact {
     double stored_J = 0.0; ///< U as the scene reports it, at full gain and without caps; finite, >= 0
     double stiffness_N_per_m = 0.0;                 ///< largest active contact stiffness; finite, >= 0
     double gain = 0.0;                              ///< of this tick
     double gainBefore = 0.0;                        ///< of the tick before
     bool touching = false;                          ///< any tool
+    std::array<bool, core::kMaxTools> members{};    ///< the tools at this body
     std::array<double, core::kMaxTools> capRatio{}; ///< of the requested wrench at full gain; see capRatio()
-    std::array<double, core::kMaxTools> share{};    ///< of U, summing to 1 (by ‖f‖²)
+    std::array<double, core::kMaxTools> share{};    ///< of U, summing to 1 over the members (by ‖f‖²)
+};
+
+/// All bodies of one tick: `bodyOf[i]` is the body of tool i, 0..kMaxTools-1; a body without members has no book.
+struct PassivityBodies {
+    std::array<std::uint8_t, core::kMaxTools> bodyOf{};
+    std::array<PassivityContact, core::kMaxTools> contacts{};
 };
 
 /// Time-domain passivity controller (models.md §5; Hannaford & Ryu 2002): keeps the observer and injects
@@ -33,7 +40,12 @@ struct PassivityContact {
 /// (‖v‖T)², the energy that a sampled spring leaks in one tick. When it passes 1 mJ (of the device: W-energy
 /// over workspace scale) f = -α v and τ = -α r² ω are added, α = excess / (T Σ(v² + r²ω²)), at most g·b_max;
 /// a force that pushes along the motion is at most cancelled, never reversed: contact does not pull. r =
-/// torque cap / force cap. Thread: haptic.
+/// torque cap / force cap.
+///
+/// One book a body (P2, "Control Algorithm for Multiple Instruments"): tools at one body can pass energy to each other
+/// through it and share its book; tools at different bodies cannot borrow from each other. When a tool changes its body
+/// (two things become one, or one two), the book goes along: the whole of it when no tool stays behind; else what the new
+/// body holds, as far as the old book has it. Thread: haptic.
 class PassivityController {
 public:
     using Limits = std::array<SafetyToolLimits, core::kMaxTools>;
@@ -43,24 +55,38 @@ public:
 
     /// Books the last tick's work and, when too much could come back, adds damping to `wrenches` (already
     /// multiplied by the gain); true if it did. `count` tools.
-    bool apply(const Limits& limits, int count, const core::ToolStates& states,
-               const PassivityContact& contact, Wrenches& wrenches) noexcept;
+    bool apply(const Limits& limits, int count, const core::ToolStates& states, const PassivityBodies& bodies,
+               Wrenches& wrenches) noexcept;
 
     /// Books what is really shown, after caps and slew.
     void hold(const core::ToolStates& states, const core::ToolWrenches& commanded) noexcept;
 
-    double excess_J() const noexcept { return m_excess_J; } ///< U - W at the last apply(), in W
+    double excess_J(std::size_t body = 0) const noexcept { return m_accounts[body].excess_J; } ///< U - W at the last apply(), in W
+    double supplied_J() const noexcept; ///< W, summed over the bodies that are touched; J in W
+    double stored_J() const noexcept;   ///< U as rendered, summed alike
 
     /// g U s(2-s) summed over the tools' shares.
     static double renderedEnergy_J(const PassivityContact& contact, double gain, int count) noexcept;
 
 private:
-    bool inject(const Limits& limits, int count, const core::ToolStates& states,
+    /// The book of one body.
+    struct Account {
+        PassivityObserver observer;
+        double stored_J = 0.0; ///< as rendered
+        double excess_J = 0.0; ///< stored - supplied
+        bool open = false;     ///< touched
+    };
+
+    void regroup(int count, const PassivityBodies& bodies) noexcept;
+    bool applyTo(Account& account, const Limits& limits, int count, const core::ToolStates& states,
+                 const PassivityContact& contact, Wrenches& wrenches) noexcept;
+    bool inject(double excess_J, const Limits& limits, int count, const core::ToolStates& states,
                 const PassivityContact& contact, Wrenches& wrenches) const noexcept;
 
     SafetySettings m_settings;
-    PassivityObserver m_observer;
-    double m_excess_J = 0.0;
+    std::array<Account, core::kMaxTools> m_accounts{};
+    std::array<std::uint8_t, core::kMaxTools> m_bodyOf{};
+    std::array<bool, core::kMaxTools> m_used{}; ///< bodies with members
 };
 
 } // namespace chiron::haptics

@@ -43,4 +43,14 @@ void PassivityObserver::hold(const core::ToolStates& states, const core::ToolWre
     m_states = states;
 }
 
+void PassivityObserver::hold(const core::ToolStates& states, const core::ToolWrenches& commanded,
+                             const std::array<bool, core::kMaxTools>& members) noexcept {
+    hold(states, commanded);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        if (!members[i]) {
+            m_held.tools[i] = core::Wrench{};
+        }
+    }
+}
+
 } // namespace chiron::haptics

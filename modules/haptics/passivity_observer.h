@@ -3,6 +3,8 @@
 
 #include "core/tool_state.h"
 
+#include <array>
+
 namespace chiron::haptics {
 
 /// Energy that a contact has been given and what it holds (models.md §5; Hannaford & Ryu 2002, time-domain
@@ -21,6 +23,11 @@ public:
     void endContact() noexcept { m_supplied_J = 0.0; }
     /// Remembers what is shown from now on, and where.
     void hold(const core::ToolStates& states, const core::ToolWrenches& commanded) noexcept;
+    /// The same for a book of some of the tools alone: what the others hold is not this body's.
+    void hold(const core::ToolStates& states, const core::ToolWrenches& commanded,
+              const std::array<bool, core::kMaxTools>& members) noexcept;
+    /// Nothing is held: no tool is at this body.
+    void holdNothing() noexcept { m_held.count = 0; }
 
     double supplied_J() const noexcept { return m_supplied_J; }
 

@@ -65,7 +65,9 @@ private:
     void observeSample(std::size_t tool, SafetyConditions& conditions) noexcept;
     void observeMotion(const SafetyInput& in, const Wrenches& requested, std::size_t tool,
                        SafetyConditions& conditions) const noexcept;
-    PassivityContact contactOf(const SafetyInput& in, const Wrenches& requested) const noexcept;
+    PassivityBodies bodiesOf(const SafetyInput& in, const Wrenches& requested) const noexcept;
+    void fillContact(const SafetyInput& in, const Wrenches& requested, std::size_t body,
+                     PassivityContact& contact) const noexcept;
     void applyPassivity(const SafetyInput& in, const Wrenches& requested, Wrenches& wrenches) noexcept;
     void applyOverVelocityDamping(const SafetyInput& in, Wrenches& wrenches) const noexcept;
     void applyCapsAndSlew(Wrenches& wrenches) noexcept;

@@ -19,31 +19,51 @@ double usable(double value) noexcept {
 
 } // namespace
 
-PassivityContact SafetySupervisor::contactOf(const SafetyInput& in,
-                                             const Wrenches& requested) const noexcept {
-    PassivityContact contact;
-    contact.stored_J = usable(in.scene.storedEnergy_J);
-    contact.stiffness_N_per_m = usable(in.scene.contactStiffness_N_per_m);
+PassivityBodies SafetySupervisor::bodiesOf(const SafetyInput& in, const Wrenches& requested) const noexcept {
+    PassivityBodies bodies;
+    for (int tool = 0; tool < m_count; ++tool) {
+        const auto i = static_cast<std::size_t>(tool);
+        bodies.bodyOf[i] = static_cast<std::uint8_t>(std::min<int>(in.scene.body[i], core::kMaxTools - 1));
+        bodies.contacts[bodies.bodyOf[i]].members[i] = true;
+    }
+    for (std::size_t body = 0; body < bodies.contacts.size(); ++body) {
+        fillContact(in, requested, body, bodies.contacts[body]);
+    }
+    return bodies;
+}
+
+void SafetySupervisor::fillContact(const SafetyInput& in, const Wrenches& requested, std::size_t body,
+                                   PassivityContact& contact) const noexcept {
+    const bool all = !in.scene.energyByBody && body == 0; // a scene that does not say: everything is body 0's
+    contact.stored_J = usable(all ? in.scene.storedEnergy_J : in.scene.energyByBody ? in.scene.bodyEnergy_J[body] : 0.0);
+    contact.stiffness_N_per_m = usable(all                     ? in.scene.contactStiffness_N_per_m
+                                       : in.scene.energyByBody ? in.scene.bodyStiffness_N_per_m[body]
+                                                               : 0.0);
     contact.gain = m_machine.gain();
     contact.gainBefore = m_lastGain;
     double sum = 0.0;
+    int members = 0;
+    contact.touching = contact.stored_J > 0.0;
     for (int tool = 0; tool < m_count; ++tool) {
         const auto i = static_cast<std::size_t>(tool);
+        if (!contact.members[i]) {
+            continue;
+        }
+        ++members;
+        const core::Wrench& w = requested[i];
         contact.capRatio[i] = 1.0;
-        contact.share[i] = requested[i].force.squaredNorm();
+        contact.share[i] = w.force.squaredNorm();
         sum += contact.share[i];
+        contact.touching = contact.touching || w.force != core::Vec3::Zero() || w.torque != core::Vec3::Zero();
         if (contact.gain > 0.0 && m_limits[i].renders && m_mask.has(GuardMask::kCaps)) {
-            contact.capRatio[i] = capRatio(m_limits[i], m_sanity[i].good(), requested[i]);
+            contact.capRatio[i] = capRatio(m_limits[i], m_sanity[i].good(), w);
         }
     }
-    for (double& share : contact.share) {
-        share = sum > 0.0 ? share / sum : 1.0 / std::max(1, m_count);
+    for (std::size_t i = 0; i < contact.share.size(); ++i) {
+        if (contact.members[i]) {
+            contact.share[i] = sum > 0.0 ? contact.share[i] / sum : 1.0 / members;
+        }
     }
-    contact.touching =
-        contact.stored_J > 0.0 || std::any_of(requested.begin(), requested.end(), [](const auto& w) {
-            return w.force != core::Vec3::Zero() || w.torque != core::Vec3::Zero();
-        });
-    return contact;
 }
 
 void SafetySupervisor::applyPassivity(const SafetyInput& in, const Wrenches& requested,
@@ -51,7 +71,7 @@ void SafetySupervisor::applyPassivity(const SafetyInput& in, const Wrenches& req
     if (!m_mask.has(GuardMask::kPassivity)) {
         return;
     }
-    if (m_passivity.apply(m_limits, m_count, in.states, contactOf(in, requested), wrenches)) {
+    if (m_passivity.apply(m_limits, m_count, in.states, bodiesOf(in, requested), wrenches)) {
         m_guards |= guard_bits::kPassivity;
     }
 }
@@ -129,6 +149,8 @@ void SafetySupervisor::publish(const SafetyInput& in, const Wrenches& wrenches, 
     }
     m_last = wrenches;
     m_passivity.hold(in.states, commanded);
+    out.energySupplied_J = m_passivity.supplied_J();
+    out.energyStored_J = m_passivity.stored_J();
     out.paused = m_machine.paused();
     if (anyRendersForce()) {
         out.force = m_machine.state();
