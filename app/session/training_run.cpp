@@ -4,6 +4,7 @@
 #include "core/clock.h"
 #include "core/fp_environment.h"
 #include "database/repositories/session_repository.h"
+#include "haptics/slow_model_thread.h"
 #include "realtime/monotonic_clock.h"
 #include "realtime/periodic_runner.h"
 #include "session/channels.h"
@@ -11,6 +12,7 @@
 #include "session/session_outcome.h"
 
 #include <limits>
+#include <optional>
 #include <thread>
 
 namespace chiron::session {
@@ -34,9 +36,13 @@ struct ThrottledTask {
     }
 };
 
-LoopReport runRealtime(RunTask& task, haptics::HapticLoop& loop) {
+/// The scene's slow model (null: none) is stepped by a thread of its own, from before the first tick to after the last one.
+LoopReport runRealtime(RunTask& task, haptics::HapticLoop& loop, simulation::ISlowModel* slowModel) {
     LoopReport report;
     std::atomic<bool> stop{false};
+    std::optional<haptics::SlowModelThread> slow;
+    if (slowModel != nullptr)
+        slow.emplace(*slowModel);
     std::thread haptic([&] {
         const realtime::RealtimeStatus status = realtime::setUpRealtimeThread();
         realtime::MonotonicClock clock;
@@ -49,6 +55,7 @@ LoopReport runRealtime(RunTask& task, haptics::HapticLoop& loop) {
         report.priorityDetail = status.priorityDetail;
     });
     haptic.join();
+    slow.reset(); // after the ticks that ask it, before the devices close and the scene goes
     setPunctuality(report, loop.statistics());
     return report;
 }
@@ -130,6 +137,9 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
     haptics::SafetySupervisor supervisor;
     haptics::SceneExchange scenes;
     auto scene = kind.makeScene(setup);
+    simulation::ISlowModel* const slowModel = scene->slowModel();
+    if (request.realtime && slowModel != nullptr)
+        inputs.setSlowUpdate(simulation::SlowUpdate::whenReady);
     scenes.offer(scene);
     TeeSink sink(recording.sink(), request.witness);
     auto loop = haptics::HapticLoop::create({tools, inputs, supervisor, setup.safety, scenes, sink});
@@ -141,7 +151,7 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
         inputs.beat(request.realtime ? core::monotonicNow_ns() : 0);
     const std::uint64_t tickLimit = request.live ? kNoTickLimit : kind.tickLimit(setup.level);
     RunTask task(**loop, inputs, sink, {tickLimit, request.station.trace, request.cancel, request.live});
-    return request.realtime ? runRealtime(task, **loop) : runAsFast(task, database.writer());
+    return request.realtime ? runRealtime(task, **loop, slowModel) : runAsFast(task, database.writer());
 }
 
 } // namespace

@@ -26,6 +26,7 @@ void LiveInputs::gather(const realtime::HapticTick& now, std::span<devices::IDev
             m_commands.tryPop(inputs.commands[i]);
     }
     m_ownCount = 0;
+    inputs.slow = m_slow;
     const std::int64_t beat_ns = m_lastBeat_ns.load(std::memory_order_relaxed);
     inputs.heartbeatAge_ms =
         beat_ns == kNoHeartbeat ? std::uint16_t{0} : age<std::uint16_t>(now.now_ns(), beat_ns, 1'000'000);

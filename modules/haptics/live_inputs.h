@@ -38,12 +38,17 @@ public:
     /// that never comes up counts as frozen.
     void beat(std::int64_t now_ns) noexcept { m_lastBeat_ns.store(now_ns, std::memory_order_relaxed); }
 
+    /// When a slow model's answers take effect: whenReady where a SlowModelThread steps it; asDue (the default) where the tick
+    /// does. Before the first tick.
+    void setSlowUpdate(simulation::SlowUpdate when) noexcept { m_slow = when; }
+
     void gather(const realtime::HapticTick& now, std::span<devices::IDevice* const> devices,
                 TickInputs& inputs) noexcept override;
 
 private:
     static constexpr std::int64_t kNoHeartbeat = INT64_MIN;
 
+    simulation::SlowUpdate m_slow = simulation::SlowUpdate::asDue;
     std::array<core::Command, core::kMaxCommandsPerTick> m_own{}; ///< haptic thread's
     std::size_t m_ownCount = 0;
     realtime::SpscRing<core::Command, kCommandRing> m_commands;
