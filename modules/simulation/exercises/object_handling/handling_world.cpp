@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/exercises/object_handling/handling_world.h"
+
+#include "core/session_state.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::simulation {
+
+using core::Vec3;
+namespace bits = core::event_bits;
+
+namespace {
+
+constexpr double kT = core::kTickSeconds;
+/// Objects that were pushed away roll back from the rim of the field, so that a trial can go on (assumptions).
+constexpr double kRimBeyondPlaces_m = 0.025;
+constexpr double kRim_N_per_m = 100.0;
+/// Nearer to a ball's middle than this share of its radius its foot does not run any faster: the law has no place there.
+constexpr double kInnermost = 0.1;
+
+Vec3 rimForce(const LooseBody& body, double rim_m) noexcept {
+    const double r = std::hypot(body.p_W.x(), body.p_W.y());
+    if (r <= rim_m)
+        return Vec3::Zero();
+    const double f = kRim_N_per_m * (rim_m - r) / r;
+    return {f * body.p_W.x(), f * body.p_W.y(), 0.0};
+}
+
+} // namespace
+
+HandlingWorld::HandlingWorld(const ObjectHandlingParameters& parameters) noexcept
+    : m_parameters(parameters), m_object(parameters.object), m_bed(parameters.bed), m_bodyBed(parameters.bed) {}
+
+void HandlingWorld::begin(const ObjectHandlingTrial& trial) noexcept {
+    clear();
+    m_count = static_cast<std::size_t>(trial.objects);
+    for (std::size_t i = 0; i < m_count; ++i) {
+        Body& body = m_bodies[i];
+        body.it.lieDown(trial.place_m[i], m_parameters.radius_m, trial.mass_kg[i], m_bodyBed);
+        body.tip.reset();
+        body.inside = body.embraced = true; // one that appears round the tip is touched only after the tip has left it
+        body.airborne = body.dropCounts = false;
+    }
+}
+
+void HandlingWorld::clear() noexcept {
+    m_count = 0;
+    m_tipOnBed.reset();
+    m_latch.reset();
+    m_slide.reset();
+    m_held = kNone;
+    m_squeeze = Squeeze{};
+    m_damageArmed = true;
+}
+
+HandlingAnswer HandlingWorld::step(const HandlingTool& tool) noexcept {
+    HandlingAnswer answer;
+    answer.surfacePoint = tool.p_W;
+    if (m_held != kNone && tool.present) {
+        LooseBody& body = m_bodies[static_cast<std::size_t>(m_held)].it;
+        body.p_W = tool.p_W + m_grip_m + m_slide.offset();
+        body.v_W = tool.v_W + m_slide.velocity();
+    }
+    updateGrip(tool, answer);
+    for (std::size_t i = 0; i < m_count; ++i) {
+        Body& body = m_bodies[i];
+        body.load = Vec3::Zero();
+        body.touched = false;
+        body.tipEnergy_J = 0.0;
+        body.it.pressBed(m_bodyBed);
+        if (tool.present && !isHeld(i))
+            touchBody(body, tool, answer);
+    }
+    if (tool.present)
+        touchBed(tool, answer);
+    pushApart(answer);
+    carry(answer);
+    countEnergy(answer);
+    moveBodies(answer);
+    return answer;
+}
+
+bool HandlingWorld::tipTouches(Body& body, double depth_m, const HandlingTool& tool) const noexcept {
+    const bool inside = depth_m > -m_object.reach_m();
+    if (!inside)
+        body.embraced = false;
+    else if (!body.inside) // it came in now: between open jaws, or with the tip
+        body.embraced = tool.opening_m > 2.0 * body.it.radius_m();
+    body.inside = inside;
+    return !body.embraced;
+}
+
+void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnswer& answer) noexcept {
+    const Vec3 away = tool.p_W - body.it.p_W;
+    const double distance = away.norm();
+    const double radius = body.it.radius_m();
+    ContactPlace place;
+    place.depth_m = radius - distance;
+    if (!tipTouches(body, place.depth_m, tool)) {
+        body.tip.reset();
+        return;
+    }
+    place.normal = distance > 0.0 ? Vec3(away / distance) : Vec3(Vec3::UnitZ());
+    place.depthGradient = -place.normal;
+    place.foot = radius * place.normal;
+    place.footScale = radius / std::max(distance, kInnermost * radius);
+    place.position = away;
+    place.velocity = tool.v_W - body.it.v_W;
+    const ObjectContactResponse touch = m_object.respond(place, kT, body.tip);
+    body.tipEnergy_J = touch.energy_J;
+    if (!touch.inContact)
+        return;
+    body.touched = true;
+    body.load -= touch.force;
+    answer.force += touch.force;
+    answer.stiffness_N_per_m = std::max(answer.stiffness_N_per_m, touch.stiffness_N_per_m);
+    answer.surfacePoint = tool.p_W + std::max(0.0, place.depth_m) * place.normal;
+    answer.touching = true;
+}
+
+void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) noexcept {
+    ContactPlace place;
+    place.depth_m = -tool.p_W.z();
+    place.foot = Vec3(tool.p_W.x(), tool.p_W.y(), 0.0);
+    place.position = tool.p_W;
+    place.velocity = tool.v_W;
+    const ObjectContactResponse touch = m_bed.respond(place, kT, m_tipOnBed);
+    answer.energy_J += touch.energy_J;
+    if (!touch.inContact)
+        return;
+    answer.force += touch.force;
+    answer.stiffness_N_per_m = std::max(answer.stiffness_N_per_m, touch.stiffness_N_per_m);
+    answer.bedDepth_m = std::max(0.0, place.depth_m);
+    answer.surfacePoint.z() = std::max(answer.surfacePoint.z(), 0.0);
+    answer.touching = true;
+}
+
+void HandlingWorld::pushApart(HandlingAnswer& answer) noexcept {
+    // Both are soft: two springs k in series, k/2 over the whole overlap.
+    const double stiffness = 0.5 * m_parameters.object.stiffness_N_per_m;
+    for (std::size_t k = 1; k < m_count; ++k)
+        for (std::size_t i = 0; i < k; ++i) {
+            Body& one = m_bodies[i];
+            Body& other = m_bodies[k];
+            const Vec3 apart = other.it.p_W - one.it.p_W;
+            const double distance = apart.norm();
+            const double overlap = one.it.radius_m() + other.it.radius_m() - distance;
+            if (overlap <= 0.0 || distance <= 0.0)
+                continue;
+            const Vec3 push = (stiffness * overlap / distance) * apart;
+            other.load += push;
+            one.load -= push;
+            if (isHeld(i) || isHeld(k) || one.touched || other.touched)
+                answer.energy_J += 0.5 * stiffness * overlap * overlap;
+        }
+}
+
+void HandlingWorld::carry(HandlingAnswer& answer) noexcept {
+    if (m_held == kNone)
+        return;
+    Body& body = m_bodies[static_cast<std::size_t>(m_held)];
+    const Vec3 load = body.load + body.it.heldForce();
+    answer.force -= m_slide.step(load, gripLimit_N(m_object.friction(), m_squeeze.force_N), body.it.mass_kg(), kT);
+    answer.stiffness_N_per_m = std::max(answer.stiffness_N_per_m, body.it.bedStiffness_N_per_m());
+    answer.touching = true;
+}
+
+void HandlingWorld::countEnergy(HandlingAnswer& answer) const noexcept {
+    for (std::size_t i = 0; i < m_count; ++i) {
+        const Body& body = m_bodies[i];
+        answer.bedDepth_m = std::max(answer.bedDepth_m, body.it.bedDepth_m());
+        answer.energy_J += body.tipEnergy_J;
+        if (isHeld(i))
+            answer.energy_J += body.it.storedEnergy_J(m_bodyBed);
+        else if (body.touched)
+            answer.energy_J += body.it.storedEnergy_J(m_bodyBed) + body.it.motionEnergy_J();
+    }
+}
+
+void HandlingWorld::moveBodies(HandlingAnswer& answer) noexcept {
+    const double rim = m_parameters.placesRadius_m + kRimBeyondPlaces_m;
+    for (std::size_t i = 0; i < m_count; ++i) {
+        Body& body = m_bodies[i];
+        const bool inAir = body.it.bedDepth_m() <= 0.0;
+        if (body.airborne && !inAir && body.dropCounts && !isHeld(i)) {
+            body.dropCounts = false;
+            if (-body.it.v_W.z() > m_parameters.dropSpeed_m_per_s)
+                answer.events |= bits::kSlipped;
+        }
+        body.airborne = inAir;
+        if (!isHeld(i))
+            body.it.moveFreely(body.load + rimForce(body.it, rim));
+    }
+}
+
+} // namespace chiron::simulation
