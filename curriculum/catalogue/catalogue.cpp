@@ -6,12 +6,15 @@
 namespace chiron::catalogue {
 
 core::Result<Catalogue> Catalogue::load(const std::string& directory) {
-    auto exercises = ContentReader(QString::fromStdString(directory)).exercises();
+    ContentReader reader(QString::fromStdString(directory));
+    auto exercises = reader.exercises();
     if (!exercises)
         return tl::unexpected(exercises.error());
     Catalogue catalogue;
     catalogue.m_directory = directory;
     catalogue.m_exercises = std::move(*exercises);
+    catalogue.m_objects = reader.named().objects();
+    catalogue.m_meshes = reader.named().meshes();
     return catalogue;
 }
 
@@ -27,6 +30,20 @@ const ExerciseLevel* Catalogue::find(std::string_view exercise, int level) const
     if (found == nullptr || level < 1 || static_cast<std::size_t>(level) > found->levels.size())
         return nullptr;
     return &found->levels[static_cast<std::size_t>(level) - 1];
+}
+
+const ContentObject* Catalogue::findObject(std::string_view id) const {
+    for (const ContentObject& object : m_objects)
+        if (object.id == id)
+            return &object;
+    return nullptr;
+}
+
+const ContentMesh* Catalogue::findMesh(std::string_view id) const {
+    for (const ContentMesh& mesh : m_meshes)
+        if (mesh.id == id)
+            return &mesh;
+    return nullptr;
 }
 
 const std::string& textIn(const Translated& text, const std::string& language) {

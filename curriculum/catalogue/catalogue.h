@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/exercise.h"
+#include "catalogue/object_content.h"
 #include "core/result.h"
 
 #include <string>
@@ -22,11 +23,17 @@ public:
     const std::vector<Exercise>& exercises() const { return m_exercises; }
     const Exercise* find(std::string_view exercise) const;
     const ExerciseLevel* find(std::string_view exercise, int level) const;
+    const std::vector<ContentObject>& objects() const { return m_objects; } ///< content/objects, by id
+    const std::vector<ContentMesh>& meshes() const { return m_meshes; }     ///< content/meshes, by id
+    const ContentObject* findObject(std::string_view id) const;
+    const ContentMesh* findMesh(std::string_view id) const;
     const std::string& directory() const { return m_directory; }
 
 private:
     std::string m_directory;
     std::vector<Exercise> m_exercises;
+    std::vector<ContentObject> m_objects;
+    std::vector<ContentMesh> m_meshes;
 };
 
 /// The content folder: `explicitDirectory` if not empty, else the environment's CHIRON_CONTENT, else the

@@ -98,10 +98,11 @@ core::Result<QJsonObject> ContentReader::presetParameters(const QString& path, c
     Problems problems;
     QJsonObject preset = json->root();
     const QJsonValue parameters = preset["parameters"];
+    const QString at = QStringLiteral("$.parameters");
     if (parameters.isObject())
-        validated(parameters, parameterSchema, QStringLiteral("$.parameters"), problems);
+        validated(m_named.filledIn(parameters.toObject(), parameterSchema, at, problems), parameterSchema, at, problems);
     if (parameters.toObject().contains(key))
-        problems.push_back({memberPath(QStringLiteral("$.parameters"), key), QStringLiteral("given"),
+        problems.push_back({memberPath(at, key), QStringLiteral("given"),
                             QStringLiteral("none: a preset names no other")});
     if (parameters.isObject())
         preset["parameters"] = QJsonObject{}; // the preset's own schema knows only that it is an object
@@ -133,6 +134,8 @@ core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJso
             return tl::unexpected(merged.error());
         given = *merged;
     }
+    if (given.isObject())
+        given = m_named.filledIn(given.toObject(), **parameterSchema, QStringLiteral("$.parameters"), problems);
     const QJsonValue parameters = validated(given, **parameterSchema, QStringLiteral("$.parameters"), problems);
     resolved["parameters"] = QJsonObject{}; // the level's own schema knows only that it is an object
     resolved = validated(resolved, **levelSchema, QStringLiteral("$"), problems).toObject();
@@ -189,6 +192,10 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
 }
 
 core::Result<std::vector<Exercise>> ContentReader::exercises() {
+    auto named = NamedContent::read(m_directory);
+    if (!named)
+        return tl::unexpected(named.error());
+    m_named = std::move(*named);
     std::vector<Exercise> out;
     const QDir folder(m_directory + "/exercises");
     for (const QFileInfo& entry : folder.entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {

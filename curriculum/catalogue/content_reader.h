@@ -4,6 +4,7 @@
 #include "catalogue/exercise.h"
 #include "catalogue/exercise_kinds.h"
 #include "catalogue/json_file.h"
+#include "catalogue/named_content.h"
 #include "catalogue/schema.h"
 #include "core/result.h"
 
@@ -21,6 +22,7 @@ public:
     ContentReader& operator=(const ContentReader&) = delete;
 
     core::Result<std::vector<Exercise>> exercises();
+    const NamedContent& named() const { return m_named; } ///< after exercises()
 
 private:
     core::Result<Exercise> exercise(const QString& folder);
@@ -34,6 +36,7 @@ private:
     core::Result<QJsonObject> presetParameters(const QString& path, const QString& key, const Schema& parameterSchema);
 
     QString m_directory;
+    NamedContent m_named;
     std::map<QString, Schema> m_schemas;
 };
 

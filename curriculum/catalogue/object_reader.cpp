@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/object_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -79,6 +80,13 @@ void ObjectReader::eachObject(const QString& key,
 ObjectReader ObjectReader::object(const QString& key) const {
     return {member(key, QJsonValue::Object, QStringLiteral("an object")).toObject(), memberPath(m_path, key),
             m_problems};
+}
+
+void refuseUnknownKeys(const ObjectReader& json, const std::vector<QString>& known, const QString& what) {
+    for (const QString& key : json.json().keys())
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            json.problems().push_back(
+                {memberPath(json.path(), key), QStringLiteral("unknown key"), what + didYouMean(key, known)});
 }
 
 } // namespace chiron::catalogue

@@ -39,4 +39,7 @@ private:
     Problems& m_problems;
 };
 
+/// Adds a problem for every member of `json` that is not `known`; `what` the known ones are: "a parameter of ...".
+void refuseUnknownKeys(const ObjectReader& json, const std::vector<QString>& known, const QString& what);
+
 } // namespace chiron::catalogue

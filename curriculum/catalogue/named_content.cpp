@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/named_content.h"
+
+#include "catalogue/json_file.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace chiron::catalogue {
+
+namespace {
+
+Problem unknownName(const QString& path, const QString& name, const std::map<QString, QJsonObject>& named) {
+    std::vector<QString> known;
+    for (const auto& [one, ignored] : named)
+        known.push_back(one);
+    const QString all = QStringList(known.begin(), known.end()).join(QStringLiteral(", "));
+    return {path, quoted(name), QStringLiteral("one of ") + all + didYouMean(name, known)};
+}
+
+} // namespace
+
+/// One kind of thing that has a name in content.
+struct NamedContent::Kind {
+    const char* key;           ///< by which parameters name it, and its file's schema
+    const char* folder;        ///< of content
+    const char* member;        ///< of its file: where its numbers stand
+    const char* contentSchema; ///< of those
+};
+
+core::Result<NamedContent> NamedContent::read(const QString& directory) {
+    NamedContent content;
+    for (const Kind& kind : {Kind{"object", "objects", "attributes", "object_attributes"},
+                             Kind{"mesh", "meshes", "shape", "mesh_source"}})
+        if (auto read = content.readFolder(directory, kind); !read)
+            return tl::unexpected(read.error());
+    return content;
+}
+
+core::Result<void> NamedContent::readFolder(const QString& directory, const Kind& kind) {
+    const QDir folder(directory + '/' + QLatin1String(kind.folder));
+    m_named[QLatin1String(kind.key)] = {};
+    const QFileInfoList files = folder.entryInfoList({"*.json"}, QDir::Files, QDir::Name);
+    if (files.empty())
+        return {};
+    const auto file = readSchema(directory + "/schema", QLatin1String(kind.key));
+    const auto content = readSchema(directory + "/schema", QLatin1String(kind.contentSchema));
+    for (const auto* schema : {&file, &content})
+        if (!*schema)
+            return tl::unexpected(schema->error());
+    for (const QFileInfo& path : files)
+        if (auto read = readNamed(QDir::cleanPath(path.filePath()), kind, *file, *content); !read)
+            return read;
+    return {};
+}
+
+core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind, const Schema& file, const Schema& content) {
+    const auto json = JsonFile::read(path);
+    if (!json)
+        return tl::unexpected(json.error());
+    const QString member = QLatin1String(kind.member);
+    const QString at = memberPath(QStringLiteral("$"), member);
+    const QString key = QLatin1String(kind.key);
+    const QString id = QFileInfo(path).completeBaseName();
+    Problems problems;
+    QJsonObject root = json->root();
+    QJsonObject numbers = root[member].toObject();
+    if (numbers.contains(key))
+        problems.push_back({memberPath(at, key), QStringLiteral("given"), QStringLiteral("none: it names no other")});
+    numbers.insert(key, id);
+    const QJsonObject full = validated(numbers, content, at, problems).toObject();
+    if (root[member].isObject())
+        root[member] = QJsonObject{}; // the file's own schema knows only that it is an object
+    validated(root, file, QStringLiteral("$"), problems);
+    if (problems.empty() && root["id"].toString() != id)
+        problems.push_back({QStringLiteral("$.id"), quoted(root["id"].toString()),
+                            QStringLiteral("the name of its file, %1").arg(quoted(id))});
+    if (problems.empty()) {
+        const ObjectReader text(root, QStringLiteral("$"), problems);
+        const ObjectReader typed(full, at, problems);
+        if (key == QLatin1String("object")) {
+            m_objects.push_back({text.text("id"), text.translated("title"), text.text("source"), readObject(typed)});
+            checkObject(m_objects.back().attributes, at, problems);
+        } else {
+            m_meshes.push_back({text.text("id"), text.translated("title"), text.text("source"), readMesh(typed)});
+            checkMesh(m_meshes.back().mesh, at, problems);
+        }
+    }
+    if (!problems.empty())
+        return tl::unexpected(json->error(problems));
+    m_named[key][id] = numbers;
+    return {};
+}
+
+QJsonObject NamedContent::filledIn(const QJsonObject& parameters, const Schema& schema, const QString& path,
+                                   Problems& problems) const {
+    QJsonObject out = parameters;
+    for (const auto& [member, property] : schema.properties)
+        for (const auto& [key, named] : m_named) {
+            if (property->type != Schema::Type::object || !property->properties.contains(key))
+                continue;
+            QJsonValue given = parameters.contains(member) ? parameters[member] : property->defaultValue;
+            if (given.isString())
+                given = QJsonObject{{key, given}};
+            if (!given.isObject() || !given.toObject()[key].isString())
+                continue; // left out, refused by its own schema, or all numbers its own
+            const QString name = given.toObject()[key].toString();
+            const auto found = named.find(name);
+            if (found == named.end()) {
+                problems.push_back(unknownName(memberPath(path, member), name, named));
+                continue;
+            }
+            QJsonObject full = found->second;
+            const QJsonObject over = given.toObject();
+            for (auto it = over.begin(); it != over.end(); ++it)
+                full.insert(it.key(), it.value());
+            out[member] = full;
+        }
+    return out;
+}
+
+} // namespace chiron::catalogue

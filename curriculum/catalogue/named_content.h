@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/object_content.h"
+#include "catalogue/schema.h"
+#include "core/result.h"
+
+#include <QJsonObject>
+#include <QString>
+#include <map>
+#include <vector>
+
+namespace chiron::catalogue {
+
+/// What parameters may name: the objects of content/objects and the meshes of content/meshes, read once, each checked in its
+/// own file. A folder that is not there has none.
+class NamedContent {
+public:
+    /// Failure (badInput): a fault in one of the files, with its place.
+    static core::Result<NamedContent> read(const QString& directory);
+
+    /// `parameters` with every object and mesh filled in: a member whose schema has a key "object" (or "mesh"), given as a
+    /// name or as an object with that key, becomes the named one's numbers with the given ones over them. A member that is not
+    /// given takes its schema's default, and is filled in alike. Paths of problems are below `path`.
+    QJsonObject filledIn(const QJsonObject& parameters, const Schema& schema, const QString& path, Problems& problems) const;
+
+    const std::vector<ContentObject>& objects() const { return m_objects; }
+    const std::vector<ContentMesh>& meshes() const { return m_meshes; }
+
+private:
+    struct Kind; ///< objects or meshes: folder, schemas, keys
+    using Named = std::map<QString, QJsonObject>;
+
+    core::Result<void> readFolder(const QString& directory, const Kind& kind);
+    core::Result<void> readNamed(const QString& path, const Kind& kind, const Schema& file, const Schema& content);
+
+    std::map<QString, Named> m_named; ///< "object" and "mesh" → name → its numbers as given
+    std::vector<ContentObject> m_objects;
+    std::vector<ContentMesh> m_meshes;
+};
+
+} // namespace chiron::catalogue
