@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "simulation/attributes/coulomb_friction.h"
+#include "simulation/attributes/evaluate_attributes.h"
 #include "simulation/exercises/sphere_apex/hemisphere_contact.h"
 #include "simulation/exercises/urethra_insertion/urethra_forces_law.h"
 #include "simulation/geometry/urethra/evaluate_urethra_geometry.h"
@@ -84,7 +85,7 @@ void evaluateFriction(std::span<const double> p, std::span<const double> in, std
 }
 
 /// Laws with a file of their own hand out a constant of theirs.
-const std::array<core::LawDescription, 6> kLaws{{
+const std::array<core::LawDescription, 14> kLaws{{
     {"hemisphere", "hemisphere on a plane: elastic and damped contact of the sphere-apex exercise",
      "models.md §0 and §2.3", kHemisphereInputs, kHemisphereOutputs, kHemisphereParameters,
      &evaluateHemisphere},
@@ -95,6 +96,14 @@ const std::array<core::LawDescription, 6> kLaws{{
     urethraProfileLaw(),
     urethraSurfaceLaw(),
     urethraForceLaw(),
+    elasticityLaw(),
+    strainStiffeningLaw(),
+    massLaw(),
+    deformationLaw(),
+    roughnessLaw(),
+    bristleFrictionLaw(),
+    viscosityLaw(),
+    elasticTubeLaw(),
 }};
 
 } // namespace

@@ -39,7 +39,9 @@ void TestMalformedContent::everyMutationIsRefused() {
                             "exercises/sphere_apex/levels/decoy_dimple.json",
                             "exercises/urethra_insertion/levels/stricture.json",
                             "exercises/urethra_insertion/levels/unguided.json",
-                            "exercises/urethra_insertion/presets/stricture.json"};
+                            "exercises/urethra_insertion/presets/stricture.json",
+                            "objects/ovary.json",
+                            "meshes/organ.json"};
     ContentCopy copy;
     QVERIFY(catalogue::Catalogue::load(copy.directory()).has_value());
     core::Random random(20261120);

@@ -142,7 +142,9 @@ void TestCliPrints::lawsAreListed() {
         for (const QJsonValue& column : law["inputs"].toArray())
             QVERIFY2(!column["unit"].toString().isEmpty(), qPrintable(column["name"].toString()));
     }
-    for (const char* id : {"hemisphere", "friction", "polar_forces", "urethra-centreline", "urethra-profile", "urethra-surface"})
+    for (const char* id : {"hemisphere", "friction", "polar_forces", "polar_weight", "urethra-centreline", "urethra-profile", "urethra-surface",
+                           "elasticity", "strain-stiffening", "mass", "deformation", "roughness", "bristle-friction", "viscosity",
+                           "elastic-tube"})
         QVERIFY2(ids.contains(QLatin1String(id)), id);
 }
 
