@@ -33,8 +33,8 @@ struct MeshFoot {
 /// - In contact the place under the tool is found from the last one by projectAlongNormals(): a continuous function of the
 ///   tool's place while the tool is nearer to the sheet than the sheet is round; the cost does not depend on the mesh's size.
 /// - It never moves faster than kFollow times the tool, so a still tool has a still place, and direction and force change by
-///   a bounded amount with every 0.01 mm. Where the field folds it goes along with the tool's motion across the normal. So
-///   contact stays on the sheet that was entered, however thin the part and however deep the press, until (x − p)·n + r < 0.
+///   a bounded amount with every 0.01 mm. Where the field folds it goes along with the tool's motion across the line between them.
+///   So contact stays on the sheet that was entered, however thin the part and however deep the press, until (x − p)·n + r < 0.
 /// - Out of contact the tree is asked only if the tool may have come near: after an answer D nothing is touched within D.
 ///   A way that crossed the surface between two ticks enters where it first went in; a tool that comes out of nowhere
 ///   (first tick, a jump beyond kTeleport_m) is given the nearest place.
@@ -94,12 +94,19 @@ private:
                 foot = footAt(surface, p, glide(surface, m_foot.place, part), radius_m, MeshTrack::followed);
             }
         } else {
-            const core::Vec3 across = motion - m_foot.normal * m_foot.normal.dot(motion);
-            foot = footAt(surface, p, glide(surface, m_foot.place, here + across), radius_m, MeshTrack::followed);
+            foot = footAt(surface, p, glide(surface, m_foot.place, here + sideways(motion, here - p)), radius_m, MeshTrack::followed);
             m_along_m = foot.depth_m - radius_m;
         }
         foot.surfaceMotion = surfaceMotion;
         return foot;
+    }
+
+    /// The tool's motion without what only presses or lifts, along the surface. A press straight on moves the place nowhere, however
+    /// the normal leans there; else a tool deeper than a rim is round would roll off it.
+    core::Vec3 sideways(const core::Vec3& motion, const core::Vec3& toPlace) const noexcept {
+        const double length2 = toPlace.squaredNorm();
+        const core::Vec3 turned = length2 > 0.0 ? core::Vec3(motion - toPlace * (toPlace.dot(motion) / length2)) : motion;
+        return turned - m_foot.normal * m_foot.normal.dot(turned);
     }
 
     /// Out of contact, or contact has just ended.
