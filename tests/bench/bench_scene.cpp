@@ -3,6 +3,7 @@
 // moving tip at 1024x768, and those of the endoscope's view, without and with depth of field, beside P1's 26 and 13. Needs a display: xvfb-run -a -s "-screen 0 1280x1024x24" bench_scene
 #include "bench/alternating.h"
 #include "desktop/scene3d/scene_loader.h"
+#include "gui/scene3d/laparoscopy_samples.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/urethra_samples.h"
 
@@ -59,6 +60,22 @@ Subject urethra(bool depthOfField) {
         return state;
     };
     return subject;
+}
+
+/// Two graspers that pull at a tube: its triangles are made anew for every picture.
+Subject tube() {
+    return {scene3d::samples::tubeSetup(simulation::TubeTask::twoHanded),
+            [](double t_s) { return scene3d::samples::twoHanded(0.055 + 0.018 * std::sin(2.0 * t_s)); }};
+}
+
+/// An ovary that is carried and squeezed.
+Subject ovary() {
+    return {scene3d::samples::handlingSetup(), [](double t_s) {
+                scene3d::SceneState state = scene3d::samples::handlingState(true);
+                state.laparoscopy.body[1].squeeze_m = 0.002 + 0.002 * std::sin(3.0 * t_s);
+                state.laparoscopy.body[1].p_W[0] += 0.01 * std::sin(2.0 * t_s);
+                return state;
+            }};
 }
 
 class Window final : public QWidget {
@@ -262,6 +279,13 @@ int measure(const QString& self) {
     for (int i = 0; i < kRateRepeats; ++i)
         addRate(self, QStringLiteral("apex"), apex);
     printRate("frames a second, 1024x768, moving tip", 40.0, apex);
+    Rate pulled, carried;
+    for (int i = 0; i < kRateRepeats; ++i) {
+        addRate(self, QStringLiteral("tube"), pulled);
+        addRate(self, QStringLiteral("ovary"), carried);
+    }
+    printRate("abdomen, a tube between two graspers", 40.0, pulled);
+    printRate("abdomen, an ovary that is carried", 40.0, carried);
     measureUrethra(self);
     double load = 0.0;
     getloadavg(&load, 1);
@@ -281,6 +305,8 @@ int main(int argc, char** argv) {
     if (mode != QStringLiteral("--frames"))
         return firstFrame(app);
     const QString what = argc > 2 ? QString::fromLocal8Bit(argv[2]) : QString();
+    if (what == QStringLiteral("tube") || what == QStringLiteral("ovary"))
+        return frames(app, what == QStringLiteral("tube") ? tube() : ovary());
     const bool focus = what == QStringLiteral("focus");
     return frames(app, focus || what == QStringLiteral("urethra") ? urethra(focus) : sphereApex());
 }

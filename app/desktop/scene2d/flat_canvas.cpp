@@ -3,6 +3,7 @@
 
 #include "desktop/scene2d/flat_tools.h"
 #include "desktop/scene3d/gauge_painter.h"
+#include "desktop/scene3d/laparoscopy_dial.h"
 
 #include <QPainter>
 #include <QTimer>
@@ -74,25 +75,30 @@ QRectF FlatCanvas::paintReason(QPainter& painter) const {
     return room;
 }
 
-QRectF FlatCanvas::paintBar(QPainter& painter, const QRectF& room) const {
-    if (!m_setup.cues.arrow)
-        return room;
-    const double unit = std::min(m_setup.scale, room.height() / GaugePainter::kHeight);
-    const double share = largestForce_N(m_state) / std::max(0.1, m_setup.forceLimit_N);
-    const QRectF hollow = GaugePainter::hollow();
-    painter.save();
-    painter.translate(room.right() - GaugePainter::kWidth * unit,
-                      room.center().y() - 0.5 * GaugePainter::kHeight * unit);
-    painter.scale(unit, unit);
-    painter.fillRect(hollow, m_setup.colours.background);
-    QRectF liquid = hollow;
-    liquid.setTop(hollow.bottom() - hollow.height() * std::min(1.0, share / GaugePainter::kRange));
-    painter.fillRect(liquid, share > 1.0 ? m_setup.colours.over : m_setup.colours.arrow);
-    if (share > 1.0)
-        painter.fillRect(liquid, QBrush(m_setup.colours.background, Qt::BDiagPattern));
-    GaugePainter(m_setup).paint(painter);
-    painter.restore();
-    return room.adjusted(0.0, 0.0, -(GaugePainter::kWidth * unit + kGap * m_setup.scale), 0.0);
+QRectF FlatCanvas::paintBars(QPainter& painter, QRectF room) const {
+    const auto paint = [&](const GaugeDial& dial, double value_N) {
+        const double unit = std::min(m_setup.scale, room.height() / GaugePainter::kHeight);
+        const bool over = dial.limit_N > 0.0 && value_N > dial.limit_N;
+        const QRectF hollow = GaugePainter::hollow();
+        painter.save();
+        painter.translate(room.right() - GaugePainter::kWidth * unit, room.center().y() - 0.5 * GaugePainter::kHeight * unit);
+        painter.scale(unit, unit);
+        painter.fillRect(hollow, m_setup.colours.background);
+        QRectF liquid = hollow;
+        liquid.setTop(hollow.bottom() - hollow.height() * std::clamp(value_N / dial.range_N, 0.0, 1.0));
+        painter.fillRect(liquid, over ? m_setup.colours.over : m_setup.colours.arrow);
+        if (over)
+            painter.fillRect(liquid, QBrush(m_setup.colours.background, Qt::BDiagPattern));
+        GaugePainter(m_setup, dial).paint(painter);
+        painter.restore();
+        room.setRight(room.right() - (GaugePainter::kWidth * unit + kGap * m_setup.scale));
+    };
+    if (m_setup.cues.arrow)
+        paint(forceDial(m_setup), largestForce_N(m_state));
+    const auto second = laparoscopyDial(m_setup, m_state.laparoscopy);
+    if (second && dialShown(m_state.laparoscopy))
+        paint(*second, dialValue_N(m_state.laparoscopy));
+    return room;
 }
 
 void FlatCanvas::placePanels(FlatPanel& above, FlatPanel& side, const QRectF& room) const {
@@ -140,8 +146,9 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel) {
         p.z() = std::max(p.z(), m_content->groundHeight_m(m_state, p.x(), p.y()));
         tools.paintPin(p);
     }
+    const bool several = toolsOf(m_state) > 1;
     if (m_state.ghost.present)
-        tools.paintTool(m_state.ghost, m_ghostHeld.of(m_state.ghost, m_setup.leftHanded), true);
+        tools.paintTool(m_state.ghost, m_ghostHeld.of(m_state.ghost, entersLeft(0, several, m_setup.leftHanded)), true);
     for (std::size_t i = 0; i < m_state.tool.size(); ++i) {
         const ToolView& tool = m_state.tool[i];
         if (!tool.present)
@@ -149,7 +156,10 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel) {
         if (m_setup.cues.tool) {
             const core::Vec3 tip = drawnTip(tool);
             tools.paintDropLine(tool, m_content->groundHeight_m(m_state, tip.x(), tip.y()));
-            tools.paintTool(tool, m_held[i].of(tool, m_setup.leftHanded), false);
+            const core::Quat held = m_held[i].of(tool, entersLeft(static_cast<int>(i), several, m_setup.leftHanded));
+            tools.paintTool(tool, held, false);
+            if (several)
+                tools.paintRings(tool, held, static_cast<int>(i), m_state.activeTool == static_cast<int>(i));
         }
         if (m_setup.cues.arrow)
             tools.paintArrow(tool);
@@ -164,7 +174,7 @@ void FlatCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), m_setup.colours.background);
-    const QRectF room = paintBar(painter, paintReason(painter));
+    const QRectF room = paintBars(painter, paintReason(painter));
     if (m_content && !m_content->paintWhole(painter, room, m_setup, m_state)) {
         FlatPanel above(FlatPanel::Side::above, m_content->rangeAbove_mm(), m_setup);
         FlatPanel side(FlatPanel::Side::side, m_content->rangeSide_mm(), m_setup);

@@ -33,7 +33,7 @@ protected:
 private:
     void nameIt();
     QRectF paintReason(QPainter& painter) const; ///< returns what is left of the widget
-    QRectF paintBar(QPainter& painter, const QRectF& room) const;
+    QRectF paintBars(QPainter& painter, QRectF room) const; ///< the same
     void placePanels(FlatPanel& above, FlatPanel& side, const QRectF& room) const;
     void paintPanel(QPainter& painter, const FlatPanel& panel);
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene2d/flat_content.h"
+#include "desktop/scene2d/laparoscopy/flat_handling.h"
+#include "desktop/scene2d/laparoscopy/flat_tube.h"
 #include "desktop/scene2d/sphere_apex/flat_apex.h"
 #include "desktop/scene2d/urethra_insertion/flat_urethra.h"
 
@@ -12,6 +14,12 @@ std::unique_ptr<IFlatContent> makeFlatContent(const SceneSetup& setup) {
         return std::make_unique<FlatApex>(*ball);
     if (setup.exercise == "urethra_insertion" && urethra)
         return std::make_unique<FlatUrethra>(*urethra);
+    const auto* tube = std::get_if<simulation::ElasticTubeParameters>(&setup.parameters);
+    const auto* handling = std::get_if<simulation::ObjectHandlingParameters>(&setup.parameters);
+    if (setup.exercise == "elastic_tube" && tube)
+        return std::make_unique<FlatTube>(*tube);
+    if (setup.exercise == "object_handling" && handling)
+        return std::make_unique<FlatHandling>(*handling);
     return nullptr;
 }
 

@@ -10,6 +10,7 @@ namespace chiron::scene3d {
 
 namespace {
 
+constexpr double kBlade_m = 0.020; // as in 3D
 constexpr double kArrow_mm = 40.0; // at the limit, as in 3D
 constexpr double kLongest = 1.75;
 constexpr double kLeast_N = 0.02;
@@ -40,21 +41,52 @@ void FlatTools::paintTool(const ToolView& tool, const core::Quat& q_W, bool ghos
     }
     m_painter.setPen(QPen(coat, shaft, Qt::SolidLine, Qt::FlatCap));
     m_painter.drawLine(neck, end);
-    const QPointF way = neck - from;
-    const double length = std::hypot(way.x(), way.y());
-    if (length > 1.0) { // the jaws taper to the tip
-        const QPointF beside = QPointF(-way.y(), way.x()) / length;
-        QPolygonF jaws;
-        jaws << from + 0.16 * shaft * beside << neck + 0.46 * shaft * beside << neck - 0.46 * shaft * beside
-             << from - 0.16 * shaft * beside;
-        m_painter.setPen(QPen(ghost ? coat : edge, m_panel.unit()));
-        m_painter.setBrush(steel);
-        m_painter.drawPolygon(jaws);
-    }
+    paintBlades(tool, q_W, shaft, steel, ghost ? coat : edge);
     m_painter.setPen(QPen(m_setup.colours.ink, 1.5 * m_panel.unit(), ghost ? Qt::DotLine : Qt::SolidLine));
     m_painter.setBrush(steel);
     const double dot = 3.2 * m_panel.unit();
     m_painter.drawEllipse(from, dot, dot);
+}
+
+/// The two blades taper from the joint to their tips, apart by the jaw's angle.
+void FlatTools::paintBlades(const ToolView& tool, const core::Quat& q_W, double shaft, const QColor& steel, const QColor& edge) {
+    const core::Vec3 tip = drawnTip(tool);
+    const QPointF neck = m_panel.project(tip + q_W * core::Vec3(0.0, 0.0, 0.022));
+    m_painter.setPen(QPen(edge, m_panel.unit()));
+    m_painter.setBrush(steel);
+    for (const double side : {1.0, -1.0}) {
+        const double angle = 0.5 * side * tool.jaw_rad;
+        const core::Vec3 end(0.0, kBlade_m * std::sin(angle), kBlade_m * (1.0 - std::cos(angle)));
+        const QPointF to = m_panel.project(tip + q_W * end);
+        const QPointF way = neck - to;
+        const double length = std::hypot(way.x(), way.y());
+        if (length <= 1.0)
+            continue;
+        const QPointF beside = QPointF(-way.y(), way.x()) / length;
+        QPolygonF blade;
+        blade << to + 0.16 * shaft * beside << neck + 0.46 * shaft * beside << neck - 0.46 * shaft * beside << to - 0.16 * shaft * beside;
+        m_painter.drawPolygon(blade);
+    }
+}
+
+void FlatTools::paintRings(const ToolView& tool, const core::Quat& q_W, int index, bool active) {
+    const core::Vec3 tip = drawnTip(tool);
+    const double shaft = std::max(3.0 * m_panel.unit(), m_panel.pixels(4.7));
+    for (int i = 0; i <= index; ++i) {
+        const QPointF from = m_panel.project(tip + q_W * core::Vec3(0.0, 0.0, 0.032 + 0.0065 * i));
+        const QPointF to = m_panel.project(tip + q_W * core::Vec3(0.0, 0.0, 0.036 + 0.0065 * i));
+        m_painter.setPen(QPen(ringColour(index), shaft + 2.0 * m_panel.unit(), Qt::SolidLine, Qt::FlatCap));
+        m_painter.drawLine(from, to);
+    }
+    if (!active)
+        return;
+    const double half = 8.0 * m_panel.unit();
+    const QPointF at = m_panel.project(tip);
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.setPen(QPen(m_setup.colours.background, 4.0 * m_panel.unit()));
+    m_painter.drawRect(QRectF(at.x() - half, at.y() - half, 2.0 * half, 2.0 * half));
+    m_painter.setPen(QPen(m_setup.colours.ink, 2.0 * m_panel.unit()));
+    m_painter.drawRect(QRectF(at.x() - half, at.y() - half, 2.0 * half, 2.0 * half));
 }
 
 void FlatTools::paintAcross(const QPointF& middle, const QPointF& along, double half_mm, double wide,

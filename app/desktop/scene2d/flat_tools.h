@@ -15,6 +15,8 @@ public:
         : m_painter(painter), m_panel(panel), m_setup(setup) {}
 
     void paintTool(const ToolView& tool, const core::Quat& q_W, bool ghost);
+    /// The rings by which several instruments are told apart, and a square round the tip of the one that the mouse moves.
+    void paintRings(const ToolView& tool, const core::Quat& q_W, int index, bool active);
     /// The same arrow as in 3D, seen from here: 40 mm long at the limit, a bar where the limit lies; over it
     /// thicker, with rungs.
     void paintArrow(const ToolView& tool);
@@ -22,6 +24,7 @@ public:
     void paintPin(const core::Vec3& p_W);
 
 private:
+    void paintBlades(const ToolView& tool, const core::Quat& q_W, double shaft, const QColor& steel, const QColor& edge);
     void paintAcross(const QPointF& middle, const QPointF& along, double half_mm, double wide,
                      const QColor& colour);
     void paintArrowShape(const QPointF& from, const QPointF& along, bool over, double halo,

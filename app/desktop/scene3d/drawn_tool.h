@@ -3,11 +3,31 @@
 
 #include "desktop/scene3d/scene_state.h"
 
+#include <QColor>
+
 namespace chiron::scene3d {
 
 /// Where the tip is drawn: at the surface where the device renders no force, else where the hand is.
 inline core::Vec3 drawnTip(const ToolView& tool) {
     return tool.drawnAtSurface ? tool.p_WProxy : tool.p_WT;
+}
+
+inline int toolsOf(const SceneState& state) {
+    int tools = 0;
+    for (const ToolView& tool : state.tool)
+        tools += tool.present ? 1 : 0;
+    return tools;
+}
+
+/// On which side the shaft of a tool without orientation comes in: of several, the first, third ... from the right.
+inline bool entersLeft(int tool, bool several, bool leftHanded) {
+    return several ? tool % 2 == 1 : leftHanded;
+}
+
+/// Colour of an instrument's rings: told apart in every theme, and from tissue; their number says the same.
+inline QColor ringColour(int tool) {
+    static constexpr QRgb kColours[core::kMaxTools] = {0xff2fd0a8, 0xfff5b81e, 0xff8fb4ff, 0xffe48bff};
+    return QColor(kColours[static_cast<std::size_t>(tool) % core::kMaxTools]);
 }
 
 /// How one tool is held in the picture. A tool that has only ever shown the identity has no orientation to

@@ -28,8 +28,16 @@ double largestForce_N(const SceneState& state) {
     return force_N;
 }
 
+GaugeDial forceDial(const SceneSetup& setup) {
+    GaugeDial dial;
+    dial.title = QCoreApplication::translate("chiron::scene3d::ForceGauge", "Force (N)");
+    dial.limit_N = setup.forceLimit_N;
+    dial.range_N = GaugePainter::kRange * std::max(0.1, setup.forceLimit_N);
+    return dial;
+}
+
 double GaugePainter::heightOf(double force_N) const {
-    return kHollow.bottom() - kHollow.height() * force_N / (kRange * m_setup.forceLimit_N);
+    return kHollow.bottom() - kHollow.height() * std::min(1.0, force_N / m_dial.range_N);
 }
 
 QFont GaugePainter::font(double size, bool bold) const {
@@ -51,14 +59,16 @@ void GaugePainter::paint(QPainter& painter) const {
     painter.setBrush(card);
     painter.drawPath(frame);
     painter.setPen(m_setup.colours.ink);
-    const QString title = QCoreApplication::translate("chiron::scene3d::ForceGauge", "Force (N)");
     double size = 12.0; // smaller where another language needs the room
-    while (size > 8.0 && QFontMetricsF(font(size, true)).horizontalAdvance(title) > kWidth - 8.0)
+    while (size > 8.0 && QFontMetricsF(font(size, true)).horizontalAdvance(m_dial.title) > kWidth - 8.0)
         size -= 1.0;
     painter.setFont(font(size, true));
-    painter.drawText(QRectF(4, 6, kWidth - 8, 24), Qt::AlignCenter, title);
+    painter.drawText(QRectF(4, 6, kWidth - 8, 24), Qt::AlignCenter, m_dial.title);
+    if (m_dial.bandHigh_N > 0.0)
+        paintBand(painter);
     paintScale(painter);
-    paintLimit(painter);
+    if (m_dial.limit_N > 0.0)
+        paintLimit(painter);
 }
 
 void GaugePainter::paintScale(QPainter& painter) const {
@@ -66,7 +76,7 @@ void GaugePainter::paintScale(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(kHollow);
     painter.setFont(font(12, false));
-    const double range_N = kRange * m_setup.forceLimit_N;
+    const double range_N = m_dial.range_N;
     double step_N = 0.1;
     for (double next : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0})
         if (range_N / step_N > 7.0)
@@ -74,7 +84,7 @@ void GaugePainter::paintScale(QPainter& painter) const {
     for (int i = 0; i * step_N <= range_N + 1e-9; ++i) {
         const double y = heightOf(i * step_N);
         painter.drawLine(QPointF(kHollow.right(), y), QPointF(kHollow.right() + 4.0, y));
-        if (std::abs(y - heightOf(m_setup.forceLimit_N)) < 12.0)
+        if (m_dial.limit_N > 0.0 && std::abs(y - heightOf(m_dial.limit_N)) < 12.0)
             continue; // the limit's own number stands there
         painter.drawText(QRectF(kHollow.right() + 7.0, y - 9.0, kWidth - kHollow.right() - 9.0, 18.0),
                          Qt::AlignLeft | Qt::AlignVCenter,
@@ -82,15 +92,29 @@ void GaugePainter::paintScale(QPainter& painter) const {
     }
 }
 
+/// A bracket beside the hollow and two lines across it: seen over any filling, and without its colour.
+void GaugePainter::paintBand(QPainter& painter) const {
+    const double high = heightOf(m_dial.bandHigh_N);
+    const double low = heightOf(m_dial.bandLow_N);
+    QColor veil = m_setup.colours.ink;
+    veil.setAlphaF(0.16F);
+    painter.fillRect(QRectF(kHollow.left(), high, kHollow.width(), low - high), veil);
+    painter.setPen(QPen(m_setup.colours.ink, 2.2, Qt::SolidLine, Qt::FlatCap));
+    for (const double y : {high, low})
+        painter.drawLine(QPointF(kHollow.left() - 6.0, y), QPointF(kHollow.right(), y));
+    painter.setPen(QPen(m_setup.colours.ink, 4.0, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(QPointF(kHollow.left() - 6.0, high - 1.1), QPointF(kHollow.left() - 6.0, low + 1.1));
+}
+
 void GaugePainter::paintLimit(QPainter& painter) const {
-    const double y = heightOf(m_setup.forceLimit_N);
+    const double y = heightOf(m_dial.limit_N);
     painter.setPen(QPen(m_setup.colours.ink, 3.0));
     painter.drawLine(QPointF(kHollow.left() - 5.0, y), QPointF(kHollow.right() + 6.0, y));
     painter.setFont(font(13, true));
-    const bool whole = std::abs(m_setup.forceLimit_N - std::round(m_setup.forceLimit_N)) < 0.005;
+    const bool whole = std::abs(m_dial.limit_N - std::round(m_dial.limit_N)) < 0.005;
     painter.drawText(QRectF(kHollow.right() + 8.0, y - 9.0, kWidth - kHollow.right() - 10.0, 18.0),
                      Qt::AlignLeft | Qt::AlignVCenter,
-                     QLocale().toString(m_setup.forceLimit_N, 'f', whole ? 0 : 1));
+                     QLocale().toString(m_dial.limit_N, 'f', whole ? 0 : 1));
 }
 
 } // namespace chiron::scene3d

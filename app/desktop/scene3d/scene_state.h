@@ -39,6 +39,7 @@ struct SceneState {
     bool marked = false;                            ///< playback: the place where the person marked
     core::Vec3 p_WMark = core::Vec3::Zero();
     core::EndoscopeCues endoscope; ///< endoscopic exercises: stage, landmarks, guidance; the pose is tool[0]'s
+    int activeTool = -1; ///< which one mouse and keyboard move, where there are several; it wears a collar
     core::LaparoscopyCues laparoscopy; ///< exercises that grasp: tube, bodies, target, bands
     double time_s = 0.0;
 };

@@ -50,7 +50,7 @@ void LivePlot::paintEvent(QPaintEvent*) {
     const QFont font = m_theme.font(TextStyle::small);
     painter.setFont(font);
     const QFontMetrics metrics(font);
-    const double highest = std::max({m_top, m_trace.highest() * 1.05, m_limit.value_or(0.0) * 1.25});
+    const double highest = std::max({m_top, m_trace.highest() * 1.05, m_limit.value_or(0.0) * 1.25, m_high * 1.1});
     Frame frame;
     frame.top = niceTop(highest);
     int left = 0;
@@ -59,6 +59,8 @@ void LivePlot::paintEvent(QPaintEvent*) {
     frame.area = rect().adjusted(left, metrics.height() + m_theme.px(6), -m_theme.px(6), -metrics.height() - m_theme.px(4));
     if (frame.area.width() < 2 || frame.area.height() < 2)
         return;
+    if (m_high > 0.0)
+        paintBand(painter, frame);
     paintAxes(painter, frame);
     paintSignal(painter, frame);
     paintLimit(painter, frame);
@@ -80,6 +82,15 @@ void LivePlot::paintAxes(QPainter& painter, const Frame& frame) const {
     const QRect below(frame.area.left(), frame.area.bottom() + m_theme.px(3), frame.area.width(), metrics.height());
     painter.drawText(below, Qt::AlignLeft, tr("-%1 s").arg(m_locale.toString(kSpan_s, 'f', 0)));
     painter.drawText(below, Qt::AlignRight, tr("now"));
+}
+
+void LivePlot::paintBand(QPainter& painter, const Frame& frame) const {
+    const int low = frame.yOf(m_low);
+    const int high = frame.yOf(m_high);
+    painter.fillRect(QRect(frame.area.left(), high, frame.area.width(), low - high), m_theme.color(Colour::goodSoft));
+    painter.setPen(QPen(m_theme.color(Colour::good), m_theme.px(1.5), Qt::DashLine));
+    painter.drawLine(frame.area.left(), low, frame.area.right(), low);
+    painter.drawLine(frame.area.left(), high, frame.area.right(), high);
 }
 
 void LivePlot::paintLimit(QPainter& painter, const Frame& frame) const {

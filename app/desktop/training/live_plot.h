@@ -22,6 +22,8 @@ public:
              QWidget* parent = nullptr);
 
     void add(double t_s, double value) noexcept { m_trace.add(t_s, value); }
+    /// A target between two values, drawn as a band with an edge; both 0: none.
+    void setBand(double low, double high) noexcept { m_low = low; m_high = high; }
     const ColumnTrace& trace() const noexcept { return m_trace; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -33,6 +35,7 @@ private:
     struct Frame; ///< where the axes lie in one picture
     QString numberOf(double value) const;
     void paintAxes(QPainter& painter, const Frame& frame) const;
+    void paintBand(QPainter& painter, const Frame& frame) const;
     void paintLimit(QPainter& painter, const Frame& frame) const;
     void paintSignal(QPainter& painter, const Frame& frame);
 
@@ -41,6 +44,8 @@ private:
     QString m_title;
     double m_top;
     std::optional<double> m_limit;
+    double m_low = 0.0;
+    double m_high = 0.0;
     ColumnTrace m_trace{kSpan_s};
     std::vector<QLine> m_lines; ///< kept between pictures: no allocation while it scrolls
     std::vector<QLine> m_over;

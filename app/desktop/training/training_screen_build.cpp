@@ -5,6 +5,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/training/endoscopy.h"
 #include "desktop/training/force_notice.h"
+#include "desktop/training/grasp_panel.h"
 #include "desktop/training/header_bar.h"
 #include "desktop/training/info_panel.h"
 #include "desktop/training/insertion_panel.h"
@@ -124,6 +125,8 @@ QWidget* TrainingScreen::buildFoot() {
 InfoView* TrainingScreen::makeInfo() {
     if (const auto* endoscopy = m_level ? endoscopyOf(*m_level) : nullptr)
         return new InsertionPanel(context().theme(), context().locale(), m_cues, *endoscopy);
+    if (const Grasping grasping = m_level ? graspingOf(*m_level) : Grasping{})
+        return new GraspPanel(context().theme(), context().locale(), m_cues, grasping);
     return new InfoPanel(context().theme(), context().locale(), m_cues, {.force_N = m_limit_N});
 }
 

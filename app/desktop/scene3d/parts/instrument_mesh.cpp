@@ -63,4 +63,20 @@ TriangleMesh instrumentJaw() {
     return mesh;
 }
 
+TriangleMesh instrumentRings(int count) {
+    TriangleMesh mesh;
+    for (int i = 0; i < count; ++i) {
+        const double z = kHinge_mm + 12.0 + 6.5 * i;
+        addTurned(mesh, {{z, 2.40}, {z + 0.3, 2.75}, {z + 3.7, 2.75}, {z + 4.0, 2.40}}, 0.0, 24);
+    }
+    return mesh;
+}
+
+TriangleMesh instrumentCollar() {
+    TriangleMesh mesh = ringMesh(5.4, 0.75);
+    for (MeshVertex& v : mesh.vertices)
+        v.position_mm[2] += static_cast<float>(kHinge_mm + 5.0);
+    return mesh;
+}
+
 } // namespace chiron::scene3d

@@ -20,7 +20,7 @@ TriangleMesh unitSquare() {
 
 } // namespace
 
-ForceGauge::ForceGauge(SharedLight& light, Qt3DCore::QNode* parent) : QEntity(parent) {
+ForceGauge::ForceGauge(SharedLight& light, Side side, Qt3DCore::QNode* parent) : QEntity(parent), m_side(side) {
     const auto parameter = [this](const char* name, const QVariant& value) {
         return new Qt3DRender::QParameter(QLatin1String(name), value, this);
     };
@@ -45,8 +45,10 @@ ForceGauge::ForceGauge(SharedLight& light, Qt3DCore::QNode* parent) : QEntity(pa
     new Part(unitSquare(), material, this);
 }
 
-void ForceGauge::change(const SceneSetup& setup) {
+void ForceGauge::change(const SceneSetup& setup, const GaugeDial& dial, bool shown) {
     m_setup = setup;
+    m_dial = dial;
+    m_shown = shown;
     place();
 }
 
@@ -57,7 +59,7 @@ void ForceGauge::setPicture(const QSize& size_px, double ratio) {
 }
 
 void ForceGauge::place() {
-    setEnabled(m_setup.cues.arrow);
+    setEnabled(m_shown);
     const double wide = std::max(1, m_picture_px.width());
     const double high = std::max(1, m_picture_px.height());
     const double margin = 12.0 * m_ratio;
@@ -65,9 +67,10 @@ void ForceGauge::place() {
     const double unit = std::min(m_setup.scale * m_ratio, (high - 2.0 * margin) / GaugePainter::kHeight);
     const double width_px = std::ceil(GaugePainter::kWidth * unit);
     const double height_px = std::ceil(GaugePainter::kHeight * unit);
-    m_face->change(m_setup, std::max(0.2, unit));
-    m_widthShare = m_setup.cues.arrow ? (width_px + margin) / wide : 0.0;
-    m_spot->setValue(QVector4D(float(1.0 - 2.0 * (width_px + margin) / wide), float(-height_px / high),
+    m_face->change(m_setup, m_dial, std::max(0.2, unit));
+    m_widthShare = m_shown ? (width_px + margin) / wide : 0.0;
+    const double left = m_side == Side::right ? 1.0 - 2.0 * (width_px + margin) / wide : -1.0 + 2.0 * margin / wide;
+    m_spot->setValue(QVector4D(float(left), float(-height_px / high),
                                float(2.0 * width_px / wide), float(2.0 * height_px / high)));
     const QRectF hollow = GaugePainter::hollow(); // from the top; the shader counts from the bottom
     m_column->setValue(QVector4D(
@@ -77,15 +80,12 @@ void ForceGauge::place() {
     m_size->setValue(QVector2D(float(width_px / unit), float(height_px / unit)));
 }
 
-void ForceGauge::show(const SceneState& state) {
-    if (!m_setup.cues.arrow)
+void ForceGauge::show(double force_N) {
+    if (!m_shown)
         return;
-    const double force_N = largestForce_N(state);
-    const double share = force_N / std::max(0.1, m_setup.forceLimit_N);
-    const bool over = share > 1.0;
+    const bool over = m_dial.limit_N > 0.0 && force_N > m_dial.limit_N;
     m_over->setValue(over ? 1.0F : 0.0F);
-    m_fill->setValue(toTint(over ? m_setup.colours.over : m_setup.colours.arrow,
-                            float(std::min(1.0, share / GaugePainter::kRange))));
+    m_fill->setValue(toTint(over ? m_setup.colours.over : m_setup.colours.arrow, float(std::clamp(force_N / m_dial.range_N, 0.0, 1.0))));
 }
 
 } // namespace chiron::scene3d

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/scene3d/gauge_painter.h"
 #include "desktop/scene3d/plugin/qt3d_parts.h"
 #include "desktop/scene3d/plugin/shared_light.h"
 #include "desktop/scene3d/scene_setup.h"
@@ -12,23 +13,27 @@ namespace chiron::scene3d {
 
 class GaugeFace;
 
-/// The force bar at the right edge of the picture: a scale in newtons with the limit line; striped over the
+/// A force bar at an edge of the picture: a scale in newtons with a limit line or a target band; striped over the
 /// limit. It lies in the picture because no widget may lie over a native window. One draw call.
 class ForceGauge final : public Qt3DCore::QEntity {
 public:
-    ForceGauge(SharedLight& light, Qt3DCore::QNode* parent);
+    enum class Side { left, right };
+    ForceGauge(SharedLight& light, Side side, Qt3DCore::QNode* parent);
 
-    void change(const SceneSetup& setup);
+    void change(const SceneSetup& setup, const GaugeDial& dial, bool shown);
     /// The picture's size in device pixels, and device pixels a logical one.
     void setPicture(const QSize& size_px, double ratio);
-    void show(const SceneState& state);
+    void show(double force_N);
     /// Share of the picture's width that it takes.
     double widthShare() const { return m_widthShare; }
 
 private:
     void place();
 
+    Side m_side;
     SceneSetup m_setup;
+    GaugeDial m_dial;
+    bool m_shown = false;
     QSize m_picture_px{1024, 768};
     double m_ratio = 1.0;
     double m_widthShare = 0.0;

@@ -6,8 +6,9 @@
 
 namespace chiron::scene3d {
 
-void GaugeFace::change(const SceneSetup& setup, double unit_px) {
+void GaugeFace::change(const SceneSetup& setup, const GaugeDial& dial, double unit_px) {
     m_setup = setup;
+    m_dial = dial;
     m_unit_px = unit_px;
     setSize(QSize(int(std::ceil(GaugePainter::kWidth * unit_px)),
                   int(std::ceil(GaugePainter::kHeight * unit_px))));
@@ -19,7 +20,7 @@ void GaugeFace::paint(QPainter* painter) {
     painter->fillRect(QRect(QPoint(0, 0), size()), Qt::transparent);
     painter->setCompositionMode(QPainter::CompositionMode_SourceOver);
     painter->scale(m_unit_px, m_unit_px);
-    GaugePainter(m_setup).paint(*painter);
+    GaugePainter(m_setup, m_dial).paint(*painter);
 }
 
 } // namespace chiron::scene3d

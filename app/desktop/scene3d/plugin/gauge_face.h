@@ -12,13 +12,14 @@ class GaugeFace final : public Qt3DRender::QPaintedTextureImage {
 public:
     explicit GaugeFace(Qt3DCore::QNode* parent) : QPaintedTextureImage(parent) {}
 
-    void change(const SceneSetup& setup, double unit_px);
+    void change(const SceneSetup& setup, const GaugeDial& dial, double unit_px);
 
 protected:
     void paint(QPainter* painter) override;
 
 private:
     SceneSetup m_setup;
+    GaugeDial m_dial;
     double m_unit_px = 1.0;
 };
 

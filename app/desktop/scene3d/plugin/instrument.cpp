@@ -17,7 +17,28 @@ Instrument::Instrument(SharedLight& light, bool ghost, Qt3DCore::QNode* parent)
     new Part(instrumentBody(), material, this);
     for (Part*& jaw : m_jaw)
         jaw = new Part(instrumentJaw(), material, this);
+    if (!ghost)
+        addRings(light);
     setEnabled(false);
+}
+
+void Instrument::addRings(SharedLight& light) {
+    for (int i = 0; i < core::kMaxTools; ++i) {
+        auto* tint = new Qt3DRender::QParameter(QStringLiteral("tint"), toTint(ringColour(i)), this);
+        auto* material = light.effects.material("solid.vert", "signal.frag", {tint}, Blend::opaque, this);
+        m_rings[i] = new Part(instrumentRings(i + 1), material, this);
+        m_rings[i]->setEnabled(false);
+    }
+    auto* tint = new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(1, 1, 1, 1), this);
+    m_collar = new Part(instrumentCollar(), light.effects.material("solid.vert", "signal.frag", {tint}, Blend::opaque, this), this);
+    m_collar->setEnabled(false);
+}
+
+void Instrument::wear(int rings, bool collar) {
+    for (int i = 0; i < core::kMaxTools && m_rings[i]; ++i)
+        m_rings[i]->setEnabled(i + 1 == rings);
+    if (m_collar)
+        m_collar->setEnabled(collar);
 }
 
 void Instrument::setGhostColour(const QColor& colour) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene3d/elastic_tube/tube_content.h"
+#include "desktop/scene3d/object_handling/handling_content.h"
 #include "desktop/scene3d/plugin/scene_content.h"
 #include "desktop/scene3d/plugin/scene_stage.h"
 #include "desktop/scene3d/sphere_apex/apex_content.h"
@@ -37,6 +39,10 @@ template <class Parameters> bool fits(const SceneSetup& setup) {
 constexpr std::array kCatalogue{
     Line{"sphere_apex", &stage<SceneStage>, &content<ApexContent>,
          &fits<simulation::SphereApexParameters>},
+    Line{"elastic_tube", &stage<SceneStage>, &content<TubeContent>,
+         &fits<simulation::ElasticTubeParameters>},
+    Line{"object_handling", &stage<SceneStage>, &content<HandlingContent>,
+         &fits<simulation::ObjectHandlingParameters>},
     Line{"urethra_insertion", &stage<EndoscopeStage>, nullptr,
          &fits<simulation::UrethraInsertionParameters>},
 };

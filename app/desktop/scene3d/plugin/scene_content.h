@@ -6,6 +6,7 @@
 #include "desktop/scene3d/scene_state.h"
 
 #include <Qt3DCore/QEntity>
+#include <Qt3DRender/QLayer>
 #include <memory>
 
 namespace chiron::scene3d {
@@ -23,6 +24,10 @@ public:
     virtual double fieldRadius_m() const = 0; ///< of the workspace round W's origin
     virtual double planeHeight_m() const = 0;
     virtual double roomAbove_m() const = 0; ///< above the plane, that the camera must see
+    /// Whether a drape with an opening lies round it; otherwise its own setting fills the picture.
+    virtual bool isDraped() const { return true; }
+    /// Translucent parts go on this layer, which is drawn after the field.
+    virtual void putTranslucent(Qt3DRender::QLayer* layer) { (void)layer; }
 };
 
 /// The content of an exercise; empty where this exercise has no drawn scene. One catalogue line each.

@@ -2,6 +2,7 @@
 #include "desktop/scene3d/plugin/scene_stage.h"
 
 #include "desktop/scene3d/camera_fit.h"
+#include "desktop/scene3d/laparoscopy_dial.h"
 #include "desktop/scene3d/parts/drape_mesh.h"
 
 #include <QMatrix4x4>
@@ -16,6 +17,7 @@ namespace chiron::scene3d {
 
 namespace {
 
+const QColor kCavity(24, 8, 10); // what the lamp of the laparoscope does not reach
 constexpr double kOpeningBeyond_m = 0.010; // of the drape's opening beyond the workspace
 
 Qt3DRender::QLayer* makeLayer(Qt3DCore::QNode* parent) {
@@ -33,7 +35,9 @@ SceneStage::SceneStage(const SceneSetup& setup, QObject* surface)
       m_cloth(new Qt3DRender::QParameter(QStringLiteral("cloth"), QVector3D(), m_root)) {
     makeFrameGraph(surface);
     m_content = makeSceneContent(setup, m_light, m_root);
-    makeDrape();
+    m_content->putTranslucent(m_ghostLayer);
+    if (m_content->isDraped())
+        makeDrape();
     m_marks = new PlaceMarks(m_light, m_root);
     for (Instrument*& instrument : m_instruments)
         instrument = new Instrument(m_light, false, m_root);
@@ -43,8 +47,10 @@ SceneStage::SceneStage(const SceneSetup& setup, QObject* surface)
         arrow = new ForceArrow(m_light, m_root);
         arrow->addComponent(m_overLayer);
     }
-    m_gauge = new ForceGauge(m_light, m_root);
+    m_gauge = new ForceGauge(m_light, ForceGauge::Side::right, m_root);
     m_gauge->addComponent(m_overLayer);
+    m_second = new ForceGauge(m_light, ForceGauge::Side::left, m_root);
+    m_second->addComponent(m_overLayer);
     change(setup);
     show(SceneState{});
 }
@@ -89,34 +95,57 @@ void SceneStage::makeDrape() {
 void SceneStage::change(const SceneSetup& setup) {
     m_setup = setup;
     m_light.change(setup);
-    m_clear->setClearColor(setup.colours.field);
+    const QColor beyond = setup.colours.highContrast ? setup.colours.background : kCavity;
+    m_clear->setClearColor(m_content->isDraped() ? setup.colours.field : beyond);
     m_cloth->setValue(toTint(setup.colours.field).toVector3D());
     m_content->change(setup);
     m_marks->change(setup);
     m_ghost->setGhostColour(setup.colours.ghost);
     for (ForceArrow* arrow : m_arrows)
         arrow->change(setup);
-    m_gauge->change(setup);
+    m_gauge->change(setup, forceDial(setup), setup.cues.arrow);
+    placeSecond();
     aim();
 }
 
 void SceneStage::show(const SceneState& state) {
     m_content->show(state);
     m_marks->show(state, *m_content);
+    const bool several = toolsOf(state) > 1;
     for (std::size_t i = 0; i < state.tool.size(); ++i) {
         ToolView tool = state.tool[i];
         m_arrows[i]->show(tool);
         tool.present = tool.present && m_setup.cues.tool;
-        m_instruments[i]->show(tool, m_setup.leftHanded);
+        m_instruments[i]->wear(several ? static_cast<int>(i) + 1 : 0, several && state.activeTool == static_cast<int>(i));
+        m_instruments[i]->show(tool, entersLeft(static_cast<int>(i), several, m_setup.leftHanded));
     }
-    m_ghost->show(state.ghost, m_setup.leftHanded);
-    m_gauge->show(state);
+    m_ghost->show(state.ghost, entersLeft(0, several, m_setup.leftHanded));
+    m_gauge->show(largestForce_N(state));
+    showSecond(state.laparoscopy);
+}
+
+void SceneStage::showSecond(const core::LaparoscopyCues& cues) {
+    const std::optional<GaugeDial> dial = laparoscopyDial(m_setup, cues);
+    const bool shown = dial && dialShown(cues);
+    if (shown != m_dialShown || !(dial == m_dial)) { // once a trial: the face is painted again
+        m_dialShown = shown;
+        m_dial = dial;
+        placeSecond();
+        aim();
+    }
+    if (shown)
+        m_second->show(dialValue_N(cues));
+}
+
+void SceneStage::placeSecond() {
+    m_second->change(m_setup, m_dial.value_or(GaugeDial{}), m_dialShown);
 }
 
 void SceneStage::setPicture(const QSize& size_px, double ratio) {
     m_size_px = size_px;
     m_light.setSize_px(size_px);
     m_gauge->setPicture(size_px, ratio);
+    m_second->setPicture(size_px, ratio);
     aim();
 }
 
@@ -124,9 +153,9 @@ void SceneStage::aim() {
     const double aspect = double(std::max(1, m_size_px.width())) / std::max(1, m_size_px.height());
     const CameraFit fit =
         fitCamera(m_content->fieldRadius_m() + 1.2 * kOpeningBeyond_m, m_content->planeHeight_m(),
-                  m_content->roomAbove_m(), aspect, m_gauge->widthShare());
+                  m_content->roomAbove_m(), aspect, m_gauge->widthShare() + m_second->widthShare());
     QMatrix4x4 projection;
-    projection.translate(-float(m_gauge->widthShare()), 0.0F); // the middle of what the bar leaves free
+    projection.translate(float(m_second->widthShare() - m_gauge->widthShare()), 0.0F); // the middle of what the bars leave free
     projection.perspective(float(fit.fieldOfView_deg), float(aspect), 20.0F, 2500.0F);
     m_camera->lens()->setProjectionMatrix(projection);
     m_camera->setPosition(toMillimetres(fit.p_WEye));

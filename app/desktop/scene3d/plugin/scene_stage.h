@@ -14,6 +14,7 @@
 #include <Qt3DRender/QLayer>
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace chiron::scene3d {
 
@@ -33,6 +34,8 @@ private:
     void makeFrameGraph(QObject* surface);
     void makeDrape();
     void aim();
+    void showSecond(const core::LaparoscopyCues& cues);
+    void placeSecond();
 
     SceneSetup m_setup;
     QSize m_size_px{1024, 768};
@@ -49,6 +52,9 @@ private:
     Instrument* m_ghost = nullptr;
     PlaceMarks* m_marks = nullptr;
     ForceGauge* m_gauge = nullptr;
+    ForceGauge* m_second = nullptr; ///< tension or squeeze
+    std::optional<GaugeDial> m_dial;
+    bool m_dialShown = false;
 };
 
 } // namespace chiron::scene3d

@@ -12,7 +12,7 @@ EndoscopeStage::EndoscopeStage(const SceneSetup& setup, QObject* surface)
       m_landmarks(m_model.drawing(), m_light.effects, m_picture.bladder()),
       m_marks(m_light.effects, m_graph.marks(), m_root), m_notice(m_light.effects, m_graph.marks(), m_root),
       m_overview(m_model, m_light, m_graph, m_root),
-      m_gauge(new ForceGauge(m_light, m_root)) {
+      m_gauge(new ForceGauge(m_light, ForceGauge::Side::right, m_root)) {
     m_gauge->addComponent(m_graph.over());
     change(setup);
     show(SceneState{});
@@ -26,7 +26,7 @@ void EndoscopeStage::change(const SceneSetup& setup) {
     m_marks.change(setup);
     m_notice.change(setup);
     m_overview.change(setup);
-    m_gauge->change(setup);
+    m_gauge->change(setup, forceDial(setup), setup.cues.arrow);
     place();
 }
 
@@ -38,7 +38,7 @@ void EndoscopeStage::show(const SceneState& state) {
     m_marks.show(marks);
     m_notice.show(!m_setup.cues.object || !state.objectShown);
     m_overview.show(state);
-    m_gauge->show(state);
+    m_gauge->show(largestForce_N(state));
 }
 
 void EndoscopeStage::setPicture(const QSize& size_px, double ratio) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene2d/flat_content.h"
+
+namespace chiron::scene3d {
+
+/// The floor of the abdomen in the flat pictures (z = 0), and what both exercises on it draw. Millimetres.
+class FlatFloor {
+public:
+    static QRectF rangeAbove_mm();
+    static QRectF rangeSide_mm(double room_mm);
+    static void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup);
+    /// Where something is to be brought: a dashed outline with ticks, filled by the share of the time held there.
+    static void paintTarget(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const core::Vec3& p_W, double radius_m,
+                            double dwell);
+
+    static constexpr double kReach_mm = 68.0; ///< of the field, each way
+};
+
+/// Tissue keeps its own colours in every theme.
+namespace flat_tissue {
+inline constexpr QColor kLight(232, 150, 138);
+inline constexpr QColor kMiddle(206, 104, 98);
+inline constexpr QColor kDeep(150, 62, 62);
+inline constexpr QColor kEdge(104, 34, 38);
+inline constexpr QColor kBlanched(244, 222, 208);
+} // namespace flat_tissue
+
+} // namespace chiron::scene3d

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene2d/flat_content.h"
+#include "desktop/scene3d/scene_setup.h"
+
+#include <QCoreApplication>
+
+namespace chiron::scene3d {
+
+/// Ovaries and their dish from above and from the side.
+class FlatHandling final : public IFlatContent {
+    Q_DECLARE_TR_FUNCTIONS(chiron::scene3d::FlatHandling)
+
+public:
+    explicit FlatHandling(const simulation::ObjectHandlingParameters& parameters) : m_parameters(parameters) {}
+
+    QString name() const override { return tr("Objects, target and instrument, from above and from the side"); }
+    QRectF rangeAbove_mm() const override;
+    QRectF rangeSide_mm() const override;
+    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
+    double groundHeight_m(const SceneState&, double, double) const override { return 0.0; }
+
+private:
+    simulation::ObjectHandlingParameters m_parameters;
+};
+
+} // namespace chiron::scene3d

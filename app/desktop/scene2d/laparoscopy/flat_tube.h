@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene2d/flat_content.h"
+#include "desktop/scene3d/scene_setup.h"
+
+#include <QCoreApplication>
+
+namespace chiron::scene3d {
+
+/// The elastic tube from above and from the side: the same curve as in 3D.
+class FlatTube final : public IFlatContent {
+    Q_DECLARE_TR_FUNCTIONS(chiron::scene3d::FlatTube)
+
+public:
+    explicit FlatTube(const simulation::ElasticTubeParameters& parameters) : m_parameters(parameters) {}
+
+    QString name() const override { return tr("Elastic tube and instruments, from above and from the side"); }
+    QRectF rangeAbove_mm() const override;
+    QRectF rangeSide_mm() const override;
+    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
+    double groundHeight_m(const SceneState&, double, double) const override { return 0.0; }
+
+private:
+    simulation::ElasticTubeParameters m_parameters;
+};
+
+} // namespace chiron::scene3d

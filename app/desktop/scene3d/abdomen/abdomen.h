@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/plugin/qt3d_parts.h"
+#include "desktop/scene3d/plugin/shared_light.h"
+#include "desktop/scene3d/scene_setup.h"
+#include "desktop/scene3d/scene_state.h"
+
+#include <Qt3DRender/QTexture>
+
+namespace chiron::scene3d {
+
+/// How a soft organ looks: `pale.w` how much its vessels show, `deep.w` how wet it is.
+struct OrganLook {
+    QVector4D pale;
+    QVector4D deep;
+};
+
+/// The peritoneal cavity round the workspace: floor, bowel, omentum, uterus. Four draw calls. The floor is flat where the
+/// instruments work, takes their shadows and gives way where a tip is below it.
+class Abdomen final : public Qt3DCore::QEntity {
+public:
+    Abdomen(SharedLight& light, double workspace_m, Qt3DCore::QNode* parent);
+
+    void change(const SceneSetup& setup);
+    void show(const SceneState& state);
+    /// A material of soft tissue in the abdomen's light.
+    Qt3DRender::QMaterial* organ(const OrganLook& look, Qt3DCore::QNode* parent);
+    /// The material of soft shade on the floor: translucent.
+    Qt3DRender::QMaterial* shade(Qt3DCore::QNode* parent);
+
+private:
+    void chooseLook();
+    Qt3DRender::QParameter* parameter(const char* name, const QVariant& value);
+
+    SharedLight& m_light;
+    SceneSetup m_setup;
+    int m_tools = 0;
+    Qt3DRender::QParameter* m_skin;
+    Qt3DRender::QParameter* m_dentPlace;
+    Qt3DRender::QParameter* m_dentNormal;
+    Qt3DRender::QParameter* m_tips;
+    Part* m_floor = nullptr;
+};
+
+} // namespace chiron::scene3d

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/laparoscopy_cues.h"
+#include "simulation/exercises/elastic_tube/elastic_tube_parameters.h"
+#include "core/geometry.h"
+
+#include <optional>
+
+namespace chiron::scene3d {
+
+/// Where the target of a tube is drawn: the ring that its end has to come to.
+struct MarkRing {
+    core::Vec3 p_W = core::Vec3::Zero();
+    core::Vec3 along = core::Vec3::UnitZ(); ///< axis, unit
+    double radius_m = 0.0;
+    bool foot = false; ///< it hangs in one place: a line to the floor shows where
+};
+
+/// The place of the cues; for the task "to the mark" the ring goes with the tube's direction, as far from the base as the mark
+/// says, and is twice as thick as the tube. Nothing where the level shows none. Pure.
+inline std::optional<MarkRing> markRing(const simulation::ElasticTubeParameters& parameters, const core::LaparoscopyCues& cues) {
+    if (!cues.present || !cues.objectShown)
+        return std::nullopt;
+    MarkRing ring;
+    if (parameters.task != simulation::TubeTask::stretch) {
+        if (!cues.targetShown)
+            return std::nullopt;
+        ring.p_W = {cues.p_WTarget[0], cues.p_WTarget[1], cues.p_WTarget[2]};
+        ring.radius_m = cues.targetRadius_m;
+        ring.along = core::Vec3(0.0, -0.72, 0.69); // towards the eye
+        ring.foot = true;
+        return ring;
+    }
+    if (cues.grips < 2 || cues.torn)
+        return std::nullopt;
+    const auto last = static_cast<std::size_t>(cues.grips - 1);
+    const core::Vec3 base(cues.p_WGrip[0][0], cues.p_WGrip[0][1], cues.p_WGrip[0][2]);
+    const core::Vec3 way = core::Vec3(cues.p_WGrip[last][0], cues.p_WGrip[last][1], cues.p_WGrip[last][2]) - base;
+    // While nobody holds the end, the mark stands straight over the base.
+    ring.along = cues.gripHeldBy[last] != 0 && way.norm() > 0.3 * cues.restLength_m ? core::Vec3(way.normalized())
+                                                                                   : core::Vec3(core::Vec3::UnitZ());
+    ring.p_W = base + parameters.markRatio * cues.restLength_m * ring.along;
+    ring.radius_m = 2.0 * parameters.radius_m;
+    return ring;
+}
+
+} // namespace chiron::scene3d

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/training/grasp_panel.h"
+
+#include "desktop/training/force_bar.h"
+#include "desktop/training/grasp_words.h"
+#include "desktop/training/info_panel.h"
+#include "desktop/training/live_plot.h"
+#include "desktop/training/target_bar.h"
+#include "desktop/widgets/kit.h"
+
+#include <QGridLayout>
+#include <QProgressBar>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace chiron::desktop {
+
+namespace {
+
+constexpr int kNumbersEvery_frames = 6; // ten times a second: digits that can be read
+constexpr double kSpeedAxis_mm_per_s = 60.0;
+constexpr double kPlotHeight_px = 64; // at least; they grow with the window
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+double tensionEnd_N(const simulation::ElasticTubeParameters& tube) {
+    const bool band = tube.task == simulation::TubeTask::hold || tube.task == simulation::TubeTask::twoHanded;
+    return band ? 1.5 * (tube.targetHigh_N + tube.band_N) : tube.maximumForce_N;
+}
+
+double largest(const std::array<double, core::kMaxTools>& values) { return *std::max_element(values.begin(), values.end()); }
+
+} // namespace
+
+GraspPanel::GraspPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, const Grasping& grasping, QWidget* parent)
+    : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_grasping(grasping), m_tools(grasping.tools()),
+      m_column(new QVBoxLayout(this)) {
+    setProperty("kind", QStringLiteral("card"));
+    m_column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
+    m_column->setSpacing(theme.px(6));
+    addHead();
+    if (cues.bars)
+        addBars();
+    if (cues.numbers)
+        addNumbers();
+    if (cues.plots)
+        addPlots();
+    if (!cues.bars && !cues.numbers && !cues.plots) {
+        auto* none = kit::label(theme, InfoPanel::noCuesText(), TextStyle::body, "muted");
+        none->setObjectName(QStringLiteral("training.no_cues"));
+        m_column->addWidget(none);
+    }
+    if (!cues.plots)
+        m_column->addStretch();
+    m_loop = kit::label(theme, {}, TextStyle::small, "muted");
+    m_loop->setObjectName(QStringLiteral("training.loop"));
+    m_column->addWidget(m_loop);
+}
+
+void GraspPanel::addHead() {
+    m_elapsed = kit::line(m_theme, InfoPanel::elapsedText(0), TextStyle::body);
+    m_elapsed->setObjectName(QStringLiteral("training.elapsed"));
+    m_held = kit::label(m_theme, heldText({}, m_grasping, m_locale), TextStyle::body, "muted");
+    m_held->setObjectName(QStringLiteral("training.held"));
+    auto* head = new QHBoxLayout;
+    head->setSpacing(m_theme.px(8));
+    head->addWidget(m_held, 1);
+    head->addWidget(m_elapsed, 0, Qt::AlignTop);
+    m_column->addLayout(head);
+    m_step = kit::label(m_theme, stepText({}, m_grasping), TextStyle::strong);
+    m_step->setObjectName(QStringLiteral("training.step"));
+    m_step->setMinimumHeight(2 * QFontMetrics(m_theme.font(TextStyle::strong)).lineSpacing()); // nothing below it jumps
+    m_column->addWidget(m_step);
+    if (!m_cues.bars && !m_cues.numbers)
+        return;
+    m_dwell = new QProgressBar;
+    m_dwell->setObjectName(QStringLiteral("training.dwell"));
+    m_dwell->setAccessibleName(tr("How much of the holding time is done"));
+    m_dwell->setToolTip(tr("How much of the holding time is done"));
+    m_dwell->setTextVisible(false);
+    m_dwell->setRange(0, 100);
+    m_column->addWidget(m_dwell);
+}
+
+void GraspPanel::addBars() {
+    const bool tube = m_grasping.tube != nullptr;
+    const double end = tube ? tensionEnd_N(*m_grasping.tube) : 1.5 * m_grasping.handling->squeezeLimit_N;
+    m_target = new TargetBar(m_theme, m_locale, {tube ? tr("Tension") : tr("Squeeze"), tr("N"), end, 2}, m_cues.numbers);
+    m_target->setObjectName(tube ? QStringLiteral("training.tension_bar") : QStringLiteral("training.squeeze_bar"));
+    m_column->addWidget(m_target);
+    for (int i = 0; i < m_tools; ++i) {
+        const QString name = m_tools == 1 ? tr("Force") : i == 0 ? tr("Force, right") : tr("Force, left");
+        auto* bar = new ForceBar(m_theme, m_locale, {name, tr("N"), m_grasping.forceLimit_N(), 2}, m_cues.numbers);
+        bar->setObjectName(QStringLiteral("training.force_bar_%1").arg(i));
+        m_column->addWidget(bar);
+        m_force.push_back(bar);
+    }
+}
+
+void GraspPanel::addNumbers() {
+    m_load = kit::label(m_theme, {}, TextStyle::body);
+    m_load->setObjectName(QStringLiteral("training.load"));
+    m_column->addWidget(m_load);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(m_theme.px(8));
+    grid->setVerticalSpacing(0);
+    const std::array<QString, 4> heads{tr("right"), tr("away"), tr("up"), tr("jaw (°)")};
+    int row = 0;
+    for (int i = 0; i < m_tools; ++i) {
+        const QString tool = instrumentName(i, m_tools);
+        grid->addWidget(kit::label(m_theme, tr("%1, tip (mm)").arg(tool), TextStyle::label), row++, 0, 1, 4);
+        ToolRow cells;
+        for (int c = 0; c < 4; ++c) {
+            const auto k = static_cast<std::size_t>(c);
+            if (i == 0)
+                grid->addWidget(kit::label(m_theme, heads[k], TextStyle::small, "muted"), row, c);
+            cells.number[k] = kit::line(m_theme, QStringLiteral("–"), TextStyle::mono);
+            cells.number[k]->setObjectName(QStringLiteral("training.tool_%1_%2").arg(i).arg(c));
+            cells.number[k]->setAccessibleName(tr("%1: %2").arg(tool, heads[k]));
+            grid->addWidget(cells.number[k], row + (i == 0 ? 1 : 0), c);
+            grid->setColumnStretch(c, 1);
+        }
+        row += i == 0 ? 2 : 1;
+        m_rows.push_back(cells);
+    }
+    m_column->addLayout(grid);
+}
+
+LivePlot* GraspPanel::plot(const char* name, const QString& title, double top, std::optional<double> limit) {
+    auto* made = new LivePlot(m_theme, m_locale, title, top, limit);
+    made->setObjectName(QLatin1String(name));
+    made->setMinimumHeight(m_theme.px(kPlotHeight_px));
+    m_column->addWidget(made, 1);
+    return made;
+}
+
+void GraspPanel::addPlots() {
+    if (m_cues.bars) // tension and squeeze belong to that cue
+        m_targetPlot = m_grasping.tube ? plot("training.tension_plot", tr("Tension (N)"), tensionEnd_N(*m_grasping.tube))
+                                       : plot("training.squeeze_plot", tr("Squeeze (N)"), 1.5 * m_grasping.handling->squeezeLimit_N,
+                                              m_grasping.handling->squeezeLimit_N);
+    m_forcePlot = plot("training.force_plot", m_tools > 1 ? tr("Force, right (N)") : tr("Force (N)"), m_grasping.forceLimit_N() * 1.25,
+                       m_grasping.forceLimit_N());
+    if (!m_cues.bars)
+        m_speedPlot = plot("training.speed_plot", tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
+}
+
+void GraspPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
+    for (const session::LiveSample& sample : samples)
+        m_worked_ms += sample.paused || sample.phase == core::TrialPhase::idle ? 0 : 1;
+    showBars(state);
+    if (m_forcePlot)
+        addSamples(state, samples);
+    if (m_frame++ % kNumbersEvery_frames != 0)
+        return;
+    showWords(state);
+    if (m_cues.numbers)
+        showNumbers(state);
+    m_loop->setText(InfoPanel::loopText(state));
+    m_elapsed->setText(InfoPanel::elapsedText(m_worked_ms / 1000));
+}
+
+void GraspPanel::showBars(const haptics::DisplayState& state) {
+    const core::LaparoscopyCues& cues = state.laparoscopy;
+    if (m_target && m_grasping.tube) {
+        m_target->setBand(cues.bandLow_N, cues.bandHigh_N);
+        m_target->setValue(cues.tensionShown ? cues.tension_N : 0.0);
+    } else if (m_target) {
+        m_target->setLimit(cues.squeezeLimit_N);
+        m_target->setValue(cues.squeezeShown ? largest(cues.squeeze_N) : 0.0);
+    }
+    for (std::size_t i = 0; i < m_force.size(); ++i)
+        m_force[i]->setValue(std::hypot(state.tool[i].tissue[0], state.tool[i].tissue[1], state.tool[i].tissue[2]));
+}
+
+void GraspPanel::showWords(const haptics::DisplayState& state) {
+    m_step->setText(stepText(state.laparoscopy, m_grasping));
+    m_held->setText(heldText(state.laparoscopy, m_grasping, m_locale));
+    if (m_dwell)
+        m_dwell->setValue(qRound(100.0 * std::clamp(state.laparoscopy.dwell, 0.0, 1.0)));
+}
+
+void GraspPanel::showNumbers(const haptics::DisplayState& state) {
+    const core::LaparoscopyCues& cues = state.laparoscopy;
+    const auto text = [this](double value) { return m_locale.toString(std::round(value * 10.0) / 10.0 + 0.0, 'f', 1); }; // + 0: no minus before 0.0
+    if (m_grasping.tube)
+        m_load->setText(tr("Stretched by %1 mm").arg(text(cues.stretch_m * 1e3)));
+    else
+        m_load->setText(tr("Pull of the load, downwards: %1 N").arg(m_locale.toString(std::max(0.0, -state.tool[0].tissue[2]) + 0.0, 'f', 2)));
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const haptics::ToolDisplay& tool = state.tool[i];
+        const std::array<double, 3>& tip_m = tool.rendersForce ? tool.p_WT_m : tool.p_WProxy_m; // where it is drawn
+        for (std::size_t k = 0; k < 3; ++k)
+            m_rows[i].number[k]->setText(text(tip_m[k] * 1e3));
+        m_rows[i].number[3]->setText(m_locale.toString(qRound(tool.jaw_rad * kDegrees)));
+    }
+}
+
+void GraspPanel::addSamples(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
+    for (const session::LiveSample& sample : samples) {
+        m_forcePlot->add(sample.t_s, static_cast<double>(sample.tissueNorm_N));
+        if (m_speedPlot)
+            m_speedPlot->add(sample.t_s, static_cast<double>(sample.speed_m_per_s) * 1e3);
+    }
+    const core::LaparoscopyCues& cues = state.laparoscopy;
+    if (m_targetPlot && !samples.empty() && (cues.tensionShown || cues.squeezeShown))
+        m_targetPlot->add(samples.back().t_s, cues.tensionShown ? cues.tension_N : largest(cues.squeeze_N));
+    if (m_targetPlot && m_grasping.tube)
+        m_targetPlot->setBand(cues.bandLow_N, cues.bandHigh_N);
+    for (LivePlot* plot : {m_targetPlot, m_forcePlot, m_speedPlot})
+        if (plot)
+            plot->update();
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/training/grasping.h"
+#include "desktop/training/info_view.h"
+
+#include <array>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QProgressBar;
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+class ForceBar;
+class LivePlot;
+class TargetBar;
+
+/// What is measured while one or two graspers work on a tube or on objects: step, how much of the holding time is done, tension with
+/// its band or squeeze with its limit, the force on each instrument, their tips and jaws, and the last ten seconds, as far as
+/// the level allows each. GUI thread.
+class GraspPanel final : public InfoView {
+    Q_OBJECT
+public:
+    GraspPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, const Grasping& grasping,
+               QWidget* parent = nullptr);
+
+    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) override;
+
+private:
+    struct ToolRow {
+        std::array<QLabel*, 4> number{}; ///< right, away, up, jaw
+    };
+    void addHead();
+    void addBars();
+    void addNumbers();
+    void addPlots();
+    LivePlot* plot(const char* name, const QString& title, double top, std::optional<double> limit = {});
+
+    void showBars(const haptics::DisplayState& state);
+    void showWords(const haptics::DisplayState& state);
+    void showNumbers(const haptics::DisplayState& state);
+    void addSamples(const haptics::DisplayState& state, std::span<const session::LiveSample> samples);
+
+    const Theme& m_theme;
+    QLocale m_locale;
+    session::LevelCues m_cues;
+    Grasping m_grasping;
+    int m_tools;
+    QVBoxLayout* m_column;
+    QLabel* m_step = nullptr;
+    QLabel* m_elapsed = nullptr;
+    QProgressBar* m_dwell = nullptr;
+    QLabel* m_held = nullptr;
+    QLabel* m_load = nullptr; ///< stretch of the tube, or the weight that is felt
+    TargetBar* m_target = nullptr;
+    std::vector<ForceBar*> m_force;
+    std::vector<ToolRow> m_rows;
+    LivePlot* m_targetPlot = nullptr;
+    LivePlot* m_forcePlot = nullptr;
+    LivePlot* m_speedPlot = nullptr;
+    QLabel* m_loop = nullptr;
+    std::int64_t m_worked_ms = 0;
+    int m_frame = 0;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// laparoscopy_pictures FOLDER [NAME ...]: tube and ovaries, one PNG a state and theme, in 3D and flat. Under Xvfb or on a screen.
+#include "desktop/scene3d/scene_loader.h"
+#include "gui/scene3d/laparoscopy_samples.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QScreen>
+#include <QVBoxLayout>
+#include <QWidget>
+#include <cstdio>
+#include <vector>
+
+using namespace chiron::scene3d;
+using chiron::simulation::TubeTask;
+
+namespace {
+
+struct Picture {
+    const char* name;
+    SceneSetup setup;
+    SceneState state;
+};
+
+void pass(int milliseconds) {
+    QElapsedTimer timer;
+    timer.start();
+    while (timer.elapsed() < milliseconds)
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+}
+
+std::vector<Picture> pictures() {
+    SceneState torn = samples::tubeState({0.030, -0.012, 0.078}, true);
+    torn.laparoscopy.torn = true;
+    torn.laparoscopy.tension_N = 0.0;
+    torn.tool[0].force_N.setZero();
+    SceneState mark = samples::tubeState({0.020, -0.016, 0.046}, true);
+    mark.laparoscopy.targetShown = true;
+    SceneState squeezed = samples::handlingState(true);
+    squeezed.laparoscopy.squeeze_N[0] = 2.4;
+    squeezed.laparoscopy.body[1].squeeze_m = 0.006;
+    return {{"tube_lying", samples::tubeSetup(), samples::tubeState({0.030, -0.022, 0.003}, false)},
+            {"tube_slack", samples::tubeSetup(), samples::tubeState({0.016, -0.014, 0.024}, true)},
+            {"tube_taut", samples::tubeSetup(), samples::tubeState({0.026, -0.016, 0.052}, true)},
+            {"tube_mark", samples::tubeSetup(TubeTask::stretch), mark},
+            {"tube_torn", samples::tubeSetup(TubeTask::stretch), torn},
+            {"tube_two_handed", samples::tubeSetup(TubeTask::twoHanded), samples::twoHanded(0.064)},
+            {"tube_two_slack", samples::tubeSetup(TubeTask::twoHanded), samples::twoHanded(0.034)},
+            {"tube_transfer", samples::tubeSetup(TubeTask::transfer), samples::handOver()},
+            {"ovary_lying", samples::handlingSetup(), samples::handlingState(false)},
+            {"ovary_carried", samples::handlingSetup(), samples::handlingState(true)},
+            {"ovary_squeezed", samples::handlingSetup(), squeezed}};
+}
+
+void takeAll(bool flat, const QString& theme, const SceneColours& colours, const QDir& folder, const QStringList& wanted) {
+    for (Picture& picture : pictures()) {
+        if (!wanted.isEmpty() && !wanted.contains(QLatin1String(picture.name)))
+            continue;
+        picture.setup.colours = colours;
+        picture.setup.scale = qEnvironmentVariableIsSet("SCENE_SCALE") ? qEnvironmentVariable("SCENE_SCALE").toDouble() : 1.0;
+        QWidget window;
+        window.resize(1024, 768);
+        window.move(0, 0);
+        auto* layout = new QVBoxLayout(&window);
+        layout->setContentsMargins(0, 0, 0, 0);
+        LoadedScene scene = flat ? LoadedScene{makeFlatSceneView(picture.setup, QStringLiteral("Drawn in two dimensions."), &window), {}}
+                                 : makeSceneView(picture.setup, &window);
+        layout->addWidget(scene.view->widget());
+        window.show();
+        scene.view->show(picture.state);
+        pass(flat ? 100 : 900);
+        scene.view->show(picture.state);
+        pass(flat ? 50 : 300);
+        const QPixmap taken = flat ? window.grab() : window.screen()->grabWindow(window.winId());
+        taken.save(folder.filePath(QStringLiteral("%1_%2_%3.png").arg(QLatin1String(picture.name), QLatin1String(flat ? "flat" : "scene"), theme)));
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QApplication app(argc, argv);
+    const QStringList arguments = QApplication::arguments();
+    const QDir folder(arguments.size() > 1 ? arguments.at(1) : QStringLiteral("."));
+    QStringList wanted = arguments.mid(2);
+    const bool lightOnly = wanted.removeAll(QStringLiteral("light")) > 0;
+    for (const bool flat : {false, true}) {
+        takeAll(flat, "light", {}, folder, wanted);
+        if (lightOnly)
+            continue;
+        takeAll(flat, "dark", samples::dark(), folder, wanted);
+        takeAll(flat, "contrast", samples::highContrast(), folder, wanted);
+    }
+    return 0;
+}
