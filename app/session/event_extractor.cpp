@@ -44,6 +44,8 @@ const char* endWordOf(std::uint32_t events, bool byTrace) {
         return "completed";
     if (byTrace)
         return "trace_ended_unmarked";
+    if (events & kFailed)
+        return "failed";
     return (events & kMarked) ? "marked" : "timed_out";
 }
 
@@ -104,6 +106,11 @@ void EventExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) 
         note(frame, t_s, "stage_changed");
     if (events & kLandmarkSeen)
         note(frame, t_s, "landmark_seen");
+    constexpr std::pair<std::uint32_t, const char*> kGrasps[] = {
+        {kGrasped, "grasped"}, {kReleased, "released"}, {kSlipped, "slipped"}, {kDamaged, "damaged"}};
+    for (const auto& [bit, word] : kGrasps)
+        if (events & bit)
+            note(frame, t_s, word);
     if (!(events & kTrialEnds) || m_trials.empty())
         return;
     const bool byTrace = isMarkOfTraceEnd(frame);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace chiron::session {
 
@@ -23,7 +24,8 @@ double tissueOf(const core::ToolFrame& tool) {
 bool isPenalty(PlaybackMarkKind kind) noexcept {
     return kind == PlaybackMarkKind::overLimit || kind == PlaybackMarkKind::timedOut || kind == PlaybackMarkKind::fault ||
            kind == PlaybackMarkKind::trauma || kind == PlaybackMarkKind::reversal || kind == PlaybackMarkKind::offCentre ||
-           kind == PlaybackMarkKind::overTorque;
+           kind == PlaybackMarkKind::overTorque || kind == PlaybackMarkKind::slipped || kind == PlaybackMarkKind::damaged ||
+           kind == PlaybackMarkKind::failed;
 }
 
 PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind, int tool) {
@@ -54,6 +56,7 @@ void MarkExtractor::follow(Span& span, bool on, const core::HapticFrame& frame, 
 
 void MarkExtractor::add(const core::HapticFrame& frame, double t_s) {
     addCommands(frame, t_s);
+    addGrasps(frame, t_s);
     addTrialEvents(frame, t_s);
     addGuards(frame, t_s);
     addForces(frame, t_s);
@@ -82,8 +85,21 @@ void MarkExtractor::addTrialEvents(const core::HapticFrame& frame, double t_s) {
         note(frame, t_s, PlaybackMarkKind::completed);
     else if (events & kMarked)
         note(frame, t_s, isMarkOfTraceEnd(frame) ? PlaybackMarkKind::traceEnded : PlaybackMarkKind::marked);
+    else if (events & kFailed)
+        note(frame, t_s, PlaybackMarkKind::failed);
     else if (events & kTimedOut)
         note(frame, t_s, PlaybackMarkKind::timedOut);
+}
+
+void MarkExtractor::addGrasps(const core::HapticFrame& frame, double t_s) {
+    using namespace core::event_bits;
+    constexpr std::pair<std::uint32_t, PlaybackMarkKind> kKinds[] = {{kGrasped, PlaybackMarkKind::grasped},
+                                                                     {kReleased, PlaybackMarkKind::released},
+                                                                     {kSlipped, PlaybackMarkKind::slipped},
+                                                                     {kDamaged, PlaybackMarkKind::damaged}};
+    for (const auto& [bit, kind] : kKinds)
+        if (frame.header.events & bit)
+            note(frame, t_s, kind);
 }
 
 void MarkExtractor::addGuards(const core::HapticFrame& frame, double t_s) {

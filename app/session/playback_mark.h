@@ -32,6 +32,11 @@ enum class PlaybackMarkKind : std::uint8_t {
     reversal,     ///< penalty: the tip went back during the insertion, from t_s to end_s; value: how far, m
     offCentre,    ///< penalty: farther from the centre-line than the level's gate allows, from t_s to end_s; value: the largest, m
     overTorque,   ///< penalty: torque over the level's gate, from t_s to end_s; value: the largest, N·m
+    grasped,      ///< an instrument took hold
+    released,     ///< it let go, on purpose
+    slipped,      ///< penalty: what was held slipped out, or was dropped
+    damaged,      ///< penalty: over-stretched or over-squeezed
+    failed,       ///< penalty: the trial could not be done any more (torn)
 };
 
 /// `detail` of a time-out of a procedure, which nobody marks.
@@ -51,7 +56,7 @@ struct PlaybackMark {
     std::string detail;
 };
 
-/// Whether it costs: over the limit, timed out, a fault, trauma, a reversal, off centre, torque.
+/// Whether it costs: over the limit, timed out, a fault, trauma, a reversal, off centre, torque, slipped, damaged, failed.
 bool isPenalty(PlaybackMarkKind kind) noexcept;
 
 /// Stored frames -> marks, in the order of time, by the rules of EventExtractor, so that playback tells what the database
@@ -77,6 +82,7 @@ private:
                 double bridge_s = -1.0);
     void addCommands(const core::HapticFrame& frame, double t_s);
     void addTrialEvents(const core::HapticFrame& frame, double t_s);
+    void addGrasps(const core::HapticFrame& frame, double t_s);
     void addForces(const core::HapticFrame& frame, double t_s);
     void addGuards(const core::HapticFrame& frame, double t_s);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/widgets/state_panel.h"
+#include "support/grasp_session.h"
 #include "support/insertion_session.h"
 
 #include <QCoreApplication>
@@ -21,6 +22,9 @@ struct VisitedSessions {
     database::SessionId good = 0;
     database::SessionId bad = 0;
     database::SessionId insertion = 0; ///< a urethra insertion
+    database::SessionId tube = 0;      ///< an elastic tube, and below objects that were lifted; 0 without them
+    database::SessionId tubeTwoHanded = 0;
+    database::SessionId handling = 0;
 };
 
 inline VisitedSessions addVisitedSessions(DesktopFixture& desktop) {
@@ -29,6 +33,9 @@ inline VisitedSessions addVisitedSessions(DesktopFixture& desktop) {
     sessions.bad = desktop.addSession("tina", 1, "unsafe", 2, 2, 20.0);
     desktop.addSession("tom", 1, "novice", 3, 1, 20.0);
     sessions.insertion = addInsertion(desktop, "tina");
+    sessions.tube = addGrasping(desktop, "tina", "elastic_tube", 1);
+    sessions.tubeTwoHanded = addGrasping(desktop, "tina", "elastic_tube", 4);
+    sessions.handling = addGrasping(desktop, "tina", "object_handling", 1);
     return sessions;
 }
 
@@ -40,7 +47,7 @@ inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions) {
     const QVariantMap insertion{{"session", qlonglong(sessions.insertion)}};
     const auto urethra = [](int level) { return QVariantMap{{"exercise", "urethra_insertion"}, {"level", level}}; };
     const QVariantMap apex{{"exercise", "sphere_apex"}, {"level", 1}};
-    return {{"first_start", "", place("first_start")},
+    std::vector<VisitedPlace> places{{"first_start", "", place("first_start")},
             {"login", "", place("login")},
             {"home_trainee", "tina", place("home")},
             {"home_trainee_empty", "theo", place("home")},
@@ -67,6 +74,22 @@ inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions) {
             {"storage", "ada", place("storage")},
             {"station", "ada", place("station")},
             {"settings", "tina", place("settings")}};
+    const auto add = [&](const char* name, database::SessionId session, const char* screen) {
+        if (session != 0)
+            places.push_back({name, "tina", place(screen, {{"session", qlonglong(session)}})});
+    };
+    add("debrief_tube", sessions.tube, "debrief");
+    add("playback_tube", sessions.tube, "playback");
+    add("playback_two_handed", sessions.tubeTwoHanded, "playback");
+    add("debrief_handling", sessions.handling, "debrief");
+    add("playback_handling", sessions.handling, "playback");
+    if (sessions.tube != 0)
+        for (const int level : {1, 4})
+            places.push_back({level == 1 ? "exercise_setup_tube" : "exercise_setup_two_handed", "tina",
+                              place("exercise_setup", {{"exercise", "elastic_tube"}, {"level", level}})});
+    if (sessions.handling != 0)
+        places.push_back({"exercise_setup_handling", "tina", place("exercise_setup", {{"exercise", "object_handling"}, {"level", 1}})});
+    return places;
 }
 
 /// Until nothing on the screen is loading any more; false after ten seconds.

@@ -2,6 +2,7 @@
 #include "desktop/exercise_setup/level_facts.h"
 
 #include "desktop/training/endoscopy.h"
+#include "desktop/training/grasping.h"
 #include "desktop/training/insertion_values.h"
 
 #include <QCoreApplication>
@@ -46,9 +47,55 @@ QString viewText(const std::vector<std::string>& cues) {
     return overview ? Words::tr("Help: a second picture shows the endoscope from outside") : Words::tr("Help: none, the endoscope's picture alone");
 }
 
+QString newtons(double value, const QLocale& locale) { return locale.toString(value, 'g', 3); }
+
+QString trialsText(int trials, double limit_s, const QLocale& locale) {
+    return Words::tr("Trials: %1, of %2 s at most").arg(locale.toString(trials), locale.toString(qRound(limit_s)));
+}
+
+QString tubeGoalText(const simulation::ElasticTubeParameters& p, const QLocale& locale) {
+    const QString hold_s = locale.toString(p.hold_s, 'g', 3);
+    switch (p.task) {
+    case simulation::TubeTask::hold:
+    case simulation::TubeTask::twoHanded:
+        return Words::tr("Goal: a tension between %1 and %2 N, kept within ±%3 N for %4 s")
+            .arg(newtons(p.targetLow_N, locale), newtons(p.targetHigh_N, locale), newtons(p.band_N, locale), hold_s);
+    case simulation::TubeTask::stretch:
+        return Words::tr("Goal: %1 times its length, kept for %2 s").arg(locale.toString(p.markRatio, 'g', 3), hold_s);
+    case simulation::TubeTask::transfer:
+        return Words::tr("Goal: its end handed over and held in the target for %1 s").arg(hold_s);
+    }
+    return {};
+}
+
+QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale& locale) {
+    QStringList facts{tubeGoalText(p, locale)};
+    facts << (p.tools() > 1 ? Words::tr("Instruments: two, one in each hand") : Words::tr("Instruments: one"));
+    const QString length_mm = locale.toString(qRound(p.restLength_m * 1e3));
+    const QString tears = locale.toString(p.tearRatio, 'g', 3);
+    facts << (p.tube.stiffening_per_m > 0.0
+                  ? Words::tr("Tube: %1 mm long, stiffer the farther it is stretched, torn at %2 times its length").arg(length_mm, tears)
+                  : Words::tr("Tube: %1 mm long, torn at %2 times its length").arg(length_mm, tears));
+    return facts << trialsText(p.trials, p.trialLimit_s, locale);
+}
+
+QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const QLocale& locale) {
+    QStringList facts;
+    if (p.task == simulation::HandlingTask::weigh)
+        facts << Words::tr("Goal: the heaviest of %1 objects that look alike, in the dish").arg(locale.toString(p.objects));
+    else
+        facts << Words::tr("Goal: the object in the dish, lifted by %1 mm on the way").arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
+    facts << Words::tr("Squeeze: %1 N at most").arg(newtons(p.squeezeLimit_N, locale));
+    if (p.organBed)
+        facts << Words::tr("Bed: a soft organ, which gives way");
+    return facts << trialsText(p.trials, p.trialLimit_s, locale);
+}
+
 } // namespace
 
 QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) {
+    if (const Grasping grasping = graspingOf(level))
+        return grasping.tube ? tubeFacts(*grasping.tube, locale) : handlingFacts(*grasping.handling, locale);
     const auto* p = endoscopyOf(level);
     if (!p)
         return {};

@@ -17,6 +17,10 @@ ExercisePicture::ExercisePicture(const Theme& theme, const catalogue::ExerciseLe
         m_ball = *ball;
     if (const auto* urethra = std::get_if<simulation::UrethraInsertionParameters>(&level.parameters))
         m_urethra = *urethra;
+    if (const auto* tube = std::get_if<simulation::ElasticTubeParameters>(&level.parameters))
+        m_tube = *tube;
+    if (const auto* handling = std::get_if<simulation::ObjectHandlingParameters>(&level.parameters))
+        m_handling = *handling;
     m_visible = std::find(level.cues.begin(), level.cues.end(), "object") != level.cues.end();
     setFixedSize(m_size);
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -32,6 +36,10 @@ void ExercisePicture::paintEvent(QPaintEvent*) {
     painter.fillPath(frame, m_theme.color(Colour::sceneBackground));
     if (m_urethra)
         paintUrethra(painter);
+    else if (m_tube)
+        paintTube(painter);
+    else if (m_handling)
+        paintHandling(painter);
     else
         paintSphereApex(painter);
     painter.setClipping(false);

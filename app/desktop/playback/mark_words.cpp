@@ -84,6 +84,11 @@ QString markText(const session::PlaybackMark& mark, const QLocale& locale) {
         return Words::tr("Off the middle for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mm"), locale));
     case PlaybackMarkKind::overTorque:
         return Words::tr("Torque over its limit for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mN·m"), locale));
+    case PlaybackMarkKind::grasped: return Words::tr("Took hold");
+    case PlaybackMarkKind::released: return Words::tr("Let go");
+    case PlaybackMarkKind::slipped: return Words::tr("Slipped out or dropped");
+    case PlaybackMarkKind::damaged: return Words::tr("Tissue at its limit: stretched or squeezed too much");
+    case PlaybackMarkKind::failed: return Words::tr("Torn: the trial could not be done any more");
     }
     return {};
 }
@@ -109,6 +114,11 @@ QString markIcon(PlaybackMarkKind kind) {
     case PlaybackMarkKind::reversal: return QStringLiteral("edit-undo");
     case PlaybackMarkKind::offCentre: return QStringLiteral("dialog-warning");
     case PlaybackMarkKind::overTorque: return QStringLiteral("dialog-warning");
+    case PlaybackMarkKind::grasped: return QStringLiteral("object-locked");
+    case PlaybackMarkKind::released: return QStringLiteral("object-unlocked");
+    case PlaybackMarkKind::slipped: return QStringLiteral("go-down");
+    case PlaybackMarkKind::damaged: return QStringLiteral("dialog-warning");
+    case PlaybackMarkKind::failed: return QStringLiteral("dialog-error");
     }
     return {};
 }

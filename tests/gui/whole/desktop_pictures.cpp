@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of every screen: desktop_pictures FOLDER [NAME ...]. Needs a display (Xvfb will do), because the 3D scene is only
+// Pictures of every screen: desktop_pictures FOLDER [LOOK ...] [PLACE ...]; a place by the beginning of its name ("playback"). Needs a display (Xvfb will do), because the 3D scene is only
 // on the screen, not in the widgets. Makes its own site; the sessions in it are scripted.
 #include "desktop/screen_catalogue.h"
 #include "support/every_place.h"
@@ -8,7 +8,9 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 using namespace chiron;
 
@@ -19,6 +21,18 @@ struct Look {
     desktop::ThemeName theme;
     double scale;
     const char* language;
+};
+
+/// Which places are taken: all, or those whose names begin so.
+class Wanted {
+public:
+    explicit Wanted(QStringList places) : m_places(std::move(places)) {}
+    bool has(const char* name) const {
+        return m_places.isEmpty() || std::any_of(m_places.begin(), m_places.end(), [name](const QString& place) { return QLatin1String(name).startsWith(place); });
+    }
+
+private:
+    QStringList m_places;
 };
 
 constexpr Look kLooks[] = {{"light", desktop::ThemeName::light, 1.0, "en"},
@@ -72,6 +86,27 @@ void takeInsertion(tests::DesktopFixture& desktop, const QDir& folder, const Loo
     leaveTraining(desktop);
 }
 
+/// Scripted laparoscopists at the tube and at the ovaries, some seconds into a trial; what the catalogue lacks is left out.
+void takeGrasping(tests::DesktopFixture& desktop, const QDir& folder, const Look& look, std::string& person, const Wanted& wanted) {
+    struct Taken {
+        const char* name;
+        const char* exercise;
+        int level;
+        int after_ms;
+    };
+    for (const Taken& taken : {Taken{"training_tube", "elastic_tube", 1, 7000}, Taken{"training_mark", "elastic_tube", 2, 7000},
+                               Taken{"training_two_handed", "elastic_tube", 4, 9000}, Taken{"training_transfer", "elastic_tube", 5, 11000},
+                               Taken{"training_handling", "object_handling", 1, 9000}, Taken{"training_weighing", "object_handling", 3, 10000}}) {
+        if (!wanted.has(taken.name) || !desktop.context.site().catalogue().find(taken.exercise, taken.level))
+            continue;
+        const tests::VisitedPlace setup{taken.name, "tina", {QStringLiteral("training"), {{"exercise", taken.exercise}, {"level", taken.level}, {"device", "demonstration"}, {"operator", "expert"}}}};
+        tests::visit(desktop, setup, person);
+        QTest::qWait(taken.after_ms);
+        take(desktop, folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(taken.name), QLatin1String(look.name))));
+        leaveTraining(desktop);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -85,25 +120,33 @@ int main(int argc, char** argv) {
     }
     const QDir folder(arguments.at(1));
     folder.mkpath(QStringLiteral("."));
-    const QStringList wanted = arguments.mid(2);
+    QStringList looks;
+    QStringList names;
+    for (const QString& argument : arguments.mid(2))
+        (std::any_of(std::begin(kLooks), std::end(kLooks), [&](const Look& look) { return argument == QLatin1String(look.name); }) ? looks : names)
+            << argument;
+    const Wanted wanted(names);
     tests::DesktopFixture desktop;
     const auto places = tests::everyPlace(tests::addVisitedSessions(desktop));
     std::string person;
     for (const Look& look : kLooks) {
-        if (!wanted.isEmpty() && !wanted.contains(QLatin1String(look.name)))
+        if (!looks.isEmpty() && !looks.contains(QLatin1String(look.name)))
             continue;
         desktop.settings.setTheme(look.theme);
         desktop.settings.setScale(look.scale);
         desktop.settings.setLanguage(QLatin1String(look.language));
         desktop.context.applyAppearance();
         for (const tests::VisitedPlace& place : places) {
-            if (!desktop::findScreen(place.place.screen))
+            if (!desktop::findScreen(place.place.screen) || !wanted.has(place.name))
                 continue;
             tests::visit(desktop, place, person);
             take(desktop, folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(place.name), QLatin1String(look.name))));
         }
-        takeTraining(desktop, folder, look, person);
-        takeInsertion(desktop, folder, look, person);
+        if (wanted.has("training"))
+            takeTraining(desktop, folder, look, person);
+        if (wanted.has("training_urethra"))
+            takeInsertion(desktop, folder, look, person);
+        takeGrasping(desktop, folder, look, person, wanted);
     }
     return 0;
 }

@@ -26,7 +26,7 @@ double TubeContent::fieldRadius_m() const { return 0.052; }
 
 double TubeContent::roomAbove_m() const {
     // As far up as the tube reaches before it tears, and the jaws on it.
-    return std::min(0.085, m_parameters.restLength_m * m_parameters.tearRatio * 0.9 + 0.010);
+    return std::min(0.074, m_parameters.restLength_m * m_parameters.tearRatio * 0.9 + 0.010);
 }
 
 void TubeContent::putTranslucent(Qt3DRender::QLayer* layer) {

@@ -21,12 +21,16 @@ core::Vec3 placeOf(const core::LaparoscopyCues& cues, int i) {
     return {p[0], p[1], p[2]};
 }
 
-/// A part between two places, l long at rest.
+/// A part between two places that are fixed, held or an end, l long at rest.
 struct Part {
-    core::Vec3 from;
-    core::Vec3 to;
+    std::size_t first = 0; ///< the two places, in the cues
+    std::size_t last = 1;
+    core::Vec3 from = core::Vec3::Zero();
+    core::Vec3 to = core::Vec3::Zero();
     double rest_m = 0.0;
     double clear_m = 0.0; ///< lowest z of its middle line
+    double viaAt = 0.0;   ///< 0..1: a free place on the way, led through by `via`; 0: none
+    core::Vec3 via = core::Vec3::Zero(); ///< from where the curve would have it
     double stretch() const { return (to - from).norm() / std::max(1e-6, rest_m); }
 };
 
@@ -44,6 +48,15 @@ core::Vec3 sagged(const Part& part, double sag_m, double t) {
     core::Vec3 p = line + bow * (std::sqrt(std::max(0.0, 1.0 - down * down)) * side - down * core::Vec3::UnitZ());
     p.z() = std::max(p.z(), std::min(part.clear_m, line.z()));
     return p;
+}
+
+/// The curve of a part, led softly through a free place on it, so that it can be gripped where it is drawn.
+core::Vec3 curveOf(const Part& part, double sag_m, double t) {
+    const core::Vec3 p = sagged(part, sag_m, t);
+    if (part.viaAt <= 0.0)
+        return p;
+    const double near = t < part.viaAt ? t / part.viaAt : (1.0 - t) / (1.0 - part.viaAt);
+    return p + near * near * (3.0 - 2.0 * near) * part.via;
 }
 
 double lengthAt(const Part& part, double sag_m) {
@@ -84,10 +97,12 @@ class Maker {
 public:
     Maker(const core::LaparoscopyCues& cues, double radius_m, double floor_m)
         : m_cues(cues), m_radius_m(radius_m), m_clear_m(floor_m + radius_m) {
-        for (int i = 0; i + 1 < cues.grips; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            m_parts.push_back({placeOf(cues, i), placeOf(cues, i + 1),
-                               std::max(1e-4, (cues.gripAt[k + 1] - cues.gripAt[k]) * cues.restLength_m), m_clear_m});
+        for (int i = 0; i + 1 < cues.grips;) {
+            int next = i + 1;
+            while (next + 1 < cues.grips && isFree(next))
+                ++next;
+            m_parts.push_back(partOf(i, next));
+            i = next;
         }
     }
 
@@ -114,6 +129,27 @@ public:
     }
 
 private:
+    bool isFree(int i) const {
+        const auto k = static_cast<std::size_t>(i);
+        return m_cues.gripHeldBy[k] == 0 && !m_cues.gripAnchored[k];
+    }
+
+    Part partOf(int from, int to) const {
+        Part part;
+        part.first = static_cast<std::size_t>(from);
+        part.last = static_cast<std::size_t>(to);
+        part.from = placeOf(m_cues, from);
+        part.to = placeOf(m_cues, to);
+        const double share = m_cues.gripAt[part.last] - m_cues.gripAt[part.first];
+        part.rest_m = std::max(1e-4, share * m_cues.restLength_m);
+        part.clear_m = m_clear_m;
+        if (to == from + 1)
+            return part;
+        part.viaAt = std::clamp((m_cues.gripAt[part.first + 1] - m_cues.gripAt[part.first]) / std::max(1e-6, share), 0.05, 0.95);
+        part.via = placeOf(m_cues, from + 1) - sagged(part, sagOf(part), part.viaAt);
+        return part;
+    }
+
     std::size_t tautest() const {
         std::size_t most = 0;
         for (std::size_t i = 1; i < m_parts.size(); ++i)
@@ -127,7 +163,8 @@ private:
         TubeRing ring;
         ring.p_W = p_W;
         ring.radius_m = m_radius_m / std::sqrt(stretch);
-        ring.share = m_cues.gripAt[i] + t * (m_cues.gripAt[i + 1] - m_cues.gripAt[i]);
+        const Part& part = m_parts[i];
+        ring.share = m_cues.gripAt[part.first] + t * (m_cues.gripAt[part.last] - m_cues.gripAt[part.first]);
         ring.pale = std::clamp((stretch - 1.0) / kPaleAt, 0.0, 1.0);
         piece.rings.push_back(ring);
     }
@@ -136,14 +173,14 @@ private:
         const double sag_m = sagOf(m_parts[i]);
         for (int k = piece.rings.empty() ? 0 : 1; k <= kSteps; ++k) {
             const double t = static_cast<double>(k) / kSteps;
-            addRing(piece, i, sagged(m_parts[i], sag_m, t), t);
+            addRing(piece, i, curveOf(m_parts[i], sag_m, t), t);
         }
     }
 
     /// One half of the part that tore.
     void addHalf(TubePiece& piece, std::size_t i, bool first) const {
         const Part& part = m_parts[i];
-        const std::size_t place = first ? i : i + 1;
+        const std::size_t place = first ? part.first : part.last;
         core::Vec3 away = first ? part.from - part.to : part.to - part.from;
         away.z() = 0.0;
         away = away.norm() > 1e-6 ? core::Vec3(away.normalized()) : core::Vec3(0.8, -0.6, 0.0);

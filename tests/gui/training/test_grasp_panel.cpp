@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/training/force_bar.h"
+#include "desktop/training/grasp_panel.h"
+#include "desktop/training/grasp_words.h"
+#include "desktop/training/live_plot.h"
+#include "desktop/training/target_bar.h"
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QtTest>
+#include <set>
+
+using namespace chiron;
+using namespace chiron::desktop;
+using core::LaparoscopyStep;
+using simulation::TubeTask;
+
+namespace {
+
+haptics::DisplayState pulling(double tension_N) {
+    haptics::DisplayState state;
+    state.tools = 2;
+    state.tool[0].tissue[0] = -tension_N;
+    state.tool[1].tissue[0] = tension_N;
+    state.tool[0].p_WProxy_m = {0.0312, -0.004, 0.05};
+    core::LaparoscopyCues& cues = state.laparoscopy;
+    cues.present = cues.tube = cues.objectShown = cues.tensionShown = true;
+    cues.grips = 2;
+    cues.gripHeldBy = {2, 1, 0};
+    cues.step = LaparoscopyStep::hold;
+    cues.dwell = 0.42;
+    cues.stretch_m = 0.0123;
+    cues.tension_N = tension_N;
+    cues.bandLow_N = 1.0;
+    cues.bandHigh_N = 1.3;
+    return state;
+}
+
+} // namespace
+
+class TestGraspPanel : public QObject {
+    Q_OBJECT
+private slots:
+    void everyStepHasItsOwnWords() {
+        simulation::ElasticTubeParameters tube;
+        simulation::ObjectHandlingParameters handling;
+        Grasping atTube;
+        atTube.tube = &tube;
+        Grasping atObjects;
+        atObjects.handling = &handling;
+        std::set<QString> said;
+        for (int step = 0; step <= static_cast<int>(LaparoscopyStep::done); ++step) {
+            core::LaparoscopyCues cues;
+            cues.step = static_cast<LaparoscopyStep>(step);
+            for (const TubeTask task : {TubeTask::hold, TubeTask::stretch, TubeTask::twoHanded, TubeTask::transfer}) {
+                tube.task = task;
+                QVERIFY(!stepText(cues, atTube).isEmpty());
+            }
+            QVERIFY(!stepText(cues, atObjects).isEmpty());
+            said.insert(stepText(cues, atTube));
+        }
+        QCOMPARE(said.size(), std::size_t(9)); // of a transfer: one each
+        core::LaparoscopyCues torn;
+        torn.torn = true;
+        QVERIFY(stepText(torn, atTube).contains(QStringLiteral("torn")));
+    }
+
+    void everyValueIsShown() {
+        simulation::ElasticTubeParameters tube;
+        tube.task = TubeTask::twoHanded;
+        GraspPanel panel(m_theme, QLocale::c(), allCues(), graspingAt(tube));
+        panel.show(pulling(1.12), {});
+        QCOMPARE(find<TargetBar>(panel, "training.tension_bar")->words(), QStringLiteral("1.12 N, in the band"));
+        QVERIFY(find<ForceBar>(panel, "training.force_bar_0") && find<ForceBar>(panel, "training.force_bar_1"));
+        QCOMPARE(find<QProgressBar>(panel, "training.dwell")->value(), 42);
+        QVERIFY(find<QLabel>(panel, "training.load")->text().contains(QStringLiteral("12.3")));
+        QCOMPARE(find<QLabel>(panel, "training.tool_0_0")->text(), QStringLiteral("31.2"));
+        QVERIFY(find<QLabel>(panel, "training.tool_1_3") != nullptr);
+        QVERIFY(find<QLabel>(panel, "training.held")->text().contains(QStringLiteral("two places")));
+        QVERIFY(find<LivePlot>(panel, "training.tension_plot") && find<LivePlot>(panel, "training.force_plot"));
+    }
+
+    void bandAndLimitAreSaid() {
+        TargetBar bar(m_theme, QLocale::c(), {QStringLiteral("Tension"), QStringLiteral("N"), 3.0, 2}, true);
+        bar.setValue(0.4);
+        QCOMPARE(bar.words(), QStringLiteral("0.40 N"));
+        bar.setBand(1.0, 1.3);
+        QCOMPARE(bar.accessibleDescription(), QStringLiteral("0.40 N, below the band"));
+        bar.setValue(1.5);
+        QCOMPARE(bar.words(), QStringLiteral("1.50 N, above the band"));
+        bar.setLimit(1.4);
+        QCOMPARE(bar.words(), QStringLiteral("1.50 N, over the limit"));
+        bar.setValue(std::nan(""));
+        QCOMPARE(bar.words(), QStringLiteral("1.50 N, over the limit"));
+        TargetBar blind(m_theme, QLocale::c(), {QStringLiteral("Tension"), QStringLiteral("N"), 3.0, 2}, false);
+        blind.setBand(1.0, 1.3);
+        blind.setValue(1.1);
+        QCOMPARE(blind.words(), QStringLiteral("in the band"));
+    }
+
+    void aLevelWithoutCuesTellsNothing() {
+        simulation::ObjectHandlingParameters handling;
+        GraspPanel panel(m_theme, QLocale::c(), {}, graspingAt(handling));
+        haptics::DisplayState state = pulling(1.12);
+        state.laparoscopy.tube = false;
+        panel.show(state, {});
+        QVERIFY(panel.findChildren<TargetBar*>().isEmpty() && panel.findChildren<ForceBar*>().isEmpty());
+        QVERIFY(panel.findChildren<LivePlot*>().isEmpty() && panel.findChildren<QProgressBar*>().isEmpty());
+        QVERIFY(find<QLabel>(panel, "training.no_cues") != nullptr);
+        for (const QLabel* label : panel.findChildren<QLabel*>())
+            QVERIFY2(!label->text().contains(QStringLiteral("1.12")), qPrintable(label->text()));
+    }
+
+    void whatIsHeldIsSaid() {
+        simulation::ObjectHandlingParameters handling;
+        core::LaparoscopyCues cues;
+        cues.bodies = 3;
+        QVERIFY(heldText(cues, graspingAt(handling), QLocale::c()).contains(QStringLiteral("nothing")));
+        cues.body[1].heldBy = 1;
+        QVERIFY(heldText(cues, graspingAt(handling), QLocale::c()).contains(QStringLiteral("object 2 of 3")));
+        QVERIFY(instrumentName(0, 2) != instrumentName(1, 2));
+    }
+
+private:
+    static Grasping graspingAt(const simulation::ElasticTubeParameters& tube) {
+        Grasping grasping;
+        grasping.tube = &tube;
+        return grasping;
+    }
+    static Grasping graspingAt(const simulation::ObjectHandlingParameters& handling) {
+        Grasping grasping;
+        grasping.handling = &handling;
+        return grasping;
+    }
+    static session::LevelCues allCues() {
+        session::LevelCues cues;
+        cues.object = cues.tool = cues.arrow = cues.bars = cues.numbers = cues.plots = true;
+        return cues;
+    }
+    template <class W> static W* find(QWidget& in, const char* name) { return in.findChild<W*>(QLatin1String(name)); }
+
+    Theme m_theme = Theme::load(ThemeName::light, 1.0).value();
+};
+
+QTEST_MAIN(TestGraspPanel)
+#include "test_grasp_panel.moc"
