@@ -5,6 +5,7 @@
 #include "desktop/training/info_view.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 class QGridLayout;

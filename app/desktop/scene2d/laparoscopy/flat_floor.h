@@ -15,7 +15,7 @@ public:
     static void paintTarget(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const core::Vec3& p_W, double radius_m,
                             double dwell);
 
-    static constexpr double kReach_mm = 68.0; ///< of the field, each way
+    static constexpr double kReach_mm = 62.0; ///< of the field, each way
 };
 
 /// Tissue keeps its own colours in every theme.
