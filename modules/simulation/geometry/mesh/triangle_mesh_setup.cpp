@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/geometry/mesh/triangle_mesh.h"
 
+#include "simulation/geometry/mesh/mesh_sides.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -11,54 +13,28 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// A side of a triangle, by its two vertices in ascending order.
-struct Side {
-    std::uint64_t key = 0;
-    std::uint32_t triangle = 0;
-    std::uint8_t opposite = 0; ///< which corner it does not touch
-    bool forward = false;      ///< runs from the lower vertex to the higher one
-
-    bool operator<(const Side& other) const {
-        return key != other.key ? key < other.key : triangle < other.triangle;
-    }
-};
-
-std::vector<Side> sortedSides(std::span<const Corners> triangles) {
-    std::vector<Side> sides;
-    sides.reserve(3 * triangles.size());
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
-        for (std::uint8_t i = 0; i < 3; ++i) {
-            const std::uint32_t from = triangles[t][(i + 1U) % 3], to = triangles[t][(i + 2U) % 3];
-            const std::uint64_t low = std::min(from, to), high = std::max(from, to);
-            sides.push_back({low << 32U | high, t, i, from < to});
-        }
-    std::sort(sides.begin(), sides.end());
-    return sides;
-}
-
 std::string edgeName(std::uint64_t key) {
     return "edge " + std::to_string(key >> 32U) + "-" + std::to_string(key & 0xffffffffU);
 }
 
 core::Result<void> join(std::span<const Corners> corners, std::vector<SurfaceTriangle>& triangles) {
-    const std::vector<Side> sides = sortedSides(corners);
-    for (std::size_t i = 0; i < sides.size();) {
-        std::size_t end = i + 1;
-        while (end < sides.size() && sides[end].key == sides[i].key)
-            ++end;
-        if (end - i != 2)
-            return core::fail(core::ErrorCode::badInput, edgeName(sides[i].key) + ": found in " +
-                                                             std::to_string(end - i) + " triangles, expected 2");
-        const Side& a = sides[i];
-        const Side& b = sides[i + 1];
-        if (a.forward == b.forward)
-            return core::fail(core::ErrorCode::badInput,
-                              edgeName(a.key) + ": triangles " + std::to_string(a.triangle) + " and " +
-                                  std::to_string(b.triangle) + " run along it the same way, expected opposite ways");
-        triangles[a.triangle].neighbour[a.opposite] = b.triangle;
-        triangles[b.triangle].neighbour[b.opposite] = a.triangle;
-        i = end;
-    }
+    const std::vector<MeshSide> sides = sortedSides(corners);
+    std::string wrong;
+    forEachEdge(sides, [&](std::span<const MeshSide> edge) {
+        if (!wrong.empty())
+            return;
+        if (edge.size() != 2) {
+            wrong = edgeName(edge[0].key) + ": found in " + std::to_string(edge.size()) + " triangles, expected 2";
+            return;
+        }
+        if (edge[0].forward == edge[1].forward)
+            wrong = edgeName(edge[0].key) + ": triangles " + std::to_string(edge[0].triangle) + " and " +
+                    std::to_string(edge[1].triangle) + " run along it the same way, expected opposite ways";
+        triangles[edge[0].triangle].neighbour[edge[0].opposite] = edge[1].triangle;
+        triangles[edge[1].triangle].neighbour[edge[1].opposite] = edge[0].triangle;
+    });
+    if (!wrong.empty())
+        return core::fail(core::ErrorCode::badInput, wrong);
     return {};
 }
 

@@ -30,6 +30,13 @@ inline MeshSource ellipsoid(double x_m, double y_m, double z_m, double edge_m, d
 /// The organ of the tests and of the benchmark: 50,000 triangles, bumps of 0.4 mm every 8 mm (round to 4 mm).
 inline MeshSource bumpyOrgan(double edge_m = 0.0007) { return ellipsoid(0.040, 0.030, 0.025, edge_m, 0.0004); }
 
+inline MeshSource bumpyDome() {
+    MeshSource s;
+    s.shape = MeshSource::Shape::dome;
+    s.bumpHeight_m = 0.0003;
+    return s;
+}
+
 /// A box cut into nx × ny × nz cells, only its skin, laid into space by `map` of (0..1)³.
 inline MeshShape slab(int nx, int ny, int nz, const std::function<Vec3(const Vec3&)>& map) {
     MeshShape shape;
