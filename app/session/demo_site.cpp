@@ -46,6 +46,12 @@ bool hasOperator(const std::string& exercise, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Which levels the demonstration's trainees have done: the first two of each exercise, the organs of sphere apex, and the tube
+/// that takes two hands.
+bool tries(const std::string& exercise, int level) {
+    return level <= 2 || (exercise == "sphere_apex" && level >= 5) || (exercise == "elastic_tube" && level == 4);
+}
+
 core::Result<std::vector<Planned>> makePeople(database::Database& database, const catalogue::Catalogue& catalogue,
                                               std::uint64_t seed) {
     database::AccountService accounts(database);
@@ -68,8 +74,9 @@ core::Result<std::vector<Planned>> makePeople(database::Database& database, cons
         for (const catalogue::Exercise& exercise : catalogue.exercises()) {
             if (!hasOperator(exercise.id, person.operatorName))
                 continue;
-            for (int level = 1; level <= 2 && catalogue.find(exercise.id, level); ++level)
-                planned.push_back({person.name, *actor, {exercise.id, level, person.operatorName, seed + planned.size() + 100}});
+            for (const catalogue::ExerciseLevel& level : exercise.levels)
+                if (tries(exercise.id, level.number))
+                    planned.push_back({person.name, *actor, {exercise.id, level.number, person.operatorName, seed + planned.size() + 100}});
         }
     }
     return planned;

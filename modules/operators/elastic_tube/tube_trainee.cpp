@@ -120,11 +120,12 @@ TensionView TubeTrainee::view(const GraspLook& felt) const noexcept {
     view.restLength_m = screen.restLength_m;
     view.length_m = screen.restLength_m + felt.first().stretch_m;
     view.dwell = screen.dwell;
-    if (m_briefing.goal == TubeGoal::mark) { // the length is what is to be kept: as if it were a tension of one newton a metre
-        const double mark_m = (m_briefing.markRatio - 1.0) * screen.restLength_m;
-        view.tension_N = m_settings.assumedStiffness_N_per_m * felt.first().stretch_m;
-        view.low_N = m_settings.assumedStiffness_N_per_m * (mark_m - m_briefing.markTolerance * screen.restLength_m);
-        view.high_N = m_settings.assumedStiffness_N_per_m * (mark_m + m_briefing.markTolerance * screen.restLength_m);
+    if (m_briefing.goal == TubeGoal::mark) { // a length is to be kept: as if it were the tension of a tube as it takes them to be
+        const double k = m_settings.assumedStiffness_N_per_m;
+        const double mark_m = (vectorOf(screen.p_WTarget) - otherEnd(0, screen)).norm() - screen.restLength_m;
+        view.tension_N = k * felt.first().stretch_m;
+        view.low_N = k * (mark_m - screen.targetRadius_m);
+        view.high_N = k * (mark_m + screen.targetRadius_m);
         return view;
     }
     view.low_N = screen.bandLow_N;

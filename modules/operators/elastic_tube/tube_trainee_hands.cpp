@@ -127,12 +127,13 @@ Vec3 TubeTrainee::pull(std::size_t i, const LaparoscopyCues& screen) const noexc
     if (m_count == 2) {
         const Vec3 middle = 0.5 * (hand.place + from);
         const double side = i == 0 ? 1.0 : -1.0;
-        wanted = Vec3(0.0, 0.0, std::max(kSpan_m, 0.0)) + Vec3(side * 0.5 * length, 0.0, 0.0);
+        wanted = Vec3(0.0, 0.0, kSpan_m) + Vec3(side * 0.5 * length, 0.0, 0.0);
         wanted.head<2>() += middle.head<2>();
     } else {
         const auto& place = m_briefing.places[i].origin_m;
         const Vec3 under(place[0], place[1], 0.0);
-        const Vec3 direction = (kInward * (under - from) + Vec3(0.0, 0.0, kUp_m)).normalized();
+        const double inward = m_briefing.goal == TubeGoal::mark ? 0.0 : kInward; // the mark is straight over the base
+        const Vec3 direction = (inward * (under - from) + Vec3(0.0, 0.0, kUp_m)).normalized();
         wanted = from + length * direction;
     }
     Vec3 steer = velocityTo(wanted, hand.place, kSteering_per_s, kSteering_m_per_s);
@@ -140,16 +141,15 @@ Vec3 TubeTrainee::pull(std::size_t i, const LaparoscopyCues& screen) const noexc
     return m_speed_m_per_s / static_cast<double>(m_count) * along + steer;
 }
 
-/// Leads the free end to its target; a hand that is only to be relieved keeps still.
+/// Leads the free end, wherever this hand holds the tube, to its target; a hand that is about to be relieved keeps still.
 Vec3 TubeTrainee::bring(std::size_t i, const LaparoscopyCues& screen) const noexcept {
-    if (!screen.targetShown || (i == 0 && screen.step == core::LaparoscopyStep::handOver))
+    const int end = m_hands[0].grip;
+    if (!screen.targetShown || screen.step == core::LaparoscopyStep::handOver || end == kNone)
         return Vec3::Zero();
-    const Vec3 target = vectorOf(screen.p_WTarget);
-    if (i == 1)
-        return velocityTo(target, m_hands[1].place, m_settings.moveGain_per_s, m_settings.bringSpeed_m_per_s);
-    // The first hand lifts the end to where the other can come to it.
-    const Vec3 meeting(0.25 * (m_hands[0].rest.x() + m_hands[1].rest.x()), m_hands[0].place.y(), kSpan_m);
-    return velocityTo(meeting, m_hands[0].place, m_settings.moveGain_per_s, m_settings.bringSpeed_m_per_s);
+    // Tip and end are seen together: what the eye mistakes of the one it mistakes of the other.
+    const Vec3 held = vectorOf(screen.p_WGrip[static_cast<std::size_t>(m_hands[i].grip)]);
+    const Vec3 ahead = vectorOf(screen.p_WGrip[static_cast<std::size_t>(end)]) - held;
+    return velocityTo(vectorOf(screen.p_WTarget), m_hands[i].place + ahead, m_settings.moveGain_per_s, m_settings.bringSpeed_m_per_s);
 }
 
 } // namespace chiron::operators

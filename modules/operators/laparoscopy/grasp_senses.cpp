@@ -17,6 +17,7 @@ GraspSenses::GraspSenses(const GraspPerceptionSettings& s, std::size_t hand, con
     m_squeezeWeber = make(s.gaugeWeberFraction, s.gaugeNoiseTime_s);
     m_squeezeFloor = make(s.gaugeFloorSd_N, s.gaugeNoiseTime_s);
     m_length = make(s.lengthWeberFraction, s.lengthNoiseTime_s);
+    m_thickness = make(s.lengthWeberFraction, s.lengthNoiseTime_s);
 }
 
 bool GraspSenses::feel(const mechanisms::HandPerception& real) noexcept {
@@ -33,7 +34,19 @@ bool GraspSenses::feel(const mechanisms::HandPerception& real) noexcept {
     m_percept.tension_N = readBar(screen.tensionShown ? screen.tension_N : 0.0, m_tensionWeber, m_tensionFloor);
     m_percept.squeeze_N = readBar(screen.squeezeShown ? screen.squeeze_N[m_hand] : 0.0, m_squeezeWeber, m_squeezeFloor);
     m_percept.stretch_m = (screen.restLength_m + screen.stretch_m) * (1.0 + m_length.advance(m_random)) - screen.restLength_m;
+    m_percept.flattening_m = seenFlattening(screen);
     return true;
+}
+
+/// Its thickness is judged as any length is.
+double GraspSenses::seenFlattening(const core::LaparoscopyCues& screen) noexcept {
+    const double wrong = m_thickness.advance(m_random);
+    for (int i = 0; i < screen.bodies; ++i) {
+        const core::BodyCue& body = screen.body[static_cast<std::size_t>(i)];
+        if ((body.heldBy & (1U << m_hand)) != 0)
+            return body.squeeze_m - wrong * (2.0 * body.radius_m - body.squeeze_m);
+    }
+    return 0.0;
 }
 
 /// An empty bar is read as empty.

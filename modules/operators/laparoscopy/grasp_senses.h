@@ -20,6 +20,7 @@ struct GraspPercept {
     double tension_N = 0.0;                ///< as read from its bar; 0 where that is not shown
     double squeeze_N = 0.0;                ///< of this hand's jaw, likewise
     double stretch_m = 0.0;                ///< of the tube, as it looks
+    double flattening_m = 0.0;             ///< of what this hand holds between its jaws, as it looks
     core::VisibleCues cues;                ///< as shown; what is named above is not to be read here
 
     bool working() const noexcept {
@@ -39,6 +40,7 @@ public:
     const GraspPercept& percept() const noexcept { return m_percept; }
 
 private:
+    double seenFlattening(const core::LaparoscopyCues& screen) noexcept;
     double readBar(double shown_N, mechanisms::MarkovNoise& weber, mechanisms::MarkovNoise& floor) noexcept;
 
     GraspPerceptionSettings m_settings;
@@ -46,7 +48,7 @@ private:
     devices::WorkspaceMap m_map;
     core::Random m_random;
     Senses m_senses;
-    mechanisms::MarkovNoise m_tensionWeber, m_tensionFloor, m_squeezeWeber, m_squeezeFloor, m_length;
+    mechanisms::MarkovNoise m_tensionWeber, m_tensionFloor, m_squeezeWeber, m_squeezeFloor, m_length, m_thickness;
     GraspPercept m_percept;
 };
 

@@ -16,6 +16,7 @@ namespace {
 constexpr double kSmoothing = 0.1;      ///< of place and force a look: 0.1 s
 constexpr double kSlowSmoothing = 0.01; ///< 1 s
 constexpr double kJawRoom_m = 0.004;    ///< between each open jaw and the object
+constexpr double kFlat_N = 2.0;         ///< takes something flattened by its radius to be squeezed by so much
 constexpr double kFirmest = 1.9;        ///< over the squeeze that it wanted at first
 } // namespace
 
@@ -137,28 +138,25 @@ double HandlingTrainee::openJaw(double radius_m) const noexcept {
 }
 
 double HandlingTrainee::wantedSqueeze_N(const LaparoscopyCues& screen) const noexcept {
-    return m_firmness * m_settings.squeezeShare * screen.squeezeLimit_N;
+    const bool bar = screen.squeezeShown && screen.squeezeLimit_N > 0.0;
+    return m_firmness * (bar ? m_settings.squeezeShare * screen.squeezeLimit_N : kFlat_N * m_settings.flatteningShare);
 }
 
-/// What is missing, in newtons as far as the eye can tell: positive, squeeze more.
+/// What is missing, in newtons as far as the eye can tell: positive, squeeze more. Without a bar: how flat it looks.
 double HandlingTrainee::wrongSqueeze_N(const GraspPercept& felt) const noexcept {
     const LaparoscopyCues& screen = felt.screen();
     if (screen.squeezeShown && screen.squeezeLimit_N > 0.0)
         return wantedSqueeze_N(screen) - felt.squeeze_N;
-    const core::BodyCue& body = screen.body[m_object]; // no bar: how flat it looks, a newton a tenth of the radius
-    const double share = body.squeeze_m / std::max(body.radius_m, 1e-4);
-    return 10.0 * (m_firmness * m_settings.flatteningShare - share);
+    const double share = felt.flattening_m / std::max(screen.body[m_object].radius_m, 1e-4);
+    return wantedSqueeze_N(screen) - kFlat_N * share;
 }
 
-/// Keeps the squeeze; a wish for an opening is where the jaw stands, and a little more or less.
+/// Keeps the squeeze.
 void HandlingTrainee::squeeze(const GraspPercept& felt, double jaw_rad, GraspWish& wish) const noexcept {
     const double wrong = wrongSqueeze_N(felt);
-    const LaparoscopyCues& screen = felt.screen();
-    const double wanted = screen.squeezeShown && screen.squeezeLimit_N > 0.0 ? wantedSqueeze_N(screen)
-                                                                              : 10.0 * m_firmness * m_settings.flatteningShare;
-    const bool right = std::abs(wrong) < m_settings.squeezeTolerance * wanted;
-    const double speed = right ? 0.0 : std::min(m_settings.squeezeGain_rad_per_Ns * std::abs(wrong), m_settings.squeezeSpeed_rad_per_s);
-    wish.jawSpeed_rad_per_s = speed;
+    const bool right = std::abs(wrong) < m_settings.squeezeTolerance * wantedSqueeze_N(felt.screen());
+    wish.jawSpeed_rad_per_s =
+        right ? 0.0 : std::min(m_settings.squeezeGain_rad_per_Ns * std::abs(wrong), m_settings.squeezeSpeed_rad_per_s);
     wish.jaw_rad = wrong > 0.0 ? 0.0 : std::min(jaw_rad + 0.2, GraspReach::kWidest_rad);
 }
 

@@ -19,8 +19,9 @@ constexpr double kClosing_s = 3.5;         ///< without a hold: tries again
 constexpr double kLongestSqueeze_s = 4.0;  ///< then it lifts what it has
 constexpr double kFirmEnough = 0.25;       ///< share of the wanted squeeze that may be missing when it lifts
 constexpr double kHeft_Hz = 0.6;
-constexpr double kCarried_N = 0.12;        ///< felt change that tells that the bed carries
-constexpr double kNoBed_m = 0.008;         ///< lower than expected by more: lets go all the same
+constexpr double kCarried_N = 0.10;        ///< felt change that tells that the bed carries
+constexpr double kNear_m = 0.003;          ///< to where it lay before: what is felt may be the bed
+constexpr double kNoBed_m = 0.002;         ///< lower than expected by more: lets go all the same
 constexpr double kLettingGo_s = 3.0;
 constexpr double kFree_m = 0.003;          ///< wider than the object by so much: it is let go
 } // namespace
@@ -73,9 +74,7 @@ void HandlingTrainee::close(const GraspPercept& felt, double jaw_rad, GraspWish&
         return;
     }
     squeeze(felt, jaw_rad, wish);
-    const core::LaparoscopyCues& screen = felt.screen();
-    const double wanted = screen.squeezeShown ? wantedSqueeze_N(screen) : 10.0 * m_settings.flatteningShare;
-    if (wrongSqueeze_N(felt) < kFirmEnough * wanted || since(felt) > kLongestSqueeze_s) {
+    if (wrongSqueeze_N(felt) < kFirmEnough * wantedSqueeze_N(felt.screen()) || since(felt) > kLongestSqueeze_s) {
         m_grip = m_place;
         begin(Doing::lift, felt.time_s);
     }
@@ -130,9 +129,9 @@ void HandlingTrainee::setDown(const GraspPercept& felt, double jaw_rad, GraspWis
     squeeze(felt, jaw_rad, wish);
     const double low = m_to.z() + m_settings.releaseHeight_m;
     const double left = m_place.z() - low;
-    const double fast = std::min(m_settings.carrySpeed_m_per_s, m_settings.moveGain_per_s * std::max(0.0, left - 0.006));
+    const double fast = std::min(m_settings.carrySpeed_m_per_s, m_settings.moveGain_per_s * std::max(0.0, left - 2.0 * kNear_m));
     wish.velocity_m_per_s = Vec3(0.0, 0.0, -std::max(m_settings.setDownSpeed_m_per_s, fast));
-    const bool near = left < 0.006;
+    const bool near = left < kNear_m;
     const bool carried = m_settings.feelsTheBed ? near && m_up_N - m_slowUp_N > kCarried_N : left <= 0.0;
     if (!carried && left > -kNoBed_m)
         return;

@@ -27,11 +27,11 @@ ObjectHandlingOperatorSettings novice() {
     s.aim_m = 0.005;
     s.settle_s = 0.4;
     s.jawSpeed_rad_per_s = 0.7;
-    s.squeezeShare = 0.75;
+    s.squeezeShare = 0.85;
     s.squeezeGain_rad_per_Ns = 0.6;
     s.squeezeSpeed_rad_per_s = 0.5;
     s.squeezeTolerance = 0.35;
-    s.flatteningShare = 0.16;
+    s.flatteningShare = 0.32;
     s.regripFactor = 1.5;
     s.clearance_m = 0.012;
     s.setDownSpeed_m_per_s = 0.030;
@@ -52,11 +52,11 @@ ObjectHandlingOperatorSettings intermediate() {
     s.carrySpeed_m_per_s = 0.05;
     s.aim_m = 0.0035;
     s.settle_s = 0.3;
-    s.squeezeShare = 0.58;
+    s.squeezeShare = 0.70;
     s.squeezeGain_rad_per_Ns = 0.5;
     s.squeezeSpeed_rad_per_s = 0.35;
     s.squeezeTolerance = 0.25;
-    s.flatteningShare = 0.13;
+    s.flatteningShare = 0.25;
     s.regripFactor = 1.3;
     s.clearance_m = 0.010;
     s.setDownSpeed_m_per_s = 0.015;
@@ -83,7 +83,7 @@ ObjectHandlingOperatorSettings unsafe() {
     s.jawSpeed_rad_per_s = 3.0;
     s.squeezeShare = 1.3;
     s.squeezeSpeed_rad_per_s = 1.5;
-    s.flatteningShare = 0.30;
+    s.flatteningShare = 0.60;
     s.setDownSpeed_m_per_s = 0.06;
     s.releaseHeight_m = 0.015;
     s.openSpeed_rad_per_s = 4.0;

@@ -26,11 +26,11 @@ struct ObjectHandlingOperatorSettings {
     double settle_s = 0.25;      ///< once it is there
 
     double jawSpeed_rad_per_s = 0.8;        ///< until the jaws touch
-    double squeezeShare = 0.45;             ///< of the allowed squeeze that it wants
+    double squeezeShare = 0.60;             ///< of the allowed squeeze that it wants
     double squeezeGain_rad_per_Ns = 0.45;   ///< how fast a wrong squeeze is corrected: bounded by the reaction delay
     double squeezeSpeed_rad_per_s = 0.25;   ///< at most
     double squeezeTolerance = 0.15;         ///< of what it wants: left alone
-    double flatteningShare = 0.10;          ///< of the radius that it wants to see, where no bar shows the squeeze
+    double flatteningShare = 0.20;          ///< of the radius that it wants to see, where no bar shows the squeeze
     double regripFactor = 1.25;             ///< squeezes so much more after it slipped
 
     double clearance_m = 0.008;    ///< carries higher than it has to by
