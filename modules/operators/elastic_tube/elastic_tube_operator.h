@@ -17,13 +17,15 @@ namespace chiron::operators {
 /// What is asked for, as the instruction on the screen says.
 enum class TubeGoal {
     tension, ///< keep the tension in the band
-    mark,    ///< stretch it to the mark that the screen shows, and keep it there
+    mark,    ///< stretch it to the mark, and keep it there
     bring,   ///< hand the end over and lead it to its target
 };
 
 /// What a trainee is told before it begins: nothing that the screen and the instruments in its hands do not say.
 struct ElasticTubeBriefing {
     TubeGoal goal = TubeGoal::tension;
+    double markRatio = 1.0;     ///< mark: as length over rest length; used where the screen does not show it …
+    double markTolerance = 0.04; ///< … and how near to it counts, either way
     std::vector<devices::WorkspaceMapping> places{devices::WorkspaceMapping{}}; ///< one an instrument: where it enters
 };
 

@@ -122,10 +122,13 @@ TensionView TubeTrainee::view(const GraspLook& felt) const noexcept {
     view.dwell = screen.dwell;
     if (m_briefing.goal == TubeGoal::mark) { // a length is to be kept: as if it were the tension of a tube as it takes them to be
         const double k = m_settings.assumedStiffness_N_per_m;
-        const double mark_m = (vectorOf(screen.p_WTarget) - otherEnd(0, screen)).norm() - screen.restLength_m;
+        const bool seen = screen.targetShown;
+        const double mark_m = seen ? (vectorOf(screen.p_WTarget) - otherEnd(0, screen)).norm() - screen.restLength_m
+                                   : (m_briefing.markRatio - 1.0) * screen.restLength_m;
+        const double either_m = seen ? screen.targetRadius_m : m_briefing.markTolerance * screen.restLength_m;
         view.tension_N = k * felt.first().stretch_m;
-        view.low_N = k * (mark_m - screen.targetRadius_m);
-        view.high_N = k * (mark_m + screen.targetRadius_m);
+        view.low_N = k * (mark_m - either_m);
+        view.high_N = k * (mark_m + either_m);
         return view;
     }
     view.low_N = screen.bandLow_N;
