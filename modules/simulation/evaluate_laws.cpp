@@ -6,6 +6,7 @@
 #include "simulation/attributes/evaluate_attributes.h"
 #include "simulation/exercises/sphere_apex/hemisphere_contact.h"
 #include "simulation/exercises/urethra_insertion/urethra_forces_law.h"
+#include "simulation/geometry/mesh/evaluate_mesh.h"
 #include "simulation/geometry/urethra/evaluate_urethra_geometry.h"
 
 #include <array>
@@ -85,7 +86,7 @@ void evaluateFriction(std::span<const double> p, std::span<const double> in, std
 }
 
 /// Laws with a file of their own hand out a constant of theirs.
-const std::array<core::LawDescription, 14> kLaws{{
+const std::array<core::LawDescription, 15> kLaws{{
     {"hemisphere", "hemisphere on a plane: elastic and damped contact of the sphere-apex exercise",
      "models.md §0 and §2.3", kHemisphereInputs, kHemisphereOutputs, kHemisphereParameters,
      &evaluateHemisphere},
@@ -104,6 +105,7 @@ const std::array<core::LawDescription, 14> kLaws{{
     bristleFrictionLaw(),
     viscosityLaw(),
     elasticTubeLaw(),
+    meshContactLaw(),
 }};
 
 } // namespace
