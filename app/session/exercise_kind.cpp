@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/exercise_kind.h"
 
+#include "session/elastic_tube_kind.h"
 #include "session/sphere_apex_kind.h"
 #include "session/urethra_insertion_kind.h"
 
@@ -11,7 +12,8 @@ namespace chiron::session {
 core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
     static const SphereApexKind sphereApex;
     static const UrethraInsertionKind urethraInsertion;
-    static const std::array<const ExerciseKind*, 2> kinds{&sphereApex, &urethraInsertion};
+    static const ElasticTubeKind elasticTube;
+    static const std::array<const ExerciseKind*, 3> kinds{&sphereApex, &urethraInsertion, &elasticTube};
     std::string known;
     for (const ExerciseKind* kind : kinds) {
         if (kind->id() == id)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/exercise_kinds.h"
 
+#include "catalogue/elastic_tube_content.h"
 #include "catalogue/sphere_apex_content.h"
 #include "catalogue/urethra_insertion_content.h"
 
@@ -13,6 +14,7 @@ std::span<const ExerciseKind> exerciseKinds() {
     static constexpr auto kKinds = std::to_array<ExerciseKind>({
         {"sphere_apex", "sphere_apex_parameters", readSphereApex, checkSphereApex},
         {"urethra_insertion", "urethra_insertion_parameters", readUrethraInsertion, checkUrethraInsertion, "tissue"},
+        {"elastic_tube", "elastic_tube_parameters", readElasticTube, checkElasticTube},
     });
     return kKinds;
 }

@@ -13,8 +13,7 @@ constexpr double kRecovery_s = 0.1;
 
 TubeLaw elasticTubeLaw(const ElasticTubeParameters& parameters, const ElasticTubeTrial& trial) noexcept {
     TubeLaw law;
-    law.stiffness_N_per_m = trial.stiffness_N_per_m;
-    law.stiffening_per_m = parameters.tube.stiffening_per_m;
+    law.elastic = {trial.stiffness_N_per_m, parameters.tube.stiffening_per_m};
     law.viscosity_Ns_per_m = parameters.tube.viscosity_Ns_per_m;
     law.limit_m = (parameters.tearRatio - 1.0) * parameters.restLength_m;
     return law;

@@ -32,21 +32,22 @@ TubeGrips::Change TubeGrips::update(const core::ToolStates& tools, const TubeCha
     const int used = std::clamp(tools.count, 0, core::kMaxTools);
     for (std::size_t i = 0; i < static_cast<std::size_t>(used); ++i) {
         const core::ToolState& tool = tools.tools[i];
-        if (m_held[i] != kNobody) {
-            if (tool.jaw_rad >= m_settings.opensAbove_rad) {
-                const auto node = static_cast<std::size_t>(m_held[i]);
-                m_holder[node] = kNobody;
-                m_holds[node] = NodeHold{};
-                m_held[i] = kNobody;
-                m_opened[i] = true;
-                change.released = true;
-            }
-        } else if (tool.jaw_rad >= m_settings.opensAbove_rad) {
-            m_opened[i] = true;
-        } else if (m_opened[i] && tool.jaw_rad <= m_settings.holdsBelow_rad) {
-            m_opened[i] = false;
-            if (tool.p_WT.allFinite() && take(i, tool.p_WT, tube))
-                change.grasped = true;
+        const int found = m_held[i] == kNobody ? nearestFree(tool.p_WT, tube) : kNobody;
+        switch (m_jaws[i].update(tool.jaw_rad, m_settings.holdsBelow_rad, m_settings.opensAbove_rad, found != kNobody)) {
+        case GraspChange::grasped:
+            m_held[i] = found;
+            m_holder[static_cast<std::size_t>(found)] = static_cast<int>(i);
+            m_offset[i] = tube.place(static_cast<std::size_t>(found)) - tool.p_WT;
+            change.grasped = true;
+            break;
+        case GraspChange::released:
+            m_holder[static_cast<std::size_t>(m_held[i])] = kNobody;
+            m_holds[static_cast<std::size_t>(m_held[i])] = NodeHold{};
+            m_held[i] = kNobody;
+            change.released = true;
+            break;
+        case GraspChange::none:
+            break;
         }
         if (m_held[i] != kNobody)
             follow(i, tool, tube);
@@ -54,7 +55,9 @@ TubeGrips::Change TubeGrips::update(const core::ToolStates& tools, const TubeCha
     return change;
 }
 
-bool TubeGrips::take(std::size_t tool, const core::Vec3& p_WT, const TubeChain& tube) noexcept {
+int TubeGrips::nearestFree(const core::Vec3& p_WT, const TubeChain& tube) const noexcept {
+    if (!p_WT.allFinite())
+        return kNobody;
     double nearest_m = m_settings.reach_m;
     int found = kNobody;
     for (std::size_t node = tube.shape().fixed ? 1 : 0; node < tube.shape().nodes; ++node) {
@@ -64,12 +67,7 @@ bool TubeGrips::take(std::size_t tool, const core::Vec3& p_WT, const TubeChain& 
         nearest_m = distance_m;
         found = static_cast<int>(node);
     }
-    if (found == kNobody)
-        return false;
-    m_held[tool] = found;
-    m_holder[static_cast<std::size_t>(found)] = static_cast<int>(tool);
-    m_offset[tool] = tube.place(static_cast<std::size_t>(found)) - p_WT;
-    return true;
+    return found;
 }
 
 void TubeGrips::follow(std::size_t tool, const core::ToolState& state, const TubeChain& tube) noexcept {

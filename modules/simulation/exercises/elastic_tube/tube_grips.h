@@ -3,6 +3,7 @@
 
 #include "core/tool_state.h"
 #include "simulation/exercises/elastic_tube/tube_chain.h"
+#include "simulation/objects/grasp.h"
 
 #include <array>
 #include <cstdint>
@@ -41,11 +42,11 @@ public:
     int count() const noexcept;                                               ///< places that are held
 
 private:
-    bool take(std::size_t tool, const core::Vec3& p_WT, const TubeChain& tube) noexcept;
+    int nearestFree(const core::Vec3& p_WT, const TubeChain& tube) const noexcept;
     void follow(std::size_t tool, const core::ToolState& state, const TubeChain& tube) noexcept;
 
     TubeGraspSettings m_settings;
-    std::array<bool, core::kMaxTools> m_opened{};
+    std::array<GraspLatch, core::kMaxTools> m_jaws{};
     std::array<int, core::kMaxTools> m_held{kNobody, kNobody, kNobody, kNobody};
     std::array<core::Vec3, core::kMaxTools> m_offset{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()};
     std::array<int, TubeShape::kMaxNodes> m_holder{kNobody, kNobody, kNobody};
