@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/elastic_tube_kind.h"
 
+#include "operators/elastic_tube/elastic_tube_operator.h"
 #include "session/session_setup.h"
 #include "simulation/exercises/elastic_tube/elastic_tube_plan.h"
 #include "simulation/exercises/elastic_tube/elastic_tube_scene.h"
@@ -60,12 +61,31 @@ std::unique_ptr<simulation::IScene> ElasticTubeKind::makeScene(const SessionSetu
     return std::make_unique<simulation::ElasticTubeScene>(parametersOf(setup.level), setup.seed);
 }
 
-core::Result<ScriptedTrainee> ElasticTubeKind::makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
-                                                            std::uint64_t) const {
-    return core::fail(core::ErrorCode::notFound, "operator \"" + name + "\": elastic_tube has no scripted operator yet");
+core::Result<ScriptedTrainee> ElasticTubeKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+                                                            std::uint64_t seed) const {
+    auto settings = operators::elasticTubeOperatorSettings(name);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    const auto& p = parametersOf(level);
+    operators::ElasticTubeBriefing briefing;
+    briefing.goal = p.task == TubeTask::stretch    ? operators::TubeGoal::mark
+                    : p.task == TubeTask::transfer ? operators::TubeGoal::bring
+                                                   : operators::TubeGoal::tension;
+    briefing.markRatio = p.markRatio;
+    briefing.markTolerance = p.markTolerance;
+    briefing.places.clear();
+    for (int tool = 0; tool < p.tools(); ++tool)
+        briefing.places.push_back(toolPlace(level, tool));
+    auto strategies = operators::makeElasticTubeOperator(*settings, briefing, seed);
+    if (!strategies)
+        return tl::unexpected(strategies.error());
+    return ScriptedTrainee{std::move(*strategies), settings->hand};
 }
 
-std::vector<std::string> ElasticTubeKind::operatorNames() const { return {}; }
+std::vector<std::string> ElasticTubeKind::operatorNames() const {
+    const auto names = operators::elasticTubeOperatorNames();
+    return {names.begin(), names.end()};
+}
 
 int ElasticTubeKind::trialCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).trials; }
 

@@ -204,6 +204,8 @@ core::Result<std::vector<Exercise>> ContentReader::exercises() {
             return tl::unexpected(read.error());
         out.push_back(std::move(*read));
     }
+    const auto place = [](const Exercise& exercise) { return findExerciseKind(exercise.id) - exerciseKinds().data(); };
+    std::stable_sort(out.begin(), out.end(), [&](const Exercise& a, const Exercise& b) { return place(a) < place(b); });
     if (out.empty())
         return core::fail(
             core::ErrorCode::badInput,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/elastic_tube_content.h"
 
+#include "catalogue/object_content.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ void readTask(const ObjectReader& parameters, Parameters& p) {
 }
 
 void refuseUnknownKeys(const ObjectReader& parameters) {
-    std::vector<QString> known{QStringLiteral("task"), QStringLiteral("trials")};
+    std::vector<QString> known{QStringLiteral("task"), QStringLiteral("trials"), QStringLiteral("tube")};
     for (const Number& key : kNumbers)
         known.push_back(QLatin1String(key.name));
     for (const QString& key : parameters.json().keys())
@@ -90,6 +91,8 @@ ExerciseParameters readElasticTube(const ObjectReader& parameters, const std::ve
         p.trials = parameters.integer("trials");
     if (parameters.has("task"))
         readTask(parameters, p);
+    if (parameters.has("tube"))
+        p.tube = readObject(parameters.object("tube"));
     refuseUnknownKeys(parameters);
     p.cues = cues;
     return p;

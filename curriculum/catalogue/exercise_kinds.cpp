@@ -10,7 +10,7 @@
 namespace chiron::catalogue {
 
 std::span<const ExerciseKind> exerciseKinds() {
-    // One line a kind of exercise.
+    // One line a kind of exercise, in the order in which people are shown them.
     static constexpr auto kKinds = std::to_array<ExerciseKind>({
         {"sphere_apex", "sphere_apex_parameters", readSphereApex, checkSphereApex},
         {"urethra_insertion", "urethra_insertion_parameters", readUrethraInsertion, checkUrethraInsertion, "tissue"},

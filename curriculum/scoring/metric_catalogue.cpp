@@ -32,6 +32,11 @@ namespace chiron::scoring {
     METRIC(procedureCompletedMetric)                                                                         \
     METRIC(inspectionTravelMetric)                                                                           \
     METRIC(insertionDepthMetric)                                                                             \
+    METRIC(tensionErrorRmsMetric)                                                                            \
+    METRIC(tensionErrorSdMetric)                                                                             \
+    METRIC(timeInBandMetric)                                                                                 \
+    METRIC(overStretchesMetric)                                                                              \
+    METRIC(dropsMetric)                                                                                      \
     METRIC(apexErrorMeanMetric)                                                                              \
     METRIC(apexErrorSdMetric)                                                                                \
     METRIC(apexBiasXMetric)                                                                                  \

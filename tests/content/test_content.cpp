@@ -104,7 +104,7 @@ void TestContent::keysCarryTheirUnits() {
                                             {"N·m/rad", "_N_m_per_rad"}, {"deg", "_deg"},
                                             {"Fr", "_Fr"},          {"um", "_um"},
                                             {"mm/s", "_mm_per_s"},  {"mN·m", "_mN_m"}};
-    for (const char* name : {"sphere_apex_parameters", "urethra_insertion_parameters"}) {
+    for (const char* name : {"sphere_apex_parameters", "urethra_insertion_parameters", "elastic_tube_parameters"}) {
         const auto schema = readSchema(kContent + "/schema", QLatin1String(name));
         QVERIFY(schema.has_value());
         for (const auto& [key, property] : schema->properties) {
@@ -138,7 +138,9 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
         const std::set<std::string_view> ofACanal{"offset_rms", "offset_max", "alignment_rms", "bend_alignment",
                                                   "trauma_events", "torque_max", "torque_rms", "reversals",
                                                   "landmarks_seen", "inspection_travel", "insertion_depth",
-                                                  "procedure_completed"};
+                                                  "procedure_completed",
+                                                  "tension_error_rms", "tension_error_sd", "time_in_band",
+                                                  "over_stretches", "drops"};
         for (const auto& metric : scoring::metricCatalogue())
             ofNoCanal += ofACanal.contains(metric.id) ? 0 : 1;
         QCOMPARE(level.metrics.size(), ofNoCanal);

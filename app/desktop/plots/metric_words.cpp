@@ -15,7 +15,7 @@ struct MetricWords {
 };
 
 // clang-format off
-constexpr std::array<MetricWords, 29> kMetrics{{
+constexpr std::array<MetricWords, 34> kMetrics{{
     {"time", QT_TRANSLATE_NOOP("Metrics", "Time"),
      QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count.")},
     {"path_length", QT_TRANSLATE_NOOP("Metrics", "Path length"),
@@ -64,6 +64,16 @@ constexpr std::array<MetricWords, 29> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "How far the tip travelled while the bladder was inspected: turning it shows as much and harms less.")},
     {"insertion_depth", QT_TRANSLATE_NOOP("Metrics", "Insertion depth"),
      QT_TRANSLATE_NOOP("Metrics", "The deepest place that the tip reached, up to the goal of this level.")},
+    {"tension_error_rms", QT_TRANSLATE_NOOP("Metrics", "Tension error, root mean square"),
+     QT_TRANSLATE_NOOP("Metrics", "How far the tension of the tube was from its target while it was held: large differences weigh more than in the mean.")},
+    {"tension_error_sd", QT_TRANSLATE_NOOP("Metrics", "Tension error, standard deviation"),
+     QT_TRANSLATE_NOOP("Metrics", "How unsteady the tension of the tube was while it was held, whether on target or beside it.")},
+    {"time_in_band", QT_TRANSLATE_NOOP("Metrics", "Time in the band"),
+     QT_TRANSLATE_NOOP("Metrics", "How long the tension, or the length at the mark, was where it had to be during the hold; the mean over all trials.")},
+    {"over_stretches", QT_TRANSLATE_NOOP("Metrics", "Over-stretches"),
+     QT_TRANSLATE_NOOP("Metrics", "How often the tube was stretched beyond the limit of this level.")},
+    {"drops", QT_TRANSLATE_NOOP("Metrics", "Drops"),
+     QT_TRANSLATE_NOOP("Metrics", "How often the tissue was let go of before the task was done.")},
     {"apex_error_mean", QT_TRANSLATE_NOOP("Metrics", "Apex error, mean"),
      QT_TRANSLATE_NOOP("Metrics", "How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses included.")},
     {"apex_error_sd", QT_TRANSLATE_NOOP("Metrics", "Apex error, standard deviation"),
@@ -76,7 +86,7 @@ constexpr std::array<MetricWords, 29> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same.")},
 }};
 
-constexpr std::array<const char*, 20> kReasons{{
+constexpr std::array<const char*, 23> kReasons{{
     QT_TRANSLATE_NOOP("Metrics", "the trace has no forces"),
     QT_TRANSLATE_NOOP("Metrics", "no trials"),
     QT_TRANSLATE_NOOP("Metrics", "start and end are less than 5 mm apart"),
@@ -97,6 +107,9 @@ constexpr std::array<const char*, 20> kReasons{{
     QT_TRANSLATE_NOOP("Metrics", "the tip was never at the bend"),
     QT_TRANSLATE_NOOP("Metrics", "the level has no landmarks"),
     QT_TRANSLATE_NOOP("Metrics", "the inspection was not reached"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no data of a tube"),
+    QT_TRANSLATE_NOOP("Metrics", "the task has no such target"),
+    QT_TRANSLATE_NOOP("Metrics", "the tension was never held"),
 }};
 
 constexpr std::array<const char*, 1> kBandSources{{
