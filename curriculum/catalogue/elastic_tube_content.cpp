@@ -98,6 +98,4 @@ ExerciseParameters readElasticTube(const ObjectReader& parameters, const std::ve
     return p;
 }
 
-void checkElasticTube(const ExerciseParameters&, const QString&, Problems&) {}
-
 } // namespace chiron::catalogue
