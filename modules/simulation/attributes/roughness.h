@@ -25,7 +25,7 @@ struct RoughnessSample {
 /// feels a constant; the same path the same force), and felt as strongly as one presses. On a surface it is read at the foot
 /// point C of the tool, with ∇h projected and scaled by how C moves with the tool (object_contact.h).
 /// S is a polynomial of our own within 4·10⁻¹¹ of the sine, continuous with its slope over the wrap, and the gradient is the
-/// exact derivative of what is summed: same bits on every machine, energy kept to rounding, about 0.1 µs a sample.
+/// exact derivative of what is summed: same bits on every machine, energy kept to rounding, about 0.3 µs a sample.
 /// Pure after construction; fixed size, no allocation. Thread: any. Source: P2 "a random white noise type function";
 /// models.md §2.2; the even directions are our choice.
 class Roughness {
