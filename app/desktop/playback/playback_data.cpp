@@ -52,6 +52,7 @@ core::Result<PlaybackData> loadPlayback(database::Connection& connection, const 
     if (!setup)
         return tl::unexpected(setup.error());
     data.setup = std::move(*setup);
+    data.grasp = GraspReplay::of(data.setup);
     if (data.record.summary.recordingErased)
         return data;
     auto stored = session::StoredSession::open(connection, actor, session);

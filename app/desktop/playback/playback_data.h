@@ -4,6 +4,7 @@
 #include "core/result.h"
 #include "database/connection.h"
 #include "database/repositories/session_reader.h"
+#include "desktop/playback/grasp_replay.h"
 #include "session/playback_track.h"
 #include "session/session_setup.h"
 
@@ -18,6 +19,7 @@ namespace chiron::desktop {
 struct PlaybackData {
     database::SessionRecord record;
     session::SessionSetup setup;
+    std::optional<GraspReplay> grasp; ///< exercises that grasp
     session::PlaybackTrack track; ///< empty where nothing was recorded, or where the recording was erased
 };
 

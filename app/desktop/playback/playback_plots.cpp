@@ -17,8 +17,9 @@ constexpr int kForceHeight_px = 170;
 constexpr int kLowHeight_px = 134;
 } // namespace
 
-PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_series(session_report::seriesOf(track)),
+PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track,
+                             const GraspReplay* grasp, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_track(track), m_grasp(grasp), m_series(session_report::seriesOf(track)),
       m_limit_N(track.forceLimit_N), m_column(new QVBoxLayout(this)) {
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(theme.px(4));
@@ -59,6 +60,8 @@ void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, c
         second(*alignment, &session::GhostSeries::alignment_rad, 180.0 / std::numbers::pi);
         putLow(std::move(alignment), m_alignment, "playback.alignment_plot", tr("Alignment (°)"), false);
     }
+    putGrasp();
+    putEnergy();
     auto speed = report::speedPlot(m_series, look);
     second(*speed, &session::GhostSeries::speed_m_per_s, 1e3);
     putLow(std::move(speed), m_speed, "playback.speed_plot", tr("Speed (mm/s)"), true);
@@ -84,7 +87,7 @@ void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotV
 
 void PlaybackPlots::showCursor(double t_s) {
     m_cursor_s = t_s;
-    for (report::PlotView* view : {m_force, m_offset, m_alignment, m_speed})
+    for (report::PlotView* view : {m_force, m_offset, m_alignment, m_held, m_energy, m_speed})
         if (view)
             view->showCursor(t_s);
 }

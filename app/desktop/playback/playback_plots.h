@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/playback/grasp_replay.h"
 #include "desktop/theme/theme.h"
 #include "report/plot_view.h"
 #include "session/playback_ghost.h"
@@ -14,12 +15,15 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// Force and speed over the whole recording, and off-centre and alignment where there is a canal, one above the other, under one
+/// Force and speed over the whole recording, off-centre and alignment where there is a canal, tension with its band or squeeze with
+/// its limit and the books of energy where something is grasped, one above the other, under one
 /// cursor; a click seeks. Pauses are hatched, the limit is a line, a second session is a dash-dotted line. GUI thread.
 class PlaybackPlots : public QWidget {
     Q_OBJECT
 public:
-    PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, QWidget* parent = nullptr);
+    /// `track` and `grasp` outlive it.
+    PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, const GraspReplay* grasp = nullptr,
+                  QWidget* parent = nullptr);
 
     /// Draws all again, with the second session's lines or without; `name` is in the legend.
     void setGhost(const std::optional<session::GhostSeries>& ghost, const QString& name);
@@ -35,9 +39,14 @@ private:
     /// A low plot: its quantity across the top, because no language's word for it fits up its side.
     void putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, const QString& quantity, bool last);
     void slim(report::PlotView& view, const QString& time);
+    void putGrasp();
+    void putEnergy();
+    std::unique_ptr<report::PlotView> empty(const QString& title) const;
 
     const Theme& m_theme;
     QLocale m_locale;
+    const session::PlaybackTrack& m_track;
+    const GraspReplay* m_grasp;
     report::SampleSeries m_series;
     double m_limit_N;
     double m_cursor_s = 0.0;
@@ -46,6 +55,8 @@ private:
     report::PlotView* m_speed = nullptr;
     report::PlotView* m_offset = nullptr;    ///< null without a canal
     report::PlotView* m_alignment = nullptr; ///< the same
+    report::PlotView* m_held = nullptr;      ///< tension or squeeze; null where nothing is grasped
+    report::PlotView* m_energy = nullptr;    ///< the same
 };
 
 } // namespace chiron::desktop

@@ -60,7 +60,8 @@ scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forc
     return scene;
 }
 
-scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost, double t_s) {
+scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost, double t_s,
+                                 const GraspReplay* grasp) {
     scene3d::SceneState state;
     const session::PlaybackView view = track.at(t_s);
     state.time_s = t_s;
@@ -80,6 +81,12 @@ scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const sess
     if (view.insertion) {
         state.objectShown = true; // the endoscope's picture
         state.endoscope = endoscopeOf(track, view, t_s);
+    }
+    if (grasp) {
+        state.laparoscopy = grasp->cuesAt(track, view);
+        state.objectShown = state.laparoscopy.objectShown;
+        for (scene3d::ToolView& tool : state.tool)
+            tool.drawnAtSurface = false; // a jaw that holds something is where the hand is
     }
     if (ghost) {
         if (const auto found = session::ghostAt(track, *ghost, t_s))

@@ -4,6 +4,7 @@
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
 #include "desktop/theme/theme.h"
+#include "desktop/playback/grasp_replay.h"
 #include "session/playback_track.h"
 #include "session/session_setup.h"
 
@@ -13,6 +14,7 @@ namespace chiron::desktop {
 scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forceLimit_N, const Theme& theme, bool depthOfField = false);
 
 /// What the scene shows at a moment of the recording; `ghost` may be null. Pure.
-scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost, double t_s);
+scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost, double t_s,
+                                 const GraspReplay* grasp = nullptr);
 
 } // namespace chiron::desktop
