@@ -10,9 +10,11 @@
 #include "desktop/plots/session_words.h"
 #include "desktop/scene3d/scene_view.h"
 #include "desktop/training/endoscopy.h"
+#include "desktop/training/stage_words.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
+#include "report/report_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -167,6 +169,30 @@ QWidget* PlaybackScreen::ghostBox() {
     column->addWidget(m_ghostChoice);
     connect(m_ghostChoice, &QComboBox::activated, this, &PlaybackScreen::chooseGhost);
     return box;
+}
+
+QString PlaybackScreen::readoutText(const session::PlaybackView& view) const {
+    const QLocale locale = context().locale();
+    const session::PlaybackTool& tool = view.tools.front();
+    const QString force = report::formatValue(tool.tissue_N.norm(), QStringLiteral("N"), locale);
+    const QString speed = report::formatValue(1e3 * tool.speed_m_per_s, QStringLiteral("mm/s"), locale);
+    if (view.insertion) {
+        const QString stage = stageTitle(view.insertion->stage);
+        const QString depth = report::formatValue(1e3 * view.insertion->depth_m, QStringLiteral("mm"), locale);
+        return view.moment.paused ? tr("%1 · paused · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed)
+                                  : tr("%1 · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed);
+    }
+    const QString trial = locale.toString(view.moment.trial + 1);
+    if (m_data->grasp) {
+        const core::LaparoscopyCues cues = m_data->grasp->cuesAt(m_data->track, view);
+        const double held_N = cues.tensionShown ? cues.tension_N : cues.squeeze_N[0];
+        const QString held = report::formatValue(held_N, QStringLiteral("N"), locale);
+        const QString words = cues.squeezeShown ? tr("squeeze %1").arg(held) : tr("tension %1").arg(held);
+        return view.moment.paused ? tr("Trial %1 · paused · %2 · force %3 · speed %4").arg(trial, words, force, speed)
+                                  : tr("Trial %1 · %2 · force %3 · speed %4").arg(trial, words, force, speed);
+    }
+    return view.moment.paused ? tr("Trial %1 · paused · force %2 · speed %3").arg(trial, force, speed)
+                              : tr("Trial %1 · force %2 · speed %3").arg(trial, force, speed);
 }
 
 } // namespace chiron::desktop

@@ -9,9 +9,7 @@
 #include "desktop/playback/scrubber.h"
 #include "desktop/playback/void_dialog.h"
 #include "desktop/scene3d/scene_loader.h"
-#include "desktop/training/stage_words.h"
 #include "desktop/widgets/state_panel.h"
-#include "report/report_text.h"
 
 #include <QCheckBox>
 #include <QKeyEvent>
@@ -129,22 +127,6 @@ void PlaybackScreen::showMoment(double t_s) {
     m_readout->setText(readoutText(view));
     if (!m_clock.playing())
         notePlace();
-}
-
-QString PlaybackScreen::readoutText(const session::PlaybackView& view) const {
-    const QLocale locale = context().locale();
-    const session::PlaybackTool& tool = view.tools.front();
-    const QString force = report::formatValue(tool.tissue_N.norm(), QStringLiteral("N"), locale);
-    const QString speed = report::formatValue(1e3 * tool.speed_m_per_s, QStringLiteral("mm/s"), locale);
-    if (view.insertion) {
-        const QString stage = stageTitle(view.insertion->stage);
-        const QString depth = report::formatValue(1e3 * view.insertion->depth_m, QStringLiteral("mm"), locale);
-        return view.moment.paused ? tr("%1 · paused · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed)
-                                  : tr("%1 · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed);
-    }
-    const QString trial = locale.toString(view.moment.trial + 1);
-    return view.moment.paused ? tr("Trial %1 · paused · force %2 · speed %3").arg(trial, force, speed)
-                              : tr("Trial %1 · force %2 · speed %3").arg(trial, force, speed);
 }
 
 void PlaybackScreen::setDepthOfField(bool on) {

@@ -48,6 +48,20 @@ bool isWhole(const TriangleMesh& mesh) {
     return true;
 }
 
+core::Vec3 vec(const float (&v)[3]) { return {double(v[0]), double(v[1]), double(v[2])}; }
+
+int facingInwards(const TriangleMesh& mesh) {
+    int wrong = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const MeshVertex& a = mesh.vertices[mesh.indices[i]];
+        const MeshVertex& b = mesh.vertices[mesh.indices[i + 1]];
+        const MeshVertex& c = mesh.vertices[mesh.indices[i + 2]];
+        const core::Vec3 across = (vec(b.position_mm) - vec(a.position_mm)).cross(vec(c.position_mm) - vec(a.position_mm));
+        wrong += across.norm() > 1e-4 && across.dot(vec(a.normal) + vec(b.normal) + vec(c.normal)) < 0.0 ? 1 : 0;
+    }
+    return wrong;
+}
+
 } // namespace
 
 class TestLaparoscopyDrawing : public QObject {
@@ -125,6 +139,8 @@ private slots:
         for (const TriangleMesh& mesh : {tubeMesh(curve), tubeMarks(curve, state.laparoscopy), tubeShade(curve, 0.0), peritoneumMesh(55.0),
                                          bowelMesh(55.0), fatMesh(55.0), uterusMesh(55.0), instrumentRings(4), instrumentCollar()})
             QVERIFY(isWhole(mesh));
+        for (const TriangleMesh& mesh : {tubeMesh(curve), peritoneumMesh(55.0), bowelMesh(55.0), uterusMesh(55.0), instrumentRings(4)})
+            QVERIFY2(facingInwards(mesh) * 200 < int(mesh.indices.size() / 3), qPrintable(QString::number(facingInwards(mesh)))); // but at sharp bends
         for (const MeshVertex& v : peritoneumMesh(55.0).vertices)
             if (std::hypot(v.position_mm[0], v.position_mm[1]) < 55.0F)
                 QCOMPARE(v.position_mm[2], 0.0F); // flat where the instruments work

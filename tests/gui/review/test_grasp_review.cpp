@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A recorded grasping exercise played back: the scene as it was, the plots, the marks in words.
+#include "desktop/playback/mark_words.h"
+#include "desktop/playback/playback_plots.h"
+#include "desktop/playback/playback_scene.h"
+#include "report/plot_view.h"
+
+#include <QtTest>
+#include <set>
+
+using namespace chiron;
+using namespace chiron::desktop;
+using simulation::TubeTask;
+
+namespace {
+
+session::SessionSetup tubeSetup(TubeTask task) {
+    session::SessionSetup setup;
+    setup.seed = 5;
+    setup.level.exercise = "elastic_tube";
+    simulation::ElasticTubeParameters tube;
+    tube.task = task;
+    tube.trials = 2;
+    setup.level.parameters = tube;
+    return setup;
+}
+
+/// Two seconds of trial 0 at 250 samples a second, the instruments still.
+session::PlaybackTrack madeTrack(int tools, const std::vector<std::pair<std::string, double>>& quantities) {
+    session::PlaybackTrack track;
+    track.toolCount = tools;
+    track.forceLimit_N = 4.0;
+    track.duration_s = 2.0;
+    for (const auto& [id, value] : quantities)
+        track.quantities.push_back({id, id.substr(id.find_last_of('_') + 1), {}});
+    for (int i = 0; i < 500; ++i) {
+        session::PlaybackMoment moment;
+        moment.t_s = 4e-3 * i;
+        moment.phase = core::TrialPhase::running;
+        track.moments.push_back(moment);
+        for (int tool = 0; tool < tools; ++tool) {
+            session::PlaybackTool pose;
+            pose.p_WT = core::Vec3(tool == 0 ? 0.030 : -0.030, 0.0, 0.040);
+            pose.jaw_rad = 0.8;
+            track.tools.push_back(pose);
+        }
+        for (std::size_t q = 0; q < quantities.size(); ++q)
+            track.quantities[q].values.push_back(quantities[q].second);
+    }
+    session::PlaybackTrial trial;
+    trial.end_s = 2.0;
+    track.trials.push_back(trial);
+    return track;
+}
+
+} // namespace
+
+class TestGraspReview : public QObject {
+    Q_OBJECT
+private slots:
+    void aHeldTubeIsWhereItWas() {
+        const session::SessionSetup setup = tubeSetup(TubeTask::twoHanded);
+        const session::PlaybackTrack track =
+            madeTrack(2, {{"tension_N", 1.2}, {"stretch_m", 0.015}, {"grip_0", 2.0}, {"grip_1", 1.0}, {"grip_2", 0.0}, {"free_end_x_m", 0.031},
+                          {"free_end_y_m", 0.001}, {"free_end_z_m", 0.041}, {"step", 3.0}, {"dwell", 0.5}});
+        const auto replay = GraspReplay::of(setup);
+        QVERIFY(replay.has_value());
+        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, &*replay).laparoscopy;
+        QVERIFY(cues.present && cues.objectShown && cues.tube && cues.tensionShown);
+        QCOMPARE(cues.grips, 2);
+        QVERIFY(!cues.gripAnchored[0]);
+        QCOMPARE(cues.p_WGrip[0][0], -0.030); // the left tip, which holds it
+        QCOMPARE(cues.p_WGrip[1][0], 0.031);  // recorded
+        QCOMPARE(cues.tension_N, 1.2);
+        QCOMPARE(int(cues.step), int(core::LaparoscopyStep::hold));
+        const auto trials = simulation::planElasticTubeTrials(std::get<simulation::ElasticTubeParameters>(setup.level.parameters), setup.seed);
+        QVERIFY(std::abs(0.5 * (cues.bandLow_N + cues.bandHigh_N) - trials[0].target_N) < 1e-12);
+        QVERIFY(replay->bandOf(7).high_N == 0.0 && replay->bandOf(-1).high_N == 0.0);
+    }
+
+    void aTransferKnowsBaseAndTarget() {
+        const session::SessionSetup setup = tubeSetup(TubeTask::transfer);
+        const session::PlaybackTrack track = madeTrack(2, {{"grip_2", 1.0}, {"free_end_x_m", 0.03}, {"free_end_z_m", 0.04}});
+        const auto replay = GraspReplay::of(setup);
+        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, &*replay).laparoscopy;
+        QCOMPARE(cues.grips, 3);
+        QVERIFY(cues.gripAnchored[0] && cues.targetShown && cues.bandHigh_N == 0.0);
+        const auto trials = simulation::planElasticTubeTrials(std::get<simulation::ElasticTubeParameters>(setup.level.parameters), setup.seed);
+        QCOMPARE(cues.p_WGrip[0][0], trials[0].base_m.x());
+    }
+
+    void aHeldObjectIsSqueezedByWhatTheJawLeaves() {
+        session::SessionSetup setup;
+        setup.level.exercise = "object_handling";
+        setup.level.parameters = simulation::ObjectHandlingParameters{};
+        const session::PlaybackTrack track =
+            madeTrack(1, {{"squeeze_N", 0.9}, {"held", 1.0}, {"body_0_x_m", 0.01}, {"body_0_y_m", 0.02}, {"body_0_z_m", 0.03}});
+        const auto replay = GraspReplay::of(setup);
+        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, &*replay).laparoscopy;
+        QCOMPARE(cues.bodies, 1);
+        QCOMPARE(int(cues.body[0].heldBy), 1);
+        QCOMPARE(cues.body[0].p_W[2], 0.03);
+        QVERIFY(std::abs(cues.body[0].squeeze_m - (0.022 - 2.0 * 0.020 * std::sin(0.4))) < 1e-12);
+        QCOMPARE(cues.squeeze_N[0], 0.9);
+        QVERIFY(cues.targetShown);
+    }
+
+    void aTornTubeIsShownTornAfterItsTrial() {
+        const session::SessionSetup setup = tubeSetup(TubeTask::stretch);
+        session::PlaybackTrack track = madeTrack(1, {{"grip_1", 1.0}, {"free_end_z_m", 0.08}});
+        for (std::size_t i = 250; i < 500; ++i)
+            track.moments[i].phase = core::TrialPhase::between;
+        const auto replay = GraspReplay::of(setup);
+        QVERIFY(!sceneStateAt(track, nullptr, 1.5, &*replay).laparoscopy.present);
+        track.trials[0].failed = true;
+        QVERIFY(sceneStateAt(track, nullptr, 1.5, &*replay).laparoscopy.torn);
+        QVERIFY(!sceneStateAt(track, nullptr, 0.5, &*replay).laparoscopy.torn);
+    }
+
+    void plotsOfTensionAndOfBothEnergies() {
+        const session::SessionSetup setup = tubeSetup(TubeTask::hold);
+        session::PlaybackTrack track = madeTrack(1, {{"tension_N", 1.0}, {"energy_supplied_J", 0.010}, {"energy_stored_J", 0.008}});
+        const auto replay = GraspReplay::of(setup);
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        const auto legend = [&] {
+            PlaybackPlots plots(theme, QLocale::c(), track, &*replay);
+            const auto* energy = plots.findChild<report::PlotView*>(QStringLiteral("playback.energy_plot"));
+            if (!energy || !plots.findChild<report::PlotView*>(QStringLiteral("playback.grasp_plot")))
+                return QStringList();
+            return energy->legendTexts();
+        };
+        QCOMPARE(legend().size(), 2);
+        for (std::size_t i = 100; i < 200; ++i)
+            track.quantities[2].values[i] = 0.012; // more is held than was put in
+        QCOMPARE(legend().size(), 3);
+        PlaybackPlots without(theme, QLocale::c(), track);
+        QVERIFY(!without.findChild<report::PlotView*>(QStringLiteral("playback.grasp_plot")));
+    }
+
+    void everyMarkOfGraspingHasWordsAndASign() {
+        using enum session::PlaybackMarkKind;
+        std::set<QString> said;
+        for (const session::PlaybackMarkKind kind : {grasped, released, slipped, damaged, failed}) {
+            session::PlaybackMark mark;
+            mark.kind = kind;
+            QVERIFY(!markText(mark, QLocale::c()).isEmpty() && !markIcon(kind).isEmpty());
+            said.insert(markText(mark, QLocale::c()));
+        }
+        QCOMPARE(said.size(), std::size_t(5));
+        QVERIFY(session::isPenalty(slipped) && session::isPenalty(damaged) && session::isPenalty(failed));
+        QVERIFY(!session::isPenalty(grasped) && !session::isPenalty(released));
+    }
+
+    void nothingWhereNothingIsGrasped() {
+        session::SessionSetup setup;
+        setup.level.parameters = simulation::SphereApexParameters{};
+        QVERIFY(!GraspReplay::of(setup).has_value());
+    }
+};
+
+QTEST_MAIN(TestGraspReview)
+#include "test_grasp_review.moc"
