@@ -2,6 +2,7 @@
 #include "session/exercise_kind.h"
 
 #include "session/elastic_tube_kind.h"
+#include "session/object_handling_kind.h"
 #include "session/sphere_apex_kind.h"
 #include "session/urethra_insertion_kind.h"
 
@@ -13,7 +14,9 @@ core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
     static const SphereApexKind sphereApex;
     static const UrethraInsertionKind urethraInsertion;
     static const ElasticTubeKind elasticTube;
-    static const std::array<const ExerciseKind*, 3> kinds{&sphereApex, &urethraInsertion, &elasticTube};
+    static const ObjectHandlingKind objectHandling;
+    static const auto kinds =
+        std::to_array<const ExerciseKind*>({&sphereApex, &urethraInsertion, &elasticTube, &objectHandling});
     std::string known;
     for (const ExerciseKind* kind : kinds) {
         if (kind->id() == id)

@@ -2,6 +2,7 @@
 #include "catalogue/exercise_kinds.h"
 
 #include "catalogue/elastic_tube_content.h"
+#include "catalogue/object_handling_content.h"
 #include "catalogue/sphere_apex_content.h"
 #include "catalogue/urethra_insertion_content.h"
 
@@ -15,6 +16,7 @@ std::span<const ExerciseKind> exerciseKinds() {
         {"sphere_apex", "sphere_apex_parameters", readSphereApex, checkSphereApex},
         {"urethra_insertion", "urethra_insertion_parameters", readUrethraInsertion, checkUrethraInsertion, "tissue"},
         {"elastic_tube", "elastic_tube_parameters", readElasticTube, checkElasticTube},
+        {"object_handling", "object_handling_parameters", readObjectHandling, checkObjectHandling},
     });
     return kKinds;
 }

@@ -82,7 +82,7 @@ void checkLevel(const ExerciseLevel& level, const QJsonObject& json, Problems& p
     if (level.shownForce && !level.needsForce)
         problems.push_back({QStringLiteral("$.shown_force_variant"), QStringLiteral("given"),
                             QStringLiteral("none: the level runs without force as it is")});
-    if (level.shownForce && contains(level.shownForce->cues, "object"))
+    if (level.shownForce && contains(level.shownForce->cues, "object") && !contains(level.cues, "object"))
         problems.push_back({QStringLiteral("$.shown_force_variant.cues"), QStringLiteral("\"object\""),
                             QStringLiteral("cues that show force, not the object")});
 }

@@ -37,6 +37,10 @@ namespace chiron::scoring {
     METRIC(timeInBandMetric)                                                                                 \
     METRIC(overStretchesMetric)                                                                              \
     METRIC(dropsMetric)                                                                                      \
+    METRIC(squeezeMaxMetric)                                                                                 \
+    METRIC(squeezeTimeOverLimitMetric)                                                                       \
+    METRIC(placementErrorMetric)                                                                             \
+    METRIC(weighingCorrectMetric)                                                                            \
     METRIC(apexErrorMeanMetric)                                                                              \
     METRIC(apexErrorSdMetric)                                                                                \
     METRIC(apexBiasXMetric)                                                                                  \

@@ -15,7 +15,7 @@ struct MetricWords {
 };
 
 // clang-format off
-constexpr std::array<MetricWords, 34> kMetrics{{
+constexpr std::array<MetricWords, 38> kMetrics{{
     {"time", QT_TRANSLATE_NOOP("Metrics", "Time"),
      QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count.")},
     {"path_length", QT_TRANSLATE_NOOP("Metrics", "Path length"),
@@ -59,7 +59,7 @@ constexpr std::array<MetricWords, 34> kMetrics{{
     {"landmarks_seen", QT_TRANSLATE_NOOP("Metrics", "Landmarks seen"),
      QT_TRANSLATE_NOOP("Metrics", "The landmarks of the bladder that were inspected, in % of those that the level asks for.")},
     {"procedure_completed", QT_TRANSLATE_NOOP("Metrics", "Procedure completed"),
-     QT_TRANSLATE_NOOP("Metrics", "Whether everything that the level asks for was done in time, the way out included: 100 % or 0 %.")},
+     QT_TRANSLATE_NOOP("Metrics", "How many of the trials were done to their end in time, with everything that the level asks for, in %.")},
     {"inspection_travel", QT_TRANSLATE_NOOP("Metrics", "Tip travel during inspection"),
      QT_TRANSLATE_NOOP("Metrics", "How far the tip travelled while the bladder was inspected: turning it shows as much and harms less.")},
     {"insertion_depth", QT_TRANSLATE_NOOP("Metrics", "Insertion depth"),
@@ -74,6 +74,14 @@ constexpr std::array<MetricWords, 34> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "How often the tube was stretched beyond the limit of this level.")},
     {"drops", QT_TRANSLATE_NOOP("Metrics", "Drops"),
      QT_TRANSLATE_NOOP("Metrics", "How often the tissue was let go of before the task was done.")},
+    {"squeeze_max", QT_TRANSLATE_NOOP("Metrics", "Largest squeeze"),
+     QT_TRANSLATE_NOOP("Metrics", "The largest force with which a jaw squeezed what it held.")},
+    {"squeeze_time_over_limit", QT_TRANSLATE_NOOP("Metrics", "Time squeezed too hard"),
+     QT_TRANSLATE_NOOP("Metrics", "How long the squeeze was over the limit of this level.")},
+    {"placement_error", QT_TRANSLATE_NOOP("Metrics", "Placement error"),
+     QT_TRANSLATE_NOOP("Metrics", "How far from the middle of the target the object lay at the end of each trial; the mean over the trials.")},
+    {"weighing_correct", QT_TRANSLATE_NOOP("Metrics", "Heaviest found"),
+     QT_TRANSLATE_NOOP("Metrics", "How often the heaviest object was laid into the target, in % of the trials.")},
     {"apex_error_mean", QT_TRANSLATE_NOOP("Metrics", "Apex error, mean"),
      QT_TRANSLATE_NOOP("Metrics", "How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses included.")},
     {"apex_error_sd", QT_TRANSLATE_NOOP("Metrics", "Apex error, standard deviation"),
@@ -86,7 +94,7 @@ constexpr std::array<MetricWords, 34> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same.")},
 }};
 
-constexpr std::array<const char*, 23> kReasons{{
+constexpr std::array<const char*, 28> kReasons{{
     QT_TRANSLATE_NOOP("Metrics", "the trace has no forces"),
     QT_TRANSLATE_NOOP("Metrics", "no trials"),
     QT_TRANSLATE_NOOP("Metrics", "start and end are less than 5 mm apart"),
@@ -102,6 +110,11 @@ constexpr std::array<const char*, 23> kReasons{{
     QT_TRANSLATE_NOOP("Metrics", "fewer than three speed samples"),
     QT_TRANSLATE_NOOP("Metrics", "no jerk: speed changes evenly"),
     QT_TRANSLATE_NOOP("Metrics", "the trace has no insertion data"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no procedure"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no squeeze"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no squeeze limit"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no objects and target"),
+    QT_TRANSLATE_NOOP("Metrics", "no weighing was asked for"),
     QT_TRANSLATE_NOOP("Metrics", "the trace has no torques"),
     QT_TRANSLATE_NOOP("Metrics", "the tip was never in the urethra"),
     QT_TRANSLATE_NOOP("Metrics", "the tip was never at the bend"),

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scoring/metrics/canal_samples.h"
+#include "scoring/metric.h"
+#include "scoring/prepared_trial.h"
 
 namespace chiron::scoring {
 
 namespace {
 
 Measurement measure(std::span<const PreparedTrial> trials) {
-    if (auto why = withoutCanal(trials))
-        return *why;
+    if (trials.empty())
+        return Measurement::undefined("no trials");
+    for (const PreparedTrial& trial : trials) // where a mark ends a trial there is no procedure to complete
+        if (trial.tool == nullptr || (!trial.trial->insertion && trial.trial->quantities.empty()))
+            return Measurement::undefined("the trace has no procedure");
     std::size_t done = 0;
     for (const PreparedTrial& trial : trials)
         done += trial.trial->completed ? 1 : 0;
@@ -25,8 +29,9 @@ MetricDefinition procedureCompletedMetric() {
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
             .definition =
-                "Procedures done to their end, withdrawal included, in % of those begun: one that time ended is not done.",
-            .source = "models.md §1.3; data.md",
+                "Procedures done to their end, in % of those begun: one that time ended, or that could not be done any more, is not "
+                "done.",
+            .source = "models.md §1.3, §2.2, §2.4; data.md",
             .measure = measure};
 }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session/exercise_kind.h"
+
+namespace chiron::session {
+
+/// Object handling: lift, weigh and place (P2; models.md §2.2).
+class ObjectHandlingKind final : public ExerciseKind {
+public:
+    std::string_view id() const noexcept override { return "object_handling"; }
+    PointerTool pointerTool() const noexcept override { return PointerTool::grasper; }
+    std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
+    bool recordsEnergy(const catalogue::ExerciseLevel&) const override { return true; }
+    std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
+    core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+                                               std::uint64_t seed) const override;
+    std::vector<std::string> operatorNames() const override;
+    int trialCount(const catalogue::ExerciseLevel& level) const override;
+    double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
+    std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
+    /// target_x_m, target_y_m, target_radius_m, squeeze_limit_N, task (simulation::HandlingTask), objects, heaviest (object
+    /// number, from 0) and mass_<i>_kg of each object.
+    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
+    /// The object of a trial is its target on the bed; what moves is in the recorded quantities.
+    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+};
+
+} // namespace chiron::session
