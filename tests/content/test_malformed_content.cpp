@@ -40,6 +40,7 @@ void TestMalformedContent::everyMutationIsRefused() {
                             "exercises/urethra_insertion/levels/stricture.json",
                             "exercises/urethra_insertion/levels/unguided.json",
                             "exercises/urethra_insertion/presets/stricture.json",
+                            "exercises/elastic_tube/levels/stiffening_tube.json",
                             "objects/ovary.json",
                             "meshes/organ.json"};
     ContentCopy copy;
