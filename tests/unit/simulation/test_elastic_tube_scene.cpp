@@ -507,7 +507,8 @@ void TestElasticTubeScene::bothHandsAreOneBody() {
     QCOMPARE(d.out.body[0], d.out.body[1]);
     QCOMPARE(d.out.bodyEnergy_J[0], d.out.storedEnergy_J);
     QVERIFY(std::abs(d.out.storedEnergy_J - 0.5 * 60.0 * 0.01 * 0.01) < 1e-9);
-    QVERIFY(std::abs(d.out.bodyStiffness_N_per_m[0] - 60.0) < 1e-9);
+    QVERIFY(std::abs(d.out.contactStiffness_N_per_m - 60.0) < 1e-9);
+    QVERIFY(std::abs(d.out.bodyStiffness_N_per_m[0] - 120.0) < 1e-9); // both ends move
 }
 
 QTEST_APPLESS_MAIN(TestElasticTubeScene)

@@ -166,7 +166,8 @@ void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noe
             out.events |= touching ? bits::kContactBegan : bits::kContactEnded;
         m_touching[i] = touching;
     }
-    out.bodyStiffness_N_per_m[0] = out.contactStiffness_N_per_m;
+    // Every held place may move: with two of them a tick can stretch the tube by both ways, ½k(v₁+v₂)² ≤ ½·2k(v₁²+v₂²).
+    out.bodyStiffness_N_per_m[0] = out.contactStiffness_N_per_m * std::max(1, m_grips.count());
 }
 
 } // namespace chiron::simulation
