@@ -2,7 +2,9 @@
 #include "cli/session_output.h"
 
 #include "database/repositories/score_repository.h"
+#include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 #include "database/repositories/session_reader.h"
+#include "session/session_setup.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -15,6 +17,21 @@ namespace {
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
 QJsonObject parsed(const std::string& json) { return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object(); }
+
+/// What it was done with, one entry a tool: driver, model, and how a gimbal's force became torques.
+QJsonArray devicesJson(const database::SessionRecord& record) {
+    QJsonArray list;
+    const auto setup = session::setupFromStored(record.setup);
+    if (!setup)
+        return list; // a set-up of another version: the rest is shown all the same
+    for (const devices::DeviceDescriptor& device : setup->devices) {
+        QJsonObject entry{{"driver", text(device.driver)}, {"model", text(device.model)}, {"kinematics", text(device.kinematics)}};
+        if (device.kinematics == devices::GimbalHprdKinematics::kId && device.kinematicsParameters.size() == 2)
+            entry.insert("force_map", device.kinematicsParameters[1] == 0.0 ? "exact" : "as-published");
+        list.append(entry);
+    }
+    return list;
+}
 
 } // namespace
 
@@ -76,6 +93,7 @@ QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& re
     json.insert("content_sha256", text(record.contentSha256));
     json.insert("build", text(record.setup.buildId));
     json.insert("cpu_class", text(record.setup.cpuClass));
+    json.insert("devices", devicesJson(record));
     if (!record.voidReason.empty())
         json.insert("void_reason", text(record.voidReason));
     return json;

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <span>
 #include <thread>
 
 namespace chiron::session {
@@ -53,6 +54,8 @@ public:
     /// Where a mouse and a keyboard go that move a point; null where the station has none. Valid as long as this.
     devices::PointerMailbox* pointer() noexcept { return m_request.station.pointer; }
     devices::EndoscopeMailbox* endoscope() noexcept { return m_request.station.endoscope; } ///< the same for an endoscope
+    /// The same for graspers, one a tool; empty where the station has none.
+    std::span<devices::PointerMailbox* const> graspers() noexcept { return m_request.station.graspers; }
     bool felt() const noexcept { return m_felt; } ///< whether any device of the station renders force
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/site.h"
 
+#include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 #include "recording/crash_ring.h"
 #include "scoring/trace_csv.h"
 
@@ -35,7 +36,12 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
                                  const ScriptedSession& session) {
     const std::vector<std::string> names = kind.operatorNames();
     if (std::find(names.begin(), names.end(), session.operatorName) != names.end())
-        return scriptedStation(kind, level, session.operatorName, session.seed);
+        {
+        if (session.map != mechanisms::PolarMap::exact && kind.mechanism() != devices::GimbalHprdKinematics::kId)
+            return core::fail(core::ErrorCode::wrongUse, "force map as-published: exercise " + session.exercise +
+                                                             " is not done on the gimbal whose map it is; expected exact");
+        return scriptedStation(kind, level, session.operatorName, session.seed, session.map);
+    }
     std::error_code ignored;
     if (!std::filesystem::exists(session.operatorName, ignored)) {
         std::string known;
@@ -47,7 +53,9 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
     auto rows = scoring::readTraceCsvFile(session.operatorName);
     if (!rows)
         return tl::unexpected(rows.error());
-    return traceStation(*rows, kind.pointerTool());
+    if (session.map != mechanisms::PolarMap::exact)
+        return core::fail(core::ErrorCode::wrongUse, "force map as-published: a trace feels nothing; expected exact");
+    return traceStation(*rows, kind.pointerTool(), kind.toolCount(level));
 }
 
 } // namespace

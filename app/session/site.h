@@ -30,6 +30,7 @@ struct ScriptedSession {
     std::uint64_t seed = 1;
     bool realtime = false;
     bool familiarisation = false;
+    mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< of the simulated gimbal
 };
 
 /// Whether its operator, or trace, can be had at all: asked before a database is made for it. Failure: notFound (exercise,

@@ -6,6 +6,7 @@
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
 #include "simulation/exercises/urethra_insertion/procedure_plan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <span>
@@ -13,6 +14,7 @@
 namespace chiron::session {
 
 namespace {
+constexpr double kInside_m = 0.001;    // between where a grasper begins and the edge of its box
 constexpr double kFollowing_s = 0.025; // longer than a pointer's reports are apart, shorter than anybody notices
 
 core::Vec3 endoscopeStart_W() {
@@ -60,6 +62,55 @@ core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind
         places.push_back(kind.toolPlace(level, tool));
     return places;
 }
+
+devices::TracePoint pointOf(const scoring::TraceRow& row, const scoring::TraceColumns& columns) {
+    devices::TracePoint point;
+    point.t_s = row.t_s;
+    point.p_WT_m = row.p_WT_m;
+    if (columns.orientation)
+        point.q_WT = row.q_WT;
+    point.jaw_rad = row.jaw_rad;
+    point.buttons = row.buttons;
+    return point;
+}
+
+/// From the earliest time of any tool to the latest: one clock for all.
+void playTogether(std::vector<std::vector<devices::TracePoint>>& tools) {
+    double begin_s = tools.front().front().t_s;
+    double end_s = tools.front().back().t_s;
+    for (const auto& tool : tools) {
+        begin_s = std::min(begin_s, tool.front().t_s);
+        end_s = std::max(end_s, tool.back().t_s);
+    }
+    for (auto& tool : tools) {
+        if (devices::TracePoint waiting = tool.front(); waiting.t_s > begin_s) {
+            waiting.t_s = begin_s;
+            waiting.buttons = 0;
+            tool.insert(tool.begin(), waiting);
+        }
+        if (devices::TracePoint resting = tool.back(); resting.t_s < end_s) {
+            resting.t_s = end_s;
+            tool.push_back(resting);
+        }
+    }
+}
+
+/// What all graspers reach, as seen from each tool's own place; each begins under its entry point, its jaw open.
+devices::KeyboardMouseSettings grasperSettings(const devices::WorkspaceMapping& mapping, const std::array<double, 3>& middle_m) {
+    devices::KeyboardMouseSettings settings;
+    const double mirror = mapping.leftHanded ? -1.0 : 1.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double aside = (i == 0 ? mirror : 1.0) * (middle_m[i] - mapping.origin_m[i]);
+        const double least = settings.minimum_m[i] + aside;
+        const double most = settings.maximum_m[i] + aside;
+        settings.home_m[i] = std::clamp(settings.home_m[i], least + kInside_m, most - kInside_m);
+        settings.minimum_m[i] = least;
+        settings.maximum_m[i] = most;
+    }
+    settings.widestJaw_rad = mechanisms::JawParameters{}.widest_rad;
+    settings.homeJaw_rad = settings.widestJaw_rad; // an instrument that comes closed cannot take hold of anything
+    return settings;
+}
 } // namespace
 
 core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice) {
@@ -100,6 +151,31 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, Pointe
     return station;
 }
 
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const ExerciseKind& kind,
+                                           const catalogue::ExerciseLevel& level) {
+    if (kind.pointerTool() != PointerTool::grasper)
+        return keyboardMouseStation(choice, kind.pointerTool());
+    const auto chosen = mappingOf(choice);
+    if (!chosen)
+        return tl::unexpected(chosen.error());
+    const auto places = placesOf(kind, level, static_cast<std::size_t>(std::max(kind.toolCount(level), 0)));
+    if (!places)
+        return tl::unexpected(places.error());
+    Station station;
+    for (const devices::WorkspaceMapping& place : *places) {
+        devices::WorkspaceMapping mapping = *chosen;
+        for (std::size_t i = 0; i < 3; ++i)
+            mapping.origin_m[i] += place.origin_m[i];
+        auto device = makePointer<devices::KeyboardMouseDevice>(grasperSettings(mapping, choice.origin_m), choice.scale);
+        if (!device)
+            return tl::unexpected(device.error());
+        station.graspers.push_back(&(*device)->mailbox());
+        station.mappings.push_back(mapping);
+        station.devices.push_back(std::move(*device));
+    }
+    return station;
+}
+
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                       const std::string& operatorName, std::uint64_t seed, mechanisms::PolarMap map) {
     // Hand and mind have streams of their own: the same person in another field trembles alike.
@@ -121,6 +197,8 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
     if (kind.mechanism() == devices::GimbalHprdKinematics::kId) {
         devices::SimulatedDevice::Configuration configuration;
         configuration.map = map;
+        if (kind.pointerTool() == PointerTool::grasper)
+            configuration.jaw = mechanisms::JawParameters{};
         return withDevices<devices::SimulatedDevice>(std::move(station), configuration, std::move(*trainee), handSeed, *places);
     }
     return core::fail(core::ErrorCode::wrongUse,
@@ -128,30 +206,33 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
                           "\"");
 }
 
-core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool) {
+core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool, int tools) {
+    const auto refuse = [&rows](const std::string& why) { return core::fail(core::ErrorCode::badInput, rows.source + ": " + why); };
     if (tool == PointerTool::endoscope && !rows.columns.orientation)
-        return core::fail(core::ErrorCode::badInput,
-                          rows.source + ": no orientation; an endoscope needs the columns qw, qx, qy and qz");
-    std::vector<devices::TracePoint> points;
-    for (const scoring::TraceRow& row : rows.rows) {
-        if (row.tool != 0) // one hand plays; the others of a several-handed recording are left out
-            continue;
-        devices::TracePoint point;
-        point.t_s = row.t_s;
-        point.p_WT_m = row.p_WT_m;
-        if (rows.columns.orientation)
-            point.q_WT = row.q_WT;
-        point.jaw_rad = row.jaw_rad;
-        point.buttons = row.buttons;
-        points.push_back(point);
-    }
-    auto device = devices::ReplayDevice::create(points);
-    if (!device)
-        return core::fail(device.error().code, rows.source + ": " + device.error().message);
+        return refuse("no orientation; an endoscope needs the columns qw, qx, qy and qz");
+    if (tool == PointerTool::grasper && !rows.columns.jaw)
+        return refuse("no jaw; a grasper needs the column jaw_deg");
+    if (tools < 1 || tools > core::kMaxTools)
+        return core::fail(core::ErrorCode::wrongUse, "trace: " + std::to_string(tools) + " instruments, expected 1 to 4");
+    std::vector<std::vector<devices::TracePoint>> points(static_cast<std::size_t>(tools));
+    for (const scoring::TraceRow& row : rows.rows)
+        if (row.tool < tools) // more hands than the level has instruments: the others are left out
+            points[row.tool].push_back(pointOf(row, rows.columns));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i].empty())
+            return refuse("no row of tool " + std::to_string(i) + "; the level needs rows of tools 0 to " +
+                          std::to_string(tools - 1) + " (column tool)");
+    playTogether(points);
     Station station;
-    station.trace = device->get();
-    station.mappings.emplace_back();
-    station.devices.push_back(std::move(*device));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        auto device = devices::ReplayDevice::create(points[i]);
+        if (!device)
+            return refuse((tools > 1 ? "tool " + std::to_string(i) + ": " : std::string()) + device.error().message);
+        if (i == 0)
+            station.trace = device->get();
+        station.mappings.emplace_back();
+        station.devices.push_back(std::move(*device));
+    }
     station.operatorName = "trace:" + std::filesystem::path(rows.source).filename().string();
     return station;
 }

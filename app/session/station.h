@@ -24,8 +24,10 @@ struct Station {
     std::vector<devices::WorkspaceMapping> mappings;
     std::string operatorName; ///< scripted operator or "trace:<file>"; empty: a person's own hand
     devices::PointerMailbox* pointer = nullptr;   ///< of `devices`, where a mouse and a keyboard move a point
+    std::vector<devices::PointerMailbox*> graspers; ///< of `devices`, one a tool, where they move graspers
     devices::EndoscopeMailbox* endoscope = nullptr; ///< of `devices`, where they move an endoscope
-    const devices::ReplayDevice* trace = nullptr; ///< of `devices`, where a trace is played: its end ends the session
+    const devices::ReplayDevice* trace = nullptr; ///< of `devices`, where a trace is played (all of them end with it): its end
+                                                  ///< ends the session
 };
 
 /// How a person's workspace lies in W: what the set-up screen offers. SI units.
@@ -47,6 +49,12 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
 /// Failure: badInput.
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {}, PointerTool tool = PointerTool::point);
 
+/// The same for a level of an exercise. Graspers: one tool for each instrument, jaws open, above the field under their entry
+/// points; all reach the same box of W, whose middle is the choice's origin. Failure: badInput; wrongUse for a level without
+/// 1..kMaxTools instruments.
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const ExerciseKind& kind,
+                                           const catalogue::ExerciseLevel& level);
+
 /// The simulated mechanism that the kind names, one for each instrument of the level, with a scripted operator on it. Failure: that of the kind's makeOperator();
 /// wrongUse for a mechanism that does not exist.
 /// `map`: how a force becomes motor torques on P2's gimbal (models.md §2.1).
@@ -54,8 +62,10 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
                                       const std::string& operatorName, std::uint64_t seed,
                                       mechanisms::PolarMap map = mechanisms::PolarMap::exact);
 
-/// A recorded trace as input device (class "shown": nobody feels anything). `tool`: the kind's pointerTool(); an endoscope
-/// needs the columns of orientation. Failure: badInput naming file and row or columns.
-core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool = PointerTool::point);
+/// A recorded trace as input devices (class "shown": nobody feels anything), one for each of the `tools` that the level needs;
+/// rows of other tools are left out. All begin with the file's earliest row and end with its last: a tool waits where its own
+/// first row has it, and stays where its last one leaves it. `tool`: the kind's pointerTool(); an endoscope needs the columns of
+/// orientation, graspers the jaw's. Failure: badInput naming file and row, columns or the tool that is missing.
+core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool = PointerTool::point, int tools = 1);
 
 } // namespace chiron::session

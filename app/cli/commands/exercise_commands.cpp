@@ -5,6 +5,7 @@
 #include "cli/messages.h"
 #include "cli/text_table.h"
 #include "scoring/metric_catalogue.h"
+#include "session/exercise_kind.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -54,11 +55,38 @@ QJsonArray gatesOf(const catalogue::ExerciseLevel& level) {
     return array;
 }
 
+/// What its kind of exercise says of a level; nothing for content whose kind this program does not have.
+struct KindFacts {
+    int tools = 1;
+    bool energy = false;
+    std::vector<core::QuantityDescription> quantities;
+};
+
+KindFacts factsOf(const catalogue::ExerciseLevel& level) {
+    const auto kind = session::exerciseKind(level.exercise);
+    if (!kind)
+        return {};
+    return {(*kind)->toolCount(level), (*kind)->recordsEnergy(level), (*kind)->quantities(level)};
+}
+
+QJsonArray quantitiesOf(const KindFacts& facts) {
+    QJsonArray array;
+    for (const core::QuantityDescription& quantity : facts.quantities)
+        array.append(QJsonObject{{QStringLiteral("id"), text(quantity.id)},
+                                 {QStringLiteral("unit"), text(quantity.unit)},
+                                 {QStringLiteral("resolution"), quantity.resolution}});
+    return array;
+}
+
 QJsonObject levelJson(const catalogue::ExerciseLevel& level, const std::string& language) {
     QJsonArray cues;
     for (const std::string& cue : level.cues)
         cues.append(text(cue));
+    const KindFacts facts = factsOf(level);
     return {{QStringLiteral("level"), level.number},
+            {QStringLiteral("tools"), facts.tools},
+            {QStringLiteral("quantities"), quantitiesOf(facts)},
+            {QStringLiteral("records_energy"), facts.energy},
             {QStringLiteral("id"), text(level.id)},
             {QStringLiteral("title"), text(catalogue::textIn(level.title, language))},
             {QStringLiteral("objective"), text(catalogue::textIn(level.objective, language))},
@@ -106,16 +134,30 @@ core::Result<CommandOutput> list(const Arguments& arguments) {
         return tl::unexpected(content.error());
     QJsonArray json;
     TextTable table({QStringLiteral("exercise"), QStringLiteral(">level"), QStringLiteral("title"),
-                     QStringLiteral("needs force"), QStringLiteral("pass marks")});
+                     QStringLiteral(">tools"), QStringLiteral("needs force"), QStringLiteral("pass marks")});
     for (const catalogue::Exercise& exercise : content->exercises()) {
         json.append(exerciseJson(exercise, language->toStdString()));
         for (const catalogue::ExerciseLevel& level : exercise.levels)
             table.add({text(exercise.id), QString::number(level.number),
                        text(catalogue::textIn(level.title, language->toStdString())),
-                       level.needsForce ? QStringLiteral("yes") : QStringLiteral("no"),
+                       QString::number(factsOf(level).tools), level.needsForce ? QStringLiteral("yes") : QStringLiteral("no"),
                        QString::number(level.gates.size())});
     }
     return CommandOutput{QJsonDocument(json), table.toText(), 0};
+}
+
+/// Instruments, and what is recorded beside them; one line, and an empty one after it.
+QString recordedText(const KindFacts& facts) {
+    QStringList recorded;
+    for (const core::QuantityDescription& quantity : facts.quantities)
+        recorded << text(quantity.id);
+    if (facts.energy)
+        recorded << QStringLiteral("energy_supplied_J") << QStringLiteral("energy_stored_J");
+    if (facts.tools == 1 && recorded.isEmpty())
+        return {};
+    return QStringLiteral("instruments: %1; recorded beside them: %2\n")
+        .arg(facts.tools)
+        .arg(recorded.isEmpty() ? QStringLiteral("nothing") : recorded.join(QStringLiteral(", ")));
 }
 
 QString levelText(const catalogue::ExerciseLevel& level, const std::string& language) {
@@ -132,10 +174,10 @@ QString levelText(const catalogue::ExerciseLevel& level, const std::string& lang
         table.add({text(choice.id), QString::number(choice.version),
                    known ? text(std::string(known->unit)) : QString(), mark});
     }
-    return QStringLiteral("level %1, %2: %3\n%4\n\n%5\n")
+    return QStringLiteral("level %1, %2: %3\n%4\n%5\n%6\n")
         .arg(level.number)
         .arg(text(level.id), text(catalogue::textIn(level.title, language)),
-             text(catalogue::textIn(level.objective, language)), table.toText());
+             text(catalogue::textIn(level.objective, language)), recordedText(factsOf(level)), table.toText());
 }
 
 core::Result<CommandOutput> show(const Arguments& arguments) {

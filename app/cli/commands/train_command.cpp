@@ -39,6 +39,12 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
     asked.seed = *seed;
     asked.realtime = arguments.has(QStringLiteral("realtime"));
     asked.familiarisation = arguments.has(QStringLiteral("familiarisation"));
+    const auto map = arguments.choice(QStringLiteral("force-map"), {QStringLiteral("exact"), QStringLiteral("as-published")},
+                                      QStringLiteral("exact"));
+    if (!map)
+        return tl::unexpected(map.error());
+    if (*map == QLatin1String("as-published"))
+        asked.map = mechanisms::PolarMap::asPublished;
     std::vector<session::ScriptedSession> sessions;
     const int levels = static_cast<int>(exercise->levels.size());
     const bool all = arguments.value(QStringLiteral("level")) == QLatin1String("all");
@@ -134,7 +140,9 @@ std::vector<CommandSpec> trainCommands() {
         {QStringLiteral("operator"), QStringLiteral("NAME|TRACE.csv"), QStringLiteral("novice, intermediate, expert, unsafe, or a trace file"), true},
         {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of scene and hand; default: 1")},
         {QStringLiteral("realtime"), {}, QStringLiteral("at 1 kHz by the clock; default: as fast as the machine can, same result")},
-        {QStringLiteral("familiarisation"), {}, QStringLiteral("recorded and marked, never counted")}};
+        {QStringLiteral("familiarisation"), {}, QStringLiteral("recorded and marked, never counted")},
+        {QStringLiteral("force-map"), QStringLiteral("WORD"),
+         QStringLiteral("how the simulated gimbal makes torques of a force: exact (power is conserved) or as-published; default: exact")}};
     command.example = QStringLiteral("chiron-cli train sphere_apex --level 2 --operator expert --seed 7 --json");
     command.run = train;
     return {command};

@@ -23,11 +23,11 @@ struct TraceCheck {
     double length_s = 0.0;
 };
 
-core::Result<TraceCheck> readTrace(const QString& file, session::PointerTool tool) {
+core::Result<TraceCheck> readTrace(const QString& file, session::PointerTool tool, int tools) {
     auto rows = scoring::readTraceCsvFile(file.toStdString());
     if (!rows)
         return tl::unexpected(rows.error());
-    if (auto station = session::traceStation(*rows, tool); !station)
+    if (auto station = session::traceStation(*rows, tool, tools); !station)
         return tl::unexpected(station.error());
     return TraceCheck{static_cast<int>(rows->rows.size()), rows->rows.back().t_s - rows->rows.front().t_s};
 }
@@ -58,9 +58,10 @@ DeviceChooser::DeviceChooser(AppContext& context, const session::ExerciseKind* k
     column->addWidget(demonstrate);
     column->addWidget(addTile(PlanDevice::trace, tr("Replay a file"),
                               m_tool == session::PointerTool::endoscope ? tr("A recorded movement (CSV, with orientation) moves the endoscope.")
+                              : m_tool == session::PointerTool::grasper ? tr("A recorded movement (CSV, with the jaw) moves the instruments.")
                                                                         : tr("A recorded movement (CSV) moves the tool.")));
     m_pages->addWidget(new QWidget);
-    m_pages->addWidget(demonstrationPage(operators));
+    m_pages->addWidget(demonstrationPage(operators, !fiveBar));
     m_pages->addWidget(tracePage());
     column->addWidget(m_pages);
     connect(m_group, &QButtonGroup::idClicked, this, [this](int id) {
@@ -77,7 +78,7 @@ QWidget* DeviceChooser::addTile(PlanDevice device, const QString& title, const Q
     return tile;
 }
 
-QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operators) {
+QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operators, bool gimbal) {
     const Theme& theme = m_context.theme();
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
@@ -93,9 +94,32 @@ QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operat
     m_operator->setCurrentIndex(std::max(m_operator->findData(QStringLiteral("expert")), 0));
     column->addWidget(label);
     column->addWidget(m_operator);
+    if (gimbal)
+        addForceMap(*column);
     column->addWidget(kit::label(theme, tr("The session is listed as simulated and is nobody's score."), TextStyle::small, "muted"));
     connect(m_operator, &QComboBox::currentIndexChanged, this, &DeviceChooser::changed);
     return page;
+}
+
+void DeviceChooser::addForceMap(QVBoxLayout& column) {
+    auto* label = kit::label(m_context.theme(), tr("How the gimbal renders force"), TextStyle::label);
+    m_forceMap = new QComboBox;
+    m_forceMap->setObjectName(QStringLiteral("setup.force_map"));
+    m_forceMap->setAccessibleName(tr("How the gimbal renders force"));
+    label->setBuddy(m_forceMap);
+    m_forceMap->addItem(tr("Exactly"));
+    m_forceMap->addItem(tr("By the formulas as published (up to 27 % off)"));
+    column.addWidget(label);
+    column.addWidget(m_forceMap);
+    connect(m_forceMap, &QComboBox::currentIndexChanged, this, &DeviceChooser::changed);
+}
+
+void DeviceChooser::setTools(int tools) {
+    if (tools == m_tools)
+        return;
+    m_tools = tools;
+    if (!m_traceFile.isEmpty())
+        checkTrace();
 }
 
 QWidget* DeviceChooser::tracePage() {
@@ -131,6 +155,8 @@ void DeviceChooser::show(PlanDevice device) {
 void DeviceChooser::setPlan(const TrainingPlan& plan) {
     if (const int at = m_operator->findData(plan.operatorName); at >= 0)
         m_operator->setCurrentIndex(at);
+    if (m_forceMap)
+        m_forceMap->setCurrentIndex(plan.forceMap == mechanisms::PolarMap::asPublished ? 1 : 0);
     m_traceFile = plan.traceFile;
     if (!m_traceFile.isEmpty())
         checkTrace();
@@ -141,6 +167,7 @@ void DeviceChooser::setPlan(const TrainingPlan& plan) {
 void DeviceChooser::fillPlan(TrainingPlan& plan) const {
     plan.device = device();
     plan.operatorName = m_operator->currentData().toString();
+    plan.forceMap = m_forceMap && m_forceMap->currentIndex() == 1 ? mechanisms::PolarMap::asPublished : mechanisms::PolarMap::exact;
     plan.traceFile = m_traceFile;
 }
 
@@ -165,10 +192,10 @@ void DeviceChooser::checkTrace() {
     emit changed();
     const QString file = m_traceFile;
     m_context.background().run(
-        this, [file, tool = m_tool](WorkToken&) { return readTrace(file, tool); },
-        [this, file](core::Result<TraceCheck> read) {
-            if (file != m_traceFile)
-                return; // another one was chosen meanwhile
+        this, [file, tool = m_tool, tools = m_tools](WorkToken&) { return readTrace(file, tool, tools); },
+        [this, file, tools = m_tools](core::Result<TraceCheck> read) {
+            if (file != m_traceFile || tools != m_tools)
+                return; // another one was chosen meanwhile, or another level
             m_traceReady = read.has_value();
             if (read)
                 setTraceWords(tr("Ready: %n rows, %1 s.", nullptr, read->rows).arg(m_context.locale().toString(read->length_s, 'f', 1)), "good");

@@ -14,6 +14,7 @@ class QComboBox;
 class QFrame;
 class QLabel;
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace chiron::desktop {
 
@@ -27,6 +28,8 @@ public:
     /// `kind`: of the exercise, whose operators and mechanism are offered; null: nobody demonstrates it.
     DeviceChooser(AppContext& context, const session::ExerciseKind* kind, QWidget* parent = nullptr);
 
+    /// Of the level that is chosen: a trace has to hold as many. Reads a chosen trace again where it changes.
+    void setTools(int tools);
     void setPlan(const TrainingPlan& plan); ///< takes device, operator and trace over
     void fillPlan(TrainingPlan& plan) const;
     bool ready() const; ///< what is chosen can begin
@@ -36,7 +39,8 @@ signals:
 
 private:
     QWidget* addTile(PlanDevice device, const QString& title, const QString& health);
-    QWidget* demonstrationPage(const std::vector<std::string>& operators);
+    QWidget* demonstrationPage(const std::vector<std::string>& operators, bool gimbal);
+    void addForceMap(QVBoxLayout& column);
     QWidget* tracePage();
     void show(PlanDevice device);
     void askTrace();
@@ -46,9 +50,11 @@ private:
 
     AppContext& m_context;
     session::PointerTool m_tool = session::PointerTool::point;
+    int m_tools = 1; ///< instruments of the level that is chosen
     QButtonGroup* m_group;
     QStackedWidget* m_pages;
     QComboBox* m_operator = nullptr;
+    QComboBox* m_forceMap = nullptr; ///< null where the exercise is not done on the gimbal
     QLabel* m_traceName = nullptr;
     QLabel* m_traceWords = nullptr;
     QString m_traceFile;

@@ -155,6 +155,8 @@ void ExerciseSetupScreen::showLevel() {
         delete old;
     }
     m_picture->addWidget(new ExercisePicture(context().theme(), *shown, kPicture_px), 0, Qt::AlignHCenter);
+    if (const auto kind = session::exerciseKind(shown->exercise))
+        m_devices->setTools((*kind)->toolCount(*shown));
     m_objective->setText(textOf(shown->objective));
     const QStringList facts = levelFacts(*shown, context().locale());
     m_facts->setVisible(!facts.isEmpty());

@@ -2,6 +2,7 @@
 #include "desktop/training/force_words.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -59,12 +60,21 @@ ForceWords watchedWords(const haptics::DisplayState& state, bool felt, const QLo
     return {"info", Words::tr("You are watching"), text};
 }
 
-ForceWords shownWords(const haptics::DisplayState& state, bool endoscope) {
-    if (state.tool[0].noMovement)
+/// Of several tools one rests while another is moved.
+bool nothingMoves(const haptics::DisplayState& state) {
+    const auto tools = static_cast<std::ptrdiff_t>(std::clamp(state.tools, 1, core::kMaxTools));
+    return std::all_of(state.tool.begin(), state.tool.begin() + tools, [](const auto& tool) { return tool.noMovement; });
+}
+
+ForceWords shownWords(const haptics::DisplayState& state, bool endoscope, bool grasper) {
+    if (nothingMoves(state))
         return {"warning", Words::tr("No movement"), Words::tr("Nothing has moved for two seconds. Move the mouse over the scene or press an arrow key.")};
     if (endoscope)
         return {"info", Words::tr("Shown, not felt"),
                 Words::tr("This device renders no force. The endoscope moves more slowly the harder you press.")};
+    if (grasper)
+        return {"info", Words::tr("Shown, not felt"),
+                Words::tr("This device renders no force. An instrument moves more slowly the harder something pulls or presses.")};
     return {"info", Words::tr("Shown, not felt"),
             Words::tr("This device renders no force. The tool stays at the surface and moves more slowly the harder you press.")};
 }
@@ -84,7 +94,7 @@ ForceWords forceWords(const haptics::DisplayState& state, const AskedFor& asked,
     if (!asked.ownHand)
         return watchedWords(state, asked.felt, locale);
     if (!asked.felt)
-        return shownWords(state, asked.endoscope);
+        return shownWords(state, asked.endoscope, asked.grasper);
     switch (state.force) {
     case ForceState::ramping:
         return {"info", Words::tr("Force is coming"),

@@ -23,6 +23,7 @@ struct AskedFor {
     bool paused = false;
     bool stopped = false;
     bool endoscope = false; ///< the tool is one
+    bool grasper = false;   ///< the tools are
 };
 
 /// Pure.

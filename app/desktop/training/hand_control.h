@@ -23,6 +23,9 @@ public:
     virtual bool keyUp(int key) = 0;
     virtual void releaseKeys() = 0; ///< paused, or the window lost the keyboard: nothing may go on moving
     virtual void click() = 0;       ///< "here it is", where an exercise asks for it
+    virtual void buttonDown(bool) {} ///< the left button went down over the scene; with Shift held or not. Not every tool has a use for it
+    virtual void buttonUp() {}
+    virtual int activeTool() const noexcept { return 0; } ///< the tool that moves, where there are several
 };
 
 } // namespace chiron::desktop

@@ -71,13 +71,18 @@ bool ScenePointer::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick: // two quick marks are two marks
         if (static_cast<QMouseEvent&>(*event).button() == Qt::LeftButton) {
-            if (m_captured)
+            if (m_captured) {
+                m_control.buttonDown((static_cast<QMouseEvent&>(*event).modifiers() & Qt::ShiftModifier) != 0);
                 emit marked();
-            else
+            } else {
                 emit captureAsked();
+            }
         }
         return true;
     case QEvent::MouseButtonRelease:
+        if (static_cast<QMouseEvent&>(*event).button() == Qt::LeftButton)
+            m_control.buttonUp();
+        return m_captured;
     case QEvent::ContextMenu:
         return m_captured;
     case QEvent::Wheel:

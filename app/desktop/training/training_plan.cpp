@@ -16,16 +16,16 @@ core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalog
         return tl::unexpected(kind.error());
     switch (plan.device) {
     case PlanDevice::mouse:
-        return session::keyboardMouseStation(plan.workspace, (*kind)->pointerTool());
+        return session::keyboardMouseStation(plan.workspace, **kind, level);
     case PlanDevice::demonstration:
-        return session::scriptedStation(**kind, level, plan.operatorName.toStdString(), seed);
+        return session::scriptedStation(**kind, level, plan.operatorName.toStdString(), seed, plan.forceMap);
     case PlanDevice::trace:
         break;
     }
     auto rows = scoring::readTraceCsvFile(plan.traceFile.toStdString());
     if (!rows)
         return tl::unexpected(rows.error());
-    return session::traceStation(*rows, (*kind)->pointerTool());
+    return session::traceStation(*rows, (*kind)->pointerTool(), (*kind)->toolCount(level));
 }
 
 QString wordOf(PlanDevice device) {
@@ -54,6 +54,7 @@ QVariantMap TrainingPlan::toMap() const {
                 {QStringLiteral("level"), level},
                 {QStringLiteral("device"), wordOf(device)},
                 {QStringLiteral("operator"), operatorName},
+                {QStringLiteral("as_published"), forceMap == mechanisms::PolarMap::asPublished},
                 {QStringLiteral("trace"), traceFile},
                 {QStringLiteral("scale"), workspace.scale},
                 {QStringLiteral("origin_x_m"), workspace.origin_m[0]},
@@ -72,6 +73,8 @@ TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
     plan.level = map.value(QStringLiteral("level"), 1).toInt();
     plan.device = deviceOf(map.value(QStringLiteral("device")).toString());
     plan.operatorName = map.value(QStringLiteral("operator")).toString();
+    if (map.value(QStringLiteral("as_published")).toBool())
+        plan.forceMap = mechanisms::PolarMap::asPublished;
     plan.traceFile = map.value(QStringLiteral("trace")).toString();
     plan.workspace.scale = map.value(QStringLiteral("scale"), 1.0).toDouble();
     plan.workspace.origin_m = {map.value(QStringLiteral("origin_x_m")).toDouble(), map.value(QStringLiteral("origin_y_m")).toDouble(),

@@ -20,6 +20,7 @@ struct TrainingPlan {
     int level = 1;
     PlanDevice device = PlanDevice::mouse;
     QString operatorName; ///< demonstration
+    mechanisms::PolarMap forceMap = mechanisms::PolarMap::exact; ///< demonstration on the gimbal
     QString traceFile;    ///< trace
     session::WorkspaceChoice workspace; ///< mouse
     bool familiarisation = false;

@@ -6,11 +6,13 @@
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/training/endoscope_control.h"
 #include "desktop/training/force_notice.h"
+#include "desktop/training/grasper_control.h"
 #include "desktop/training/header_bar.h"
 #include "desktop/training/info_view.h"
 #include "desktop/training/key_filter.h"
 #include "desktop/training/pointer_control.h"
 #include "desktop/training/scene_feed.h"
+#include "desktop/training/training_words.h"
 #include "desktop/widgets/state_panel.h"
 
 #include <QApplication>
@@ -115,6 +117,8 @@ void TrainingScreen::connectPointer() {
         m_hand = std::make_unique<PointerControl>(*training.pointer(), scale, m_plan.workspace.leftHanded);
     else if (training.endoscope())
         m_hand = std::make_unique<EndoscopeControl>(*training.endoscope(), scale, m_plan.workspace.leftHanded);
+    else if (!training.graspers().empty())
+        takeGraspers(scale);
     else
         return; // somebody else's hand
     m_keys->setToolKeys(m_hand->keys());
@@ -124,6 +128,15 @@ void TrainingScreen::connectPointer() {
         if (running() && !m_control->held())
             goOn();
     });
+}
+
+void TrainingScreen::takeGraspers(double scale) {
+    auto graspers = std::make_unique<GrasperControl>(m_feed->training().graspers(), scale, m_plan.workspace.leftHanded);
+    graspers->onChosen([this](int tool) {
+        if (m_activeText)
+            m_activeText->setText(activeToolInWords(tool, m_tools));
+    });
+    m_hand = std::move(graspers);
 }
 
 void TrainingScreen::onFrame() {
@@ -140,7 +153,10 @@ void TrainingScreen::onFrame() {
         pauseOrResume(); // a dialog lies over the scene: nobody can work now
     const bool stopped = m_control->stopped();
     const haptics::DisplayState shown = stopped ? withoutForce(state) : state;
-    m_scene->show(sceneStateOf(shown, m_cues, m_start_ns));
+    scene3d::SceneState drawn = sceneStateOf(shown, m_cues, m_start_ns);
+    if (m_hand && m_tools > 1)
+        drawn.tool[static_cast<std::size_t>(m_hand->activeTool())].active = true;
+    m_scene->show(drawn);
     m_header->show(shown);
     m_info->show(shown, stopped ? std::span<const session::LiveSample>() : m_feed->samples());
     m_sound.play(state, m_feed->contacts(), m_control->held());
@@ -156,7 +172,7 @@ void TrainingScreen::onFrame() {
 void TrainingScreen::showControls() {
     const haptics::DisplayState& state = m_feed->state();
     const bool felt = m_feed->training().felt();
-    m_notice->show(forceWords(state, {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped(), isEndoscope()}, context().locale()));
+    m_notice->show(forceWords(state, {felt, m_plan.ownHand(), m_control->paused(), m_control->stopped(), isEndoscope(), isGrasper()}, context().locale()));
     const bool latched = m_control->stopped() || state.force == core::ForceState::stopped || state.force == core::ForceState::fault;
     m_controls->setMain(latched ? ControlBar::Main::rearm : m_control->paused() ? ControlBar::Main::resume : ControlBar::Main::pause);
     m_controls->setResumeHere(felt && m_plan.ownHand() && state.force == core::ForceState::arming && state.waitsFor == haptics::ArmingWait::smallRequest);

@@ -73,12 +73,14 @@ private:
     void loadScene(core::Result<session::TrainingRequest> request);
     void begin();
     void connectPointer();
+    void takeGraspers(double scale);
     void onFrame();
     void showControls();
     void onFinished();
     void fail(const core::Error& error);
     bool running() const { return m_feed && !m_over; }
     bool isEndoscope() const { return m_tool == session::PointerTool::endoscope; }
+    bool isGrasper() const { return m_tool == session::PointerTool::grasper; }
 
     // training_screen_actions.cpp
     void stopForce();
@@ -98,6 +100,7 @@ private:
     session::LevelCues m_cues;
     double m_limit_N = 4.0;
     session::PointerTool m_tool = session::PointerTool::point;
+    int m_tools = 1; ///< instruments of the level
 
     StatePanel* m_stage = nullptr;
     HeaderBar* m_header = nullptr;
@@ -107,6 +110,7 @@ private:
     KeyFilter* m_keys = nullptr;
     QWidget* m_side = nullptr;
     QLabel* m_keysText = nullptr;
+    QLabel* m_activeText = nullptr; ///< which of several instruments is moved; null where there is one
     QCheckBox* m_depthOfField = nullptr; ///< null where the exercise has no such switch
     QWidget* m_foot = nullptr;
 

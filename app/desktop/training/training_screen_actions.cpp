@@ -37,7 +37,7 @@ void TrainingScreen::rearm() {
 }
 
 void TrainingScreen::mark() {
-    if (running() && m_plan.ownHand() && !isEndoscope() && !m_control->held())
+    if (running() && m_plan.ownHand() && m_tool == session::PointerTool::point && !m_control->held())
         m_control->mark();
 }
 

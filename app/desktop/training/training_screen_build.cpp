@@ -39,6 +39,7 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
         if (const auto kind = session::exerciseKind(m_level->exercise)) {
             m_limit_N = (*kind)->forceLimit_N(*m_level);
             m_tool = (*kind)->pointerTool();
+            m_tools = (*kind)->toolCount(*m_level);
         }
     }
     m_sound = SoundCuePlayer(m_limit_N);
@@ -103,9 +104,14 @@ QWidget* TrainingScreen::buildFoot() {
     auto* row = new QHBoxLayout(foot);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.px(16));
-    m_keysText = kit::label(theme, keysInWords(m_plan.ownHand(), m_tool), TextStyle::small, "muted");
+    m_keysText = kit::label(theme, keysInWords(m_plan.ownHand(), m_tool, m_tools), TextStyle::small, "muted");
     m_keysText->setObjectName(QStringLiteral("training.keys"));
     row->addWidget(m_keysText, 1);
+    if (m_tools > 1 && m_plan.ownHand() && m_tool == session::PointerTool::grasper) {
+        m_activeText = kit::label(theme, activeToolInWords(0, m_tools), TextStyle::strong);
+        m_activeText->setObjectName(QStringLiteral("training.active_tool"));
+        row->addWidget(m_activeText, 0, Qt::AlignTop);
+    }
     const auto* endoscopy = m_level ? endoscopyOf(*m_level) : nullptr;
     if (!endoscopy)
         return foot;
@@ -150,7 +156,7 @@ QWidget* TrainingScreen::buildSide() {
     m_info = makeInfo();
     column->addWidget(m_info, 1);
     side->setWidget(inner);
-    m_notice->show(forceWords({}, {.felt = false, .ownHand = m_plan.ownHand(), .endoscope = isEndoscope()}, context().locale()));
+    m_notice->show(forceWords({}, {.felt = false, .ownHand = m_plan.ownHand(), .endoscope = isEndoscope(), .grasper = isGrasper()}, context().locale()));
     return side;
 }
 
@@ -216,7 +222,7 @@ QString TrainingScreen::help() const {
               "%1\n\n"
               "Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it "
               "is. Start again keeps the attempt so far as stopped and begins a new one from the start.\n\n%2")
-        .arg(keysInWords(m_plan.ownHand(), m_tool), end);
+        .arg(keysInWords(m_plan.ownHand(), m_tool, m_tools), end);
 }
 
 std::vector<ScreenCommand> TrainingScreen::commands() {
@@ -231,7 +237,7 @@ std::vector<ScreenCommand> TrainingScreen::commands() {
     };
     if (m_depthOfField && m_depthOfField->isEnabled())
         list.push_back({tr("Depth of field on or off"), QKeySequence(Qt::Key_F), [this] { m_depthOfField->toggle(); }, false});
-    if (m_plan.ownHand() && !isEndoscope())
+    if (m_plan.ownHand() && m_tool == session::PointerTool::point)
         list.push_back({tr("Mark this place"), QKeySequence(Qt::Key_Return), [this] { mark(); }, false});
     if (m_cues.sound)
         list.push_back({tr("Sound on or off"), {}, [this] { toggleMute(); }, true});

@@ -14,6 +14,8 @@ QString operatorTitle(const std::string& name); ///< "an expert"; a name that is
 QString deviceTitle(const TrainingPlan& plan);  ///< with what is felt of it
 QString deviceIcon(PlanDevice device);          ///< Breeze name
 /// How the tool is moved, marked, paused, stopped.
-QString keysInWords(bool ownHand, session::PointerTool tool = session::PointerTool::point);
+QString keysInWords(bool ownHand, session::PointerTool tool = session::PointerTool::point, int tools = 1);
+/// Which of several instruments the mouse and the keyboard move: `tool` from 0.
+QString activeToolInWords(int tool, int tools);
 
 } // namespace chiron::desktop

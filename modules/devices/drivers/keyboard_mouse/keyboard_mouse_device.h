@@ -14,6 +14,8 @@ struct KeyboardMouseSettings {
     std::array<double, 3> minimum_m{-0.080, -0.080, -0.030}; ///< workspace in D
     std::array<double, 3> maximum_m{0.080, 0.080, 0.080};
     std::array<double, 3> home_m{0.0, 0.0, 0.060};
+    double widestJaw_rad = 0.0; ///< opening angle of a grasper's jaw at its stop, at most 1.6; 0: a tool without a jaw
+    double homeJaw_rad = 0.0;   ///< at open(); 0..widestJaw_rad
     PseudoHaptics pseudoHaptics{};
     /// Time constant with which the tool follows the hand: pointers and wheels report in jumps, 8 to 16 ms apart, which are no
     /// speed that anybody moved with. 0 (as the hand reports) to 0.2 s.
@@ -23,11 +25,12 @@ struct KeyboardMouseSettings {
 /// A mouse and a keyboard as an input-only tool: the window puts movements into the mailbox, the tick turns them into
 /// counts on a 1 µm grid before anything else sees them. Renders no force (class "shown"); motion slows down in proportion
 /// to the force shown, Δp = r(F) · Δp_hand (PseudoHaptics). That the drawn tool stays at the surface is the screen's part,
-/// from SceneOutput::p_WProxy.
+/// from SceneOutput::p_WProxy. A grasper's jaw moves as fast as it is told, between closed and its stop.
 /// Stepped in the tick (age 0, device time = index · 1 ms). Threads: mailbox() by the GUI, the rest as IDevice says.
 class KeyboardMouseDevice final : public IDevice {
 public:
     static constexpr double kGrid_m = 1e-6;
+    static constexpr double kJawGrid_rad = 1e-4;
 
     /// Fails (badInput) where minimum < home < maximum does not hold on each axis, or a ratio or force is out of range.
     static core::Result<std::unique_ptr<KeyboardMouseDevice>> create(const KeyboardMouseSettings& settings = {});
@@ -50,8 +53,9 @@ private:
     DeviceDescriptor m_descriptor;
     CartesianKinematics m_kinematics;
     PointerMailbox m_mailbox;
-    MotionIntake<3> m_intake;
+    MotionIntake<4> m_intake;
     std::array<double, 3> m_position_m; ///< before rounding, so that slow movement is not lost
+    double m_jaw_rad;
     double m_ratio = 1.0;
     std::uint32_t m_packet = 0;
 };

@@ -17,13 +17,15 @@ core::Result<void> check(const KeyboardMouseSettings& s) {
                               std::string("keyboard_mouse: workspace of axis ") + "xyz"[i] +
                                   " must satisfy -1 m <= minimum < home < maximum <= 1 m");
     }
+    if (!(s.homeJaw_rad >= 0.0 && s.homeJaw_rad <= s.widestJaw_rad && s.widestJaw_rad <= 1.6))
+        return core::fail(core::ErrorCode::badInput, "keyboard_mouse: the jaw must satisfy 0 <= home <= widest <= 1.6 rad");
     return checkPointer("keyboard_mouse", s.pseudoHaptics, s.following_s);
 }
 
 DeviceDescriptor describe(const KeyboardMouseSettings& s) {
     DeviceDescriptor d;
     d.driver = "keyboard_mouse";
-    d.model = "Mouse and keyboard";
+    d.model = s.widestJaw_rad > 0.0 ? "Mouse and keyboard, moving a grasper" : "Mouse and keyboard";
     d.kinematics = "cartesian";
     for (std::size_t i = 0; i < 3; ++i)
         d.axes.push_back({.id = std::string(1, "xyz"[i]),
@@ -31,6 +33,7 @@ DeviceDescriptor describe(const KeyboardMouseSettings& s) {
                           .resolution = KeyboardMouseDevice::kGrid_m,
                           .minimum = s.minimum_m[i],
                           .maximum = s.maximum_m[i]});
+    d.jawResolution_rad = s.widestJaw_rad > 0.0 ? KeyboardMouseDevice::kJawGrid_rad : 0.0;
     d.inProcess = true;
     d.period_us = 1000;
     return d;
@@ -51,11 +54,12 @@ core::Result<std::unique_ptr<KeyboardMouseDevice>> KeyboardMouseDevice::create(c
 KeyboardMouseDevice::KeyboardMouseDevice(const KeyboardMouseSettings& settings, DeviceDescriptor descriptor,
                                          const CartesianKinematics& kinematics)
     : m_settings(settings), m_descriptor(std::move(descriptor)), m_kinematics(kinematics),
-      m_intake(followingShare(settings.following_s)), m_position_m(settings.home_m) {}
+      m_intake(followingShare(settings.following_s)), m_position_m(settings.home_m), m_jaw_rad(settings.homeJaw_rad) {}
 
 core::Result<void> KeyboardMouseDevice::open() {
     m_intake.forget(m_mailbox.read());
     m_position_m = m_settings.home_m;
+    m_jaw_rad = m_settings.homeJaw_rad;
     m_ratio = 1.0;
     return {};
 }

@@ -20,9 +20,10 @@ public:
         WorkspaceMapping mapping;           ///< to turn the cues into D and `measured` into W
         core::Vec3 start_D{0.0, 0.0, 0.05}; ///< where the hand holds the tip at open(), m
         std::uint64_t seed = 1;             ///< of the hand's tremor
+        std::optional<mechanisms::JawParameters> jaw = std::nullopt; ///< a grasper's; nothing: a plain probe
     };
 
-    /// Fails (badInput) when the start lies outside the gimbal's travel or there is no strategy.
+    /// Fails (badInput) when the start lies outside the gimbal's travel, a jaw's number is out of range, or there is no strategy.
     static core::Result<std::unique_ptr<SimulatedDevice>>
     create(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
     ~SimulatedDevice() override;

@@ -14,6 +14,8 @@ core::Result<void> SimulatedMechanism::open() {
     m_turns = movedPlant().turns();
     m_hand.reset(tool.p_DT, tool.q_DT);
     m_wrist.reset(tool.q_DT);
+    if (m_jaw)
+        m_jaw->reset();
     m_cues = {};
     m_sample = {};
     m_onHand_D = {};
@@ -34,6 +36,7 @@ core::DeviceSample SimulatedMechanism::read(const realtime::HapticTick& now) noe
     const auto counts = plant.encoderCounts();
     for (std::size_t axis = 0; axis < counts.size(); ++axis)
         m_sample.counts[axis] = counts[axis];
+    m_sample.jawCounts = m_jaw ? m_jaw->counts() : 0;
     m_sample.buttons = m_hand.acting().buttons;
     m_sample.packet = static_cast<std::uint32_t>(now.index());
     m_sample.deviceTime_us = now.index() * 1000;
@@ -89,6 +92,8 @@ void SimulatedMechanism::command(const realtime::HapticTick&, const ForceCommand
         }
     }
     m_onHand_D = {sum.force / steps, sum.torque / steps};
+    if (m_jaw)
+        m_jaw->advance(m_hand.acting().jaw_rad);
     plant.endTick();
     ++m_ticks;
 }

@@ -4,11 +4,13 @@
 #include "devices/api/device.h"
 #include "devices/api/workspace_map.h"
 #include "mechanisms/hand.h"
+#include "mechanisms/jaw.h"
 #include "mechanisms/plant.h"
 #include "mechanisms/wrist.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace chiron::devices {
 
@@ -19,6 +21,8 @@ struct SimulatedHandSettings {
     std::uint64_t seed = 1;       ///< of the hand's tremor
     double toolMass_kg = 0.0;     ///< what the hand moves along, for its tremor
     double toolInertia_kgm2 = 0.0; ///< what the wrist turns along
+    std::optional<mechanisms::JawParameters> jaw = std::nullopt; ///< of a grasper; nothing: no jaw, its counts stay 0
+    int jawDelay_ticks = 0;        ///< of its potentiometer, as the encoders'
 };
 
 /// A simulated mechanism with a scripted hand on it, as one in-process tool: plant, hand and mind are stepped by the tick and
@@ -28,7 +32,8 @@ struct SimulatedHandSettings {
 /// Tick n: show() tells the mind what is on the screen, read() returns the counts that the plant reached at the end of tick
 /// n − 1 (deviceTime = n·1000 µs, packet = n, age 0), command() takes the wrench, asks the mind and integrates the plant to
 /// n + 1. The wrench goes through kinematics().efforts(), motors saturate, `measured` is what they really gave (on the tool,
-/// in W). A tool that turns is held by a wrist as well. Haptic thread; no allocation after construction.
+/// in W). A tool that turns is held by a wrist as well; a grasper's jaw follows the hand's intention (Jaw), reaction delay
+/// included. Haptic thread; no allocation after construction.
 class SimulatedMechanism : public IDevice {
 public:
     ~SimulatedMechanism() override;
@@ -42,6 +47,7 @@ public:
 
     const mechanisms::Hand& hand() const noexcept { return m_hand; } ///< the truth, for tests
     const mechanisms::Wrist& wrist() const noexcept { return m_wrist; }
+    double jaw_rad() const noexcept { return m_jaw ? m_jaw->angle_rad() : 0.0; } ///< the truth, for tests
 
 protected:
     SimulatedMechanism(const SimulatedHandSettings& settings, DeviceDescriptor descriptor,
@@ -57,6 +63,7 @@ private:
     WorkspaceMap m_map;
     mechanisms::Hand m_hand;
     mechanisms::Wrist m_wrist;
+    std::optional<mechanisms::Jaw> m_jaw;
     std::unique_ptr<mechanisms::HandStrategy> m_strategy;
     core::VisibleCues m_cues;
     core::DeviceSample m_sample;

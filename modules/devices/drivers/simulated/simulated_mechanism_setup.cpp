@@ -10,7 +10,10 @@ SimulatedMechanism::SimulatedMechanism(const SimulatedHandSettings& settings, De
                                        std::unique_ptr<mechanisms::HandStrategy> strategy)
     : m_descriptor(std::move(descriptor)), m_map(settings.mapping),
       m_hand(settings.hand, settings.seed, settings.toolMass_kg),
-      m_wrist(settings.hand, settings.seed, settings.toolInertia_kgm2), m_strategy(std::move(strategy)) {}
+      m_wrist(settings.hand, settings.seed, settings.toolInertia_kgm2), m_strategy(std::move(strategy)) {
+    if (settings.jaw)
+        m_jaw.emplace(*settings.jaw, settings.jawDelay_ticks);
+}
 
 SimulatedMechanism::~SimulatedMechanism() = default;
 

@@ -29,7 +29,8 @@ DeviceDescriptor describe(const SimulatedDevice::Configuration& configuration) {
     const auto& plant = configuration.plant;
     DeviceDescriptor d;
     d.driver = "simulated";
-    d.model = "Simulated laparoscopic gimbal (heading, pitch, roll, depth)";
+    d.model = configuration.jaw ? "Simulated laparoscopic grasper (heading, pitch, roll, depth, jaw)"
+                                : "Simulated laparoscopic gimbal (heading, pitch, roll, depth)";
     d.kinematics = GimbalHprdKinematics::kId;
     d.kinematicsParameters = {plant.pivotHeight_m,
                               configuration.map == mechanisms::PolarMap::exact ? 0.0 : 1.0};
@@ -39,6 +40,7 @@ DeviceDescriptor describe(const SimulatedDevice::Configuration& configuration) {
         d.axes.push_back({ids[axis], unit, plant.resolution[axis], plant.minimum[axis], plant.maximum[axis],
                           plant.currentLimit_A * plant.effortPerAmpere[axis]});
     }
+    d.jawResolution_rad = configuration.jaw ? configuration.jaw->resolution_rad() : 0.0;
     d.rendersForce = true;
     d.measuresForce = true;
     d.inProcess = true;
@@ -65,6 +67,11 @@ SimulatedDevice::create(const Configuration& configuration,
                               "simulated device: the start is outside the travel of axis " +
                                   std::to_string(axis) + " (h, p, r, d)");
     }
+    if (const auto& jaw = configuration.jaw;
+        jaw && !(jaw->widest_rad > 0.0 && jaw->widest_rad <= 3.1416 && jaw->steps >= 1 && jaw->fingerLag_s > 0.0 &&
+                 jaw->fingerSpeed_rad_per_s > 0.0))
+        return core::fail(core::ErrorCode::badInput, "simulated device: a jaw that opens by more than 0 and at most half a turn, "
+                                                     "in at least one step, with a lag and a speed above 0, is expected");
     return std::unique_ptr<SimulatedDevice>(new SimulatedDevice(configuration, *start, std::move(strategy)));
 }
 
@@ -72,9 +79,10 @@ SimulatedDevice::SimulatedDevice(const Configuration& configuration,
                                  const mechanisms::GimbalCoordinates& start,
                                  std::unique_ptr<mechanisms::HandStrategy> strategy)
     : SimulatedMechanism({configuration.hand, configuration.mapping, configuration.seed,
-                          configuration.plant.instrumentMass_kg + configuration.plant.axisInertia[3], 0.0},
+                          configuration.plant.instrumentMass_kg + configuration.plant.axisInertia[3], 0.0, configuration.jaw,
+                          configuration.plant.sampleDelay_ticks},
                          describe(configuration), std::move(strategy)),
-      m_kinematics(configuration.plant.resolution, 0.0, configuration.plant.pivotHeight_m, configuration.map),
+      m_kinematics(configuration.plant.resolution, configuration.jaw ? configuration.jaw->resolution_rad() : 0.0, configuration.plant.pivotHeight_m, configuration.map),
       m_start(start), m_plant(configuration.plant) {}
 
 SimulatedDevice::~SimulatedDevice() = default;
