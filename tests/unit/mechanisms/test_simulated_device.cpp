@@ -20,6 +20,8 @@ private slots:
     void cuesReachTheMindInD();
     void measuredIsInW();
     void refusesBadConfigurations();
+    void theJawFollowsTheFingers();
+    void aJawChangesNothingElse();
 };
 
 namespace {
@@ -157,6 +159,85 @@ void TestSimulatedDevice::refusesBadConfigurations() {
     QVERIFY(!SimulatedDevice::create(configuration, circling()));
     configuration.start_D = Vec3(0.3, 0.0, 0.0); // out of travel
     QVERIFY(!SimulatedDevice::create(configuration, circling()));
+}
+
+namespace {
+
+/// Stays where it is and wants the jaw as told.
+class Fingers final : public mechanisms::HandStrategy {
+public:
+    explicit Fingers(const double& wanted_rad) : m_wanted_rad(wanted_rad) {}
+    mechanisms::HandIntention decide(const mechanisms::HandPerception&) noexcept override {
+        mechanisms::HandIntention wish;
+        wish.p_DDesired = Vec3(0.0, 0.0, 0.05);
+        wish.jaw_rad = m_wanted_rad;
+        return wish;
+    }
+
+private:
+    const double& m_wanted_rad;
+};
+
+} // namespace
+
+/// Reaction delay, then no faster than fingers are, then the lag's exponential; the counts are the truth on a grid of 10 bits.
+void TestSimulatedDevice::theJawFollowsTheFingers() {
+    double wanted_rad = 1.2;
+    SimulatedDevice::Configuration configuration;
+    configuration.jaw = mechanisms::JawParameters{};
+    const mechanisms::JawParameters& jaw = *configuration.jaw;
+    auto device = make(std::make_unique<Fingers>(wanted_rad), configuration);
+    QVERIFY(device && device->open());
+    QCOMPARE(device->descriptor().jawResolution_rad, 1.6 / 1023.0);
+    realtime::TickSource source;
+    double before = 0.0;
+    double reached_s = -1.0;
+    for (int i = 0; i < 2000; ++i) {
+        const auto now = source.next(0);
+        const double truth = device->jaw_rad();
+        const auto sample = device->read(now);
+        const double seen = device->kinematics().pose(sample).jaw_rad;
+        QVERIFY(std::abs(seen - truth) <= 0.5 * jaw.resolution_rad() + 1e-12);
+        QVERIFY(std::abs(truth - before) <= jaw.fingerSpeed_rad_per_s * 1e-3 + 1e-12);
+        QVERIFY(i > 180 || truth == 0.0); // 180 ms of reaction
+        if (reached_s < 0.0 && truth > 1.1)
+            reached_s = 1e-3 * i;
+        before = truth;
+        if (i == 1000)
+            wanted_rad = 5.0; // wider than it opens
+        device->command(now, {});
+    }
+    QVERIFY2(reached_s > 0.3 && reached_s < 0.5, qPrintable(QString::number(reached_s)));
+    QCOMPARE(device->jaw_rad() > 1.5999 && device->jaw_rad() <= 1.6, true);
+    QCOMPARE(device->read(source.next(0)).jawCounts, 1023);
+    QVERIFY(device->open());
+    QCOMPARE(device->read(source.next(0)).jawCounts, 0); // afresh: closed
+
+    configuration.jaw->steps = 0;
+    QVERIFY(!SimulatedDevice::create(configuration, circling()));
+    configuration.jaw = mechanisms::JawParameters{.widest_rad = 4.0};
+    QVERIFY(!SimulatedDevice::create(configuration, circling()));
+}
+
+/// The same hand on a probe and on a grasper moves alike to the last bit: P2's jaw has no motor and no mass of its own.
+void TestSimulatedDevice::aJawChangesNothingElse() {
+    SimulatedDevice::Configuration withJaw;
+    withJaw.jaw = mechanisms::JawParameters{};
+    auto probe = make(circling());
+    auto grasper = make(circling(), withJaw);
+    QVERIFY(probe->open() && grasper->open());
+    QCOMPARE(probe->descriptor().jawResolution_rad, 0.0);
+    realtime::TickSource a, b;
+    devices::ForceCommand command;
+    command.enabled = true;
+    for (int i = 0; i < 2000; ++i) {
+        command.wrench_D.force = Vec3(0.1, 0.0, 0.4 * std::sin(0.01 * i));
+        const auto first = a.next(0), second = b.next(0);
+        QVERIFY(probe->read(first).counts == grasper->read(second).counts);
+        QCOMPARE(probe->read(first).jawCounts, 0);
+        probe->command(first, command);
+        grasper->command(second, command);
+    }
 }
 
 QTEST_APPLESS_MAIN(TestSimulatedDevice)

@@ -49,15 +49,46 @@ private:
     std::string_view m_mechanism;
 };
 
-/// The tool in W after so many ticks.
-core::ToolState poseOf(session::Station& station, int ticks = 1) {
+/// Instruments through entry points 60 mm to either side, `hands` of them held.
+class Graspers final : public session::ExerciseKind {
+public:
+    explicit Graspers(int tools, int hands = 0) : m_tools(tools), m_hands(hands > 0 ? hands : tools) {}
+    std::string_view id() const noexcept override { return "any"; }
+    PointerTool pointerTool() const noexcept override { return PointerTool::grasper; }
+    int toolCount(const catalogue::ExerciseLevel&) const override { return m_tools; }
+    devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel&, int tool) const override {
+        return {{tool % 2 == 0 ? 0.060 : -0.060, 0.0, 0.0}, 1.0, false};
+    }
+    std::unique_ptr<simulation::IScene> makeScene(const session::SessionSetup&) const override { return nullptr; }
+    core::Result<session::ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel&, const std::string&,
+                                                        std::uint64_t) const override {
+        session::ScriptedTrainee trainee;
+        for (int hand = 0; hand < m_hands; ++hand)
+            trainee.strategies.push_back(std::make_unique<Stayer>());
+        return trainee;
+    }
+    std::vector<std::string> operatorNames() const override { return {"stayer"}; }
+    int trialCount(const catalogue::ExerciseLevel&) const override { return 1; }
+    double forceLimit_N(const catalogue::ExerciseLevel&) const override { return 4.0; }
+    std::uint64_t tickLimit(const catalogue::ExerciseLevel&) const override { return 1; }
+    void addTruth(const catalogue::ExerciseLevel&, std::uint64_t, scoring::TrialTrace&) const override {}
+    std::unique_ptr<session::TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel&, std::uint64_t) const override { return nullptr; }
+
+private:
+    int m_tools;
+    int m_hands;
+};
+
+/// One tool in W after so many ticks of its device.
+core::ToolState poseOf(session::Station& station, int ticks = 1, std::size_t index = 0) {
     core::ToolState tool;
     realtime::TickSource source;
-    const devices::WorkspaceMap map(station.mappings.at(0));
+    devices::IDevice& device = *station.devices.at(index);
+    const devices::WorkspaceMap map(station.mappings.at(index));
     for (int n = 0; n < ticks; ++n) {
         const auto now = source.next(static_cast<std::int64_t>(n) * 1'000'000);
-        tool = map.pose(station.devices.at(0)->kinematics(), station.devices.at(0)->read(now));
-        station.devices.at(0)->command(now, {});
+        tool = map.pose(device.kinematics(), device.read(now));
+        device.command(now, {});
     }
     return tool;
 }
@@ -130,6 +161,85 @@ private slots:
         QVERIFY(!refused && refused.error().code == core::ErrorCode::badInput); // exit 3
         QVERIFY(refused.error().message.find("bare.csv") != std::string::npos);
         QVERIFY(refused.error().message.find("qw") != std::string::npos);
+    }
+
+    /// One tool for each instrument, under its entry point, its jaw open; each mailbox moves its own tool and no other, and all
+    /// reach the same box.
+    void aMouseMovesOneOfSeveralGraspers() {
+        for (const bool leftHanded : {false, true}) {
+            auto station = session::keyboardMouseStation({.origin_m = {0.010, 0.0, 0.0}, .leftHanded = leftHanded}, Graspers(2), {});
+            QVERIFY(station && station->pointer == nullptr && station->graspers.size() == 2 && station->devices.size() == 2);
+            for (auto& device : station->devices)
+                QVERIFY(device->open().has_value());
+            const core::ToolState right = poseOf(*station, 1, 0);
+            QVERIFY((right.p_WT - Vec3(0.070, 0.0, 0.060)).norm() < 3e-6);
+            QVERIFY((poseOf(*station, 1, 1).p_WT - Vec3(-0.050, 0.0, 0.060)).norm() < 3e-6);
+            QCOMPARE(right.jaw_rad, 1.6);
+            station->graspers[1]->move(0.0, 0.004, 0.0);
+            station->graspers[1]->setJawRate(-1.0);
+            QVERIFY((poseOf(*station, 300, 0).p_WT - right.p_WT).norm() < 1e-9);
+            const core::ToolState left = poseOf(*station, 300, 1);
+            QVERIFY(std::abs(left.p_WT.y() - 0.004) < 3e-6 && std::abs(left.jaw_rad - 1.3) < 2e-3);
+            for (std::size_t tool = 0; tool < 2; ++tool) { // to the same edge of W: 80 mm from the middle
+                station->graspers[tool]->move(leftHanded ? -1.0 : 1.0, 0.0, 0.0);
+                QVERIFY(std::abs(poseOf(*station, 800, tool).p_WT.x() - 0.090) < 3e-6);
+            }
+        }
+        QVERIFY(!session::keyboardMouseStation({}, Graspers(0), {}));
+        QVERIFY(!session::keyboardMouseStation({}, Graspers(5), {}));
+        const auto point = session::keyboardMouseStation({}, AnyKind("gimbal_hprd"), {});
+        QVERIFY(point && point->pointer != nullptr && point->graspers.empty());
+    }
+
+    /// Each hand at its own gimbal, at its own place, with a tremor of its own; all with jaws.
+    void everyInstrumentHasItsGimbal() {
+        auto station = session::scriptedStation(Graspers(4), {}, "stayer", 5, mechanisms::PolarMap::asPublished);
+        QVERIFY(station && station->devices.size() == 4);
+        for (auto& device : station->devices) {
+            QVERIFY(device->open().has_value());
+            QVERIFY(device->descriptor().jawResolution_rad > 0.0);
+            QCOMPARE(device->descriptor().kinematicsParameters.at(1), 1.0);
+        }
+        for (std::size_t tool = 0; tool < 4; ++tool)
+            QVERIFY((poseOf(*station, 1, tool).p_WT - Vec3(tool % 2 == 0 ? 0.060 : -0.060, 0.0, 0.050)).norm() < 60e-6);
+        QVERIFY((poseOf(*station, 500, 0).p_WT - poseOf(*station, 500, 2).p_WT).norm() > 1e-5);
+        const auto one = session::scriptedStation(Graspers(1, 2), {}, "stayer", 5);
+        QVERIFY(!one && one.error().code == core::ErrorCode::wrongUse);
+        QCOMPARE(one.error().message, std::string("exercise any: 2 hands for 1 instruments"));
+    }
+
+    /// Rows of both tools drive both, with their jaws, on one clock; a tool that comes later waits, one that ends earlier stays.
+    void aTraceDrivesEveryTool() {
+        const std::string text = "t_s,x_mm,y_mm,z_mm,jaw_deg,tool\n"
+                                 "1.0,0,0,50,0,0\n1.1,10,0,50,57.29577951308232,0\n"
+                                 "1.05,-20,0,40,0,1\n1.15,-20,0,30,0,1\n"
+                                 "1.0,1,2,3,0,3\n"; // nobody needs a fourth
+        const auto rows = scoring::readTraceCsv(text, "two.csv");
+        QVERIFY(rows.has_value());
+        auto station = session::traceStation(*rows, PointerTool::grasper, 2);
+        QVERIFY(station && station->devices.size() == 2 && station->mappings.size() == 2);
+        for (auto& device : station->devices)
+            QVERIFY(device->open().has_value());
+        QVERIFY((poseOf(*station, 51, 0).p_WT - Vec3(0.005, 0.0, 0.050)).norm() < 2e-6);
+        QVERIFY(std::abs(poseOf(*station, 49, 0).jaw_rad - 0.99) < 1e-5);
+        QVERIFY((poseOf(*station, 50, 1).p_WT - Vec3(-0.020, 0.0, 0.040)).norm() < 2e-6); // not before its time
+        QVERIFY((poseOf(*station, 51, 1).p_WT - Vec3(-0.020, 0.0, 0.035)).norm() < 2e-6);
+        QVERIFY(!station->trace->finished());
+        QVERIFY((poseOf(*station, 60, 0).p_WT - Vec3(0.010, 0.0, 0.050)).norm() < 2e-6);
+        QVERIFY(station->trace->finished());
+    }
+
+    void aTraceThatLacksAToolIsRefused() {
+        const auto refusal = [](const std::string& text, int tools) {
+            const auto station = session::traceStation(*scoring::readTraceCsv(text, "t.csv"), PointerTool::grasper, tools);
+            return station ? std::string() : station.error().message;
+        };
+        const std::string right = "t_s,x_mm,y_mm,z_mm,jaw_deg,tool\n0,0,0,50,0,0\n1,0,0,50,0,0\n";
+        QCOMPARE(refusal(right, 1), std::string());
+        QCOMPARE(refusal(right, 2), std::string("t.csv: no row of tool 1; the level needs rows of tools 0 to 1 (column tool)"));
+        QCOMPARE(refusal("t_s,x_mm,y_mm,z_mm,jaw_deg\n0,0,0,50,0\n1,0,0,50,0\n", 2),
+                 std::string("t.csv: no row of tool 1; the level needs rows of tools 0 to 1 (column tool)"));
+        QCOMPARE(refusal("t_s,x_mm,y_mm,z_mm\n0,0,0,50\n", 1), std::string("t.csv: no jaw; a grasper needs the column jaw_deg"));
     }
 };
 
