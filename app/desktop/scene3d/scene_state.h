@@ -21,7 +21,6 @@ struct ToolView {
     core::Quat q_WT = core::Quat::Identity();
     core::Vec3 force_N = core::Vec3::Zero(); ///< *tissue* force on the tool: every cue uses this one
     double jaw_rad = 0.0;
-    bool active = false; ///< of several instruments the one that mouse and keyboard move now
     bool drawnAtSurface =
         false; ///< pseudo-haptics: the device renders no force, the drawn tool stays at the surface
 };

@@ -155,7 +155,7 @@ void TrainingScreen::onFrame() {
     const haptics::DisplayState shown = stopped ? withoutForce(state) : state;
     scene3d::SceneState drawn = sceneStateOf(shown, m_cues, m_start_ns);
     if (m_hand && m_tools > 1)
-        drawn.tool[static_cast<std::size_t>(m_hand->activeTool())].active = true;
+        drawn.activeTool = m_hand->activeTool();
     m_scene->show(drawn);
     m_header->show(shown);
     m_info->show(shown, stopped ? std::span<const session::LiveSample>() : m_feed->samples());
