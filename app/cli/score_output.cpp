@@ -26,8 +26,10 @@ QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnd
                 trial[QStringLiteral("state")] = ending.state;
             trial[QStringLiteral("marked")] = ending.marked;
             trial[QStringLiteral("timed_out")] = ending.timedOut;
-            trial[QStringLiteral("flag")] =
-                ending.marked ? QJsonValue() : QJsonValue(QStringLiteral("no_mark"));
+            trial[QStringLiteral("failed")] = ending.failed;
+            trial[QStringLiteral("flag")] = ending.marked   ? QJsonValue()
+                                            : ending.failed ? QJsonValue(QStringLiteral("failed"))
+                                                            : QJsonValue(QStringLiteral("no_mark"));
         }
         trials.append(trial);
     }
@@ -36,13 +38,18 @@ QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnd
 
 QString flaggedText(const std::vector<TrialEnding>& endings) {
     QStringList numbers;
+    QStringList failed;
     for (std::size_t i = 0; i < endings.size(); ++i) {
-        if (!endings[i].marked)
+        if (endings[i].failed)
+            failed << QString::number(i + 1);
+        else if (!endings[i].marked)
             numbers << QString::number(i + 1);
     }
-    return numbers.isEmpty() ? QString()
-                             : QStringLiteral("\nnot marked, so the last position is scored: trial %1\n")
-                                   .arg(numbers.join(QStringLiteral(", ")));
+    const auto line = [](const QString& words, const QStringList& trials) {
+        return trials.isEmpty() ? QString() : words.arg(trials.join(QStringLiteral(", ")));
+    };
+    return line(QStringLiteral("\nnot marked, so the last position is scored: trial %1\n"), numbers) +
+           line(QStringLiteral("\ncould not be done to its end: trial %1\n"), failed);
 }
 
 QJsonObject scoreJson(const ScoreView& view) {

@@ -15,6 +15,7 @@ struct TrialEnding {
     QString state;
     bool marked = false; ///< or its procedure completed; else its last position is scored, and it is flagged
     bool timedOut = false;
+    bool failed = false; ///< it could not be done any more (torn)
 };
 
 /// What `train`, `session show` and `score` print about one session.
@@ -29,7 +30,7 @@ struct ScoreView {
 
 using session::metricsJson;
 
-/// [{trial, metrics, marked, timed_out, state, flag}]; flag is "no_mark" where the last position stands for a
+/// [{trial, metrics, marked, timed_out, failed, state, flag}]; flag is "failed" where the trial could not be done to its end, "no_mark" where the last position stands for a
 /// mark, else null. Trials whose ending is not known have no more than their metrics.
 QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnding>& endings);
 /// One line on flagged trials for people; empty where there is none.

@@ -58,7 +58,8 @@ core::Result<ScoreView> viewOf(database::Connection& connection, const database:
         return tl::unexpected(trials.error());
     for (const database::TrialRecord& trial : *trials) {
         const std::string_view ended = database::token(trial.state);
-        view.trials.push_back({QString::fromUtf8(ended.data(), qsizetype(ended.size())), trial.marked, trial.timedOut});
+        view.trials.push_back({QString::fromUtf8(ended.data(), qsizetype(ended.size())), trial.marked, trial.timedOut,
+                               parsed(trial.sceneJson)["failed"].toBool()});
     }
     return view;
 }

@@ -56,6 +56,12 @@ std::string truthJson(const scoring::TrialTrace& trial) {
     }
     if (trial.insertion)
         addCanal(truth, trial);
+    if (!trial.truth.empty()) {
+        truth.insert("completed", trial.completed);
+        truth.insert("failed", trial.failed);
+        for (const scoring::NamedValue& value : trial.truth)
+            truth.insert(QString::fromStdString(value.id), value.value);
+    }
     return QJsonDocument(truth).toJson(QJsonDocument::Compact).toStdString();
 }
 

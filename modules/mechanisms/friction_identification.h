@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "mechanisms/gimbal_plant.h"
+
+#include <array>
+#include <optional>
+
+namespace chiron::mechanisms {
+
+/// Friction of one axis in its own unit: N·m and N·m·s/rad, or N and N·s/m.
+struct AxisFriction {
+    double coulomb = 0.0;
+    double viscous = 0.0;
+};
+
+/// How the axes are moved. Named assumptions: P2 says "at low velocities" and no more.
+struct FrictionSweep {
+    double slow = 0.05;         ///< rad/s; along depth a fifth of it in m/s, so that the tip is about as fast
+    double fast = 0.15;         ///< the second speed, which tells viscous friction from Coulomb's; > slow
+    double halfTravel = 0.10;   ///< rad either side of the middle; along depth a fifth of it in m
+    double settled = 0.3;       ///< share of a sweep that is left out after each turn, 0..0.9: bristles and servo settle
+};
+
+/// Friction of the gimbal's motor axes (heading, pitch, depth; roll has no motor and stays empty), by Tholey's method, as P2
+/// takes it over: each axis is moved slowly, the others are held, and the motor's effort at constant speed is what friction
+/// takes. There and back over the same travel at two speeds v₁ < v₂:
+///   F(v) = (mean effort forwards − mean effort backwards)/2, in which weight and spring cancel,
+///   σ₂ = (F(v₂) − F(v₁))/(v₂ − v₁),  F_c = F(v₁) − σ₂ v₁.
+/// Efforts are those asked of the motors beyond the gravity feed-forward; places and speeds are what the encoders tell. The
+/// plant is left at `middle`, at rest. Takes about 35 simulated seconds. Deterministic; not in the tick.
+/// Failure: badInput for a sweep out of range or travel that leaves the axes' limits; doesNotHold where a motor ran at its limit.
+/// Source: P2, plant feed-forward, after Tholey et al. (its reference 11); LuGre without Stribeck effect, devices.md §5.
+core::Result<std::array<std::optional<AxisFriction>, 4>> identifyFriction(GimbalPlant& plant, const GimbalCoordinates& middle,
+                                                                          const FrictionSweep& sweep = {});
+
+} // namespace chiron::mechanisms
