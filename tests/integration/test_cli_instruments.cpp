@@ -146,8 +146,8 @@ void TestCliInstruments::theForceMapIsChosenAndKept() {
     };
     const QJsonObject exact = train({});
     const QJsonObject published = train({"--force-map", "as-published"});
-    QCOMPARE(devicesOf(exact)[0]["force_map"].toString(), QStringLiteral("exact"));
-    QCOMPARE(devicesOf(published)[0]["force_map"].toString(), QStringLiteral("as-published"));
+    QCOMPARE(devicesOf(exact).at(0).toObject()["force_map"].toString(), QStringLiteral("exact"));
+    QCOMPARE(devicesOf(published).at(0).toObject()["force_map"].toString(), QStringLiteral("as-published"));
     QVERIFY(valuesOf(exact["metrics"].toArray()) != valuesOf(published["metrics"].toArray())); // it is felt
     QCOMPARE(object(cli({"replay", QString::number(published["session_id"].toInt())}))["identical"].toBool(), true);
 }

@@ -2,7 +2,8 @@
 // Two and four simulated gimbals at once on one scene: caps, stop, arming, recording, recovery and replay hold for each of them.
 #include "devices/drivers/simulated/simulated_device.h"
 #include "mechanisms/scripted_motion.h"
-#include "recording/ring_drain.h"
+#include "recording/crash_ring.h"
+#include "recording/ring_recovery.h"
 #include "session/live_recording.h"
 #include "session/recovery.h"
 #include "session/replayer.h"
