@@ -77,7 +77,7 @@ void GraspPanel::addHead() {
     m_dwell->setObjectName(QStringLiteral("training.dwell"));
     m_dwell->setAccessibleName(tr("How much of the holding time is done"));
     m_dwell->setToolTip(tr("How much of the holding time is done"));
-    m_dwell->setTextVisible(false);
+    m_dwell->setFormat(tr("Holding time: %p %"));
     m_dwell->setRange(0, 100);
     m_column->addWidget(m_dwell);
 }
@@ -139,6 +139,8 @@ void GraspPanel::addPlots() {
         m_targetPlot = m_grasping.tube ? plot("training.tension_plot", tr("Tension (N)"), tensionEnd_N(*m_grasping.tube))
                                        : plot("training.squeeze_plot", tr("Squeeze (N)"), 1.5 * m_grasping.handling->squeezeLimit_N,
                                               m_grasping.handling->squeezeLimit_N);
+    if (m_tools > 1 && m_cues.bars)
+        return; // both hands feel the tension: one plot, large enough to read
     m_forcePlot = plot("training.force_plot", m_tools > 1 ? tr("Force, right (N)") : tr("Force (N)"), m_grasping.forceLimit_N() * 1.25,
                        m_grasping.forceLimit_N());
     if (!m_cues.bars)
@@ -149,7 +151,7 @@ void GraspPanel::show(const haptics::DisplayState& state, std::span<const sessio
     for (const session::LiveSample& sample : samples)
         m_worked_ms += sample.paused || sample.phase == core::TrialPhase::idle ? 0 : 1;
     showBars(state);
-    if (m_forcePlot)
+    if (m_cues.plots)
         addSamples(state, samples);
     if (m_frame++ % kNumbersEvery_frames != 0)
         return;
@@ -198,7 +200,8 @@ void GraspPanel::showNumbers(const haptics::DisplayState& state) {
 
 void GraspPanel::addSamples(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
     for (const session::LiveSample& sample : samples) {
-        m_forcePlot->add(sample.t_s, static_cast<double>(sample.tissueNorm_N));
+        if (m_forcePlot)
+            m_forcePlot->add(sample.t_s, static_cast<double>(sample.tissueNorm_N));
         if (m_speedPlot)
             m_speedPlot->add(sample.t_s, static_cast<double>(sample.speed_m_per_s) * 1e3);
     }

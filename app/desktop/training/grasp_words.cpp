@@ -99,7 +99,7 @@ QString heldText(const core::LaparoscopyCues& cues, const Grasping& grasping, co
     for (int i = 0; i < cues.grips; ++i)
         held += cues.gripHeldBy[static_cast<std::size_t>(i)] != 0 ? 1 : 0;
     if (grasping.tube && held > 0)
-        return held > 1 ? Words::tr("Holding: the tube at two places") : Words::tr("Holding: the tube");
+        return held > 1 ? Words::tr("Holding: two places") : Words::tr("Holding: the tube");
     return Words::tr("Holding: nothing");
 }
 

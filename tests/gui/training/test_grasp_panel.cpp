@@ -77,7 +77,7 @@ private slots:
         QCOMPARE(find<QLabel>(panel, "training.tool_0_0")->text(), QStringLiteral("31.2"));
         QVERIFY(find<QLabel>(panel, "training.tool_1_3") != nullptr);
         QVERIFY(find<QLabel>(panel, "training.held")->text().contains(QStringLiteral("two places")));
-        QVERIFY(find<LivePlot>(panel, "training.tension_plot") && find<LivePlot>(panel, "training.force_plot"));
+        QVERIFY(find<LivePlot>(panel, "training.tension_plot") && !find<LivePlot>(panel, "training.force_plot"));
     }
 
     void bandAndLimitAreSaid() {
