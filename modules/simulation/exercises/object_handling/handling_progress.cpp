@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/exercises/object_handling/handling_progress.h"
 
-#include "core/units.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace chiron::simulation {
 
 using core::LaparoscopyStep;
-
-HandlingProgress::HandlingProgress(const ObjectHandlingParameters& parameters) noexcept
-    : m_parameters(parameters),
-      m_holdTicks(static_cast<std::uint64_t>(std::max(1LL, std::llround(parameters.hold_s / core::kTickSeconds)))) {}
 
 void HandlingProgress::begin(const ObjectHandlingTrial& trial) noexcept {
     m_target_m = trial.target_m;

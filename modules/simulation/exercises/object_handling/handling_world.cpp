@@ -31,9 +31,6 @@ Vec3 rimForce(const LooseBody& body, double rim_m) noexcept {
 
 } // namespace
 
-HandlingWorld::HandlingWorld(const ObjectHandlingParameters& parameters) noexcept
-    : m_parameters(parameters), m_object(parameters.object), m_bed(parameters.bed), m_bodyBed(parameters.bed) {}
-
 void HandlingWorld::begin(const ObjectHandlingTrial& trial) noexcept {
     clear();
     m_count = static_cast<std::size_t>(trial.objects);

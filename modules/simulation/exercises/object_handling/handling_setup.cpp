@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Set-up of the world and its task, apart from what the tick runs: copying the parameters allocates.
+#include "core/units.h"
+#include "simulation/exercises/object_handling/handling_progress.h"
+#include "simulation/exercises/object_handling/handling_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::simulation {
+
+HandlingWorld::HandlingWorld(const ObjectHandlingParameters& parameters) noexcept
+    : m_parameters(parameters), m_object(parameters.object), m_bed(parameters.bed), m_bodyBed(parameters.bed) {}
+
+HandlingProgress::HandlingProgress(const ObjectHandlingParameters& parameters) noexcept
+    : m_parameters(parameters),
+      m_holdTicks(static_cast<std::uint64_t>(std::max(1LL, std::llround(parameters.hold_s / core::kTickSeconds)))) {}
+
+} // namespace chiron::simulation
