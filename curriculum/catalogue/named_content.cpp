@@ -108,6 +108,7 @@ QJsonObject NamedContent::filledIn(const QJsonObject& parameters, const Schema& 
             const auto found = named.find(name);
             if (found == named.end()) {
                 problems.push_back(unknownName(memberPath(path, member), name, named));
+                out[member] = QJsonObject{{key, QStringLiteral("unknown")}}; // told once, not again by its schema
                 continue;
             }
             QJsonObject full = found->second;

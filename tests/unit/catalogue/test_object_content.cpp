@@ -203,12 +203,11 @@ void TestObjectContent::faultsOfALevel_data() {
     QTest::addColumn<QByteArray>("parameters");
     QTest::addColumn<QString>("message");
     QTest::newRow("unknown object") << QByteArray(R"({"tube": "overy"})")
-                                    << QStringLiteral("$.parameters.tube: \"overy\": one of fallopian_tube, organ, ovary, plane, "
-                                                      "sphere; did you mean \"ovary\"?");
+                                    << QStringLiteral("sphere; did you mean \"ovary\"?\n"); // and nothing else
     QTest::newRow("a path") << QByteArray(R"({"tube": "../exercises/sphere_apex/exercise"})")
                             << QStringLiteral("$.parameters.tube: \"../exercises");
     QTest::newRow("unknown mesh") << QByteArray(R"({"bed": {"mesh": "liver"}})")
-                                  << QStringLiteral("$.parameters.bed: \"liver\": one of bumpy_dome, dome, organ");
+                                  << QStringLiteral("$.parameters.bed: \"liver\": one of bumpy_dome, ");
     QTest::newRow("out of range") << QByteArray(R"({"tube": {"object": "ovary", "friction": 3}})")
                                   << QStringLiteral("$.parameters.tube.friction: 3: a number, 0 to 2");
     QTest::newRow("unknown attribute") << QByteArray(R"({"tube": {"object": "ovary", "masss_g": 3}})")
@@ -222,6 +221,7 @@ void TestObjectContent::faultsOfALevel() {
     QFETCH(QString, message);
     const Filled filled = fill(parameters);
     QVERIFY2(filled.told().contains(message), qPrintable(filled.told()));
+    QCOMPARE(filled.problems.size(), std::size_t{1});
 }
 
 // What a session stored is read without any file: an object edited later changes nothing.
