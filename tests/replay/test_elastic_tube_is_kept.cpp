@@ -152,6 +152,8 @@ void TestElasticTubeIsKept::scriptedHands() {
     SessionFixture site;
     const auto result = site.run(site.request(level, "expert", kSeed));
     QVERIFY2(result, result ? "" : result.error().message.c_str());
+    QCOMPARE(valueOf(result->scores, "procedure_completed"), 100.0);
+    QCOMPARE(valueOf(result->scores, "over_stretches"), 0.0);
     isKept(site, level, *result);
 }
 
