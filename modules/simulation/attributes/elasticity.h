@@ -42,6 +42,8 @@ struct ElasticLaw {
 
     /// −f: N, rises with x.
     double tension(double x_m) const noexcept {
+        if (stiffening_per_m == 0.0) // the usual case, to the same bits
+            return stiffness_N_per_m * x_m;
         const double u = stiffening_per_m * x_m;
         if (std::abs(u) < kSeriesBelow)
             return stiffness_N_per_m * x_m * (1.0 + u * excess(u));
@@ -52,6 +54,8 @@ struct ElasticLaw {
 
     /// U, J, ≥ 0.
     double energy(double x_m) const noexcept {
+        if (stiffening_per_m == 0.0)
+            return stiffness_N_per_m * x_m * x_m * 0.5;
         const double u = stiffening_per_m * x_m;
         if (std::abs(u) < kSeriesBelow)
             return stiffness_N_per_m * x_m * x_m * excess(u);

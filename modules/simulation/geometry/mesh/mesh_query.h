@@ -60,7 +60,7 @@ inline double reachable2(double distance2, double moved_m) noexcept {
 template <class Surface>
 void nearestInLeaf(const Surface& surface, const MeshTree::Node& leaf, const core::Vec3& p, NearestOnMesh& best, double& best2) noexcept {
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
-        const std::uint32_t index = surface.tree().order()[leaf.first + i];
+        const std::uint32_t index = leaf.first + i;
         const SurfaceTriangle& t = surface.triangle(index);
         const core::Vec3 &a = surface.position(t.vertex[0]), &b = surface.position(t.vertex[1]), &c = surface.position(t.vertex[2]);
         const core::Vec3 w = nearestWeights(a, b, c, p);
@@ -77,14 +77,15 @@ void nearestInLeaf(const Surface& surface, const MeshTree::Node& leaf, const cor
 } // namespace detail
 
 /// The nearest point of the surface, sign included. Bounded: visits a node once; 1 µs in 50,000 triangles, and more where many
-/// are equally near. Defined for every finite p. Thread: haptic.
-template <class Surface> NearestOnMesh nearestOnMesh(const Surface& surface, const core::Vec3& p) noexcept {
+/// are equally near. Defined for every finite p. `guess`: a triangle to look at first; a near one saves most of the rest. Thread: haptic.
+template <class Surface> NearestOnMesh nearestOnMesh(const Surface& surface, const core::Vec3& p, std::uint32_t guess = 0) noexcept {
     NearestOnMesh best;
     double best2 = std::numeric_limits<double>::infinity();
     const auto nodes = surface.tree().nodes();
     const double moved = surface.largestDisplacement_m();
     if (nodes.empty())
         return best;
+    detail::nearestInLeaf(surface, {{}, {}, guess, 1}, p, best, best2);
     detail::TreeStack stack;
     stack.push(0, 0.0);
     while (stack.count > 0) {
@@ -164,7 +165,7 @@ std::optional<MeshPlace> firstEntry(const Surface& surface, const core::Vec3& fr
             continue;
         }
         for (std::uint32_t i = 0; i < node.count; ++i) {
-            const std::uint32_t index = surface.tree().order()[node.first + i];
+            const std::uint32_t index = node.first + i;
             const SurfaceTriangle& t = surface.triangle(index);
             const auto hit = detail::enters(surface.position(t.vertex[0]), surface.position(t.vertex[1]), surface.position(t.vertex[2]), from, way);
             if (hit && hit->first <= until) {

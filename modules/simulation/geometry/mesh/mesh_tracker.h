@@ -44,7 +44,7 @@ class MeshTracker {
 public:
     static constexpr double kTeleport_m = 0.020; ///< in one tick; models.md §5: a larger jump is no motion
     static constexpr double kFollow = 8.0;       ///< assumption: reached at 7/8 of the radius of a round part
-    static constexpr double kStill_m = 1e-9;     ///< a place may settle by this much a tick
+    static constexpr double kStill_m = 1e-6;     ///< a place may settle by this much a tick (what Newton left undone)
 
     /// `p`: the tip's centre in the mesh's frame, m; `radius_m` ≥ 0; `reach_m` ≥ 0: so far above the surface the foot is wanted
     /// already (roughness may begin there).
@@ -77,10 +77,12 @@ private:
     }
 
     template <class Surface> MeshFoot keepUp(const Surface& surface, const core::Vec3& p, double radius_m) noexcept {
-        const core::Vec3 here = pointAt(surface, m_foot.place);
+        core::Vec3 here = m_foot.point;
+        if constexpr (Surface::kMoves)
+            here = pointAt(surface, m_foot.place);
         const core::Vec3 surfaceMotion = here - m_foot.point;
         const core::Vec3 motion = p - m_tool - surfaceMotion;
-        const double most = kFollow * motion.norm() + kStill_m;
+        const double most2 = kFollow * kFollow * motion.squaredNorm() + kStill_m * kStill_m;
         MeshPlace place = m_foot.place;
         double along = m_along_m;
         MeshFoot foot;
@@ -89,8 +91,8 @@ private:
             foot = footAt(surface, p, place, radius_m, MeshTrack::tracked);
             const core::Vec3 way = foot.point - here;
             const double length2 = way.squaredNorm();
-            if (length2 > most * most) {
-                const core::Vec3 part = here + way * (most / std::sqrt(length2));
+            if (length2 > most2) {
+                const core::Vec3 part = here + way * std::sqrt(most2 / length2);
                 foot = footAt(surface, p, glide(surface, m_foot.place, part), radius_m, MeshTrack::followed);
             }
         } else {
@@ -121,7 +123,8 @@ private:
             return foot;
         // the way since the last tick, if it may have gone through
         const bool through = !jumped && !m_foot.within() && (p - m_tool).norm() > m_clearance_m - (m_tool - m_askedAt).norm();
-        const NearestOnMesh nearest = nearestOnMesh(surface, p);
+        const NearestOnMesh nearest = nearestOnMesh(surface, p, m_nearest);
+        m_nearest = nearest.place.triangle;
         m_askedAt = p;
         m_clearance_m = nearest.signedDistance_m;
         m_displacementThen_m = surface.largestDisplacement_m();
@@ -149,6 +152,7 @@ private:
     double m_along_m = 0.0; ///< t of projectAlongNormals
     bool m_known = false;   ///< m_tool is of the tick before
     core::Vec3 m_askedAt = core::Vec3::Zero(); ///< where the tree was asked last
+    std::uint32_t m_nearest = 0;               ///< and which triangle it named
     double m_clearance_m = -1.0;               ///< what it said; negative: nothing is known to be clear
     double m_displacementThen_m = 0.0;
 };

@@ -20,7 +20,7 @@ public:
     struct Node {
         std::array<float, 3> low{};
         std::array<float, 3> high{};
-        std::uint32_t first = 0; ///< of a leaf: into order(); else its two children, first and first + 1
+        std::uint32_t first = 0; ///< of a leaf: its first triangle; else its two children, first and first + 1
         std::uint32_t count = 0; ///< triangles of a leaf; 0: no leaf
 
         /// Square of the distance (m²) from p to the box.
@@ -38,15 +38,14 @@ public:
     };
 
     MeshTree() = default;
-    /// Three corners a triangle, in metres. Allocates; deterministic.
-    explicit MeshTree(std::span<const std::array<core::Vec3, 3>> triangles);
+    /// Three corners a triangle, in metres. `order` is where the triangles have to go for the tree to hold: the one now at
+    /// order[i] comes i-th. So what lies together in space lies together in memory. Allocates; deterministic.
+    MeshTree(std::span<const std::array<core::Vec3, 3>> triangles, std::vector<std::uint32_t>& order);
 
     std::span<const Node> nodes() const noexcept { return m_nodes; } ///< the root first; none for no triangles
-    std::span<const std::uint32_t> order() const noexcept { return m_order; } ///< triangles, leaf by leaf
 
 private:
     std::vector<Node> m_nodes;
-    std::vector<std::uint32_t> m_order;
 };
 
 } // namespace chiron::simulation

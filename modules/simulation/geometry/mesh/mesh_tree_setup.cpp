@@ -44,15 +44,15 @@ struct Task {
 
 } // namespace
 
-MeshTree::MeshTree(std::span<const std::array<core::Vec3, 3>> triangles) {
+MeshTree::MeshTree(std::span<const std::array<core::Vec3, 3>> triangles, std::vector<std::uint32_t>& order) {
     if (triangles.empty())
         return;
     std::vector<core::Vec3> centres;
     centres.reserve(triangles.size());
     for (const auto& corners : triangles)
         centres.push_back((corners[0] + corners[1] + corners[2]) / 3.0);
-    m_order.resize(triangles.size());
-    std::iota(m_order.begin(), m_order.end(), 0U);
+    order.resize(triangles.size());
+    std::iota(order.begin(), order.end(), 0U);
     m_nodes.reserve(triangles.size());
     m_nodes.emplace_back();
     std::vector<Task> tasks{{0, 0, static_cast<std::uint32_t>(triangles.size())}};
@@ -61,7 +61,7 @@ MeshTree::MeshTree(std::span<const std::array<core::Vec3, 3>> triangles) {
         const Task task = tasks.back();
         tasks.pop_back();
         Node node{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}, task.first, task.count};
-        const std::span<std::uint32_t> part(m_order.data() + task.first, task.count);
+        const std::span<std::uint32_t> part(order.data() + task.first, task.count);
         for (const std::uint32_t t : part)
             include(node, triangles[t]);
         if (task.count > kLeaf) {

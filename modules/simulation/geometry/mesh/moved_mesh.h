@@ -10,7 +10,7 @@ namespace chiron::simulation {
 
 /// A mesh whose vertices have moved: the same triangles, neighbours and tree as at rest, each place and normal from the
 /// caller's arrays (blended from a slow model's answers, say). What tracking and contact need of a surface:
-///   position(vertex), normal(vertex), triangle(index), tree(), largestDisplacement_m().
+///   position(vertex), normal(vertex), triangle(index), tree(), largestDisplacement_m(), kMoves.
 /// Any type that answers these can be touched; this one looks at arrays that outlive it. Thread: haptic.
 class MovedMesh {
 public:
@@ -24,6 +24,7 @@ public:
     const SurfaceTriangle& triangle(std::uint32_t index) const noexcept { return m_mesh->triangle(index); }
     const MeshTree& tree() const noexcept { return m_mesh->tree(); }
     double largestDisplacement_m() const noexcept { return m_largestDisplacement_m; }
+    static constexpr bool kMoves = true;
 
 private:
     const TriangleMesh* m_mesh;

@@ -28,7 +28,8 @@ struct SurfaceVertex {
 };
 
 /// A closed, consistently oriented surface of triangles, laid out for the tick: 48 bytes a vertex, 24 a triangle, and the
-/// tree that finds the nearest of them. One or several shells; every edge belongs to exactly two triangles. Its frame is the
+/// tree that finds the nearest of them. What lies together lies together in memory: triangles and vertices are renumbered, so
+/// their numbers are not those of the shape that it was made of (which vertices hang together is). One or several shells; every edge belongs to exactly two triangles. Its frame is the
 /// object's own. A value, immutable once made; thread: any. Source: P2 "Deformation", figure 6; models.md §2.2.
 class TriangleMesh {
 public:
@@ -45,6 +46,7 @@ public:
     const SurfaceTriangle& triangle(std::uint32_t index) const noexcept { return m_triangles[index]; }
     /// How far any vertex may be from where the tree has it: 0 here; a moving view answers its largest displacement (m).
     double largestDisplacement_m() const noexcept { return 0.0; }
+    static constexpr bool kMoves = false; ///< a place stays where it is from tick to tick
     const MeshTree& tree() const noexcept { return m_tree; }
 
     std::span<const SurfaceVertex> vertices() const noexcept { return m_vertices; }
@@ -55,6 +57,8 @@ public:
     double longestEdge_m() const noexcept { return m_longestEdge_m; }
 
 private:
+    void lay(std::span<const core::Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
+
     std::vector<SurfaceVertex> m_vertices;
     std::vector<SurfaceTriangle> m_triangles;
     MeshTree m_tree;

@@ -38,6 +38,32 @@ core::Result<void> join(std::span<const Corners> corners, std::vector<SurfaceTri
     return {};
 }
 
+struct Sorted {
+    std::vector<core::Vec3> vertices;
+    std::vector<Corners> triangles;
+};
+
+/// Triangles in the tree's order, vertices in the order of their first triangle: a step to a neighbour finds its data near.
+Sorted sortedForTheTick(std::span<const core::Vec3> vertices, std::span<const Corners> triangles, std::span<const std::uint32_t> order) {
+    constexpr std::uint32_t kNew = 0xffffffffU;
+    Sorted out;
+    std::vector<std::uint32_t> number(vertices.size(), kNew);
+    out.triangles.reserve(triangles.size());
+    out.vertices.reserve(vertices.size());
+    for (const std::uint32_t t : order) {
+        Corners corners = triangles[t];
+        for (std::uint32_t& corner : corners) {
+            if (number[corner] == kNew) {
+                number[corner] = static_cast<std::uint32_t>(out.vertices.size());
+                out.vertices.push_back(vertices[corner]);
+            }
+            corner = number[corner];
+        }
+        out.triangles.push_back(corners);
+    }
+    return out;
+}
+
 /// The normals of one triangle, added to its corners with their angles as weights.
 void addNormals(const Corners& corners, const std::array<core::Vec3, 3>& p, std::span<core::Vec3> normals) {
     const core::Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
@@ -72,36 +98,50 @@ core::Result<TriangleMesh> TriangleMesh::create(std::span<const core::Vec3> vert
                                                          std::to_string(kMostTriangles));
     if (auto checked = checkNumbers(vertices, triangles); !checked)
         return tl::unexpected(checked.error());
-    TriangleMesh mesh;
-    mesh.m_triangles.resize(triangles.size());
-    if (auto joined = join(triangles, mesh.m_triangles); !joined)
+    std::vector<SurfaceTriangle> unsorted(triangles.size());
+    if (auto joined = join(triangles, unsorted); !joined) // named by the caller's numbers
         return tl::unexpected(joined.error());
+    std::vector<std::array<core::Vec3, 3>> places;
+    places.reserve(triangles.size());
+    for (const Corners& t : triangles)
+        places.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
+    TriangleMesh mesh;
+    std::vector<std::uint32_t> order;
+    mesh.m_tree = MeshTree(places, order);
+    const Sorted sorted = sortedForTheTick(vertices, triangles, order);
+    std::vector<std::uint32_t> now(order.size());
+    for (std::uint32_t t = 0; t < order.size(); ++t)
+        now[order[t]] = t;
+    mesh.m_triangles.resize(order.size());
+    for (std::uint32_t t = 0; t < order.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i)
+            mesh.m_triangles[t].neighbour[i] = now[unsorted[order[t]].neighbour[i]];
+    mesh.lay(sorted.vertices, sorted.triangles);
+    return mesh;
+}
+
+void TriangleMesh::lay(std::span<const core::Vec3> vertices, std::span<const Corners> triangles) {
     std::vector<core::Vec3> normals(vertices.size(), core::Vec3::Zero());
-    std::vector<std::array<core::Vec3, 3>> corners;
-    corners.reserve(triangles.size());
     double sum = 0.0;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        mesh.m_triangles[t].vertex = triangles[t];
-        const auto& p = corners.emplace_back(
-            std::array{vertices[triangles[t][0]], vertices[triangles[t][1]], vertices[triangles[t][2]]});
+        m_triangles[t].vertex = triangles[t];
+        const std::array<core::Vec3, 3> p{vertices[triangles[t][0]], vertices[triangles[t][1]], vertices[triangles[t][2]]};
         addNormals(triangles[t], p, normals);
         for (std::size_t i = 0; i < 3; ++i) {
             const double edge = (p[(i + 1) % 3] - p[i]).norm();
             sum += edge;
-            mesh.m_longestEdge_m = std::max(mesh.m_longestEdge_m, edge);
+            m_longestEdge_m = std::max(m_longestEdge_m, edge);
         }
     }
-    mesh.m_meanEdge_m = sum / (3.0 * static_cast<double>(triangles.size()));
-    mesh.m_lowest = mesh.m_highest = corners.front()[0];
-    mesh.m_vertices.reserve(vertices.size());
+    m_meanEdge_m = sum / (3.0 * static_cast<double>(triangles.size()));
+    m_lowest = m_highest = vertices[triangles[0][0]];
+    m_vertices.reserve(vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) {
         const double length = normals[v].norm();
-        mesh.m_vertices.push_back({vertices[v], length > 0.0 ? core::Vec3(normals[v] / length) : core::Vec3::UnitZ()});
-        mesh.m_lowest = mesh.m_lowest.cwiseMin(vertices[v]);
-        mesh.m_highest = mesh.m_highest.cwiseMax(vertices[v]);
+        m_vertices.push_back({vertices[v], length > 0.0 ? core::Vec3(normals[v] / length) : core::Vec3::UnitZ()});
+        m_lowest = m_lowest.cwiseMin(vertices[v]);
+        m_highest = m_highest.cwiseMax(vertices[v]);
     }
-    mesh.m_tree = MeshTree(corners);
-    return mesh;
 }
 
 void smoothNormals(const TriangleMesh& mesh, std::span<const core::Vec3> moved, std::span<core::Vec3> normals) noexcept {
