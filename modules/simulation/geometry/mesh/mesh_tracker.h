@@ -44,7 +44,7 @@ class MeshTracker {
 public:
     static constexpr double kTeleport_m = 0.020; ///< in one tick; models.md §5: a larger jump is no motion
     static constexpr double kFollow = 8.0;       ///< assumption: reached at 7/8 of the radius of a round part
-    static constexpr double kStill_m = 1e-6;     ///< a place may settle by this much a tick (what Newton left undone)
+    static constexpr double kStill_m = 1e-9;     ///< a place may settle by this much a tick
 
     /// `p`: the tip's centre in the mesh's frame, m; `radius_m` ≥ 0; `reach_m` ≥ 0: so far above the surface the foot is wanted
     /// already (roughness may begin there).

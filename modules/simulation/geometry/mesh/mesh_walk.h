@@ -11,7 +11,7 @@ namespace chiron::simulation {
 struct MeshWalk {
     static constexpr int kMostSteps = 64;       ///< triangles or Newton steps a tick; 2–3 is usual
     static constexpr int kMostRound = 32;       ///< triangles round a vertex that are looked at
-    static constexpr double kResidual_m = 2e-7; ///< 0.1 mN at 500 N/m; does not add up, each tick begins from what is left
+    static constexpr double kResidual_m = 1e-8; ///< 5 µN at 500 N/m
     /// The surface moved inwards along its normals may shrink to this share of its area; beyond, the normals are about to
     /// cross (a ridge pressed deeper than its radius), and which of them is meant is no longer decided by the point alone.
     static constexpr double kLeastShrink = 0.08;
@@ -36,7 +36,7 @@ template <class Surface> bool projectAlongNormals(const Surface& surface, const 
         const core::Vec3 r = (p - a) - (u * e1 + v * e2) + t * n;
         const core::Vec3 m1 = e1 - t * d1, m2 = e2 - t * d2, area = m1.cross(m2);
         const double volume = area.dot(n);
-        if (!(volume > 0.0))
+        if (!(volume > MeshWalk::kLeastShrink * e1.cross(e2).dot(n))) // also on the way: what lies beyond a fold is another sheet
             return false;
         const double inverse = 1.0 / volume;
         const double du = inverse * r.dot(m2.cross(n)), dv = inverse * r.dot(n.cross(m1)), dt = -inverse * r.dot(area);
@@ -52,8 +52,6 @@ template <class Surface> bool projectAlongNormals(const Surface& surface, const 
         t += share * dt;
         if (leaves < 0) {
             if ((dt * (du * d1 + dv * d2)).squaredNorm() < MeshWalk::kResidual_m * MeshWalk::kResidual_m) {
-                if (!(volume > MeshWalk::kLeastShrink * e1.cross(e2).dot(n)))
-                    return false;
                 place = now;
                 along = t;
                 return true;
