@@ -50,7 +50,6 @@ ElasticTubeOperatorSettings intermediate() {
     s.jawUnsteadySd_rad = 0.03;
     s.pullSpeed_m_per_s = 0.020;
     s.correctionRate_per_s = 1.5;
-    s.learnsStiffness = false;
     s.deadZone = 0.4;
     s.searchSpeed_m_per_s = 0.007;
     s.longestRatio = 1.8;

@@ -67,6 +67,7 @@ private:
     int m_rounds = 1;
     core::Vec3 m_grip = core::Vec3::Zero();   ///< where it took hold
     core::Vec3 m_from = core::Vec3::Zero();   ///< where the object lay
+    core::Vec3 m_hold = core::Vec3::Zero();   ///< of the object's middle from the tip, as it looked when it was taken along
     core::Vec3 m_to = core::Vec3::Zero();     ///< where the tip has to be to set it down
     double m_firmness = 1.0;
     double m_thereSince_s = -1.0;

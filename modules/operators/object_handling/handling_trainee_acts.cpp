@@ -110,14 +110,15 @@ void HandlingTrainee::weigh(const GraspPercept& felt, double jaw_rad, GraspWish&
 
 void HandlingTrainee::carry(const GraspPercept& felt, double jaw_rad, GraspWish& wish) noexcept {
     squeeze(felt, jaw_rad, wish);
-    const Vec3 offset = object(felt) - m_place; // as it is held
+    if (m_thereSince_s < 0.0 && since(felt) < m_settings.attention_s + Senses::kLook_s)
+        m_hold = object(felt) - m_place; // as it is held: what the eye mistakes of the tip it mistakes of what that holds
     const Vec3 target = m_deciding || !felt.screen().targetShown ? m_from : vectorOf(felt.screen().p_WTarget);
-    const Vec3 goal(target.x() - offset.x(), target.y() - offset.y(), m_place.z());
-    wish.velocity_m_per_s = velocityTo(goal, m_place, m_settings.moveGain_per_s, m_settings.carrySpeed_m_per_s);
+    const Vec3 goal(target.x() - m_hold.x(), target.y() - m_hold.y(), m_place.z());
+    const bool there = (goal - m_place).head<2>().norm() < m_settings.placeAim_m;
+    wish.velocity_m_per_s = velocityTo(goal, m_place, there ? 0.0 : m_settings.moveGain_per_s, m_settings.carrySpeed_m_per_s);
     wish.velocity_m_per_s.z() = std::clamp(m_settings.moveGain_per_s * (m_grip.z() + m_briefing.liftHeight_m +
                                                                          m_settings.clearance_m - m_place.z()),
                                            -0.02, 0.02);
-    const bool there = (goal - m_place).head<2>().norm() < m_settings.aim_m;
     m_thereSince_s = there ? (m_thereSince_s < 0.0 ? felt.time_s : m_thereSince_s) : -1.0;
     if (there && felt.time_s - m_thereSince_s >= m_settings.settle_s) {
         m_to = Vec3(goal.x(), goal.y(), m_grip.z());

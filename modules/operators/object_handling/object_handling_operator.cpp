@@ -25,6 +25,7 @@ ObjectHandlingOperatorSettings novice() {
     s.lowerSpeed_m_per_s = 0.03;
     s.moveGain_per_s = 1.8;
     s.aim_m = 0.005;
+    s.placeAim_m = 0.008;
     s.settle_s = 0.4;
     s.jawSpeed_rad_per_s = 0.7;
     s.squeezeShare = 0.85;
@@ -51,6 +52,7 @@ ObjectHandlingOperatorSettings intermediate() {
     s.attention_s = 0.18;
     s.carrySpeed_m_per_s = 0.05;
     s.aim_m = 0.0035;
+    s.placeAim_m = 0.004;
     s.settle_s = 0.3;
     s.squeezeShare = 0.70;
     s.squeezeGain_rad_per_Ns = 0.5;
@@ -96,12 +98,13 @@ core::Result<void> check(const ObjectHandlingOperatorSettings& s, const ObjectHa
         const char* name;
         double value, low, high;
     };
-    const std::array<Range, 27> ranges{{{"attention_s", s.attention_s, 0.0, 2.0},
+    const std::array<Range, 28> ranges{{{"attention_s", s.attention_s, 0.0, 2.0},
                                         {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.005, 0.5},
                                         {"carrySpeed_m_per_s", s.carrySpeed_m_per_s, 0.005, 0.5},
                                         {"lowerSpeed_m_per_s", s.lowerSpeed_m_per_s, 0.002, 0.3},
                                         {"moveGain_per_s", s.moveGain_per_s, 0.2, 10.0},
                                         {"aim_m", s.aim_m, 0.0005, 0.02},
+                                        {"placeAim_m", s.placeAim_m, 0.0005, 0.02},
                                         {"settle_s", s.settle_s, 0.0, 5.0},
                                         {"jawSpeed_rad_per_s", s.jawSpeed_rad_per_s, 0.05, 20.0},
                                         {"squeezeShare", s.squeezeShare, 0.05, 3.0},

@@ -23,6 +23,7 @@ struct ObjectHandlingOperatorSettings {
     double lowerSpeed_m_per_s = 0.03; ///< down to an object
     double moveGain_per_s = 2.0; ///< of what is left of a movement
     double aim_m = 0.002;        ///< content with a place this near
+    double placeAim_m = 0.0015;  ///< content with where it sets something down this near to the middle
     double settle_s = 0.25;      ///< once it is there
 
     double jawSpeed_rad_per_s = 0.8;        ///< until the jaws touch
