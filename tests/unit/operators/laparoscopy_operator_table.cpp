@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints how each scripted laparoscopist does, as Markdown: laparoscopy_operator_table EXERCISE LEVEL [SEEDS] [FIRST] [OPERATOR];
-// with SEEDS 0, what happens in the session of seed FIRST every quarter of a second. Not a test: it asserts nothing.
+// Prints how each scripted laparoscopist does, as Markdown: laparoscopy_operator_table EXERCISE LEVEL [SEEDS] [FIRST]
+// [TRIALS] [OPERATOR]; TRIALS 0: as many as the level has; with SEEDS 0, what happens in the session of seed FIRST every quarter of a second. Not a test: it asserts nothing.
 #include "support/laparoscopy_session.h"
 
 #include <cstdio>
@@ -84,13 +84,13 @@ void printRow(const catalogue::ExerciseLevel& level, const std::string& name, st
 
 int main(int argc, char** argv) {
     if (argc < 3) {
-        std::fprintf(stderr, "laparoscopy_operator_table EXERCISE LEVEL [SEEDS] [FIRST] [OPERATOR]\n");
+        std::fprintf(stderr, "laparoscopy_operator_table EXERCISE LEVEL [SEEDS] [FIRST] [TRIALS] [OPERATOR]\n");
         return 2;
     }
-    const catalogue::ExerciseLevel level = support::contentLevel(argv[1], std::atoi(argv[2]));
+    const catalogue::ExerciseLevel level = support::contentLevel(argv[1], std::atoi(argv[2]), argc > 5 ? std::atoi(argv[5]) : 0);
     const int seeds = argc > 3 ? std::atoi(argv[3]) : 20;
     const auto first = static_cast<std::uint64_t>(argc > 4 ? std::atoi(argv[4]) : 1);
-    const std::string only = argc > 5 ? argv[5] : "";
+    const std::string only = argc > 6 ? argv[6] : "";
     if (seeds == 0) {
         tell(level, only.empty() ? "expert" : only, first);
         return 0;

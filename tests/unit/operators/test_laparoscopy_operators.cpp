@@ -2,6 +2,7 @@
 #include "support/laparoscopy_session.h"
 
 #include <QtTest>
+#include <algorithm>
 
 using namespace chiron;
 using support::contentLevel;
@@ -33,17 +34,17 @@ int levelsOf(const char* exercise) {
     return count;
 }
 
-void levelRows() {
+void levelRows(int most) {
     QTest::addColumn<QString>("exercise");
     QTest::addColumn<int>("level");
     for (const char* exercise : exercises())
-        for (int level = 1; level <= levelsOf(exercise); ++level)
+        for (int level = 1; level <= std::min(most, levelsOf(exercise)); ++level)
             QTest::newRow(qPrintable(QString("%1 %2").arg(exercise).arg(level))) << QString(exercise) << level;
 }
 
 } // namespace
 
-void TestLaparoscopyOperators::everyLevelIsDone_data() { levelRows(); }
+void TestLaparoscopyOperators::everyLevelIsDone_data() { levelRows(99); }
 
 void TestLaparoscopyOperators::everyLevelIsDone() {
     QFETCH(QString, exercise);
@@ -72,14 +73,12 @@ void TestLaparoscopyOperators::unsafeHurts() {
     QVERIFY2(unsafe > expert, qPrintable(QString("%1, %2").arg(unsafe).arg(expert)));
 }
 
-void TestLaparoscopyOperators::hiddenObjectsAreNotFound_data() { levelRows(); }
+void TestLaparoscopyOperators::hiddenObjectsAreNotFound_data() { levelRows(1); } // it is the same mind at every level
 
 // What the screen does not show they do not know of: nobody moves towards it, and nothing is done.
 void TestLaparoscopyOperators::hiddenObjectsAreNotFound() {
     QFETCH(QString, exercise);
     QFETCH(int, level);
-    if (level > 2)
-        QSKIP("the first two levels stand for all: it is the same mind");
     const auto outcome = runLaparoscopy({contentLevel(exercise.toStdString(), level, 1), "expert", 1, {.hidden = true}});
     QCOMPARE(outcome.completed(), 0);
 }
