@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each task of the elastic tube, done by ideal hands, dropped, torn, and out of time.
+#include "tube_driver.h"
+
+#include <QtTest>
+
+using namespace chiron;
+using namespace chiron::simulation;
+using namespace chiron::simulation::testing;
+namespace bits = chiron::core::event_bits;
+using Step = core::LaparoscopyStep;
+
+namespace {
+
+/// Straight up from the base until the tube pulls with the trial's target.
+Vec3 placeOfTension(const TubeDriver& d, double tension_N) {
+    const ElasticTubeTrial& trial = d.scene.trials()[d.out.trial];
+    const double x = tension_N / trial.stiffness_N_per_m; // linear tubes
+    return {trial.base_m.x(), trial.base_m.y(), d.p.restLength_m + x};
+}
+
+} // namespace
+
+class TestElasticTubeTasks : public QObject {
+    Q_OBJECT
+private slots:
+    void holdInTheBand();
+    void leavingTheBandBreaksTheHold();
+    void stretchToTheMark();
+    void twoHands();
+    void transferFromHandToHand();
+    void letGoIsDropped();
+    void tearing();
+    void overStretchIsCountedOnce();
+    void timeRunsOut();
+};
+
+void TestElasticTubeTasks::holdInTheBand() {
+    TubeDriver d(tubeExercise(TubeTask::hold));
+    d.startRunning();
+    d.grasp(0, 1);
+    QCOMPARE(d.step(), Step::stretch);
+    const double target_N = d.scene.trials()[0].target_N;
+    QCOMPARE(d.out.cues.laparoscopy.bandLow_N, target_N - d.p.band_N);
+    QCOMPARE(d.out.cues.laparoscopy.bandHigh_N, target_N + d.p.band_N);
+    d.moveTo(0, placeOfTension(d, target_N - d.p.band_N - 0.02));
+    QCOMPARE(d.step(), Step::stretch);
+    d.moveTo(0, placeOfTension(d, target_N));
+    QCOMPARE(d.step(), Step::hold);
+    d.ticks(10);
+    QVERIFY(std::abs(d.quantity(TubeQuantity::tension_N) - target_N) < 1e-9);
+    QVERIFY(std::abs(d.force(0).norm() - target_N) < 1e-9);
+    QVERIFY(d.force(0).z() < 0.0); // towards the base
+    const double dwell = d.quantity(TubeQuantity::dwell);
+    QVERIFY(dwell > 0.0 && dwell < 1.0);
+    int n = 0;
+    while (!(d.events & bits::kCompleted) && n < 1000) {
+        d.tick();
+        ++n;
+    }
+    QVERIFY(d.events & bits::kCompleted);
+    QVERIFY(std::abs(n * 1e-3 - (1.0 - dwell) * d.p.hold_s) < 0.003);
+    QCOMPARE(d.quantity(TubeQuantity::dwell), 1.0);
+}
+
+void TestElasticTubeTasks::leavingTheBandBreaksTheHold() {
+    ElasticTubeParameters p = tubeExercise(TubeTask::hold);
+    p.hold_s = 3.0;
+    TubeDriver d(p);
+    d.startRunning();
+    d.grasp(0, 1);
+    const double target_N = d.scene.trials()[0].target_N;
+    d.moveTo(0, placeOfTension(d, target_N));
+    d.ticks(100);
+    d.moveTo(0, placeOfTension(d, target_N + 2.0 * p.band_N));
+    d.ticks(300); // shorter than half a second: still the hold
+    QCOMPARE(d.step(), Step::hold);
+    d.ticks(300);
+    QCOMPARE(d.step(), Step::stretch);
+    QCOMPARE(d.quantity(TubeQuantity::dwell), 0.0);
+    d.moveTo(0, placeOfTension(d, target_N));
+    QCOMPARE(d.step(), Step::hold);
+    d.ticks(2990);
+    QVERIFY(d.events & bits::kCompleted);
+}
+
+void TestElasticTubeTasks::stretchToTheMark() {
+    TubeDriver d(tubeExercise(TubeTask::stretch));
+    d.startRunning();
+    QVERIFY(d.out.cues.laparoscopy.targetShown);
+    QCOMPARE(d.out.cues.laparoscopy.bandHigh_N, 0.0); // a task without a target tension
+    d.grasp(0, 1);
+    const auto& mark = d.out.cues.laparoscopy.p_WTarget;
+    d.moveTo(0, {mark[0], mark[1], mark[2]});
+    QCOMPARE(d.step(), Step::hold);
+    QVERIFY(std::abs(d.quantity(TubeQuantity::stretch_m) - 0.4 * d.p.restLength_m) < 1e-9);
+    d.ticks(600);
+    QVERIFY(d.events & bits::kCompleted);
+    QVERIFY(!(d.events & bits::kDamaged));
+}
+
+void TestElasticTubeTasks::twoHands() {
+    TubeDriver d(tubeExercise(TubeTask::twoHanded));
+    d.startRunning();
+    QVERIFY(!d.out.cues.laparoscopy.gripAnchored[0]);
+    d.grasp(0, 1);
+    QCOMPARE(d.step(), Step::grasp); // one end is not enough
+    d.grasp(1, 0);
+    QCOMPARE(d.step(), Step::stretch);
+    QCOMPARE(d.quantity(TubeQuantity::grip0), 2.0);
+    QCOMPARE(d.quantity(TubeQuantity::grip1), 1.0);
+    const ElasticTubeTrial& trial = d.scene.trials()[0];
+    const double half = 0.5 * (d.p.restLength_m + trial.target_N / trial.stiffness_N_per_m);
+    const Vec3 middle(trial.base_m.x(), trial.base_m.y(), 0.03);
+    d.moveTo(0, middle + Vec3(0.5 * d.p.restLength_m, 0.0, 0.0)); // lifted, one after the other
+    d.moveTo(1, middle - Vec3(0.5 * d.p.restLength_m, 0.0, 0.0));
+    d.moveTo(0, middle + Vec3(half, 0.0, 0.0));
+    d.moveTo(1, middle - Vec3(half, 0.0, 0.0));
+    d.ticks(20);
+    QVERIFY(std::abs(d.quantity(TubeQuantity::tension_N) - trial.target_N) < 1e-6);
+    QVERIFY(d.force(0) == -d.force(1));
+    QVERIFY(d.force(0).x() < 0.0);
+    d.ticks(600);
+    QVERIFY(d.events & bits::kCompleted);
+    QVERIFY(d.largestStep_N < 0.02);
+}
+
+void TestElasticTubeTasks::transferFromHandToHand() {
+    TubeDriver d(tubeExercise(TubeTask::transfer));
+    d.startRunning();
+    d.grasp(1, 1); // the left hand first is not the task
+    QCOMPARE(d.step(), Step::grasp);
+    d.open(1);
+    d.ticks(500);
+    d.grasp(0, 2);
+    QCOMPARE(d.step(), Step::handOver);
+    d.moveTo(0, d.tool(0).p_WT + Vec3(-0.004, 0.0, 0.006));
+    QVERIFY(d.force(0).norm() > 0.2);
+    const Vec3 felt = d.force(0);
+    d.tool(1).jaw_rad = TubeDriver::kOpen_rad;
+    d.grasp(1, 1);
+    QVERIFY((d.force(0) - felt).norm() < 1e-6 && d.force(1).norm() < 1e-6); // the same tension on both sides of it
+    QCOMPARE(d.step(), Step::handOver);
+    d.largestStep_N = 0.0;
+    const Vec3 place = d.force(0);
+    d.open(0);
+    QVERIFY((d.force(0) - place).norm() > 0.1); // who lets go feels nothing more
+    QCOMPARE(d.step(), Step::carry);
+    QVERIFY(!(d.events & bits::kSlipped));
+    d.largestStep_N = 0.0;
+    d.ticks(800);
+    QVERIFY2(d.largestStep_N < 0.05, qPrintable(QString::number(d.largestStep_N)));
+    const auto& at = d.out.cues.laparoscopy.p_WTarget;
+    for (int i = 0; i < 40 && d.step() != Step::hold; ++i) { // sees where the end is and leads it there
+        const Vec3 off = Vec3(at[0], at[1], at[2]) - d.place(2);
+        d.moveTo(1, d.tool(1).p_WT + 0.5 * off);
+        d.ticks(50);
+    }
+    QCOMPARE(d.step(), Step::hold);
+    d.ticks(700);
+    QVERIFY(d.events & bits::kCompleted);
+    QVERIFY(!(d.events & (bits::kFailed | bits::kDamaged)));
+}
+
+void TestElasticTubeTasks::letGoIsDropped() {
+    TubeDriver d(tubeExercise(TubeTask::hold));
+    d.startRunning();
+    d.grasp(0, 1);
+    d.moveTo(0, placeOfTension(d, 0.5));
+    d.open(0);
+    QVERIFY((d.out.events & bits::kSlipped) && (d.out.events & bits::kReleased));
+    QCOMPARE(d.step(), Step::grasp);
+    QVERIFY(d.force(0) == Vec3::Zero());
+    d.ticks(2000); // it comes back to where it stood
+    const ElasticTubeTrial& trial = d.scene.trials()[0];
+    QVERIFY((d.place(1) - Vec3(trial.base_m.x(), trial.base_m.y(), d.p.restLength_m)).norm() < 1e-5);
+    d.grasp(0, 1);
+    QCOMPARE(d.step(), Step::stretch);
+}
+
+void TestElasticTubeTasks::tearing() {
+    TubeDriver d(tubeExercise(TubeTask::hold));
+    d.startRunning();
+    d.grasp(0, 1);
+    const ElasticTubeTrial& trial = d.scene.trials()[0];
+    d.moveTo(0, {trial.base_m.x(), trial.base_m.y(), 1.88 * d.p.restLength_m});
+    QVERIFY(d.force(0).norm() > 2.0);
+    QVERIFY(!(d.events & bits::kFailed));
+    d.tool(0).p_WT.z() = 1.901 * d.p.restLength_m;
+    d.tick();
+    QVERIFY(d.out.events & bits::kFailed);
+    QVERIFY(d.events & bits::kDamaged);
+    QVERIFY(d.out.cues.laparoscopy.torn);
+    QVERIFY(d.force(0) == Vec3::Zero());
+    QVERIFY(d.quantity(TubeQuantity::stretch_m) > 0.9 * d.p.restLength_m); // what tore it is recorded
+    d.tick();
+    QCOMPARE(d.out.phase, core::TrialPhase::between);
+}
+
+void TestElasticTubeTasks::overStretchIsCountedOnce() {
+    TubeDriver d(tubeExercise(TubeTask::hold));
+    d.startRunning();
+    d.grasp(0, 1);
+    const ElasticTubeTrial& trial = d.scene.trials()[0];
+    int counted = 0;
+    const auto to = [&](double ratio) {
+        const Vec3 goal(trial.base_m.x(), trial.base_m.y(), ratio * d.p.restLength_m);
+        for (int i = 0; i < 50; ++i) {
+            d.tool(0).p_WT += (goal - d.tool(0).p_WT) / (50 - i);
+            d.tick();
+            counted += (d.out.events & bits::kDamaged) ? 1 : 0;
+        }
+    };
+    to(1.75);
+    QCOMPARE(counted, 1);
+    to(1.60); // 0.60 of 0.70 is above 80 %
+    to(1.75);
+    QCOMPARE(counted, 1);
+    to(1.50);
+    to(1.75);
+    QCOMPARE(counted, 2);
+}
+
+void TestElasticTubeTasks::timeRunsOut() {
+    ElasticTubeParameters p = tubeExercise(TubeTask::hold);
+    p.trialLimit_s = 0.2;
+    TubeDriver d(p);
+    d.startRunning();
+    d.ticks(198);
+    QVERIFY(!(d.events & bits::kTimedOut));
+    d.tick();
+    QVERIFY(d.out.events & bits::kTimedOut);
+    d.tick();
+    QCOMPARE(d.out.phase, core::TrialPhase::between);
+}
+
+QTEST_APPLESS_MAIN(TestElasticTubeTasks)
+#include "test_elastic_tube_tasks.moc"
