@@ -43,7 +43,20 @@ std::vector<Picture> pictures() {
     SceneState squeezed = samples::handlingState(true);
     squeezed.laparoscopy.squeeze_N[0] = 2.4;
     squeezed.laparoscopy.body[1].squeeze_m = 0.006;
-    return {{"tube_lying", samples::tubeSetup(), samples::tubeState({0.030, -0.022, 0.003}, false)},
+    SceneSetup organ = samples::handlingSetup();
+    auto& bed = std::get<chiron::simulation::ObjectHandlingParameters>(organ.parameters);
+    bed.organBed = true;
+    bed.bedMesh.shape = chiron::simulation::MeshSource::Shape::ellipsoid;
+    bed.bedMesh.halfAxisX_m = bed.bedMesh.halfAxisY_m = 0.090;
+    bed.bedMesh.halfAxisZ_m = 0.014;
+    bed.bedMesh.edge_m = 0.006;
+    bed.bedMesh.bumpHeight_m = 0.0004;
+    bed.bedMesh.bumpWavelength_m = 0.040;
+    SceneState onOrgan = samples::handlingState(false);
+    for (int i = 0; i < 3; ++i)
+        onOrgan.laparoscopy.body[std::size_t(i)].p_W[2] = 0.007;
+    return {{"ovary_organ", organ, onOrgan},
+            {"tube_lying", samples::tubeSetup(), samples::tubeState({0.030, -0.022, 0.003}, false)},
             {"tube_slack", samples::tubeSetup(), samples::tubeState({0.016, -0.014, 0.024}, true)},
             {"tube_taut", samples::tubeSetup(), samples::tubeState({0.026, -0.016, 0.052}, true)},
             {"tube_mark", samples::tubeSetup(TubeTask::stretch), mark},

@@ -20,7 +20,8 @@ const OrganLook kUterus{{0.90F, 0.55F, 0.52F, 0.5F}, {0.80F, 0.43F, 0.42F, 0.6F}
 
 } // namespace
 
-Abdomen::Abdomen(SharedLight& light, double workspace_m, Qt3DCore::QNode* parent) : QEntity(parent), m_light(light) {
+Abdomen::Abdomen(SharedLight& light, double workspace_m, Qt3DCore::QNode* parent) : QEntity(parent), m_light(light), m_ground(new Qt3DCore::QEntity(this)), m_height(new Qt3DCore::QTransform(m_ground)) {
+    m_ground->addComponent(m_height);
     m_skin = parameter("skin", QVariant::fromValue(makeSkinTexture(this)));
     m_dentPlace = parameter("dentPlace", QMatrix4x4() * 0.0F);
     m_dentNormal = parameter("dentNormal", QMatrix4x4());
@@ -30,11 +31,11 @@ Abdomen::Abdomen(SharedLight& light, double workspace_m, Qt3DCore::QNode* parent
     for (Qt3DRender::QParameter* p : {light.lamp, light.lens, m_dentPlace, m_dentNormal, m_tips, presses, m_skin})
         floor->addParameter(p);
     const double workspace_mm = workspace_m * 1e3;
-    m_floor = new Part(peritoneumMesh(workspace_mm), floor, this);
+    m_floor = new Part(peritoneumMesh(workspace_mm), floor, m_ground);
     chooseLook();
-    new Part(bowelMesh(workspace_mm), organ(kBowel, this), this);
-    new Part(fatMesh(workspace_mm), organ(kFat, this), this);
-    new Part(uterusMesh(workspace_mm), organ(kUterus, this), this);
+    new Part(bowelMesh(workspace_mm), organ(kBowel, this), m_ground);
+    new Part(fatMesh(workspace_mm), organ(kFat, this), m_ground);
+    new Part(uterusMesh(workspace_mm), organ(kUterus, this), m_ground);
 }
 
 Qt3DRender::QParameter* Abdomen::parameter(const char* name, const QVariant& value) {
@@ -51,6 +52,8 @@ Qt3DRender::QMaterial* Abdomen::organ(const OrganLook& look, Qt3DCore::QNode* pa
 Qt3DRender::QMaterial* Abdomen::shade(Qt3DCore::QNode* parent) {
     return m_light.effects.material("organ.vert", "shade.frag", {m_light.lamp, m_light.lens}, Blend::translucent, parent);
 }
+
+void Abdomen::lower(double by_m) { m_height->setTranslation({0.0F, 0.0F, -float(by_m * 1e3)}); }
 
 void Abdomen::chooseLook() {
     Qt3DRender::QEffect* effect = m_light.effects.effect(

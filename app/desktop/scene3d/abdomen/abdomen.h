@@ -22,6 +22,8 @@ class Abdomen final : public Qt3DCore::QEntity {
 public:
     Abdomen(SharedLight& light, double workspace_m, Qt3DCore::QNode* parent);
 
+    /// Floor and organs lie lower by so much: something else is what the instruments work on.
+    void lower(double by_m);
     void change(const SceneSetup& setup);
     void show(const SceneState& state);
     /// A material of soft tissue in the abdomen's light.
@@ -41,6 +43,8 @@ private:
     Qt3DRender::QParameter* m_dentNormal;
     Qt3DRender::QParameter* m_tips;
     Part* m_floor = nullptr;
+    Qt3DCore::QEntity* m_ground;
+    Qt3DCore::QTransform* m_height;
 };
 
 } // namespace chiron::scene3d

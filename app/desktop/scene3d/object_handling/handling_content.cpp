@@ -14,6 +14,7 @@ namespace chiron::scene3d {
 namespace {
 
 const OrganLook kOvary{{1.0F, 0.95F, 0.89F, 0.20F}, {0.95F, 0.83F, 0.77F, 0.40F}};
+const OrganLook kOrgan{{0.68F, 0.30F, 0.26F, 0.25F}, {0.55F, 0.20F, 0.18F, 0.7F}};
 constexpr std::uint32_t kOvarySeed = 23; // all of a level look alike
 
 /// A unit body: lobed, near to the ball that is felt.
@@ -68,6 +69,21 @@ HandlingContent::HandlingContent(const SceneSetup& setup, SharedLight& light, Qt
     m_target = new TargetRing(light, m_abdomen);
     m_shade->setEnabled(false);
     m_dish->setEnabled(false);
+    if (!m_parameters.organBed)
+        return;
+    m_organAtRest = organMesh(m_parameters);
+    m_abdomen->lower(m_parameters.bedMesh.halfAxisZ_m);
+    m_organ = new Part(m_organAtRest, m_abdomen->organ(kOrgan, m_abdomen), m_abdomen);
+}
+
+void HandlingContent::showOrgan(const SceneState& state) {
+    if (!m_organ)
+        return;
+    const std::vector<Dent> dents = organDents(m_parameters, state);
+    if (dents.empty() && !m_organDented)
+        return;
+    m_organDented = !dents.empty();
+    m_organ->mesh().setMesh(dented(m_organAtRest, dents));
 }
 
 double HandlingContent::fieldRadius_m() const { return 0.056; }
@@ -85,6 +101,7 @@ void HandlingContent::change(const SceneSetup& setup) {
 
 void HandlingContent::show(const SceneState& state) {
     m_abdomen->show(state);
+    showOrgan(state);
     showBodies(state);
     showDish(state.laparoscopy);
 }
@@ -107,7 +124,8 @@ void HandlingContent::showBodies(const SceneState& state) {
             matrix(row, 3) = float(p_W[row] * 1e3);
         }
         m_body[i]->at().setMatrix(matrix);
-        addShade(shade, p_W, body.radius_m, 0.0);
+        if (!m_organ)
+            addShade(shade, p_W, body.radius_m, 0.0);
     }
     m_shade->setEnabled(!shade.indices.empty());
     if (!shade.indices.empty())
@@ -116,7 +134,7 @@ void HandlingContent::showBodies(const SceneState& state) {
 
 void HandlingContent::showDish(const core::LaparoscopyCues& cues) {
     const bool shown = cues.present && cues.objectShown && cues.targetShown && cues.targetRadius_m > 0.0;
-    m_dish->setEnabled(shown);
+    m_dish->setEnabled(shown && !m_organ);
     if (!shown) {
         m_target->hide();
         return;
@@ -127,7 +145,7 @@ void HandlingContent::showDish(const core::LaparoscopyCues& cues) {
     }
     const core::Vec3 p_W(cues.p_WTarget[0], cues.p_WTarget[1], cues.p_WTarget[2]);
     m_dish->at().setTranslation(toMillimetres({p_W.x(), p_W.y(), 0.0}));
-    m_target->show({p_W.x(), p_W.y(), 0.0012}, core::Vec3::UnitZ(), m_dishRadius_m - 0.001, false, cues.dwell);
+    m_target->show({p_W.x(), p_W.y(), groundHeight_m(p_W.x(), p_W.y()) + 0.0012}, core::Vec3::UnitZ(), m_dishRadius_m - 0.001, false, cues.dwell);
 }
 
 } // namespace chiron::scene3d
