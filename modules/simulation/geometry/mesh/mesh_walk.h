@@ -4,6 +4,7 @@
 #include "simulation/geometry/mesh/mesh_place.h"
 
 #include <cmath>
+#include <utility>
 
 namespace chiron::simulation {
 
@@ -16,6 +17,19 @@ struct MeshWalk {
     /// cross (a ridge pressed deeper than its radius), and which of them is meant is no longer decided by the point alone.
     static constexpr double kLeastShrink = 0.08;
 };
+
+namespace detail {
+
+/// How much of a change of weights stays in the triangle, and the corner across from which it leaves it (-1: nowhere).
+inline std::pair<double, int> within(const core::Vec3& weights, const core::Vec3& change) noexcept {
+    std::pair<double, int> out{1.0, -1};
+    for (int i = 0; i < 3; ++i)
+        if (weights[i] + change[i] < 0.0 && weights[i] + out.first * change[i] < 0.0)
+            out = {weights[i] / -change[i], i};
+    return out;
+}
+
+} // namespace detail
 
 /// The place x whose blended normal points to p:  p = x − t n̂(x), n̂ the blend of the vertex normals, not normalised.
 /// In one triangle with corners a + u e₁ + v e₂ that is F(u,v,t) = p, solved by Newton (F is bilinear in (u,v) and t, so what
@@ -41,13 +55,7 @@ template <class Surface> bool projectAlongNormals(const Surface& surface, const 
         const double inverse = 1.0 / volume;
         const double du = inverse * r.dot(m2.cross(n)), dv = inverse * r.dot(n.cross(m1)), dt = -inverse * r.dot(area);
         const core::Vec3 change(-du - dv, du, dv);
-        double share = 1.0;
-        int leaves = -1;
-        for (int i = 0; i < 3; ++i)
-            if (now.weights[i] + change[i] < 0.0 && now.weights[i] + share * change[i] < 0.0) {
-                share = now.weights[i] / -change[i];
-                leaves = i;
-            }
+        const auto [share, leaves] = detail::within(now.weights, change);
         now.weights = (now.weights + share * change).cwiseMax(0.0);
         t += share * dt;
         if (leaves < 0) {
