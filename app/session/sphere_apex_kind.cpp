@@ -5,6 +5,7 @@
 #include "session/session_setup.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
+#include "simulation/exercises/sphere_apex/touched_dome.h"
 
 #include <cmath>
 
@@ -19,10 +20,16 @@ const simulation::SphereApexParameters& parametersOf(const catalogue::ExerciseLe
 /// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
 constexpr double kArmingAllowance_s = 20.0;
 
+bool meshed(const simulation::SphereApexParameters& p) { return p.surface != simulation::ApexSurface::exact; }
+
 class SphereApexSurfaces final : public TrialSurfaces {
 public:
     SphereApexSurfaces(const simulation::SphereApexParameters& p, std::uint64_t seed) {
-        for (const simulation::SphereApexTrial& trial : simulation::planSphereApexTrials(p, seed)) {
+        const auto trials = simulation::planSphereApexTrials(p, seed);
+        if (meshed(p))
+            if (auto dome = simulation::TouchedDome::make(p, trials))
+                m_dome = std::move(*dome);
+        for (const simulation::SphereApexTrial& trial : trials) {
             TrialObject object{{trial.centre_m.x(), trial.centre_m.y(), p.planeHeight_m}, p.radius_m, {}};
             if (p.dimpleDepth_m > 0.0)
                 object.dimpleCentre_m = trial.dimpleCentre_m;
@@ -40,12 +47,15 @@ public:
         const auto index = static_cast<std::size_t>(trial);
         if (trial < 0 || index >= m_contacts.size() || !p_WT.allFinite())
             return p_WT;
+        if (m_dome)
+            return m_dome->restPoint(index, p_WT);
         return m_contacts[index].respond(p_WT, core::Vec3::Zero()).surfacePoint;
     }
 
 private:
     std::vector<TrialObject> m_objects;
     std::vector<simulation::HemisphereContact> m_contacts;
+    std::unique_ptr<simulation::TouchedDome> m_dome; ///< of a level on meshes: in its rest shape
 };
 
 } // namespace
@@ -81,6 +91,8 @@ std::uint64_t SphereApexKind::tickLimit(const catalogue::ExerciseLevel& level) c
     return static_cast<std::uint64_t>(
         std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
 }
+
+bool SphereApexKind::recordsEnergy(const catalogue::ExerciseLevel& level) const { return meshed(parametersOf(level)); }
 
 void SphereApexKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                               scoring::TrialTrace& trial) const {

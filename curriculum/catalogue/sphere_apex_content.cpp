@@ -2,6 +2,10 @@
 #include "catalogue/sphere_apex_content.h"
 
 #include "core/units.h"
+#include "simulation/exercises/sphere_apex/touched_dome.h"
+#include "simulation/geometry/mesh/make_mesh.h"
+
+#include <algorithm>
 
 namespace chiron::catalogue {
 
@@ -33,10 +37,36 @@ constexpr Key kKeys[] = {
     {"dimple_depth_mm", &Parameters::dimpleDepth_m, kMm},
     {"dimple_radius_mm", &Parameters::dimpleRadius_m, kMm},
     {"dimple_offset_mm", &Parameters::dimpleOffset_m, kMm},
+    {"mesh_edge_mm", &Parameters::meshEdge_m, kMm},
+    {"bump_height_mm", &Parameters::bumpHeight_m, kMm},
+    {"bump_wavelength_mm", &Parameters::bumpWavelength_m, kMm},
+    {"roughness_mm", &Parameters::roughness_m, kMm},
+    {"roughness_wavelength_mm", &Parameters::roughnessWavelength_m, kMm},
+    {"organ_stiffness_N_per_m", &Parameters::organStiffness_N_per_m, 1.0},
+    {"organ_spread_mm", &Parameters::organSpread_m, kMm},
+    {"organ_mass_g", &Parameters::organMass_kg, 1000.0},
+    {"organ_recovery_time_s", &Parameters::organRecoveryTime_s, 1.0},
+    {"organ_volume_keeping", &Parameters::organVolumeKeeping, 1.0},
+    {"organ_deepest_mm", &Parameters::organDeepest_m, kMm},
     {"trial_limit_s", &Parameters::trialLimit_s, 1.0},
     {"between_trials_s", &Parameters::betweenTrials_s, 1.0},
     {"maximum_force_N", &Parameters::maximumForce_N, 1.0},
 };
+
+/// Whole numbers beside `trials`.
+constexpr struct {
+    const char* name;
+    int Parameters::*member;
+} kWholeKeys[] = {{"trials", &Parameters::trials},
+                  {"slow_period_ms", &Parameters::slowPeriod_ms},
+                  {"slow_latency_ms", &Parameters::slowLatency_ms}};
+
+constexpr struct {
+    const char* name;
+    simulation::ApexSurface surface;
+} kSurfaces[] = {{"exact", simulation::ApexSurface::exact},
+                 {"mesh", simulation::ApexSurface::mesh},
+                 {"organ", simulation::ApexSurface::organ}};
 
 QString mm(double length_m) {
     return QString::number(core::mmFromM(length_m)) + QStringLiteral(" mm");
@@ -48,18 +78,51 @@ void checkOrder(double low, double high, const QString& path, const char* key, P
                             QStringLiteral("at most the high end, %1").arg(high)});
 }
 
+void checkNone(double value, const char* key, const QString& path, Problems& problems) {
+    if (value > 0.0)
+        problems.push_back({memberPath(path, key), QString::number(value),
+                            QStringLiteral("0: a surface of triangles has it from bumps and roughness instead")});
+}
+
+/// A mesh that can be made, fine enough to have a ball and coarse enough for its organ.
+void checkMesh(const Parameters& p, const QString& path, Problems& problems) {
+    checkNone(p.dimpleDepth_m, "dimple_depth_mm", path, problems);
+    checkNone(p.stiffnessVariation, "stiffness_variation", path, problems);
+    const auto shape = simulation::makeMeshShape(simulation::apexDomeSource(p));
+    if (!shape) {
+        problems.push_back({memberPath(path, "surface"), QStringLiteral("a mesh that cannot be made"),
+                            QString::fromStdString(shape.error().message)});
+        return;
+    }
+    const auto ball = std::count_if(shape->vertices.begin(), shape->vertices.end(),
+                                    [&](const core::Vec3& v) { return v.z() > 0.0; });
+    constexpr auto kMost = static_cast<std::ptrdiff_t>(simulation::SpringNetwork::kMostFree);
+    if (p.surface == simulation::ApexSurface::organ && ball > kMost)
+        problems.push_back({memberPath(path, "mesh_edge_mm"), mm(p.meshEdge_m),
+                            QStringLiteral("so long that the ball has at most %1 vertices, not %2").arg(kMost).arg(ball)});
+}
+
 } // namespace
 
 ExerciseParameters readSphereApex(const ObjectReader& parameters, const std::vector<std::string>& cues) {
     Parameters p;
-    std::vector<QString> known{QStringLiteral("trials")};
+    std::vector<QString> known{QStringLiteral("surface"), QStringLiteral("bump_seed")};
     for (const Key& key : kKeys) {
         known.push_back(QLatin1String(key.name));
         if (parameters.has(known.back()))
             p.*key.member = parameters.number(known.back()) / key.perUnit;
     }
-    if (parameters.has("trials"))
-        p.trials = parameters.integer("trials");
+    for (const auto& key : kWholeKeys) {
+        known.push_back(QLatin1String(key.name));
+        if (parameters.has(known.back()))
+            p.*key.member = parameters.integer(known.back());
+    }
+    if (parameters.has("bump_seed"))
+        p.bumpSeed = static_cast<std::uint64_t>(parameters.integer("bump_seed"));
+    if (parameters.has("surface"))
+        for (const auto& [name, surface] : kSurfaces)
+            if (parameters.text("surface") == name)
+                p.surface = surface;
     for (const QString& key : parameters.json().keys())
         if (std::find(known.begin(), known.end(), key) == known.end())
             parameters.problems().push_back(
@@ -78,6 +141,10 @@ void checkSphereApex(const ExerciseParameters& parameters, const QString& path, 
         problems.push_back({memberPath(path, "centre_disc_radius_mm"), mm(p.centreDiscRadius_m),
                             QStringLiteral("at most workspace_radius_mm - radius_mm = ") +
                                 mm(p.workspaceRadius_m - p.radius_m)});
+    if (p.surface != simulation::ApexSurface::exact) {
+        checkMesh(p, path, problems);
+        return;
+    }
     if (p.dimpleDepth_m <= 0.0)
         return;
     if (p.dimpleOffset_m < p.dimpleRadius_m)

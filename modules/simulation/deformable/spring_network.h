@@ -60,7 +60,7 @@ struct NetworkPush {
 /// itself generate energy". Thread: create() anywhere; the rest one thread at a time. Allocates in create() alone.
 class SpringNetwork {
 public:
-    static constexpr std::size_t kMostVertices = 20'000; ///< of the mesh; the free ones set the cost
+    static constexpr std::size_t kMostVertices = 100'000; ///< of the mesh; the free ones set the cost
     static constexpr std::size_t kMostFree = 4'000;
 
     /// `anchored[i]`: vertex i stays; `reference`: the vertex at which K is felt. Fails (badInput) on a mesh that is too large,

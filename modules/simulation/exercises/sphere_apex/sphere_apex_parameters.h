@@ -7,6 +7,13 @@
 
 namespace chiron::simulation {
 
+/// What the hemisphere and its plane are made of.
+enum class ApexSurface : std::uint8_t {
+    exact, ///< a ball and a plane as formulas (HemisphereContact): levels 1 to 4
+    mesh,  ///< a watertight mesh with bumps, friction and roughness (P2 "Deformation", figure 6)
+    organ, ///< the same mesh as a deformable organ at two rates (P2 "Haptic-Visual Graphic Integration")
+};
+
 /// One level of the sphere-apex exercise (models.md §2.3), filled from content by the catalogue, which also
 /// checks the ranges. Lengths m, stiffness N/m, damping N·s/m.
 struct SphereApexParameters {
@@ -26,6 +33,23 @@ struct SphereApexParameters {
     double dimpleDepth_m = 0.0;               ///< decoy: smooth dimple on the ball; 0 = none
     double dimpleRadius_m = 0.006;            ///< its half-width across the surface
     double dimpleOffset_m = 0.010;            ///< horizontal distance from the apex; direction by seed
+    ApexSurface surface = ApexSurface::exact;
+    // mesh and organ: the generated dome (geometry/mesh/make_mesh.h); stiffness_* is then that of the local model
+    double meshEdge_m = 0.0015;       ///< mean edge length
+    double bumpHeight_m = 0.0;        ///< of smooth bumps; none at the apex, which stays the highest point
+    double bumpWavelength_m = 0.009;
+    std::uint64_t bumpSeed = 1;       ///< of their pattern; each trial turns it about the vertical by its own angle
+    double roughness_m = 0.0;         ///< rms of the micro-height (attributes/roughness.h)
+    double roughnessWavelength_m = 0.002; ///< shortest; >= 1 mm
+    // organ: the slow model (deformable/spring_network.h)
+    double organStiffness_N_per_m = 900.0; ///< K: a lasting press feels k K/(k + K)
+    double organSpread_m = 0.006;
+    double organMass_kg = 0.030;
+    double organRecoveryTime_s = 0.060;
+    double organVolumeKeeping = 0.7;
+    double organDeepest_m = 0.008;
+    int slowPeriod_ms = 33;  ///< between two requests to the slow model, and the length of its step
+    int slowLatency_ms = 33; ///< L
     int trials = 10;                          ///< 1..32
     double trialLimit_s = 60.0;
     double betweenTrials_s = 1.0;  ///< after a mark, before the next scene appears

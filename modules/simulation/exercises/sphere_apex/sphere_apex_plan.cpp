@@ -27,6 +27,8 @@ std::vector<SphereApexTrial> planSphereApexTrials(const SphereApexParameters& pa
     core::Random frictions = core::Random::stream(seed, "sphere_apex.friction");
     core::Random phases = core::Random::stream(seed, "sphere_apex.phase");
     core::Random dimples = core::Random::stream(seed, "sphere_apex.dimple");
+    core::Random turns = core::Random::stream(seed, "sphere_apex.turn");
+    core::Random grains = core::Random::stream(seed, "sphere_apex.roughness");
     const double discRadius = std::max(
         0.0, std::min(parameters.centreDiscRadius_m, parameters.workspaceRadius_m - parameters.radius_m));
 
@@ -41,6 +43,8 @@ std::vector<SphereApexTrial> planSphereApexTrials(const SphereApexParameters& pa
         const double direction = dimples.uniform(0.0, 2.0 * core::kPi);
         trial.dimpleCentre_m =
             trial.centre_m + parameters.dimpleOffset_m * core::Vec2(std::cos(direction), std::sin(direction));
+        trial.turn_rad = turns.uniform(0.0, 2.0 * core::kPi);
+        trial.roughnessSeed = grains.next();
     }
     return trials;
 }

@@ -18,6 +18,8 @@ struct SphereApexTrial {
     double friction = 0.0;
     core::Vec2 phase_rad = core::Vec2::Zero();      ///< of the stiffness field g
     core::Vec2 dimpleCentre_m = core::Vec2::Zero(); ///< x and y in W
+    double turn_rad = 0.0;           ///< of the meshed dome about the vertical, so that its bumps lie elsewhere each time
+    std::uint64_t roughnessSeed = 1; ///< of the meshed dome
 };
 
 /// Plans every trial of a session from its seed, before the first tick. Centres are uniform over the disc of

@@ -10,16 +10,20 @@ namespace chiron::simulation {
 using core::TrialPhase;
 namespace bits = core::event_bits;
 
-void SphereApexScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
+void SphereApexScene::respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept {
     out = SceneOutput{};
-    advance(in, out);
+    advance(now.index(), in, out);
+    if (m_dome && m_dome->update(now.index(), in.slow))
+        out.events |= bits::kSlowApplied;
     touch(in.tools, out);
+    if (m_dome && objectPresent())
+        m_dome->ask(now.index());
     out.trial = static_cast<std::uint16_t>(m_trial);
     out.phase = m_phase;
     fillCues(in, out);
 }
 
-void SphereApexScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
+void SphereApexScene::advance(std::uint64_t tick, const SceneInput& in, SceneOutput& out) noexcept {
     const bool pressed =
         markPressed(in); // every tick, so that an edge during a pause is seen and passed over
     if (in.paused)
@@ -27,7 +31,7 @@ void SphereApexScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
     switch (m_phase) {
     case TrialPhase::idle:
         if (in.started)
-            enterReady(out);
+            enterReady(tick, out);
         break;
     case TrialPhase::ready:
         if (in.forceReady) {
@@ -45,7 +49,7 @@ void SphereApexScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
     case TrialPhase::between:
         if (m_clock >= m_betweenTicks) {
             ++m_trial;
-            enterReady(out);
+            enterReady(tick, out);
         } else {
             ++m_clock;
         }
@@ -62,11 +66,13 @@ bool SphereApexScene::markPressed(const SceneInput& in) noexcept {
     return edge || in.mark;
 }
 
-void SphereApexScene::enterReady(SceneOutput& out) noexcept {
+void SphereApexScene::enterReady(std::uint64_t tick, SceneOutput& out) noexcept {
     m_phase = TrialPhase::ready;
     m_clock = 0;
     m_trialOver = false;
     m_contact = HemisphereContact(sphereApexContact(m_parameters, m_trials[m_trial]));
+    if (m_dome)
+        m_dome->begin(m_trial, tick);
     out.events |= bits::kSceneChanged;
 }
 
@@ -95,6 +101,11 @@ bool SphereApexScene::objectPresent() const noexcept {
     return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
 }
 
+ContactResponse SphereApexScene::touchWith(std::size_t tool, const core::ToolState& state) noexcept {
+    return m_dome ? m_dome->respond(tool, state.p_WT, state.v_WT)
+                  : m_contact.respond(state.p_WT, state.v_WT, m_bristles[tool]);
+}
+
 void SphereApexScene::touch(const core::ToolStates& tools, SceneOutput& out) noexcept {
     const int count = std::clamp(tools.count, 0, core::kMaxTools);
     out.tissue.count = count;
@@ -104,10 +115,12 @@ void SphereApexScene::touch(const core::ToolStates& tools, SceneOutput& out) noe
         const core::ToolState& tool = tools.tools[i];
         // A pose that is not a number must not stay in the bristle; the supervisor deals with the sample.
         if (used && objectPresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite()) {
-            response = m_contact.respond(tool.p_WT, tool.v_WT, m_bristles[i]);
+            response = touchWith(i, tool);
             out.p_WProxy[i] = response.surfacePoint;
         } else {
             m_bristles[i].release();
+            if (m_dome)
+                m_dome->release(i);
             if (used)
                 out.p_WProxy[i] = tool.p_WT;
         }

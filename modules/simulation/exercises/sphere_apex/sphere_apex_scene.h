@@ -4,10 +4,12 @@
 #include "simulation/exercises/sphere_apex/hemisphere_contact.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_parameters.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
+#include "simulation/exercises/sphere_apex/touched_dome.h"
 #include "simulation/scene.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace chiron::simulation {
@@ -33,6 +35,10 @@ namespace chiron::simulation {
 /// supervisor
 ///   ramps). Waiting in `ready` costs no time.
 /// - All tools touch the same object, each with its own bristle.
+/// - On a level `mesh` or `organ` (ApexSurface) the object is a TouchedDome; the task is the same. The organ's slow model is
+///   asked while the object is there, and kSlowApplied comes in the ticks in which an answer of it takes effect.
+///   storedEnergy_J is then that of the local model alone: what can come back at once; what the organ itself holds comes
+///   back only through it.
 ///
 /// Deterministic; all trials are planned at construction. Thread: respond() haptic; construction anywhere.
 /// Not copied: a session owns one.
@@ -44,18 +50,20 @@ public:
     SphereApexScene& operator=(const SphereApexScene&) = delete;
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
+    ISlowModel* slowModel() noexcept override { return m_dome ? m_dome->organ() : nullptr; }
 
     const std::vector<SphereApexTrial>& trials() const noexcept {
         return m_trials;
     } ///< the truth, for scoring
 
 private:
-    void advance(const SceneInput& in, SceneOutput& out) noexcept;
-    void enterReady(SceneOutput& out) noexcept;
+    void advance(std::uint64_t tick, const SceneInput& in, SceneOutput& out) noexcept;
+    void enterReady(std::uint64_t tick, SceneOutput& out) noexcept;
     void runTrial(bool pressed, SceneOutput& out) noexcept;
     void leaveTrial(SceneOutput& out) noexcept;
     bool markPressed(const SceneInput& in) noexcept;
     bool objectPresent() const noexcept;
+    ContactResponse touchWith(std::size_t tool, const core::ToolState& state) noexcept;
     void touch(const core::ToolStates& tools, SceneOutput& out) noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
 
@@ -70,7 +78,8 @@ private:
     std::uint64_t m_clock = 0;   ///< ticks spent in the present phase, pauses left out
     bool m_trialOver = false;    ///< the tick before ended the trial
     bool m_buttonWasDown = true; ///< so that a button held at the first tick is no edge
-    HemisphereContact m_contact;
+    HemisphereContact m_contact;         ///< of an exact surface
+    std::unique_ptr<TouchedDome> m_dome; ///< of the others; null: exact
     std::array<BristleFriction, core::kMaxTools> m_bristles{};
     std::array<bool, core::kMaxTools> m_touching{};
 };

@@ -4,6 +4,7 @@
 #include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace chiron::simulation {
@@ -21,7 +22,14 @@ SphereApexScene::SphereApexScene(const SphereApexParameters& parameters, std::ui
       m_limitTicks(std::max<std::uint64_t>(1, ticks(parameters.trialLimit_s))),
       m_betweenTicks(std::max<std::uint64_t>(1, ticks(parameters.betweenTrials_s))),
       m_showsObject(std::find(parameters.cues.begin(), parameters.cues.end(), "object") !=
-                    parameters.cues.end()) {}
+                    parameters.cues.end()) {
+    if (parameters.surface == ApexSurface::exact)
+        return;
+    auto dome = TouchedDome::make(parameters, m_trials);
+    assert(dome && "content that the catalogue has checked makes a dome");
+    if (dome)
+        m_dome = std::move(*dome);
+}
 
 SphereApexScene::~SphereApexScene() = default;
 

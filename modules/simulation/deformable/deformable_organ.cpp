@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/deformable/deformable_organ.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::simulation {
+
+namespace {
+
+core::Vec3 vec(const std::array<double, 3>& a) noexcept { return {a[0], a[1], a[2]}; }
+
+} // namespace
+
+void DeformableOrgan::restart(std::uint64_t tick) noexcept {
+    ++m_epoch;
+    m_blend.reset(tick);
+    setWeights(tick);
+}
+
+bool DeformableOrgan::update(std::uint64_t tick, SlowUpdate when) noexcept {
+    const bool applied = m_link.take(tick, when, *this);
+    if (applied && m_link.answer().epoch == m_epoch) {
+        m_answers[Link::slotOf(m_link.number())] = m_link.answer();
+        m_blend.apply(tick, m_link.postedAt_ticks(), m_link.number());
+    }
+    setWeights(tick);
+    return applied;
+}
+
+void DeformableOrgan::ask(std::uint64_t tick, const OrganTouches& touches) noexcept {
+    if (m_link.mayPost(tick))
+        m_link.post(tick, {m_epoch, touches});
+}
+
+void DeformableOrgan::setWeights(std::uint64_t tick) noexcept {
+    const BlendWeights now = m_blends ? m_blend.weights(tick) : BlendWeights{};
+    const std::array<double, 3> weights{now.newest, now.previous, now.before};
+    m_largest_m = 0.0;
+    m_energy_J = 0.0;
+    m_moves = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint64_t number = m_blend.numbers()[i];
+        const std::size_t slot = Link::slotOf(number);
+        Share& share = m_shares[i];
+        share.weight = weights[i];
+        share.moved = number == 0 || weights[i] == 0.0 ? nullptr : m_slots[slot].data();
+        if (share.moved == nullptr)
+            continue;
+        m_moves = true;
+        m_largest_m += std::abs(weights[i]) * m_answers[slot].largest_m;
+        m_energy_J += weights[i] * m_answers[slot].energy_J;
+    }
+    m_energy_J = std::max(0.0, m_energy_J);
+}
+
+core::Vec3 DeformableOrgan::position(std::uint32_t vertex) const noexcept {
+    core::Vec3 place = m_mesh.position(vertex);
+    if (m_moves)
+        for (const Share& share : m_shares)
+            if (share.moved != nullptr)
+                place += share.weight * share.moved[vertex].displacement;
+    return place;
+}
+
+core::Vec3 DeformableOrgan::normal(std::uint32_t vertex) const noexcept {
+    if (!m_moves)
+        return m_mesh.normal(vertex);
+    core::Vec3 sum = core::Vec3::Zero();
+    for (const Share& share : m_shares)
+        sum += share.weight * (share.moved != nullptr ? share.moved[vertex].normal : m_mesh.normal(vertex));
+    const double length = sum.norm();
+    return length > 0.0 ? core::Vec3(sum / length) : m_mesh.normal(vertex);
+}
+
+bool DeformableOrgan::step() noexcept {
+    return m_link.serve([this](std::uint64_t number, const Request& request) noexcept { return solve(number, request); });
+}
+
+DeformableOrgan::Answer DeformableOrgan::solve(std::uint64_t number, const Request& request) noexcept {
+    if (request.epoch != m_modelEpoch) {
+        m_network->reset();
+        m_modelEpoch = request.epoch;
+    }
+    std::array<NetworkPush, core::kMaxTools> pushes;
+    std::size_t count = 0;
+    for (const OrganTouch& touch : request.touches)
+        if (touch.touching)
+            pushes[count++] = {touch.triangle, touch.weights, vec(touch.normal), vec(touch.p_Tool),
+                               touch.stiffness_N_per_m};
+    m_network->step(std::span<const NetworkPush>(pushes.data(), count));
+
+    std::vector<Moved>& slot = m_slots[Link::slotOf(number)];
+    Answer answer;
+    answer.epoch = request.epoch;
+    answer.energy_J = m_network->elasticEnergy_J();
+    double largest2 = 0.0;
+    for (std::uint32_t vertex = 0; vertex < slot.size(); ++vertex) {
+        slot[vertex].displacement = m_network->displacement(vertex);
+        largest2 = std::max(largest2, slot[vertex].displacement.squaredNorm());
+        m_places[vertex] = m_mesh.position(vertex) + slot[vertex].displacement;
+    }
+    smoothNormals(m_mesh, m_places, m_normals);
+    for (std::size_t vertex = 0; vertex < slot.size(); ++vertex)
+        slot[vertex].normal = m_normals[vertex];
+    answer.largest_m = std::sqrt(largest2);
+    return answer;
+}
+
+} // namespace chiron::simulation

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "core/tool_state.h"
+#include "simulation/deformable/spring_network.h"
+#include "simulation/geometry/mesh/triangle_mesh.h"
+#include "simulation/slow_model.h"
+#include "simulation/two_rate/answer_blend.h"
+#include "simulation/two_rate/slow_link.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace chiron::simulation {
+
+/// What a tool does at the surface, for the slow model: plain numbers, since they travel through a triple buffer.
+struct OrganTouch {
+    bool touching = false;
+    std::uint32_t triangle = 0;
+    std::array<double, 3> weights{};        ///< barycentric
+    std::array<double, 3> normal{};         ///< outward, unit
+    std::array<double, 3> p_Tool{};         ///< m, in the mesh's frame
+    double stiffness_N_per_m = 0.0;         ///< of the local model there
+};
+
+using OrganTouches = std::array<OrganTouch, core::kMaxTools>;
+
+/// A deformable organ at two rates (P2, "Haptic-Visual Graphic Integration"): a SpringNetwork that is asked at 30 Hz beside the
+/// loop, and the moving surface that the loop renders from, predicted and blended between its answers.
+///
+/// The stiffness that is felt. The fast loop renders f = k d against the shown surface; the slow model is told where the tool
+/// is and finds how far the organ gives way under that same spring. Held x deep in the rest shape:
+///   at once (the surface has not heard of it):  f = k x
+///   from L ticks on:                             f = k (x − u),  u = x k/(k + K)  →  f = x k K/(k + K)
+/// the series of the local stiffness k and the organ's K. A quick touch meets k, a lasting one the series; in between the
+/// blend leads from the one to the other in B ticks, then τ of the network. To feel K_felt in the end choose
+/// K = k K_felt/(k − K_felt), k > K_felt.
+///
+/// Rendering from it: position(), normal(), triangle(), largestDisplacement_m() and tree() are what a mesh contact asks of a
+/// surface (geometry/mesh); only the vertices that are asked for are blended. Threads: create(), restart() by its owner before
+/// a run or in the tick; update(), ask() and the surface haptic; step() as ISlowModel says.
+class DeformableOrgan final : public ISlowModel {
+public:
+    struct Settings {
+        SpringNetworkParameters network;
+        TwoRateTiming timing;
+        std::uint64_t blend_ticks = 33; ///< B, at most timing.latency_ticks
+        double prediction = 0.5;        ///< γ, 0..1
+    };
+
+    /// Fails as SpringNetwork::create does, or (badInput) where B > L. The mesh is copied.
+    static core::Result<std::unique_ptr<DeformableOrgan>> create(const TriangleMesh& mesh, const std::vector<bool>& anchored,
+                                                                 std::uint32_t reference, const Settings& settings);
+    ~DeformableOrgan() override;
+
+    /// At rest again, from this tick on: another trial. An answer that is still on its way is taken and left out.
+    void restart(std::uint64_t tick) noexcept;
+    /// Once a tick, before the surface is asked for: applies an answer that takes effect (true: kSlowApplied), sets weights.
+    bool update(std::uint64_t tick, SlowUpdate when) noexcept;
+    /// Once a tick, after the contacts are known: asks the slow model, if it is time.
+    void ask(std::uint64_t tick, const OrganTouches& touches) noexcept;
+
+    bool step() noexcept override;
+
+    // The shown surface of this tick.
+    core::Vec3 position(std::uint32_t vertex) const noexcept;
+    core::Vec3 normal(std::uint32_t vertex) const noexcept; ///< unit
+    const SurfaceTriangle& triangle(std::uint32_t index) const noexcept { return m_mesh.triangle(index); }
+    const MeshTree& tree() const noexcept { return m_mesh.tree(); }
+    double largestDisplacement_m() const noexcept { return m_largest_m; } ///< bound for this tick
+    double elasticEnergy_J() const noexcept { return m_energy_J; }        ///< of the organ, as blended, ≥ 0
+
+    const TriangleMesh& restMesh() const noexcept { return m_mesh; }
+    const SpringNetwork& network() const noexcept { return *m_network; } ///< while no step runs
+    /// Tests only: an answer takes effect at once, unblended.
+    void switchBlendingOffForTests() noexcept { m_blends = false; }
+
+private:
+    struct Request {
+        std::uint32_t epoch = 0;
+        OrganTouches touches{};
+    };
+    struct Answer {
+        std::uint32_t epoch = 0;
+        double largest_m = 0.0;
+        double energy_J = 0.0;
+    };
+    struct Moved { ///< a vertex as an answer has it
+        core::Vec3 displacement = core::Vec3::Zero();
+        core::Vec3 normal = core::Vec3::UnitZ();
+    };
+    using Link = SlowLink<Request, Answer>;
+
+    DeformableOrgan(const TriangleMesh& mesh, std::unique_ptr<SpringNetwork> network, const Settings& settings);
+    Answer solve(std::uint64_t number, const Request& request) noexcept;
+    void setWeights(std::uint64_t tick) noexcept;
+
+    /// One answer's share of the shown surface.
+    struct Share {
+        double weight = 0.0;
+        const Moved* moved = nullptr; ///< null: the rest shape
+    };
+
+    TriangleMesh m_mesh;
+    Settings m_settings;
+    // Tick.
+    AnswerBlend m_blend;
+    std::uint32_t m_epoch = 0;
+    std::array<Share, 3> m_shares{};
+    std::array<Answer, Link::kSlots> m_answers{};
+    double m_largest_m = 0.0;
+    double m_energy_J = 0.0;
+    bool m_moves = false; ///< any share has moved
+    bool m_blends = true;
+    Link m_link;
+    std::array<std::vector<Moved>, Link::kSlots> m_slots; ///< the model writes one, the tick reads the others
+    // Slow model.
+    std::unique_ptr<SpringNetwork> m_network;
+    std::uint32_t m_modelEpoch = 0;
+    std::vector<core::Vec3> m_places;
+    std::vector<core::Vec3> m_normals;
+};
+
+} // namespace chiron::simulation

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/exercises/sphere_apex/touched_dome.h"
+
+#include "core/units.h"
+
+#include <cmath>
+
+namespace chiron::simulation {
+
+namespace {
+
+core::Vec3 turned(double cosine, double sine, const core::Vec3& v) noexcept {
+    return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y(), v.z()};
+}
+
+std::array<double, 3> array(const core::Vec3& v) noexcept { return {v.x(), v.y(), v.z()}; }
+
+ContactPlace placeOnPlane(const core::Vec3& p, const core::Vec3& v) noexcept {
+    ContactPlace place;
+    place.depth_m = -p.z();
+    place.foot = core::Vec3(p.x(), p.y(), 0.0);
+    place.velocity = v;
+    return place;
+}
+
+} // namespace
+
+void TouchedDome::begin(std::size_t trial, std::uint64_t tick) noexcept {
+    m_trial = trial;
+    m_tools = {};
+    m_touches = {};
+    if (m_organ)
+        m_organ->restart(tick);
+}
+
+bool TouchedDome::update(std::uint64_t tick, SlowUpdate when) noexcept {
+    return m_organ && m_organ->update(tick, when);
+}
+
+void TouchedDome::ask(std::uint64_t tick) noexcept {
+    if (m_organ)
+        m_organ->ask(tick, m_touches);
+}
+
+void TouchedDome::release(std::size_t tool) noexcept {
+    if (!m_tools[tool].used)
+        return;
+    m_tools[tool] = Tool();
+    m_touches[tool].touching = false;
+}
+
+core::Vec3 TouchedDome::toMesh(const Place& place, const core::Vec3& p_W) const noexcept {
+    return turned(place.cosine, -place.sine,
+                  p_W - core::Vec3(place.centre_m.x(), place.centre_m.y(), m_planeHeight_m));
+}
+
+template <class Surface>
+ContactPlace TouchedDome::placeOn(const Surface& surface, Tool& tool, const core::Vec3& p, const core::Vec3& v,
+                                  double reach_m) noexcept {
+    const double across = std::hypot(p.x(), p.y());
+    ContactPlace plane = placeOnPlane(p, v);
+    const bool wasOnPlane = tool.onPlane;
+    tool.onPlane = across >= m_blendTo_m;
+    plane.position = p - tool.carried;
+    if (tool.onPlane)
+        return plane;
+    if (wasOnPlane) { // comes in under the plane: from above, or the plate's other side would be the nearest
+        tool.tracker.reset();
+        tool.tracker.update(surface, core::Vec3(p.x(), p.y(), std::max(p.z(), 0.0)), 0.0, reach_m);
+    }
+    const MeshFoot foot = tool.tracker.update(surface, p, 0.0, reach_m);
+    tool.carried += foot.surfaceMotion;
+    ContactPlace place;
+    place.depth_m = foot.within() ? foot.depth_m : -1.0;
+    place.normal = foot.normal;
+    place.foot = foot.point;
+    place.position = p - tool.carried;
+    place.velocity = v - foot.surfaceMotion / core::kTickSeconds;
+    if (across > m_blendFrom_m && foot.within()) {
+        const double w = (across - m_blendFrom_m) / (m_blendTo_m - m_blendFrom_m);
+        const double s = w * w * (3.0 - 2.0 * w);
+        place.depth_m += s * (plane.depth_m - place.depth_m);
+        place.normal = ((1.0 - s) * place.normal + s * plane.normal).normalized();
+        place.foot += s * (plane.foot - place.foot);
+    }
+    place.depthGradient = -place.normal;
+    return place;
+}
+
+ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, const core::Vec3& v_WT) noexcept {
+    const Place& at = m_places[m_trial];
+    Tool& state = m_tools[tool];
+    state.used = true;
+    const core::Vec3 p = toMesh(at, p_WT);
+    const core::Vec3 v = turned(at.cosine, -at.sine, v_WT);
+    const double reach = at.contact.reach_m();
+    const ContactPlace place =
+        m_organ ? placeOn(*m_organ, state, p, v, reach) : placeOn(m_mesh, state, p, v, reach);
+    const ObjectContactResponse felt = at.contact.respond(place, core::kTickSeconds, state.object);
+
+    ContactResponse response;
+    response.surfacePoint = p_WT;
+    OrganTouch& touch = m_touches[tool];
+    touch.touching = felt.inContact && !state.onPlane;
+    if (!felt.inContact)
+        return response;
+    touch.triangle = state.tracker.foot().place.triangle;
+    touch.weights = array(state.tracker.foot().place.weights);
+    touch.normal = array(place.normal);
+    touch.p_Tool = array(p);
+    touch.stiffness_N_per_m = felt.stiffness_N_per_m;
+    response.inContact = true;
+    response.force = turned(at.cosine, at.sine, felt.force);
+    response.normal = turned(at.cosine, at.sine, felt.normal);
+    response.depth_m = felt.depth_m;
+    response.normalForce_N = felt.normalForce_N;
+    response.energy_J = felt.energy_J;
+    response.stiffness_N_per_m = felt.stiffness_N_per_m;
+    response.surfacePoint = p_WT + felt.depth_m * turned(at.cosine, at.sine, place.normal);
+    return response;
+}
+
+core::Vec3 TouchedDome::restPoint(std::size_t trial, const core::Vec3& p_WT) const noexcept {
+    const Place& at = m_places[trial];
+    const core::Vec3 p = toMesh(at, p_WT);
+    if (std::hypot(p.x(), p.y()) >= m_blendTo_m)
+        return p.z() < 0.0 ? core::Vec3(p_WT.x(), p_WT.y(), m_planeHeight_m) : p_WT;
+    const NearestOnMesh nearest = nearestOnMesh(m_mesh, p);
+    if (nearest.signedDistance_m >= 0.0)
+        return p_WT;
+    return turned(at.cosine, at.sine, nearest.point) +
+           core::Vec3(at.centre_m.x(), at.centre_m.y(), m_planeHeight_m);
+}
+
+} // namespace chiron::simulation
