@@ -122,14 +122,44 @@ bool PassivityController::applyTo(Account& account, const Limits& limits, int co
         account.observer.endContact();
         account.stored_J = 0.0;
         account.excess_J = 0.0;
+        account.share = 1.0;
         return false;
     }
     account.stored_J = renderedEnergy_J(contact, contact.gain, count);
     if (contact.gain != contact.gainBefore) {
         account.observer.credit(account.stored_J - renderedEnergy_J(contact, contact.gainBefore, count));
     }
+    if (contact.givesWay)
+        return giveWay(account, count, contact, wrenches);
     account.excess_J = account.stored_J - account.observer.supplied_J();
     return inject(account.excess_J, limits, count, states, contact, wrenches);
+}
+
+bool PassivityController::giveWay(Account& account, int count, const PassivityContact& contact,
+                                  Wrenches& wrenches) const noexcept {
+    const double whole = account.stored_J; // at c = 1
+    const double allowed = m_settings.passivityExcess_J;
+    double excess = account.share * whole - account.observer.supplied_J();
+    if (excess > 0.0)
+        account.observer.credit(std::min(excess, kForgiven_W * core::kTickSeconds));
+    else if (excess < -kSurplus_J)
+        account.observer.credit(excess + kSurplus_J);
+    excess = account.share * whole - account.observer.supplied_J();
+    const double full = std::max(whole, 1e-12); // what c = 1 would hold
+    if (excess > allowed)
+        account.share = std::max(kLeastShare, account.share - std::min(kFall, (excess - allowed) / full));
+    else if (account.share < 1.0 && excess < 0.5 * allowed)
+        account.share = std::min(1.0, account.share + std::min(kRise, (0.5 * allowed - excess) / full));
+    account.stored_J = account.share * whole;
+    account.excess_J = account.stored_J - account.observer.supplied_J();
+    if (account.share == 1.0)
+        return false;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+        if (contact.members[i]) {
+            wrenches[i].force *= account.share;
+            wrenches[i].torque *= account.share;
+        }
+    return true;
 }
 
 bool PassivityController::inject(double excess_J, const Limits& limits, int count, const core::ToolStates& states,

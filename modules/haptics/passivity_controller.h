@@ -17,6 +17,7 @@ struct PassivityContact {
     double gain = 0.0;                              ///< of this tick
     double gainBefore = 0.0;                        ///< of the tick before
     bool touching = false;                          ///< any tool
+    bool givesWay = false;                          ///< the scene keeps books by body: rendered softer, not damped
     std::array<bool, core::kMaxTools> members{};    ///< the tools at this body
     std::array<double, core::kMaxTools> capRatio{}; ///< of the requested wrench at full gain; see capRatio()
     std::array<double, core::kMaxTools> share{};    ///< of U, summing to 1 over the members (by ‖f‖²)
@@ -45,9 +46,23 @@ struct PassivityBodies {
 /// One book a body (P2, "Control Algorithm for Multiple Instruments"): tools at one body can pass energy to each other
 /// through it and share its book; tools at different bodies cannot borrow from each other. When a tool changes its body
 /// (two things become one, or one two), the book goes along: the whole of it when no tool stays behind; else what the new
-/// body holds, as far as the old book has it. Thread: haptic.
+/// body holds, as far as the old book has it.
+///
+/// Where a scene tells energy by body (`givesWay`), the answer to an excess is not damping but a softer body: its tools' wrenches
+/// and its energy are rendered at a share c, f = c f_scene, E = c U. Damping needs a velocity, which comes late: with the delay
+/// of a device two hands on one tube are driven by it rather than calmed (tests/unit/haptics/test_two_hands). Lowering c at a
+/// stretch destroys energy that nobody gets, raising it makes some, and both are in the book, E - W: so c falls until what the
+/// loop makes is what the book allows, down to the stiffness that the device's delay carries, and rises again by what is left.
+/// Debts are forgiven at kForgiven_W, or what a sampled spring leaks under a trembling hand would add up for ever; what was
+/// put in counts for kSurplus_J beyond what is held at most, since the rest has become heat. Thread: haptic.
 class PassivityController {
 public:
+    static constexpr double kForgiven_W = 0.001; ///< assumption: a tremor of 0.1 mm on 500 N/m at 3 ms of delay makes 0.2 mW
+    static constexpr double kSurplus_J = 0.020;  ///< assumption: an ovary lifted by 0.2 m
+    static constexpr double kLeastShare = 0.02;
+    static constexpr double kFall = 0.01;   ///< of c in a tick, at most: 10 mN on each newton
+    static constexpr double kRise = 0.0005; ///< 2 s from nothing to the whole
+
     using Limits = std::array<SafetyToolLimits, core::kMaxTools>;
     using Wrenches = std::array<core::Wrench, core::kMaxTools>;
 
@@ -72,6 +87,7 @@ private:
     /// The book of one body.
     struct Account {
         PassivityObserver observer;
+        double share = 1.0;    ///< c
         double stored_J = 0.0; ///< as rendered
         double excess_J = 0.0; ///< stored - supplied
         bool open = false;     ///< touched
@@ -80,6 +96,7 @@ private:
     void regroup(int count, const PassivityBodies& bodies) noexcept;
     bool applyTo(Account& account, const Limits& limits, int count, const core::ToolStates& states,
                  const PassivityContact& contact, Wrenches& wrenches) noexcept;
+    bool giveWay(Account& account, int count, const PassivityContact& contact, Wrenches& wrenches) const noexcept;
     bool inject(double excess_J, const Limits& limits, int count, const core::ToolStates& states,
                 const PassivityContact& contact, Wrenches& wrenches) const noexcept;
 

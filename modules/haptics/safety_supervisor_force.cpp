@@ -43,7 +43,9 @@ void SafetySupervisor::fillContact(const SafetyInput& in, const Wrenches& reques
     contact.gainBefore = m_lastGain;
     double sum = 0.0;
     int members = 0;
-    contact.touching = contact.stored_J > 0.0;
+    contact.givesWay = in.scene.energyByBody;
+    // A body that is held is touched, slack or not: its stiffness says so.
+    contact.touching = contact.stored_J > 0.0 || (contact.givesWay && contact.stiffness_N_per_m > 0.0);
     for (int tool = 0; tool < m_count; ++tool) {
         const auto i = static_cast<std::size_t>(tool);
         if (!contact.members[i]) {

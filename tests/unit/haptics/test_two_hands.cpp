@@ -51,8 +51,8 @@ public:
         out.tissue.tools[1].force = -out.tissue.tools[0].force;
         out.energyByBody = true; // both at body 0
         out.bodyEnergy_J[0] = out.storedEnergy_J = 0.5 * m_k * stretch * stretch;
-        // Both ends of it move: a tick may stretch it by both ways, twice what one tool's stiffness would make.
-        out.bodyStiffness_N_per_m[0] = out.contactStiffness_N_per_m = stretch > 0.0 ? 2.0 * m_k : 0.0;
+        // Both ends of it move; held all the time, slack or not.
+        out.bodyStiffness_N_per_m[0] = out.contactStiffness_N_per_m = 2.0 * m_k;
     }
 
 private:
