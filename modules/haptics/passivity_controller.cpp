@@ -139,17 +139,16 @@ bool PassivityController::giveWay(Account& account, int count, const PassivityCo
                                   Wrenches& wrenches) const noexcept {
     const double whole = account.stored_J; // at c = 1
     const double allowed = m_settings.passivityExcess_J;
+    const double surplus = account.share < 1.0 ? allowed : kSurplus_J; // what shook once has no credit
     double excess = account.share * whole - account.observer.supplied_J();
     if (excess > 0.0)
         account.observer.credit(std::min(excess, kForgiven_W * core::kTickSeconds));
-    else if (excess < -kSurplus_J)
-        account.observer.credit(excess + kSurplus_J);
+    else if (excess < -surplus)
+        account.observer.credit(excess + surplus);
     excess = account.share * whole - account.observer.supplied_J();
     const double full = std::max(whole, 1e-12); // what c = 1 would hold
     if (excess > allowed)
         account.share = std::max(kLeastShare, account.share - std::min(kFall, (excess - allowed) / full));
-    else if (account.share < 1.0 && excess < 0.5 * allowed)
-        account.share = std::min(1.0, account.share + std::min(kRise, (0.5 * allowed - excess) / full));
     account.stored_J = account.share * whole;
     account.excess_J = account.stored_J - account.observer.supplied_J();
     if (account.share == 1.0)

@@ -51,17 +51,16 @@ struct PassivityBodies {
 /// Where a scene tells energy by body (`givesWay`), the answer to an excess is not damping but a softer body: its tools' wrenches
 /// and its energy are rendered at a share c, f = c f_scene, E = c U. Damping needs a velocity, which comes late: with the delay
 /// of a device two hands on one tube are driven by it rather than calmed (tests/unit/haptics/test_two_hands). Lowering c at a
-/// stretch destroys energy that nobody gets, raising it makes some, and both are in the book, E - W: so c falls until what the
-/// loop makes is what the book allows, down to the stiffness that the device's delay carries, and rises again by what is left.
-/// Debts are forgiven at kForgiven_W, or what a sampled spring leaks under a trembling hand would add up for ever; what was
+/// stretch destroys energy that nobody gets, which pays the book, E - W: so c falls until what the loop makes is what the book
+/// allows, which is at the stiffness that the device's delay carries, and stays there until the body is let go of (rising
+/// again it would only shake again). Debts are forgiven at kForgiven_W, or what a sampled spring leaks under a trembling hand would add up for ever; what was
 /// put in counts for kSurplus_J beyond what is held at most, since the rest has become heat. Thread: haptic.
 class PassivityController {
 public:
     static constexpr double kForgiven_W = 0.001; ///< assumption: a tremor of 0.1 mm on 500 N/m at 3 ms of delay makes 0.2 mW
-    static constexpr double kSurplus_J = 0.020;  ///< assumption: an ovary lifted by 0.2 m
+    static constexpr double kSurplus_J = 0.020;  ///< assumption: an ovary of 10 g lifted by 0.2 m; only what is allowed while c < 1
     static constexpr double kLeastShare = 0.02;
     static constexpr double kFall = 0.01;   ///< of c in a tick, at most: 10 mN on each newton
-    static constexpr double kRise = 0.0005; ///< 2 s from nothing to the whole
 
     using Limits = std::array<SafetyToolLimits, core::kMaxTools>;
     using Wrenches = std::array<core::Wrench, core::kMaxTools>;

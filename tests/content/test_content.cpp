@@ -31,7 +31,7 @@ class TestContent : public QObject {
     Q_OBJECT
 private slots:
     void shippedContentIsValid();
-    void sphereApexHasItsFourLevels();
+    void sphereApexHasItsSixLevels();
     void everyTextIsInThreeLanguages();
     void textsHaveNoStrayCharacters();
     void keysCarryTheirUnits();
@@ -47,9 +47,9 @@ void TestContent::shippedContentIsValid() {
     QVERIFY(catalogue->find("sphere_apex") != nullptr);
 }
 
-void TestContent::sphereApexHasItsFourLevels() {
+void TestContent::sphereApexHasItsSixLevels() {
     const auto& levels = shipped().find("sphere_apex")->levels;
-    QCOMPARE(levels.size(), std::size_t{4});
+    QCOMPARE(levels.size(), std::size_t{6});
     const auto parameters = [&](std::size_t i) {
         return std::get<simulation::SphereApexParameters>(levels[i].parameters);
     };

@@ -37,6 +37,8 @@ void TestMalformedContent::everyMutationIsRefused() {
                             "exercises/sphere_apex/levels/haptics_alone.json",
                             "exercises/sphere_apex/levels/varied_material.json",
                             "exercises/sphere_apex/levels/decoy_dimple.json",
+                            "exercises/sphere_apex/levels/mesh_dome.json",
+                            "exercises/sphere_apex/levels/soft_organ.json",
                             "exercises/urethra_insertion/levels/stricture.json",
                             "exercises/urethra_insertion/levels/unguided.json",
                             "exercises/urethra_insertion/presets/stricture.json",

@@ -45,6 +45,7 @@ private slots:
     void anotherSeedIsNoticed();
     void twoToolsReplay();
     void realtimeAndAsFastAgree();
+    void aSoftOrganInRealTimeReplays();
     void verifyFindsNothingWrong();
 };
 
@@ -55,6 +56,8 @@ void TestSessionReplay::replaysToTheSameBits_data() {
     QTest::newRow("by touch, novice") << 2 << "novice";
     QTest::newRow("varied, intermediate") << 3 << "intermediate";
     QTest::newRow("dimple, unsafe") << 4 << "unsafe";
+    QTest::newRow("mesh, intermediate") << 5 << "intermediate";
+    QTest::newRow("soft organ, expert") << 6 << "expert";
 }
 
 void TestSessionReplay::replaysToTheSameBits() {
@@ -145,6 +148,24 @@ void TestSessionReplay::realtimeAndAsFastAgree() {
             break; // chunks close by the clock in real time: only equal spans can be compared by hash
         QVERIFY(*one.session->reader().forceHash(i) == *two.session->reader().forceHash(i));
     }
+}
+
+// The slow model on its thread, as late as this machine makes it: the recording says when its answers came.
+void TestSessionReplay::aSoftOrganInRealTimeReplays() {
+    SessionFixture site;
+    session::TrainingRequest request = site.request(shortLevel(6, 1, 5.0), "unsafe", 4);
+    request.realtime = true;
+    auto result = site.run(std::move(request));
+    QVERIFY2(result, result ? "" : result.error().message.c_str());
+    int applied = 0;
+    for (const core::HapticFrame& frame : framesOf(site, result->session))
+        applied += (frame.header.events & core::event_bits::kSlowApplied) != 0 ? 1 : 0;
+    QVERIFY(applied > 0);
+    OpenStored stored(*site.database, result->session);
+    auto replay = session::replaySession(*stored.session);
+    QVERIFY2(replay, replay ? "" : replay.error().message.c_str());
+    QVERIFY(replay->identical);
+    QCOMPARE(replay->maximumDifference_N, 0.0);
 }
 
 void TestSessionReplay::verifyFindsNothingWrong() {
