@@ -103,6 +103,7 @@ void TestContent::keysCarryTheirUnits() {
                                             {"N/m³", "_N_per_m3"},  {"N·s/m²", "_N_s_per_m2"},
                                             {"N·m/rad", "_N_m_per_rad"}, {"deg", "_deg"},
                                             {"Fr", "_Fr"},          {"um", "_um"},
+                                            {"g", "_g"},            {"ms", "_ms"},
                                             {"mm/s", "_mm_per_s"},  {"mN·m", "_mN_m"}};
     for (const char* name : {"sphere_apex_parameters", "urethra_insertion_parameters", "elastic_tube_parameters"}) {
         const auto schema = readSchema(kContent + "/schema", QLatin1String(name));

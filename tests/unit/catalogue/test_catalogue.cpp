@@ -21,7 +21,10 @@ auto fields(const SphereApexParameters& p) {
                     p.stiffnessLow_N_per_m, p.stiffnessHigh_N_per_m, p.stiffnessVariation,
                     p.stiffnessWavelength_m, p.damping_Ns_per_m, p.frictionLow, p.frictionHigh,
                     p.bristleStiffness_N_per_m, p.dimpleDepth_m, p.dimpleRadius_m, p.dimpleOffset_m, p.trials,
-                    p.trialLimit_s, p.betweenTrials_s, p.maximumForce_N, p.cues);
+                    p.trialLimit_s, p.betweenTrials_s, p.maximumForce_N, p.cues, p.surface, p.meshEdge_m, p.bumpHeight_m,
+                    p.bumpWavelength_m, p.bumpSeed, p.roughness_m, p.roughnessWavelength_m, p.organStiffness_N_per_m,
+                    p.organSpread_m, p.organMass_kg, p.organRecoveryTime_s, p.organVolumeKeeping, p.organDeepest_m,
+                    p.slowPeriod_ms, p.slowLatency_ms);
 }
 
 const SphereApexParameters& parametersOf(const ExerciseLevel& level) {
@@ -67,7 +70,7 @@ void TestCatalogue::valuesReachTheStruct() {
     QCOMPARE(textIn(level->title, "de"), std::string("Täuschende Delle"));
     QCOMPARE(textIn(level->title, "fr"), std::string("Decoy dimple"));
     QCOMPARE(catalogue->find("sphere_apex", 0), nullptr);
-    QCOMPARE(catalogue->find("sphere_apex", 5), nullptr);
+    QCOMPARE(catalogue->find("sphere_apex", 7), nullptr);
     QCOMPARE(catalogue->find("sphere", 1), nullptr);
 }
 
@@ -82,7 +85,7 @@ void TestCatalogue::everyParameterKeyReachesTheStruct() {
     QCOMPARE(parameters.size(), qsizetype{34}); // all of SphereApexParameters but the cues
     for (const QString& key : parameters.keys()) {
         QJsonObject changed = parameters;
-        changed[key] = parameters[key].toDouble() + 1.0;
+        changed[key] = parameters[key].isString() ? QJsonValue("mesh") : QJsonValue(parameters[key].toDouble() + 1.0);
         level["parameters"] = changed;
         document["level"] = level;
         const auto after = fromResolvedJson(canonicalJson(document));
@@ -199,11 +202,11 @@ void TestCatalogue::spellingChangesNoDigest() {
 void TestCatalogue::newLevelNeedsOnlyItsFile() {
     ContentCopy copy;
     QByteArray text = copy.read(kLevel);
-    text.replace("\"decoy_dimple\"", "\"two_millimetres\"").replace("\"number\": 4", "\"number\": 5");
+    text.replace("\"decoy_dimple\"", "\"two_millimetres\"").replace("\"number\": 4", "\"number\": 7");
     copy.write("exercises/sphere_apex/levels/two_millimetres.json", text);
     const auto catalogue = Catalogue::load(copy.directory());
     QVERIFY2(catalogue.has_value(), catalogue ? "" : catalogue.error().message.c_str());
-    QCOMPARE(catalogue->find("sphere_apex", 5)->id, std::string("two_millimetres"));
+    QCOMPARE(catalogue->find("sphere_apex", 7)->id, std::string("two_millimetres"));
 }
 
 void TestCatalogue::contentFolderIsFound() {
