@@ -4,6 +4,7 @@
 
 #include "core/units.h"
 #include "simulation/exercises/object_handling/object_handling_plan.h"
+#include "simulation/exercises/object_handling/soft_bed.h"
 #include "simulation/objects/grasp.h"
 
 #include <algorithm>
@@ -109,6 +110,13 @@ public:
                      QStringLiteral("enough to carry the heaviest object (%1) within a quarter of its radius").arg(g(heaviest_kg())));
     }
 
+    void organ() const {
+        if (!m_p.organBed)
+            return;
+        if (const auto bed = simulation::SoftBed::make(m_p); !bed)
+            add("bed_mesh", QString::fromStdString(m_p.bedMesh.id), QString::fromStdString("an organ that can be made: " + bed.error().message));
+    }
+
 private:
     double heaviest_kg() const { return m_p.massHigh_kg > 0.0 ? m_p.massHigh_kg : m_p.object.mass_kg; }
     void add(const char* key, const QString& found, const QString& expected) const {
@@ -136,6 +144,7 @@ void checkObjectHandling(const ExerciseParameters& parameters, const QString& pa
     checks.grip();
     checks.stability();
     checks.depths();
+    checks.organ();
 }
 
 } // namespace chiron::catalogue

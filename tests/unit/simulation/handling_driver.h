@@ -42,6 +42,18 @@ inline ObjectHandlingParameters oneOvary() {
     return p;
 }
 
+/// The same on a soft organ, wide and flat.
+inline ObjectHandlingParameters onOrgan(ObjectHandlingParameters p) {
+    p.organBed = true;
+    p.bed.stiffness_N_per_m = 300.0;
+    p.bedMesh.shape = MeshSource::Shape::ellipsoid;
+    p.bedMesh.halfAxisX_m = p.bedMesh.halfAxisY_m = 0.090;
+    p.bedMesh.halfAxisZ_m = 0.014;
+    p.bedMesh.edge_m = 0.006;
+    p.placesRadius_m = 0.028;
+    return p;
+}
+
 /// Steps a scene as the loop does, with one grasper that moves smoothly: its velocity is the difference of its places.
 struct HandlingDriver {
     explicit HandlingDriver(const ObjectHandlingParameters& given, std::uint64_t seed = 42) : parameters(given), scene(given, seed) {

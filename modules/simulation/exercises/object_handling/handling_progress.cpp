@@ -27,7 +27,7 @@ bool HandlingProgress::isOverTarget(const LooseBody& body) const noexcept {
 
 bool HandlingProgress::liesInTarget(const HandlingWorld& world, std::size_t i) const noexcept {
     const LooseBody& body = world.body(i);
-    return world.held() != static_cast<int>(i) && m_lifted[i] && isOverTarget(body) && body.bedDepth_m() > 0.0 &&
+    return world.held() != static_cast<int>(i) && m_lifted[i] && isOverTarget(body) && body.onBed() &&
            body.v_W.squaredNorm() < kRest_m_per_s * kRest_m_per_s;
 }
 

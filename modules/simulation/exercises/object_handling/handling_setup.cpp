@@ -9,8 +9,19 @@
 
 namespace chiron::simulation {
 
-HandlingWorld::HandlingWorld(const ObjectHandlingParameters& parameters) noexcept
-    : m_parameters(parameters), m_object(parameters.object), m_bed(parameters.bed), m_bodyBed(parameters.bed) {}
+namespace {
+
+/// The ball of a body (11 mm) spans many peaks of a rough bed and has lain on it for long: it rests on their mean.
+ObjectContact underBody(ObjectAttributes bed) noexcept {
+    bed.roughness_m = 0.0;
+    bed.recoveryShare = 0.0;
+    return ObjectContact(bed);
+}
+
+} // namespace
+
+HandlingWorld::HandlingWorld(const ObjectHandlingParameters& parameters, SoftBed* soft) noexcept
+    : m_parameters(parameters), m_object(parameters.object), m_bed(parameters.bed), m_bodyBed(underBody(parameters.bed)), m_soft(soft) {}
 
 HandlingProgress::HandlingProgress(const ObjectHandlingParameters& parameters) noexcept
     : m_parameters(parameters),

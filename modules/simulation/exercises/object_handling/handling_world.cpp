@@ -18,6 +18,8 @@ constexpr double kT = core::kTickSeconds;
 /// Objects that were pushed away roll back from the rim of the field, so that a trial can go on (assumptions).
 constexpr double kRimBeyondPlaces_m = 0.025;
 constexpr double kRim_N_per_m = 100.0;
+/// Slower than this a free body lies still: its height and energy there are what lifting is told from (assumption).
+constexpr double kStill_m_per_s = 0.002;
 /// Nearer to a ball's middle than this share of its radius its foot does not run any faster: the law has no place there.
 constexpr double kInnermost = 0.1;
 
@@ -36,7 +38,8 @@ void HandlingWorld::begin(const ObjectHandlingTrial& trial) noexcept {
     m_count = static_cast<std::size_t>(trial.objects);
     for (std::size_t i = 0; i < m_count; ++i) {
         Body& body = m_bodies[i];
-        body.it.lieDown(trial.place_m[i], m_parameters.radius_m, trial.mass_kg[i], m_bodyBed);
+        const double height_m = m_soft != nullptr ? m_soft->restHeight_m(trial.place_m[i]) : 0.0;
+        body.it.lieDown(trial.place_m[i], height_m, m_parameters.radius_m, trial.mass_kg[i], m_bodyBed);
         body.tip.reset();
         body.inside = body.embraced = true; // one that appears round the tip is touched only after the tip has left it
         body.airborne = body.dropCounts = false;
@@ -67,12 +70,14 @@ HandlingAnswer HandlingWorld::step(const HandlingTool& tool) noexcept {
         body.load = Vec3::Zero();
         body.touched = false;
         body.tipEnergy_J = 0.0;
-        body.it.pressBed(m_bodyBed);
+        layOnBed(i);
         if (tool.present && !isHeld(i))
             touchBody(body, tool, answer);
     }
     if (tool.present)
         touchBed(tool, answer);
+    else if (m_soft != nullptr)
+        m_soft->release(SoftBed::kTip);
     pushApart(answer);
     carry(answer);
     countEnergy(answer);
@@ -118,20 +123,39 @@ void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnsw
     answer.touching = true;
 }
 
-void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) noexcept {
+ContactPlace HandlingWorld::bedPlace(std::size_t who, const Vec3& p, const Vec3& v, double radius_m, double reach_m) noexcept {
+    if (m_soft != nullptr)
+        return m_soft->place(who, p, v, radius_m, reach_m);
     ContactPlace place;
-    place.depth_m = -tool.p_W.z();
-    place.foot = Vec3(tool.p_W.x(), tool.p_W.y(), 0.0);
-    place.position = tool.p_W;
-    place.velocity = tool.v_W;
+    place.depth_m = radius_m - p.z();
+    place.foot = Vec3(p.x(), p.y(), 0.0);
+    place.position = p;
+    place.velocity = v;
+    return place;
+}
+
+void HandlingWorld::layOnBed(std::size_t i) noexcept {
+    LooseBody& body = m_bodies[i].it;
+    const std::size_t who = SoftBed::kFirstBody + i;
+    const ContactPlace place = bedPlace(who, body.p_W, body.v_W, body.radius_m(), 0.0);
+    const ObjectContactResponse& felt = body.pressBed(m_bodyBed, place);
+    if (m_soft != nullptr)
+        m_soft->touched(who, body.p_W, body.radius_m(), place, felt);
+}
+
+void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) noexcept {
+    const ContactPlace place = bedPlace(SoftBed::kTip, tool.p_W, tool.v_W, 0.0, m_bed.reach_m());
     const ObjectContactResponse touch = m_bed.respond(place, kT, m_tipOnBed);
+    if (m_soft != nullptr)
+        m_soft->touched(SoftBed::kTip, tool.p_W, 0.0, place, touch);
     answer.energy_J += touch.energy_J;
     if (!touch.inContact)
         return;
+    const double depth = std::max(0.0, place.depth_m);
     answer.force += touch.force;
     answer.stiffness_N_per_m = std::max(answer.stiffness_N_per_m, touch.stiffness_N_per_m);
-    answer.bedDepth_m = std::max(0.0, place.depth_m);
-    answer.surfacePoint.z() = std::max(answer.surfacePoint.z(), 0.0);
+    answer.bedDepth_m = depth;
+    answer.surfacePoint.z() = std::max(answer.surfacePoint.z(), tool.p_W.z() + depth * place.normal.z());
     answer.touching = true;
 }
 
@@ -165,29 +189,38 @@ void HandlingWorld::carry(HandlingAnswer& answer) noexcept {
     answer.touching = true;
 }
 
-void HandlingWorld::countEnergy(HandlingAnswer& answer) const noexcept {
+void HandlingWorld::countEnergy(HandlingAnswer& answer) noexcept {
     for (std::size_t i = 0; i < m_count; ++i) {
         const Body& body = m_bodies[i];
         answer.bedDepth_m = std::max(answer.bedDepth_m, body.it.bedDepth_m());
         answer.energy_J += body.tipEnergy_J;
         if (isHeld(i))
-            answer.energy_J += body.it.storedEnergy_J(m_bodyBed);
+            answer.energy_J += body.it.storedEnergy_J();
         else if (body.touched)
-            answer.energy_J += body.it.storedEnergy_J(m_bodyBed) + body.it.motionEnergy_J();
+            answer.energy_J += body.it.storedEnergy_J() + body.it.motionEnergy_J();
     }
+    if (m_soft == nullptr)
+        return;
+    const double organ_J = m_soft->organ().elasticEnergy_J();
+    if (answer.touching) // what the organ holds more than the bodies have lain into it
+        answer.energy_J += std::max(0.0, organ_J - m_organRest_J);
+    else
+        m_organRest_J = organ_J;
 }
 
 void HandlingWorld::moveBodies(HandlingAnswer& answer) noexcept {
     const double rim = m_parameters.placesRadius_m + kRimBeyondPlaces_m;
     for (std::size_t i = 0; i < m_count; ++i) {
         Body& body = m_bodies[i];
-        const bool inAir = body.it.bedDepth_m() <= 0.0;
+        const bool inAir = !body.it.onBed();
         if (body.airborne && !inAir && body.dropCounts && !isHeld(i)) {
             body.dropCounts = false;
             if (-body.it.v_W.z() > m_parameters.dropSpeed_m_per_s)
                 answer.events |= bits::kSlipped;
         }
         body.airborne = inAir;
+        if (!isHeld(i) && !body.touched && !inAir && body.it.v_W.squaredNorm() < kStill_m_per_s * kStill_m_per_s)
+            body.it.lieStill();
         if (!isHeld(i))
             body.it.moveFreely(body.load + rimForce(body.it, rim));
     }

@@ -4,6 +4,7 @@
 #include "simulation/exercises/object_handling/loose_body.h"
 #include "simulation/exercises/object_handling/object_handling_parameters.h"
 #include "simulation/exercises/object_handling/object_handling_plan.h"
+#include "simulation/exercises/object_handling/soft_bed.h"
 #include "simulation/objects/grasp.h"
 
 #include <array>
@@ -38,7 +39,8 @@ public:
     static constexpr std::size_t kMaxBodies = ObjectHandlingTrial::kMaxObjects;
     static constexpr int kNone = -1;
 
-    explicit HandlingWorld(const ObjectHandlingParameters& parameters) noexcept;
+    /// `soft`: the organ that they lie on, which must outlive the world and is updated and asked by its owner; null: a plane.
+    HandlingWorld(const ObjectHandlingParameters& parameters, SoftBed* soft) noexcept;
 
     void begin(const ObjectHandlingTrial& trial) noexcept; ///< the bodies lie down at rest
     void clear() noexcept;                                 ///< nothing is there any more
@@ -59,7 +61,7 @@ private:
         bool inside = false;     ///< the tip was inside it at the last tick
         bool embraced = false;   ///< the jaws are around it, or let it go there: the tip does not touch it
         bool touched = false;    ///< by the tip, this tick
-        bool airborne = false;
+        bool airborne = false;   ///< left the bed
         bool dropCounts = false; ///< let go on purpose: a hard landing is a drop
     };
 
@@ -71,17 +73,21 @@ private:
     void squeezeHeld(const HandlingTool& tool, HandlingAnswer& answer) noexcept;
     void touchBody(Body& body, const HandlingTool& tool, HandlingAnswer& answer) noexcept;
     bool tipTouches(Body& body, double depth_m, const HandlingTool& tool) const noexcept;
+    ContactPlace bedPlace(std::size_t who, const core::Vec3& p, const core::Vec3& v, double radius_m, double reach_m) noexcept;
+    void layOnBed(std::size_t i) noexcept;
     void touchBed(const HandlingTool& tool, HandlingAnswer& answer) noexcept;
     void pushApart(HandlingAnswer& answer) noexcept;
     void carry(HandlingAnswer& answer) noexcept;
-    void countEnergy(HandlingAnswer& answer) const noexcept;
+    void countEnergy(HandlingAnswer& answer) noexcept;
     void moveBodies(HandlingAnswer& answer) noexcept;
     bool isHeld(std::size_t i) const noexcept { return m_held == static_cast<int>(i); }
 
     ObjectHandlingParameters m_parameters;
     ObjectContact m_object;
     ObjectContact m_bed;
-    BodyBed m_bodyBed;
+    ObjectContact m_bodyBed; ///< the same under a body: smooth and recovered
+    SoftBed* m_soft;
+    double m_organRest_J = 0.0; ///< of the organ while the tool touched nothing
     std::size_t m_count = 0;
     std::array<Body, kMaxBodies> m_bodies;
     ObjectContactState m_tipOnBed;

@@ -23,27 +23,33 @@ double depthFor(const ElasticLaw& law, double force_N) noexcept {
 
 } // namespace
 
-void LooseBody::lieDown(const core::Vec2& place_m, double radius_m, double mass_kg, const BodyBed& bed) noexcept {
+void LooseBody::lieDown(const core::Vec2& place_m, double height_m, double radius_m, double mass_kg,
+                        const ObjectContact& bed) noexcept {
     m_radius_m = radius_m;
     m_mass_kg = mass_kg;
-    m_restDepth_m = depthFor(bed.contact.elastic(), mass_kg * core::kStandardGravity);
-    p_W = Vec3(place_m.x(), place_m.y(), radius_m - m_restDepth_m);
+    m_restDepth_m = m_depth_m = depthFor(bed.elastic(), mass_kg * core::kStandardGravity);
+    p_W = Vec3(place_m.x(), place_m.y(), height_m + radius_m - m_restDepth_m);
     v_W.setZero();
     q_W = core::Quat::Identity();
     m_state.reset();
+    m_onBed = ObjectContactResponse();
+    m_onBed.energy_J = bed.elastic().energy(m_restDepth_m);
+    lieStill();
 }
 
-void LooseBody::pressBed(const BodyBed& bed) noexcept {
-    ContactPlace place;
-    place.depth_m = bedDepth_m();
-    place.foot = Vec3(p_W.x(), p_W.y(), 0.0);
-    place.position = p_W;
-    place.velocity = v_W;
-    m_onBed = bed.contact.respond(place, kT, m_state);
+const ObjectContactResponse& LooseBody::pressBed(const ObjectContact& bed, const ContactPlace& place) noexcept {
+    m_depth_m = place.depth_m;
+    m_onBed = bed.respond(place, kT, m_state);
+    return m_onBed;
+}
+
+void LooseBody::lieStill() noexcept {
+    m_restHeight_m = p_W.z();
+    m_restEnergy_J = m_onBed.energy_J + Mass::energy(m_mass_kg, p_W.z());
 }
 
 double LooseBody::rolling_Ns_per_m() const noexcept {
-    return m_onBed.inContact ? kRolling_Ns_per_m * std::min(1.0, bedDepth_m() / m_restDepth_m) : 0.0;
+    return kRolling_Ns_per_m * std::min(1.0, m_onBed.normalForce_N / (m_mass_kg * core::kStandardGravity));
 }
 
 Vec3 LooseBody::heldForce() const noexcept {
@@ -74,10 +80,8 @@ void LooseBody::roll(const Vec3& step_m) noexcept {
     q_W = (core::Quat(std::cos(half), -step_m.y() * s, step_m.x() * s, 0.0) * q_W).normalized();
 }
 
-double LooseBody::storedEnergy_J(const BodyBed& bed) const noexcept {
-    const ElasticLaw& law = bed.contact.elastic();
-    const double pressed = law.energy(std::max(0.0, bedDepth_m())) - law.energy(m_restDepth_m);
-    return std::max(0.0, pressed + Mass::energy(m_mass_kg, lifted_m()));
+double LooseBody::storedEnergy_J() const noexcept {
+    return std::max(0.0, m_onBed.energy_J + Mass::energy(m_mass_kg, p_W.z()) - m_restEnergy_J);
 }
 
 } // namespace chiron::simulation

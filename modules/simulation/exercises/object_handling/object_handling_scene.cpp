@@ -11,10 +11,15 @@ using core::LaparoscopyStep;
 using core::TrialPhase;
 namespace bits = core::event_bits;
 
-void ObjectHandlingScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
+void ObjectHandlingScene::respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept {
     out = SceneOutput{};
+    m_tick = now.index();
+    if (m_softBed && m_softBed->update(m_tick, in.slow))
+        out.events |= bits::kSlowApplied;
     advance(in, out);
     touch(in, out);
+    if (m_softBed && objectsPresent())
+        m_softBed->ask(m_tick);
     out.trial = static_cast<std::uint16_t>(m_trial);
     out.phase = m_phase;
     fillCues(in, out);
@@ -58,6 +63,8 @@ void ObjectHandlingScene::enterReady(SceneOutput& out) noexcept {
     m_phase = TrialPhase::ready;
     m_clock = 0;
     m_trialOver = false;
+    if (m_softBed)
+        m_softBed->begin(m_tick);
     m_world.begin(m_trials[m_trial]);
     m_task.begin(m_trials[m_trial]);
     out.events |= bits::kSceneChanged;

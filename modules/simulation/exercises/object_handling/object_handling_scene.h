@@ -7,6 +7,7 @@
 #include "simulation/scene.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace chiron::simulation {
@@ -31,7 +32,8 @@ inline constexpr std::size_t kCount = 14;
 /// means nothing here. In idle, between and finished there is no object and no bed, and force is zero.
 ///
 /// Tool 0 grasps; other tools feel nothing. While paused the clocks stand still and the jaw stays as it was, so that putting the
-/// instrument down for a while drops nothing; contact still answers. All of tool 0's energy is body 0's.
+/// instrument down for a while drops nothing; contact still answers. All of tool 0's energy is body 0's. An organ for a bed is
+/// simulated beside the loop (slowModel()).
 ///
 /// Deterministic; all trials are planned at construction. Thread: respond() haptic; construction anywhere. Not copied.
 class ObjectHandlingScene final : public IScene {
@@ -42,6 +44,7 @@ public:
     ObjectHandlingScene& operator=(const ObjectHandlingScene&) = delete;
 
     void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
+    ISlowModel* slowModel() noexcept override { return m_softBed ? &m_softBed->organ() : nullptr; }
 
     const std::vector<ObjectHandlingTrial>& trials() const noexcept { return m_trials; } ///< the truth, for scoring
     const HandlingWorld& world() const noexcept { return m_world; }                      ///< for tests and tables
@@ -70,6 +73,8 @@ private:
     bool m_trialOver = false;  ///< the tick before ended the trial
     bool m_touching = false;
     double m_opening_m = 0.0; ///< of the jaws, kept while paused
+    std::unique_ptr<SoftBed> m_softBed; ///< null: a plane
+    std::uint64_t m_tick = 0;
     HandlingWorld m_world;
     HandlingProgress m_task;
 };
