@@ -44,6 +44,8 @@ using OrganTouches = std::array<OrganTouch, core::kMaxTools>;
 /// a run or in the tick; update(), ask() and the surface haptic; step() as ISlowModel says.
 class DeformableOrgan final : public ISlowModel {
 public:
+    static constexpr bool kMoves = true; ///< a place of the surface moves from tick to tick
+
     struct Settings {
         SpringNetworkParameters network;
         TwoRateTiming timing;
