@@ -30,7 +30,7 @@ public:
             if (auto dome = simulation::TouchedDome::make(p, trials))
                 m_dome = std::move(*dome);
         for (const simulation::SphereApexTrial& trial : trials) {
-            TrialObject object{{trial.centre_m.x(), trial.centre_m.y(), p.planeHeight_m}, p.radius_m, {}};
+            TrialObject object{{trial.centre_m.x(), trial.centre_m.y(), p.planeHeight_m}, p.radius_m, {}, meshed(p) ? trial.turn_rad : 0.0};
             if (p.dimpleDepth_m > 0.0)
                 object.dimpleCentre_m = trial.dimpleCentre_m;
             m_objects.push_back(object);

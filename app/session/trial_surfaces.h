@@ -12,6 +12,7 @@ struct TrialObject {
     core::Vec3 p_WObject = core::Vec3::Zero(); ///< m; sphere_apex: centre of the ball, in the plane
     double radius_m = 0.0;
     std::optional<core::Vec2> dimpleCentre_m; ///< x, y in W, where the level has a decoy
+    double turn_rad = 0.0; ///< of a meshed dome about the vertical
 };
 
 /// What could be touched in each trial of a session, made again from its stored content and seed: the same geometry

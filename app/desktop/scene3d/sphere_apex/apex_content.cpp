@@ -94,7 +94,7 @@ void ApexContent::showTips(const SceneState& state) {
         tips.setColumn(column, QVector4D(toMillimetres(drawnTip(tool)), 1.0F));
         // The surface gives way to the hand; where nothing is felt the tip stays on it and presses the blood
         // away.
-        const Dent dent = m_surface.dentUnder(tool.p_WT);
+        const Dent dent = m_surface.dentUnder(tool);
         if (!tool.drawnAtSurface) {
             places.setColumn(column, QVector4D(toMillimetres(dent.p_WSurface), float(dent.depth_m * 1e3)));
             normals.setColumn(column, QVector4D(toVector(dent.normal), float(dent.reach_m * 1e3)));

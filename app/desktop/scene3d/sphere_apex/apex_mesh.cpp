@@ -2,6 +2,7 @@
 #include "desktop/scene3d/sphere_apex/apex_mesh.h"
 
 #include "core/units.h"
+#include "simulation/geometry/mesh/make_mesh.h"
 
 #include <algorithm>
 
@@ -9,6 +10,7 @@ namespace chiron::scene3d {
 
 namespace {
 
+constexpr std::uint32_t kNone = 0xffffffffU;
 constexpr int kSpokes = 120;
 constexpr int kBallRings = 24;
 constexpr int kPlaneRings = 26;
@@ -19,7 +21,9 @@ public:
     explicit MeshMaker(const ApexSurface& surface) : m_surface(surface) {}
 
     TriangleMesh make() {
-        if (m_surface.shown)
+        if (m_surface.shown && m_surface.mesh)
+            dome();
+        else if (m_surface.shown)
             ball();
         plane();
         return std::move(m_mesh);
@@ -80,6 +84,58 @@ private:
         }
     }
 
+    /// The triangles that are felt, turned and put in place; those under the plate and beyond the field are left out.
+    void dome() {
+        const auto shape = simulation::makeMeshShape(*m_surface.mesh);
+        if (!shape) { // a level whose mesh cannot be made is refused by the catalogue
+            ball();
+            return;
+        }
+        std::vector<core::Vec3> places;
+        for (const core::Vec3& p : shape->vertices)
+            places.push_back(placed(p));
+        std::vector<core::Vec3> normals(places.size(), core::Vec3::Zero());
+        std::vector<std::uint32_t> number(places.size(), kNone);
+        for (const auto& t : shape->triangles) {
+            const core::Vec3 across = (places[t[1]] - places[t[0]]).cross(places[t[2]] - places[t[0]]);
+            for (const std::uint32_t i : t)
+                normals[i] += across;
+        }
+        for (const auto& t : shape->triangles) {
+            if (!isSeen(places[t[0]]) && !isSeen(places[t[1]]) && !isSeen(places[t[2]]))
+                continue;
+            for (const std::uint32_t i : t) {
+                if (number[i] == kNone) {
+                    number[i] = size();
+                    domeVertex(places[i], normals[i].normalized());
+                }
+                m_mesh.indices.push_back(number[i]);
+            }
+        }
+    }
+
+    core::Vec3 placed(const core::Vec3& p) const {
+        const double c = std::cos(m_surface.turn_rad);
+        const double s = std::sin(m_surface.turn_rad);
+        return {m_surface.ball.centre_m.x() + c * p.x() - s * p.y(), m_surface.ball.centre_m.y() + s * p.x() + c * p.y(),
+                m_surface.ball.planeHeight_m + p.z()};
+    }
+
+    bool isSeen(const core::Vec3& p_W) const {
+        return p_W.z() > m_surface.ball.planeHeight_m - 0.0005 && p_W.head<2>().norm() < m_surface.fieldRadius_m;
+    }
+
+    void domeVertex(const core::Vec3& p_W, const core::Vec3& normal) {
+        const core::Vec2 beside = p_W.head<2>() - m_surface.ball.centre_m;
+        const double r_m = beside.norm();
+        const double radius_m = m_surface.ball.radius_m;
+        const double up_m = p_W.z() - m_surface.ball.planeHeight_m;
+        const bool onBall = r_m < radius_m && up_m > 0.05 * radius_m;
+        const double arc_m = onBall ? radius_m * std::atan2(r_m, up_m) : 0.5 * core::kPi * radius_m + std::max(0.0, r_m - radius_m);
+        const double toRim_m = onBall ? up_m : std::abs(r_m - radius_m);
+        vertex(p_W, normal, along(r_m > 1e-9 ? core::Vec2(beside / r_m) : core::Vec2(1.0, 0.0), arc_m), crease(toRim_m));
+    }
+
     static double crease(double away_m) {
         const double near = std::clamp(1.0 - away_m / kCreaseShade_m, 0.0, 1.0);
         return 1.0 - 0.55 * near * near;
@@ -87,7 +143,7 @@ private:
 
     /// From the rim of the ball (or from the middle, under the cover) to the edge of the field.
     void plane() {
-        const double rim_m = m_surface.shown ? m_surface.ball.radius_m : 0.0;
+        const double rim_m = !m_surface.shown ? 0.0 : m_surface.mesh ? m_surface.mesh->plateRadius_m : m_surface.ball.radius_m;
         const core::Vec2 centre = m_surface.shown ? m_surface.ball.centre_m : core::Vec2(0.0, 0.0);
         std::uint32_t before = 0;
         for (int ring = 0; ring <= kPlaneRings; ++ring) {
@@ -96,11 +152,12 @@ private:
             const std::uint32_t first = size();
             for (int i = 0; i < kSpokes; ++i) {
                 const core::Vec2 out = spoke(i);
-                const double away_m = share * (toEdge(centre, out) - rim_m);
+                const double away_m = share * std::max(0.0, toEdge(centre, out) - rim_m); // the plate may reach beyond the field
                 const core::Vec2 at = centre + (rim_m + away_m) * out;
-                const double arc_m = m_surface.shown ? 0.5 * core::kPi * rim_m + away_m : away_m;
+                const double radius_m = m_surface.ball.radius_m;
+                const double arc_m = m_surface.shown ? 0.5 * core::kPi * radius_m + rim_m - radius_m + away_m : away_m;
                 vertex({at.x(), at.y(), m_surface.ball.planeHeight_m}, core::Vec3::UnitZ(), along(out, arc_m),
-                       m_surface.shown ? crease(away_m) : 1.0);
+                       m_surface.shown ? crease(rim_m - m_surface.ball.radius_m + away_m) : 1.0);
             }
             if (ring > 0)
                 join(before, first);

@@ -2,8 +2,10 @@
 #include "desktop/scene3d/sphere_apex/apex_surface.h"
 
 #include "simulation/exercises/sphere_apex/hemisphere_contact.h"
+#include "simulation/exercises/sphere_apex/touched_dome.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace chiron::scene3d {
 
@@ -23,6 +25,12 @@ ApexSurface ApexSurface::of(const simulation::SphereApexParameters& parameters, 
     // An object outside the workspace (another level's recording) is drawn all the same.
     surface.fieldRadius_m =
         std::max(surface.fieldRadius_m, surface.ball.centre_m.norm() + parameters.radius_m + 0.5 * kMargin_m);
+    if (parameters.surface != simulation::ApexSurface::exact) {
+        surface.mesh = simulation::apexDomeSource(parameters);
+        // The dome is shown as a body that can be turned: its bumps lie elsewhere in each trial.
+        const auto& q = state.laparoscopy.body[0].q_W;
+        surface.turn_rad = 2.0 * std::atan2(q[3], q[0]);
+    }
     if (state.dimpleShown)
         surface.dimple = {parameters.dimpleDepth_m, parameters.dimpleRadius_m, state.dimpleCentre_m};
     return surface;
@@ -76,8 +84,26 @@ Dent ApexSurface::dentUnder(const core::Vec3& p_WT) const {
     return dent;
 }
 
+Dent ApexSurface::dentUnder(const ToolView& tool) const {
+    if (!mesh)
+        return dentUnder(tool.p_WT);
+    const core::Vec3 pressed = tool.p_WProxy - tool.p_WT;
+    const double depth_m = pressed.norm();
+    Dent dent;
+    if (!shown || !(depth_m > 1e-6))
+        return dent;
+    dent.p_WSurface = tool.p_WProxy;
+    dent.normal = pressed / depth_m;
+    dent.depth_m = depth_m;
+    dent.reach_m = Dent::kBaseReach_m + Dent::kReachPerDepth * depth_m;
+    return dent;
+}
+
 bool ApexSurface::operator==(const ApexSurface& other) const {
-    return shown == other.shown && fieldRadius_m == other.fieldRadius_m &&
+    const bool sameMesh = mesh.has_value() == other.mesh.has_value() &&
+                          (!mesh || (mesh->seed == other.mesh->seed && mesh->edge_m == other.mesh->edge_m && mesh->bumpHeight_m == other.mesh->bumpHeight_m &&
+                                     mesh->bumpWavelength_m == other.mesh->bumpWavelength_m && turn_rad == other.turn_rad));
+    return sameMesh && shown == other.shown && fieldRadius_m == other.fieldRadius_m &&
            ball.radius_m == other.ball.radius_m && ball.planeHeight_m == other.ball.planeHeight_m &&
            ball.centre_m == other.ball.centre_m && dimple.depth_m == other.dimple.depth_m &&
            dimple.halfWidth_m == other.dimple.halfWidth_m && dimple.centre_m == other.dimple.centre_m;

@@ -6,6 +6,9 @@
 #include "desktop/scene3d/sphere_apex/dent.h"
 #include "simulation/attributes/dimple.h"
 #include "simulation/geometry/hemisphere_on_plane.h"
+#include "simulation/geometry/mesh/mesh_source.h"
+
+#include <optional>
 
 namespace chiron::scene3d {
 
@@ -17,6 +20,9 @@ struct ApexSurface {
         false; ///< false: a flat cover; ball and dimple then keep fixed values, whatever the state says
     simulation::HemisphereOnPlane ball;
     simulation::Dimple dimple;
+    /// Levels on meshes: the generated dome that is felt, at rest, turned about the vertical; nothing where the ball is exact.
+    std::optional<simulation::MeshSource> mesh;
+    double turn_rad = 0.0;
     double fieldRadius_m = 0.080; ///< the surface is drawn in this disc round W's origin
 
     static ApexSurface of(const simulation::SphereApexParameters& parameters, const SceneState& state);
@@ -30,6 +36,8 @@ struct ApexSurface {
     /// How the surface gives way to a tip at this place, by the contact that is felt. No contact under a
     /// cover.
     Dent dentUnder(const core::Vec3& p_WT) const;
+    /// The same of a tool as it is shown: on a mesh the scene says where it touches.
+    Dent dentUnder(const ToolView& tool) const;
 
     bool operator==(const ApexSurface& other) const;
 };

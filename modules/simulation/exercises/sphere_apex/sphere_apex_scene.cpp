@@ -4,6 +4,7 @@
 #include "core/units.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace chiron::simulation {
 
@@ -147,6 +148,10 @@ void SphereApexScene::fillCues(const SceneInput& in, SceneOutput& out) const noe
     cues.objectShown = true;
     cues.p_WObject = core::Vec3(centre.x(), centre.y(), m_parameters.planeHeight_m);
     cues.objectRadius_m = m_parameters.radius_m;
+    if (m_dome) { // its bumps lie elsewhere in each trial: turned about the vertical
+        const double half_rad = 0.5 * m_trials[m_trial].turn_rad;
+        cues.laparoscopy.body[0].q_W = {std::cos(half_rad), 0.0, 0.0, std::sin(half_rad)};
+    }
 }
 
 } // namespace chiron::simulation
