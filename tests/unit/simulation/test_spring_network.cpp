@@ -264,7 +264,7 @@ void TestSpringNetwork::refusesWhatIsNoNetwork() {
 
 void TestSpringNetwork::aStepIsFarBelowTenMilliseconds() {
     // Told, not asserted in time: what is asserted is the arithmetic, seven substitutions of the factor.
-    const Dome of = dome(0.0014);
+    const Dome of = dome(0.0013);
     const auto net = network(of);
     QVERIFY(net->freeVertices() > 1300 && net->freeVertices() < 1800);
     QVERIFY2(net->factorEntries() < 40 * net->freeVertices(), qPrintable(QString::number(net->factorEntries())));
