@@ -67,8 +67,6 @@ public:
 
     bool step() noexcept override;
 
-    static constexpr bool kMoves = true; ///< for the contact: its places are not those of the tree
-
     // The shown surface of this tick.
     core::Vec3 position(std::uint32_t vertex) const noexcept;
     core::Vec3 normal(std::uint32_t vertex) const noexcept; ///< unit
