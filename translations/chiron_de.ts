@@ -308,6 +308,10 @@ Einzelheiten: %2</translation>
         <source>The procedure begins as soon as the scene is drawn.</source>
         <translation>Der Eingriff beginnt, sobald die Szene zu sehen ist.</translation>
     </message>
+    <message>
+        <source>This device renders no force. An instrument moves more slowly the harder something pulls or presses.</source>
+        <translation>Dieses Gerät gibt keine Kraft aus. Ein Instrument bewegt sich umso langsamer, je stärker etwas zieht oder drückt.</translation>
+    </message>
 </context>
 <context>
     <name>GateWords</name>
@@ -330,6 +334,141 @@ Einzelheiten: %2</translation>
     <message>
         <source>%1: at most %2</source>
         <translation>%1: höchstens %2</translation>
+    </message>
+</context>
+<context>
+    <name>GraspWords</name>
+    <message>
+        <source>Take hold of both ends of the tube, one with each instrument</source>
+        <translation>Beide Enden des Schlauchs fassen, mit jedem Instrument eines</translation>
+    </message>
+    <message>
+        <source>Take hold of the end of the tube with the right instrument</source>
+        <translation>Das Ende des Schlauchs mit dem rechten Instrument fassen</translation>
+    </message>
+    <message>
+        <source>Take hold of the end of the tube</source>
+        <translation>Das Ende des Schlauchs fassen</translation>
+    </message>
+    <message>
+        <source>At the mark: hold it there</source>
+        <translation>An der Marke: dort halten</translation>
+    </message>
+    <message>
+        <source>At the target: hold it there</source>
+        <translation>Am Ziel: dort halten</translation>
+    </message>
+    <message>
+        <source>In the band: keep the tension there</source>
+        <translation>Im Bereich: die Spannung dort halten</translation>
+    </message>
+    <message>
+        <source>The tube is torn: this trial is over</source>
+        <translation>Der Schlauch ist gerissen: Dieser Durchgang ist zu Ende</translation>
+    </message>
+    <message>
+        <source>Stretch the tube to the mark, and no farther</source>
+        <translation>Den Schlauch bis zur Marke dehnen, nicht weiter</translation>
+    </message>
+    <message>
+        <source>Pull until the tension is in its band</source>
+        <translation>Ziehen, bis die Spannung in ihrem Bereich ist</translation>
+    </message>
+    <message>
+        <source>Take the tube over with the left instrument, then let go with the right one</source>
+        <translation>Den Schlauch mit dem linken Instrument übernehmen, dann mit dem rechten loslassen</translation>
+    </message>
+    <message>
+        <source>Lift the end of the tube</source>
+        <translation>Das Ende des Schlauchs anheben</translation>
+    </message>
+    <message>
+        <source>Bring the end of the tube to the target</source>
+        <translation>Das Ende des Schlauchs zum Ziel bringen</translation>
+    </message>
+    <message>
+        <source>Let go of the end of the tube</source>
+        <translation>Das Ende des Schlauchs loslassen</translation>
+    </message>
+    <message>
+        <source>Done: the next tube follows</source>
+        <translation>Fertig: Der nächste Schlauch folgt</translation>
+    </message>
+    <message>
+        <source>Wait for the tube</source>
+        <translation>Auf den Schlauch warten</translation>
+    </message>
+    <message>
+        <source>Lift one object after the other and find the heaviest</source>
+        <translation>Ein Objekt nach dem anderen anheben und das schwerste finden</translation>
+    </message>
+    <message>
+        <source>Take hold of the object, softly</source>
+        <translation>Das Objekt fassen, behutsam</translation>
+    </message>
+    <message>
+        <source>Lift it up</source>
+        <translation>Anheben</translation>
+    </message>
+    <message>
+        <source>Is it the heaviest? Bring it over the dish; otherwise set it down</source>
+        <translation>Ist es das schwerste? Über die Schale bringen; sonst ablegen</translation>
+    </message>
+    <message>
+        <source>Bring it over the dish</source>
+        <translation>Über die Schale bringen</translation>
+    </message>
+    <message>
+        <source>Set it down in the dish and let go</source>
+        <translation>In die Schale legen und loslassen</translation>
+    </message>
+    <message>
+        <source>In the dish: leave it at rest</source>
+        <translation>In der Schale: in Ruhe lassen</translation>
+    </message>
+    <message>
+        <source>Done: the next one follows</source>
+        <translation>Fertig: Das nächste folgt</translation>
+    </message>
+    <message>
+        <source>Wait for the object</source>
+        <translation>Auf das Objekt warten</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>Instrument</translation>
+    </message>
+    <message>
+        <source>Right instrument</source>
+        <translation>Rechtes Instrument</translation>
+    </message>
+    <message>
+        <source>Left instrument</source>
+        <translation>Linkes Instrument</translation>
+    </message>
+    <message>
+        <source>Instrument %1</source>
+        <translation>Instrument %1</translation>
+    </message>
+    <message>
+        <source>Holding: object %1 of %2</source>
+        <translation>Gehalten: Objekt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Holding: the object</source>
+        <translation>Gehalten: das Objekt</translation>
+    </message>
+    <message>
+        <source>Holding: two places</source>
+        <translation>Gehalten: zwei Stellen</translation>
+    </message>
+    <message>
+        <source>Holding: the tube</source>
+        <translation>Gehalten: der Schlauch</translation>
+    </message>
+    <message>
+        <source>Holding: nothing</source>
+        <translation>Gehalten: nichts</translation>
     </message>
 </context>
 <context>
@@ -452,16 +591,60 @@ Einzelheiten: %2</translation>
         <source>Time: %1 s at most</source>
         <translation>Zeit: höchstens %1 s</translation>
     </message>
+    <message>
+        <source>Trials: %1, of %2 s at most</source>
+        <translation>Durchgänge: %1, je höchstens %2 s</translation>
+    </message>
+    <message>
+        <source>Goal: a tension between %1 and %2 N, kept within ±%3 N for %4 s</source>
+        <translation>Ziel: eine Spannung zwischen %1 und %2 N, auf ±%3 N genau %4 s lang gehalten</translation>
+    </message>
+    <message>
+        <source>Goal: %1 times its length, kept for %2 s</source>
+        <translation>Ziel: das %1-Fache seiner Länge, %2 s lang gehalten</translation>
+    </message>
+    <message>
+        <source>Goal: its end handed over and held in the target for %1 s</source>
+        <translation>Ziel: das Ende übergeben und %1 s lang im Ziel gehalten</translation>
+    </message>
+    <message>
+        <source>Instruments: two, one in each hand</source>
+        <translation>Instrumente: zwei, in jeder Hand eines</translation>
+    </message>
+    <message>
+        <source>Instruments: one</source>
+        <translation>Instrumente: eines</translation>
+    </message>
+    <message>
+        <source>Tube: %1 mm long, stiffer the farther it is stretched, torn at %2 times its length</source>
+        <translation>Schlauch: %1 mm lang, umso steifer, je weiter gedehnt, reißt beim %2-Fachen seiner Länge</translation>
+    </message>
+    <message>
+        <source>Tube: %1 mm long, torn at %2 times its length</source>
+        <translation>Schlauch: %1 mm lang, reißt beim %2-Fachen seiner Länge</translation>
+    </message>
+    <message>
+        <source>Goal: the heaviest of %1 objects that look alike, in the dish</source>
+        <translation>Ziel: das schwerste von %1 gleich aussehenden Objekten, in der Schale</translation>
+    </message>
+    <message>
+        <source>Goal: the object in the dish, lifted by %1 mm on the way</source>
+        <translation>Ziel: das Objekt in der Schale, unterwegs um %1 mm angehoben</translation>
+    </message>
+    <message>
+        <source>Squeeze: %1 N at most</source>
+        <translation>Quetschen: höchstens %1 N</translation>
+    </message>
+    <message>
+        <source>Bed: a soft organ, which gives way</source>
+        <translation>Unterlage: ein weiches Organ, das nachgibt</translation>
+    </message>
 </context>
 <context>
     <name>Metrics</name>
     <message>
         <source>Procedure completed</source>
         <translation>Eingriff abgeschlossen</translation>
-    </message>
-    <message>
-        <source>Whether everything that the level asks for was done in time, the way out included: 100 % or 0 %.</source>
-        <translation>Ob alles, was die Stufe verlangt, rechtzeitig getan war, der Rückzug eingeschlossen: 100 % oder 0 %.</translation>
     </message>
     <message>
         <source>Time</source>
@@ -775,6 +958,114 @@ Einzelheiten: %2</translation>
         <source>% of R</source>
         <translation>%&#xa0;von&#xa0;R</translation>
     </message>
+    <message>
+        <source>How many of the trials were done to their end in time, with everything that the level asks for, in %.</source>
+        <translation>Wie viele der Durchgänge rechtzeitig zu Ende geführt wurden, mit allem, was die Stufe verlangt, in %.</translation>
+    </message>
+    <message>
+        <source>Tension error, root mean square</source>
+        <translation>Spannungsfehler, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>How far the tension of the tube was from its target while it was held: large differences weigh more than in the mean.</source>
+        <translation>Wie weit die Spannung des Schlauchs während des Haltens von ihrem Ziel abwich: Große Abweichungen zählen mehr als im Mittel.</translation>
+    </message>
+    <message>
+        <source>Tension error, standard deviation</source>
+        <translation>Spannungsfehler, Standardabweichung</translation>
+    </message>
+    <message>
+        <source>How unsteady the tension of the tube was while it was held, whether on target or beside it.</source>
+        <translation>Wie unruhig die Spannung des Schlauchs während des Haltens war, ob am Ziel oder daneben.</translation>
+    </message>
+    <message>
+        <source>Time in the band</source>
+        <translation>Zeit im Bereich</translation>
+    </message>
+    <message>
+        <source>How long the tension, or the length at the mark, was where it had to be during the hold; the mean over all trials.</source>
+        <translation>Wie lange die Spannung, oder die Länge an der Marke, während des Haltens dort war, wo sie sein sollte; Mittel über alle Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Over-stretches</source>
+        <translation>Überdehnungen</translation>
+    </message>
+    <message>
+        <source>How often the tube was stretched beyond the limit of this level.</source>
+        <translation>Wie oft der Schlauch über die Grenze dieser Stufe hinaus gedehnt wurde.</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>Fallengelassen</translation>
+    </message>
+    <message>
+        <source>How often the tissue was let go of before the task was done.</source>
+        <translation>Wie oft das Gewebe losgelassen wurde, bevor die Aufgabe erfüllt war.</translation>
+    </message>
+    <message>
+        <source>Largest squeeze</source>
+        <translation>Größte Quetschkraft</translation>
+    </message>
+    <message>
+        <source>The largest force with which a jaw squeezed what it held.</source>
+        <translation>Die größte Kraft, mit der ein Maul quetschte, was es hielt.</translation>
+    </message>
+    <message>
+        <source>Time squeezed too hard</source>
+        <translation>Zeit zu fest gequetscht</translation>
+    </message>
+    <message>
+        <source>How long the squeeze was over the limit of this level.</source>
+        <translation>Wie lange die Quetschkraft über der Grenze dieser Stufe lag.</translation>
+    </message>
+    <message>
+        <source>Placement error</source>
+        <translation>Ablagefehler</translation>
+    </message>
+    <message>
+        <source>How far from the middle of the target the object lay at the end of each trial; the mean over the trials.</source>
+        <translation>Wie weit das Objekt am Ende jedes Durchgangs von der Zielmitte lag; Mittel über die Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Heaviest found</source>
+        <translation>Schwerstes gefunden</translation>
+    </message>
+    <message>
+        <source>How often the heaviest object was laid into the target, in % of the trials.</source>
+        <translation>Wie oft das schwerste Objekt ins Ziel gelegt wurde, in % der Durchgänge.</translation>
+    </message>
+    <message>
+        <source>the trace has no procedure</source>
+        <translation>die Aufzeichnung enthält keinen Eingriff</translation>
+    </message>
+    <message>
+        <source>the trace has no squeeze</source>
+        <translation>die Aufzeichnung enthält keine Quetschkraft</translation>
+    </message>
+    <message>
+        <source>the trace has no squeeze limit</source>
+        <translation>die Aufzeichnung enthält keine Grenze der Quetschkraft</translation>
+    </message>
+    <message>
+        <source>the trace has no objects and target</source>
+        <translation>die Aufzeichnung enthält weder Objekte noch Ziel</translation>
+    </message>
+    <message>
+        <source>no weighing was asked for</source>
+        <translation>es war kein Wägen verlangt</translation>
+    </message>
+    <message>
+        <source>the trace has no data of a tube</source>
+        <translation>die Aufzeichnung enthält keine Daten eines Schlauchs</translation>
+    </message>
+    <message>
+        <source>the task has no such target</source>
+        <translation>die Aufgabe hat kein solches Ziel</translation>
+    </message>
+    <message>
+        <source>the tension was never held</source>
+        <translation>die Spannung wurde nie gehalten</translation>
+    </message>
 </context>
 <context>
     <name>PlaybackMarks</name>
@@ -901,6 +1192,26 @@ Einzelheiten: %2</translation>
     <message>
         <source>Torque over its limit for %1, up to %2</source>
         <translation>Drehmoment %1 lang über seiner Grenze, mit bis zu %2</translation>
+    </message>
+    <message>
+        <source>Took hold</source>
+        <translation>Gefasst</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Losgelassen</translation>
+    </message>
+    <message>
+        <source>Slipped out or dropped</source>
+        <translation>Entglitten oder fallen gelassen</translation>
+    </message>
+    <message>
+        <source>Tissue at its limit: stretched or squeezed too much</source>
+        <translation>Gewebe an der Grenze: zu stark gedehnt oder gequetscht</translation>
+    </message>
+    <message>
+        <source>Torn: the trial could not be done any more</source>
+        <translation>Gerissen: Der Durchgang war nicht mehr zu schaffen</translation>
     </message>
 </context>
 <context>
@@ -1720,6 +2031,30 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
         <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Markieren: Klick oder Enter. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
     </message>
+    <message>
+        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Maul schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 ist das rechte, 2 das linke. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 to 4. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Maul schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Instrument: 1 bis 4. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+    </message>
+    <message>
+        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Bewegen: Maus oder Pfeiltasten. Senken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Maul schließen: linke Taste oder G halten. Öffnen: dasselbe mit Umschalt, oder H. Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+    </message>
+    <message>
+        <source>You move the right instrument (1)</source>
+        <translation>Sie bewegen das rechte Instrument (1)</translation>
+    </message>
+    <message>
+        <source>You move the left instrument (2)</source>
+        <translation>Sie bewegen das linke Instrument (2)</translation>
+    </message>
+    <message>
+        <source>You move instrument %1 of %2</source>
+        <translation>Sie bewegen Instrument %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>Verdict</name>
@@ -2281,6 +2616,22 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <source>A recorded movement (CSV, with orientation) moves the endoscope.</source>
         <translation>Eine aufgezeichnete Bewegung (CSV, mit Orientierung) führt das Endoskop.</translation>
     </message>
+    <message>
+        <source>A recorded movement (CSV, with the jaw) moves the instruments.</source>
+        <translation>Eine aufgezeichnete Bewegung (CSV, mit Maul) führt die Instrumente.</translation>
+    </message>
+    <message>
+        <source>How the gimbal renders force</source>
+        <translation>Wie die Aufhängung Kraft ausgibt</translation>
+    </message>
+    <message>
+        <source>Exactly</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>By the formulas as published (up to 27 % off)</source>
+        <translation>Nach den veröffentlichten Formeln (bis 27 % daneben)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::EraseDialog</name>
@@ -2596,6 +2947,93 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::GraspPanel</name>
+    <message>
+        <source>How much of the holding time is done</source>
+        <translation>Wie viel der Haltezeit geschafft ist</translation>
+    </message>
+    <message>
+        <source>Holding time: %p %</source>
+        <translation>Haltezeit: %p %</translation>
+    </message>
+    <message>
+        <source>Tension</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>Squeeze</source>
+        <translation>Quetschkraft</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Force, right</source>
+        <translation>Kraft, rechts</translation>
+    </message>
+    <message>
+        <source>Force, left</source>
+        <translation>Kraft, links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>away</source>
+        <translation>weg</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>jaw (°)</source>
+        <translation>Maul (°)</translation>
+    </message>
+    <message>
+        <source>%1, tip (mm)</source>
+        <translation>%1, Spitze (mm)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Tension (N)</source>
+        <translation>Spannung (N)</translation>
+    </message>
+    <message>
+        <source>Squeeze (N)</source>
+        <translation>Quetschkraft (N)</translation>
+    </message>
+    <message>
+        <source>Force, right (N)</source>
+        <translation>Kraft, rechts (N)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Geschwindigkeit (mm/s)</translation>
+    </message>
+    <message>
+        <source>Stretched by %1 mm</source>
+        <translation>Um %1 mm gedehnt</translation>
+    </message>
+    <message>
+        <source>Pull of the load, downwards: %1 N</source>
+        <translation>Zug der Last, nach unten: %1 N</translation>
     </message>
 </context>
 <context>
@@ -3554,6 +3992,70 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <source>Alignment (°)</source>
         <translation>Ausrichtung (°)</translation>
     </message>
+    <message>
+        <source>Tension of the tube</source>
+        <translation>Spannung des Schlauchs</translation>
+    </message>
+    <message>
+        <source>Squeeze of the jaws</source>
+        <translation>Quetschkraft des Mauls</translation>
+    </message>
+    <message>
+        <source>band, from</source>
+        <translation>Bereich, ab</translation>
+    </message>
+    <message>
+        <source>band, to</source>
+        <translation>Bereich, bis</translation>
+    </message>
+    <message>
+        <source>over the limit</source>
+        <translation>über der Grenze</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>squeeze</source>
+        <translation>Quetschkraft</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Tension (N), dashed: the band asked for</source>
+        <translation>Spannung (N), gestrichelt: der verlangte Bereich</translation>
+    </message>
+    <message>
+        <source>Squeeze (N)</source>
+        <translation>Quetschkraft (N)</translation>
+    </message>
+    <message>
+        <source>Energy that the hand put in and that the object holds</source>
+        <translation>Energie, die die Hand hineingab und die das Objekt enthält</translation>
+    </message>
+    <message>
+        <source>more held than put in</source>
+        <translation>mehr enthalten als hineingegeben</translation>
+    </message>
+    <message>
+        <source>put in</source>
+        <translation>hineingegeben</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>enthalten</translation>
+    </message>
+    <message>
+        <source>Energy (mJ)</source>
+        <translation>Energie (mJ)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlaybackScreen</name>
@@ -3752,6 +4254,22 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>%1 · depth %2 · force %3 · speed %4</source>
         <translation>%1 · Tiefe %2 · Kraft %3 · Tempo %4</translation>
+    </message>
+    <message>
+        <source>squeeze %1</source>
+        <translation>Quetschkraft %1</translation>
+    </message>
+    <message>
+        <source>tension %1</source>
+        <translation>Spannung %1</translation>
+    </message>
+    <message>
+        <source>Trial %1 · paused · %2 · force %3 · speed %4</source>
+        <translation>Durchgang %1 · Pause · %2 · Kraft %3 · Tempo %4</translation>
+    </message>
+    <message>
+        <source>Trial %1 · %2 · force %3 · speed %4</source>
+        <translation>Durchgang %1 · %2 · Kraft %3 · Tempo %4</translation>
     </message>
 </context>
 <context>
@@ -4866,6 +5384,33 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
     </message>
 </context>
 <context>
+    <name>chiron::desktop::TargetBar</name>
+    <message>
+        <source>below the band</source>
+        <translation>unter dem Bereich</translation>
+    </message>
+    <message>
+        <source>in the band</source>
+        <translation>im Bereich</translation>
+    </message>
+    <message>
+        <source>above the band</source>
+        <translation>über dem Bereich</translation>
+    </message>
+    <message>
+        <source>over the limit</source>
+        <translation>über der Grenze</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3</source>
+        <translation>%1 %2, %3</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::TaskStrip</name>
     <message>
         <source>Progress</source>
@@ -5171,6 +5716,20 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
 </context>
 <context>
+    <name>chiron::scene3d::FlatHandling</name>
+    <message>
+        <source>Objects, target and instrument, from above and from the side</source>
+        <translation>Objekte, Ziel und Instrument, von oben und von der Seite</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::FlatTube</name>
+    <message>
+        <source>Elastic tube and instruments, from above and from the side</source>
+        <translation>Elastischer Schlauch und Instrumente, von oben und von der Seite</translation>
+    </message>
+</context>
+<context>
     <name>chiron::scene3d::FlatUrethra</name>
     <message>
         <source>The endoscope&apos;s picture, and the canal from the side</source>
@@ -5182,6 +5741,14 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>Force (N)</source>
         <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>Tension (N)</source>
+        <translation>Spannung (N)</translation>
+    </message>
+    <message>
+        <source>Squeeze (N)</source>
+        <translation>Quetschkraft (N)</translation>
     </message>
 </context>
 <context>

@@ -308,6 +308,10 @@ Details: %2</source>
         <source>The procedure begins as soon as the scene is drawn.</source>
         <translation>Η διαδικασία αρχίζει μόλις σχεδιαστεί η σκηνή.</translation>
     </message>
+    <message>
+        <source>This device renders no force. An instrument moves more slowly the harder something pulls or presses.</source>
+        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη. Ένα εργαλείο κινείται τόσο πιο αργά, όσο πιο δυνατά τραβά ή πιέζει κάτι.</translation>
+    </message>
 </context>
 <context>
     <name>GateWords</name>
@@ -330,6 +334,141 @@ Details: %2</source>
     <message>
         <source>%1: at most %2</source>
         <translation>%1: το πολύ %2</translation>
+    </message>
+</context>
+<context>
+    <name>GraspWords</name>
+    <message>
+        <source>Take hold of both ends of the tube, one with each instrument</source>
+        <translation>Πιάστε και τα δύο άκρα του σωλήνα, ένα με κάθε εργαλείο</translation>
+    </message>
+    <message>
+        <source>Take hold of the end of the tube with the right instrument</source>
+        <translation>Πιάστε το άκρο του σωλήνα με το δεξί εργαλείο</translation>
+    </message>
+    <message>
+        <source>Take hold of the end of the tube</source>
+        <translation>Πιάστε το άκρο του σωλήνα</translation>
+    </message>
+    <message>
+        <source>At the mark: hold it there</source>
+        <translation>Στο σημάδι: κρατήστε τον εκεί</translation>
+    </message>
+    <message>
+        <source>At the target: hold it there</source>
+        <translation>Στον στόχο: κρατήστε το εκεί</translation>
+    </message>
+    <message>
+        <source>In the band: keep the tension there</source>
+        <translation>Στη ζώνη: κρατήστε εκεί την τάση</translation>
+    </message>
+    <message>
+        <source>The tube is torn: this trial is over</source>
+        <translation>Ο σωλήνας σχίστηκε: αυτή η δοκιμή τελείωσε</translation>
+    </message>
+    <message>
+        <source>Stretch the tube to the mark, and no farther</source>
+        <translation>Τεντώστε τον σωλήνα ως το σημάδι και όχι πιο πέρα</translation>
+    </message>
+    <message>
+        <source>Pull until the tension is in its band</source>
+        <translation>Τραβήξτε ώσπου η τάση να μπει στη ζώνη της</translation>
+    </message>
+    <message>
+        <source>Take the tube over with the left instrument, then let go with the right one</source>
+        <translation>Παραλάβετε τον σωλήνα με το αριστερό εργαλείο, έπειτα αφήστε τον με το δεξί</translation>
+    </message>
+    <message>
+        <source>Lift the end of the tube</source>
+        <translation>Σηκώστε το άκρο του σωλήνα</translation>
+    </message>
+    <message>
+        <source>Bring the end of the tube to the target</source>
+        <translation>Φέρτε το άκρο του σωλήνα στον στόχο</translation>
+    </message>
+    <message>
+        <source>Let go of the end of the tube</source>
+        <translation>Αφήστε το άκρο του σωλήνα</translation>
+    </message>
+    <message>
+        <source>Done: the next tube follows</source>
+        <translation>Έτοιμο: ακολουθεί ο επόμενος σωλήνας</translation>
+    </message>
+    <message>
+        <source>Wait for the tube</source>
+        <translation>Περιμένετε τον σωλήνα</translation>
+    </message>
+    <message>
+        <source>Lift one object after the other and find the heaviest</source>
+        <translation>Σηκώστε το ένα αντικείμενο μετά το άλλο και βρείτε το βαρύτερο</translation>
+    </message>
+    <message>
+        <source>Take hold of the object, softly</source>
+        <translation>Πιάστε το αντικείμενο, απαλά</translation>
+    </message>
+    <message>
+        <source>Lift it up</source>
+        <translation>Σηκώστε το</translation>
+    </message>
+    <message>
+        <source>Is it the heaviest? Bring it over the dish; otherwise set it down</source>
+        <translation>Είναι το βαρύτερο; Φέρτε το πάνω από το δοχείο· αλλιώς αφήστε το κάτω</translation>
+    </message>
+    <message>
+        <source>Bring it over the dish</source>
+        <translation>Φέρτε το πάνω από το δοχείο</translation>
+    </message>
+    <message>
+        <source>Set it down in the dish and let go</source>
+        <translation>Ακουμπήστε το στο δοχείο και αφήστε το</translation>
+    </message>
+    <message>
+        <source>In the dish: leave it at rest</source>
+        <translation>Στο δοχείο: αφήστε το σε ηρεμία</translation>
+    </message>
+    <message>
+        <source>Done: the next one follows</source>
+        <translation>Έτοιμο: ακολουθεί το επόμενο</translation>
+    </message>
+    <message>
+        <source>Wait for the object</source>
+        <translation>Περιμένετε το αντικείμενο</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>Εργαλείο</translation>
+    </message>
+    <message>
+        <source>Right instrument</source>
+        <translation>Δεξί εργαλείο</translation>
+    </message>
+    <message>
+        <source>Left instrument</source>
+        <translation>Αριστερό εργαλείο</translation>
+    </message>
+    <message>
+        <source>Instrument %1</source>
+        <translation>Εργαλείο %1</translation>
+    </message>
+    <message>
+        <source>Holding: object %1 of %2</source>
+        <translation>Κρατά: αντικείμενο %1 από %2</translation>
+    </message>
+    <message>
+        <source>Holding: the object</source>
+        <translation>Κρατά: το αντικείμενο</translation>
+    </message>
+    <message>
+        <source>Holding: two places</source>
+        <translation>Κρατά: δύο σημεία</translation>
+    </message>
+    <message>
+        <source>Holding: the tube</source>
+        <translation>Κρατά: τον σωλήνα</translation>
+    </message>
+    <message>
+        <source>Holding: nothing</source>
+        <translation>Κρατά: τίποτα</translation>
     </message>
 </context>
 <context>
@@ -452,16 +591,60 @@ Details: %2</source>
         <source>Time: %1 s at most</source>
         <translation>Χρόνος: το πολύ %1 s</translation>
     </message>
+    <message>
+        <source>Trials: %1, of %2 s at most</source>
+        <translation>Δοκιμές: %1, έως %2 s η καθεμία</translation>
+    </message>
+    <message>
+        <source>Goal: a tension between %1 and %2 N, kept within ±%3 N for %4 s</source>
+        <translation>Στόχος: τάση μεταξύ %1 και %2 N, σταθερή εντός ±%3 N για %4 s</translation>
+    </message>
+    <message>
+        <source>Goal: %1 times its length, kept for %2 s</source>
+        <translation>Στόχος: %1 φορές το μήκος του, σταθερό για %2 s</translation>
+    </message>
+    <message>
+        <source>Goal: its end handed over and held in the target for %1 s</source>
+        <translation>Στόχος: παράδοση του άκρου και κράτημα στον στόχο για %1 s</translation>
+    </message>
+    <message>
+        <source>Instruments: two, one in each hand</source>
+        <translation>Εργαλεία: δύο, ένα σε κάθε χέρι</translation>
+    </message>
+    <message>
+        <source>Instruments: one</source>
+        <translation>Εργαλεία: ένα</translation>
+    </message>
+    <message>
+        <source>Tube: %1 mm long, stiffer the farther it is stretched, torn at %2 times its length</source>
+        <translation>Σωλήνας: μήκος %1 mm, πιο σκληρός όσο τεντώνεται, σχίζεται στις %2 φορές του μήκους του</translation>
+    </message>
+    <message>
+        <source>Tube: %1 mm long, torn at %2 times its length</source>
+        <translation>Σωλήνας: μήκος %1 mm, σχίζεται στις %2 φορές του μήκους του</translation>
+    </message>
+    <message>
+        <source>Goal: the heaviest of %1 objects that look alike, in the dish</source>
+        <translation>Στόχος: το βαρύτερο από %1 όμοια αντικείμενα, στο δοχείο</translation>
+    </message>
+    <message>
+        <source>Goal: the object in the dish, lifted by %1 mm on the way</source>
+        <translation>Στόχος: το αντικείμενο στο δοχείο, με ανύψωση %1 mm στη διαδρομή</translation>
+    </message>
+    <message>
+        <source>Squeeze: %1 N at most</source>
+        <translation>Σύσφιξη: έως %1 N</translation>
+    </message>
+    <message>
+        <source>Bed: a soft organ, which gives way</source>
+        <translation>Βάση: ένα μαλακό όργανο που υποχωρεί</translation>
+    </message>
 </context>
 <context>
     <name>Metrics</name>
     <message>
         <source>Procedure completed</source>
         <translation>Ολοκλήρωση της διαδικασίας</translation>
-    </message>
-    <message>
-        <source>Whether everything that the level asks for was done in time, the way out included: 100 % or 0 %.</source>
-        <translation>Αν έγιναν εγκαίρως όλα όσα ζητά το επίπεδο, μαζί με την απόσυρση: 100 % ή 0 %.</translation>
     </message>
     <message>
         <source>Time</source>
@@ -775,6 +958,114 @@ Details: %2</source>
         <source>% of R</source>
         <translation>% ακτίνας</translation>
     </message>
+    <message>
+        <source>How many of the trials were done to their end in time, with everything that the level asks for, in %.</source>
+        <translation>Πόσες από τις δοκιμές ολοκληρώθηκαν εγκαίρως, με όλα όσα ζητά το επίπεδο, σε %.</translation>
+    </message>
+    <message>
+        <source>Tension error, root mean square</source>
+        <translation>Σφάλμα τάσης, τετραγωνικός μέσος</translation>
+    </message>
+    <message>
+        <source>How far the tension of the tube was from its target while it was held: large differences weigh more than in the mean.</source>
+        <translation>Πόσο απείχε η τάση του σωλήνα από τον στόχο της κατά το κράτημα: οι μεγάλες αποκλίσεις μετράνε περισσότερο απ&apos; ό,τι στον μέσο όρο.</translation>
+    </message>
+    <message>
+        <source>Tension error, standard deviation</source>
+        <translation>Σφάλμα τάσης, τυπική απόκλιση</translation>
+    </message>
+    <message>
+        <source>How unsteady the tension of the tube was while it was held, whether on target or beside it.</source>
+        <translation>Πόσο ασταθής ήταν η τάση του σωλήνα κατά το κράτημα, στον στόχο ή έξω από αυτόν.</translation>
+    </message>
+    <message>
+        <source>Time in the band</source>
+        <translation>Χρόνος στη ζώνη</translation>
+    </message>
+    <message>
+        <source>How long the tension, or the length at the mark, was where it had to be during the hold; the mean over all trials.</source>
+        <translation>Πόση ώρα κατά το κράτημα η τάση, ή το μήκος στο σημάδι, ήταν εκεί που έπρεπε· μέσος όρος όλων των δοκιμών.</translation>
+    </message>
+    <message>
+        <source>Over-stretches</source>
+        <translation>Υπερτεντώματα</translation>
+    </message>
+    <message>
+        <source>How often the tube was stretched beyond the limit of this level.</source>
+        <translation>Πόσες φορές ο σωλήνας τεντώθηκε πέρα από το όριο αυτού του επιπέδου.</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>Απώλειες λαβής</translation>
+    </message>
+    <message>
+        <source>How often the tissue was let go of before the task was done.</source>
+        <translation>Πόσες φορές ο ιστός αφέθηκε πριν ολοκληρωθεί η εργασία.</translation>
+    </message>
+    <message>
+        <source>Largest squeeze</source>
+        <translation>Μέγιστη σύσφιξη</translation>
+    </message>
+    <message>
+        <source>The largest force with which a jaw squeezed what it held.</source>
+        <translation>Η μεγαλύτερη δύναμη με την οποία μια σιαγόνα έσφιξε αυτό που κρατούσε.</translation>
+    </message>
+    <message>
+        <source>Time squeezed too hard</source>
+        <translation>Χρόνος υπερβολικής σύσφιξης</translation>
+    </message>
+    <message>
+        <source>How long the squeeze was over the limit of this level.</source>
+        <translation>Πόση ώρα η σύσφιξη ήταν πάνω από το όριο αυτού του επιπέδου.</translation>
+    </message>
+    <message>
+        <source>Placement error</source>
+        <translation>Σφάλμα τοποθέτησης</translation>
+    </message>
+    <message>
+        <source>How far from the middle of the target the object lay at the end of each trial; the mean over the trials.</source>
+        <translation>Πόσο μακριά από το κέντρο του στόχου βρισκόταν το αντικείμενο στο τέλος κάθε δοκιμής· μέσος όρος των δοκιμών.</translation>
+    </message>
+    <message>
+        <source>Heaviest found</source>
+        <translation>Εύρεση του βαρύτερου</translation>
+    </message>
+    <message>
+        <source>How often the heaviest object was laid into the target, in % of the trials.</source>
+        <translation>Πόσο συχνά το βαρύτερο αντικείμενο τοποθετήθηκε στον στόχο, σε % των δοκιμών.</translation>
+    </message>
+    <message>
+        <source>the trace has no procedure</source>
+        <translation>η καταγραφή δεν έχει διαδικασία</translation>
+    </message>
+    <message>
+        <source>the trace has no squeeze</source>
+        <translation>η καταγραφή δεν έχει σύσφιξη</translation>
+    </message>
+    <message>
+        <source>the trace has no squeeze limit</source>
+        <translation>η καταγραφή δεν έχει όριο σύσφιξης</translation>
+    </message>
+    <message>
+        <source>the trace has no objects and target</source>
+        <translation>η καταγραφή δεν έχει αντικείμενα και στόχο</translation>
+    </message>
+    <message>
+        <source>no weighing was asked for</source>
+        <translation>δεν ζητήθηκε ζύγισμα</translation>
+    </message>
+    <message>
+        <source>the trace has no data of a tube</source>
+        <translation>η καταγραφή δεν έχει στοιχεία σωλήνα</translation>
+    </message>
+    <message>
+        <source>the task has no such target</source>
+        <translation>η εργασία δεν έχει τέτοιον στόχο</translation>
+    </message>
+    <message>
+        <source>the tension was never held</source>
+        <translation>η τάση δεν κρατήθηκε ποτέ</translation>
+    </message>
 </context>
 <context>
     <name>PlaybackMarks</name>
@@ -901,6 +1192,26 @@ Details: %2</source>
     <message>
         <source>Torque over its limit for %1, up to %2</source>
         <translation>Ροπή πάνω από το όριό της για %1, ως %2</translation>
+    </message>
+    <message>
+        <source>Took hold</source>
+        <translation>Πιάσιμο</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Άφεση</translation>
+    </message>
+    <message>
+        <source>Slipped out or dropped</source>
+        <translation>Γλίστρημα ή πτώση</translation>
+    </message>
+    <message>
+        <source>Tissue at its limit: stretched or squeezed too much</source>
+        <translation>Ιστός στο όριό του: υπερβολικό τέντωμα ή σύσφιξη</translation>
+    </message>
+    <message>
+        <source>Torn: the trial could not be done any more</source>
+        <translation>Σχίσιμο: η δοκιμή δεν μπορούσε πια να ολοκληρωθεί</translation>
     </message>
 </context>
 <context>
@@ -1720,6 +2031,30 @@ Do you want to replace it?</source>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
         <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σημείωση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
+    <message>
+        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνας: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: το 1 είναι το δεξί, το 2 το αριστερό. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+    </message>
+    <message>
+        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 to 4. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνας: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Εργαλείο: 1 έως 4. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+    </message>
+    <message>
+        <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Κλείσιμο σιαγόνας: κρατήστε το αριστερό κουμπί ή το G. Άνοιγμα: το ίδιο με Shift, ή H. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+    </message>
+    <message>
+        <source>You move the right instrument (1)</source>
+        <translation>Κινείτε το δεξί εργαλείο (1)</translation>
+    </message>
+    <message>
+        <source>You move the left instrument (2)</source>
+        <translation>Κινείτε το αριστερό εργαλείο (2)</translation>
+    </message>
+    <message>
+        <source>You move instrument %1 of %2</source>
+        <translation>Κινείτε το εργαλείο %1 από %2</translation>
+    </message>
 </context>
 <context>
     <name>Verdict</name>
@@ -2281,6 +2616,22 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <source>A recorded movement (CSV, with orientation) moves the endoscope.</source>
         <translation>Μια καταγεγραμμένη κίνηση (CSV, με προσανατολισμό) κινεί το ενδοσκόπιο.</translation>
     </message>
+    <message>
+        <source>A recorded movement (CSV, with the jaw) moves the instruments.</source>
+        <translation>Μια καταγεγραμμένη κίνηση (CSV, με τη σιαγόνα) κινεί τα εργαλεία.</translation>
+    </message>
+    <message>
+        <source>How the gimbal renders force</source>
+        <translation>Πώς η ανάρτηση αποδίδει δύναμη</translation>
+    </message>
+    <message>
+        <source>Exactly</source>
+        <translation>Ακριβώς</translation>
+    </message>
+    <message>
+        <source>By the formulas as published (up to 27 % off)</source>
+        <translation>Με τους δημοσιευμένους τύπους (απόκλιση έως 27 %)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::EraseDialog</name>
@@ -2596,6 +2947,93 @@ Each level says whether you have passed it. Choose one to see what is measured a
     <message>
         <source>Close</source>
         <translation>Κλείσιμο</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::GraspPanel</name>
+    <message>
+        <source>How much of the holding time is done</source>
+        <translation>Πόσος από τον χρόνο κρατήματος έχει γίνει</translation>
+    </message>
+    <message>
+        <source>Holding time: %p %</source>
+        <translation>Χρόνος κρατήματος: %p %</translation>
+    </message>
+    <message>
+        <source>Tension</source>
+        <translation>Τάση</translation>
+    </message>
+    <message>
+        <source>Squeeze</source>
+        <translation>Σύσφιξη</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Δύναμη</translation>
+    </message>
+    <message>
+        <source>Force, right</source>
+        <translation>Δύναμη, δεξιά</translation>
+    </message>
+    <message>
+        <source>Force, left</source>
+        <translation>Δύναμη, αριστερά</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>δεξιά</translation>
+    </message>
+    <message>
+        <source>away</source>
+        <translation>μακριά</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>πάνω</translation>
+    </message>
+    <message>
+        <source>jaw (°)</source>
+        <translation>σιαγόνα (°)</translation>
+    </message>
+    <message>
+        <source>%1, tip (mm)</source>
+        <translation>%1, άκρη (mm)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Tension (N)</source>
+        <translation>Τάση (N)</translation>
+    </message>
+    <message>
+        <source>Squeeze (N)</source>
+        <translation>Σύσφιξη (N)</translation>
+    </message>
+    <message>
+        <source>Force, right (N)</source>
+        <translation>Δύναμη, δεξιά (N)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Δύναμη (N)</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Ταχύτητα (mm/s)</translation>
+    </message>
+    <message>
+        <source>Stretched by %1 mm</source>
+        <translation>Τέντωμα κατά %1 mm</translation>
+    </message>
+    <message>
+        <source>Pull of the load, downwards: %1 N</source>
+        <translation>Έλξη του φορτίου, προς τα κάτω: %1 N</translation>
     </message>
 </context>
 <context>
@@ -3554,6 +3992,70 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <source>Alignment (°)</source>
         <translation>Ευθυγράμμιση (°)</translation>
     </message>
+    <message>
+        <source>Tension of the tube</source>
+        <translation>Τάση του σωλήνα</translation>
+    </message>
+    <message>
+        <source>Squeeze of the jaws</source>
+        <translation>Σύσφιξη των σιαγόνων</translation>
+    </message>
+    <message>
+        <source>band, from</source>
+        <translation>ζώνη, από</translation>
+    </message>
+    <message>
+        <source>band, to</source>
+        <translation>ζώνη, έως</translation>
+    </message>
+    <message>
+        <source>over the limit</source>
+        <translation>πάνω από το όριο</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>όριο</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>τάση</translation>
+    </message>
+    <message>
+        <source>squeeze</source>
+        <translation>σύσφιξη</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>παύση</translation>
+    </message>
+    <message>
+        <source>Tension (N), dashed: the band asked for</source>
+        <translation>Τάση (N), διακεκομμένη: η ζητούμενη ζώνη</translation>
+    </message>
+    <message>
+        <source>Squeeze (N)</source>
+        <translation>Σύσφιξη (N)</translation>
+    </message>
+    <message>
+        <source>Energy that the hand put in and that the object holds</source>
+        <translation>Ενέργεια που έδωσε το χέρι και που κρατά το αντικείμενο</translation>
+    </message>
+    <message>
+        <source>more held than put in</source>
+        <translation>περισσότερη από όση δόθηκε</translation>
+    </message>
+    <message>
+        <source>put in</source>
+        <translation>δόθηκε</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>αποθηκευμένη</translation>
+    </message>
+    <message>
+        <source>Energy (mJ)</source>
+        <translation>Ενέργεια (mJ)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlaybackScreen</name>
@@ -3752,6 +4254,22 @@ Choose a second session to see it beside this one: each of its trials starts whe
     <message>
         <source>%1 · depth %2 · force %3 · speed %4</source>
         <translation>%1 · βάθος %2 · δύναμη %3 · ταχύτητα %4</translation>
+    </message>
+    <message>
+        <source>squeeze %1</source>
+        <translation>σύσφιξη %1</translation>
+    </message>
+    <message>
+        <source>tension %1</source>
+        <translation>τάση %1</translation>
+    </message>
+    <message>
+        <source>Trial %1 · paused · %2 · force %3 · speed %4</source>
+        <translation>Δοκιμή %1 · παύση · %2 · δύναμη %3 · ταχύτητα %4</translation>
+    </message>
+    <message>
+        <source>Trial %1 · %2 · force %3 · speed %4</source>
+        <translation>Δοκιμή %1 · %2 · δύναμη %3 · ταχύτητα %4</translation>
     </message>
 </context>
 <context>
@@ -4866,6 +5384,33 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
     </message>
 </context>
 <context>
+    <name>chiron::desktop::TargetBar</name>
+    <message>
+        <source>below the band</source>
+        <translation>κάτω από τη ζώνη</translation>
+    </message>
+    <message>
+        <source>in the band</source>
+        <translation>στη ζώνη</translation>
+    </message>
+    <message>
+        <source>above the band</source>
+        <translation>πάνω από τη ζώνη</translation>
+    </message>
+    <message>
+        <source>over the limit</source>
+        <translation>πάνω από το όριο</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3</source>
+        <translation>%1 %2, %3</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::TaskStrip</name>
     <message>
         <source>Progress</source>
@@ -5171,6 +5716,20 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
 </context>
 <context>
+    <name>chiron::scene3d::FlatHandling</name>
+    <message>
+        <source>Objects, target and instrument, from above and from the side</source>
+        <translation>Αντικείμενα, στόχος και εργαλείο, από πάνω και από το πλάι</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::FlatTube</name>
+    <message>
+        <source>Elastic tube and instruments, from above and from the side</source>
+        <translation>Ελαστικός σωλήνας και εργαλεία, από πάνω και από το πλάι</translation>
+    </message>
+</context>
+<context>
     <name>chiron::scene3d::FlatUrethra</name>
     <message>
         <source>The endoscope&apos;s picture, and the canal from the side</source>
@@ -5182,6 +5741,14 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>Force (N)</source>
         <translation>Δύναμη (N)</translation>
+    </message>
+    <message>
+        <source>Tension (N)</source>
+        <translation>Τάση (N)</translation>
+    </message>
+    <message>
+        <source>Squeeze (N)</source>
+        <translation>Σύσφιξη (N)</translation>
     </message>
 </context>
 <context>
