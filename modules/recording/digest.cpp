@@ -71,6 +71,31 @@ std::size_t writeWrenches(const core::ToolFrame& tool, std::uint8_t* out) noexce
     std::memcpy(out, &mask, sizeof(mask));
     return at;
 }
+
+constexpr std::uint16_t kQuantitiesFollow = 1u << 15; ///< no mask of wrenches has this bit
+constexpr std::size_t kMostQuantityBytes =
+    sizeof(kQuantitiesFollow) + sizeof(std::uint32_t) + core::kMaxQuantities * sizeof(double);
+static_assert(core::kMaxQuantities <= 32);
+
+/// What the scene recorded beside the tools, in the form that is hashed; nothing where all of it is +0.0, as in scenes
+/// that record none. At most kMostQuantityBytes.
+std::size_t writeQuantities(const core::TickHeader& header, std::uint8_t* out) noexcept {
+    std::uint32_t mask = 0;
+    std::size_t at = sizeof(kQuantitiesFollow) + sizeof(mask);
+    for (std::size_t i = 0; i < core::kMaxQuantities; ++i) {
+        const auto bits = std::bit_cast<std::uint64_t>(header.quantities[i]);
+        if (bits == 0)
+            continue;
+        mask |= 1u << i;
+        std::memcpy(out + at, &bits, sizeof(bits));
+        at += sizeof(bits);
+    }
+    if (mask == 0)
+        return 0;
+    std::memcpy(out, &kQuantitiesFollow, sizeof(kQuantitiesFollow));
+    std::memcpy(out + sizeof(kQuantitiesFollow), &mask, sizeof(mask));
+    return at;
+}
 } // namespace
 
 Digest forceHashOf(std::span<const core::HapticFrame> frames) {
@@ -86,6 +111,11 @@ Digest forceHashOf(std::span<const core::HapticFrame> frames) {
             }
             filled += writeWrenches(frame.tool[t], buffer.data() + filled);
         }
+        if (filled + kMostQuantityBytes > buffer.size()) {
+            hash.add(buffer.data(), filled);
+            filled = 0;
+        }
+        filled += writeQuantities(frame.header, buffer.data() + filled);
     }
     hash.add(buffer.data(), filled);
     return hash.finish();

@@ -222,6 +222,11 @@ void TestChunkCodec::bombsAreRefused() {
 void TestChunkCodec::forceHashSeesEveryBit() {
     auto frames = tests::HapticTrace(2, 2).take(3);
     const Digest before = forceHashOf(frames);
+    for (const std::size_t quantity : {std::size_t{0}, core::kMaxQuantities - 1}) {
+        frames.back().header.quantities[quantity] = 1e-12;
+        QVERIFY(forceHashOf(frames) != before);
+        frames.back().header.quantities[quantity] = 0.0;
+    }
     QCOMPARE(forceHashOf(frames), before);
     for (std::size_t t = 0; t < 2; ++t)
         for (std::size_t i = 0; i < 6; ++i)
