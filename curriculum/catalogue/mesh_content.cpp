@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/object_content.h"
 
+#include "simulation/geometry/mesh/mesh_import.h"
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -61,6 +63,36 @@ template <class Whole> void readWholes(const ObjectReader& json, const char* key
 
 } // namespace
 
+namespace {
+
+/// What an import puts right without changing the surface; anything else it would have to change is refused here.
+bool isHarmless(simulation::MeshProblem problem) {
+    using simulation::MeshProblem;
+    return problem == MeshProblem::duplicateVertices || problem == MeshProblem::unusedVertices ||
+           problem == MeshProblem::nonManifoldVertex || problem == MeshProblem::severalShells;
+}
+
+/// The triangles as a surface: closed, one way round, each with an area.
+void checkSurface(const MeshSource& mesh, const QString& path, Problems& problems) {
+    const QString at = memberPath(path, "triangles");
+    const auto shape = simulation::makeMeshShape(mesh);
+    if (!shape) {
+        problems.push_back({at, QString::fromStdString(shape.error().message), QStringLiteral("a mesh")});
+        return;
+    }
+    const std::size_t before = problems.size();
+    for (const simulation::MeshFinding& finding : simulation::importMesh(*shape).report.findings)
+        if (!finding.repaired || !isHarmless(finding.problem))
+            problems.push_back({at, QString::fromStdString(finding.place + ": " + finding.found),
+                                QString::fromStdString(finding.expected + " (chiron-cli mesh import writes such)")});
+    if (problems.size() > before)
+        return;
+    if (const auto made = simulation::makeMesh(mesh); !made)
+        problems.push_back({at, QString::fromStdString(made.error().message), QStringLiteral("a closed surface")});
+}
+
+} // namespace
+
 MeshSource readMesh(const ObjectReader& json) {
     MeshSource out;
     std::vector<QString> known{QStringLiteral("mesh"), QStringLiteral("shape"), QStringLiteral("seed"),
@@ -94,6 +126,7 @@ void checkMesh(const MeshSource& mesh, const QString& path, Problems& problems) 
                   QStringLiteral("at least four edges, %1 mm").arg(4.0 * mesh.edge_m * kMm));
         return;
     }
+    const std::size_t before = problems.size();
     if (mesh.vertices_um.size() < 12 || mesh.vertices_um.size() % 3 != 0)
         wrong("vertices_um", QString::number(mesh.vertices_um.size()), QStringLiteral("three numbers a vertex, four vertices at least"));
     if (mesh.triangles.size() < 12 || mesh.triangles.size() % 3 != 0)
@@ -105,6 +138,8 @@ void checkMesh(const MeshSource& mesh, const QString& path, Problems& problems) 
                                 QStringLiteral("a vertex, 0 to %1").arg(mesh.vertices_um.size() / 3 - 1)});
             return;
         }
+    if (problems.size() == before)
+        checkSurface(mesh, path, problems);
 }
 
 } // namespace chiron::catalogue

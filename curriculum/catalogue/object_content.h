@@ -37,7 +37,8 @@ void checkObject(const simulation::ObjectAttributes& object, const QString& path
 /// The same for a mesh: `"$ref": "mesh_source.json"`, `"default": {"mesh": "dome"}`; content/meshes.
 simulation::MeshSource readMesh(const ObjectReader& json);
 
-/// stored: whole triples, indices of vertices that are there; others: no triangles of their own, bumps of four edges or more.
+/// stored: whole triples, indices of vertices that are there, and then a surface as importMesh() checks it (closed, one way
+/// round, each triangle with an area); others: no triangles of their own, bumps of four edges or more.
 void checkMesh(const simulation::MeshSource& mesh, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

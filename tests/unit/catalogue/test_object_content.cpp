@@ -73,6 +73,7 @@ private slots:
     void storedKeysOfNewerProgramsAreRefused();
     void storedMeshIsReadWhole();
     void meshesThatCannotBe();
+    void storedSurfacesAreChecked();
 };
 
 void TestObjectContent::objectsAreLoadedInSi() {
@@ -275,6 +276,33 @@ void TestObjectContent::meshesThatCannotBe() {
     QCOMPARE(problems[0].path, QStringLiteral("$.triangles[7]"));
     Filled wrong = fill(R"({"bed": {"shape": "stored", "vertices_um": [0, 0.5]}})");
     QVERIFY2(wrong.told().contains("$.parameters.bed.vertices_um[1]: 0.5"), qPrintable(wrong.told()));
+}
+
+// Whole triples of vertices that are there may still be no surface.
+void TestObjectContent::storedSurfacesAreChecked() {
+    simulation::MeshSource whole;
+    whole.shape = simulation::MeshSource::Shape::stored;
+    whole.vertices_um = {0, 0, 0, 1000, 0, 0, 0, 1000, 0, 0, 0, 1000, 500, 0, 0};
+    whole.triangles = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+    const auto told = [](const simulation::MeshSource& mesh) {
+        Problems problems;
+        checkMesh(mesh, QStringLiteral("$"), problems);
+        return problems.empty() ? QString() : problems[0].path + QStringLiteral(": ") + problems[0].found;
+    };
+    QCOMPARE(told(whole), QString());
+    simulation::MeshSource open = whole;
+    open.triangles[11] = 4; // the last one reaches a vertex of its own
+    QVERIFY2(told(open).startsWith(QStringLiteral("$.triangles: edge ")), qPrintable(told(open)));
+    simulation::MeshSource turned = whole;
+    std::swap(turned.triangles[0], turned.triangles[1]);
+    QVERIFY2(told(turned).startsWith(QStringLiteral("$.triangles: triangle 1")), qPrintable(told(turned)));
+    simulation::MeshSource insideOut = whole;
+    for (std::size_t t = 0; t < 12; t += 3)
+        std::swap(insideOut.triangles[t], insideOut.triangles[t + 1]);
+    QVERIFY(!told(insideOut).isEmpty());
+    simulation::MeshSource flat = whole; // a sliver without area in an edge
+    flat.triangles = {0, 2, 4, 4, 2, 1, 0, 1, 3, 0, 4, 1, 1, 2, 3, 0, 3, 2};
+    QVERIFY(!told(flat).isEmpty());
 }
 
 QTEST_APPLESS_MAIN(TestObjectContent)

@@ -4,6 +4,7 @@
 #include "simulation/geometry/mesh/make_mesh.h"
 #include "simulation/geometry/mesh/mesh_report.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +36,14 @@ MeshImport importMesh(MeshShape shape);
 /// What the bytes are, by their beginning and length, not by a name; none: neither.
 std::optional<MeshFormat> guessMeshFormat(std::string_view bytes) noexcept;
 
-/// The shape as content stores it, in whole micrometres. Refused if a vertex lies more than 2 km away.
+// What content takes of a stored mesh (schema/mesh_source.json).
+inline constexpr std::size_t kMostStoredVertices = 50'000;
+inline constexpr std::size_t kMostStoredTriangles = 100'000;
+inline constexpr double kFarthestStored_um = 1e6; ///< from the origin, along each axis
+
+/// The shape as content stores it, in whole micrometres. Rounding can close what was thin: the rounded shape is checked and put
+/// right once more, as importMesh() does. Refused, with the place: what cannot be put right then, and what content does not take
+/// (a vertex more than 1 m away, more than kMostStoredVertices or kMostStoredTriangles).
 core::Result<MeshSource> storedMesh(const MeshShape& shape, std::string id);
 
 /// The shape as a file, in units of `metresPerUnit`: 9 digits (OBJ, ASCII STL) or single precision (binary STL).

@@ -56,6 +56,27 @@ void appendWhole(std::string& out, std::uint32_t value) {
         out += static_cast<char>(value >> (8 * i) & 0xffU);
 }
 
+core::Result<MeshSource> inMicrometres(const MeshShape& shape) {
+    if (shape.vertices.size() > kMostStoredVertices || shape.triangles.size() > kMostStoredTriangles)
+        return core::fail(core::ErrorCode::badInput, "mesh: " + std::to_string(shape.vertices.size()) + " vertices and " + std::to_string(shape.triangles.size()) +
+                                                         " triangles, expected at most " + std::to_string(kMostStoredVertices) + " and " +
+                                                         std::to_string(kMostStoredTriangles) + " in content");
+    MeshSource source;
+    source.shape = MeshSource::Shape::stored;
+    source.vertices_um.reserve(3 * shape.vertices.size());
+    for (std::size_t v = 0; v < shape.vertices.size(); ++v)
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            const double um = std::nearbyint(1e6 * shape.vertices[v][axis]);
+            if (!(std::abs(um) <= kFarthestStored_um))
+                return core::fail(core::ErrorCode::badInput, "mesh: vertex " + std::to_string(v) + ": " + std::to_string(1e-6 * um) + " m, expected within 1 m");
+            source.vertices_um.push_back(static_cast<std::int32_t>(um));
+        }
+    source.triangles.reserve(3 * shape.triangles.size());
+    for (const auto& triangle : shape.triangles)
+        source.triangles.insert(source.triangles.end(), triangle.begin(), triangle.end());
+    return source;
+}
+
 } // namespace
 
 MeshImport importMesh(std::string_view bytes, MeshFormat format, double metresPerUnit) {
@@ -88,20 +109,19 @@ MeshImport importMesh(MeshShape shape) {
 }
 
 core::Result<MeshSource> storedMesh(const MeshShape& shape, std::string id) {
-    MeshSource source;
-    source.shape = MeshSource::Shape::stored;
-    source.id = std::move(id);
-    source.vertices_um.reserve(3 * shape.vertices.size());
-    for (std::size_t v = 0; v < shape.vertices.size(); ++v)
-        for (Eigen::Index axis = 0; axis < 3; ++axis) {
-            const double um = std::nearbyint(1e6 * shape.vertices[v][axis]);
-            if (!(std::abs(um) <= static_cast<double>(std::numeric_limits<std::int32_t>::max())))
-                return core::fail(core::ErrorCode::badInput, "mesh: vertex " + std::to_string(v) + ": " + std::to_string(1e-6 * um) + " m, expected within 2147 m");
-            source.vertices_um.push_back(static_cast<std::int32_t>(um));
-        }
-    source.triangles.reserve(3 * shape.triangles.size());
-    for (const auto& triangle : shape.triangles)
-        source.triangles.insert(source.triangles.end(), triangle.begin(), triangle.end());
+    const auto rounded = inMicrometres(shape);
+    if (!rounded)
+        return tl::unexpected(rounded.error());
+    const auto whole = makeMeshShape(*rounded);
+    if (!whole)
+        return tl::unexpected(whole.error());
+    const MeshImport again = importMesh(*whole);
+    for (const MeshFinding& finding : again.report.findings)
+        if (!finding.repaired)
+            return core::fail(core::ErrorCode::badInput, "mesh in whole micrometres: " + finding.place + ": " + finding.found + ", expected " + finding.expected);
+    auto source = inMicrometres(again.shape);
+    if (source)
+        source->id = std::move(id);
     return source;
 }
 

@@ -316,6 +316,32 @@ private slots:
         }
     }
 
+    /// Two corners 0.3 µm apart are one in whole micrometres: the sliver between them goes, and what is stored is closed.
+    void roundingIsCheckedAgain() {
+        MeshShape shape;
+        shape.vertices = {{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0, 0.01}, {3e-7, 0, 0}};
+        shape.triangles = {{4, 2, 1}, {0, 2, 4}, {0, 4, 3}, {4, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+        QVERIFY(importMesh(shape).mesh);
+        const auto stored = storedMesh(shape, "thin");
+        QVERIFY2(stored, stored ? "" : stored.error().message.c_str());
+        QCOMPARE(stored->id, std::string("thin"));
+        QCOMPARE(stored->triangles.size() / 3, std::size_t{4});
+        QVERIFY(makeMesh(*stored));
+        // and one that has nothing left
+        for (Vec3& v : shape.vertices)
+            v *= 1e-5;
+        QVERIFY(!storedMesh(shape, "dust"));
+    }
+
+    void contentTakesNoMore() {
+        const auto refusedShape = storedMesh(made(bumpyOrgan(0.00045)), "large");
+        QVERIFY(!refusedShape);
+        QVERIFY2(refusedShape.error().message.find("100000") != std::string::npos, refusedShape.error().message.c_str());
+        MeshShape shape = box();
+        shape.vertices[0].x() = 1.1;
+        QVERIFY(!storedMesh(shape, "far"));
+    }
+
     void storedMeshesAreChecked() {
         MeshShape shape = box();
         shape.vertices[0].x() = 3e3;
