@@ -4,6 +4,7 @@
 #include "scoring/metric.h"
 #include "scoring/prepared_trial.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -36,25 +37,46 @@ inline std::optional<double> truthOf(const PreparedTrial& trial, std::string_vie
 struct PlacedObject {
     int number = 0;
     double fromTarget_m = std::numeric_limits<double>::infinity(); ///< seen from above, from the target's middle
+    bool taken = true; ///< false: nothing was ever held, and it is only the nearest
 };
 
-/// The object that is nearest to the target at the trial's last sample; none where the trace does not say.
-inline std::optional<PlacedObject> nearestToTarget(const PreparedTrial& trial) {
+/// How far object `number` lies from the target at the trial's last sample; none where the trace does not say.
+inline std::optional<double> fromTarget_m(const PreparedTrial& trial, int number) {
     const auto x_m = truthOf(trial, "target_x_m");
     const auto y_m = truthOf(trial, "target_y_m");
-    const auto objects = truthOf(trial, "objects");
-    if (!x_m || !y_m || !objects || trial.tool == nullptr || trial.tool->t_s.empty())
+    const std::string body = "body_" + std::to_string(number);
+    const QuantityTrace* bodyX = quantityOf(trial, body + "_x_m");
+    const QuantityTrace* bodyY = quantityOf(trial, body + "_y_m");
+    if (!x_m || !y_m || bodyX == nullptr || bodyY == nullptr || bodyX->values.empty())
         return std::nullopt;
+    return std::hypot(bodyX->values.back() - *x_m, bodyY->values.back() - *y_m);
+}
+
+/// The object that was held last in the trial (recorded `held`: its number + 1), or none.
+inline std::optional<int> lastHeld(const QuantityTrace& held) {
+    const auto last = std::find_if(held.values.rbegin(), held.values.rend(), [](double value) { return value > 0.5; });
+    return last == held.values.rend() ? std::nullopt : std::optional(static_cast<int>(std::lround(*last)) - 1);
+}
+
+/// The trial's answer: the object that was held last, not one that happens to lie nearer. Where nothing was ever held, the one
+/// nearest to the target. None where the trace does not say.
+inline std::optional<PlacedObject> answerOf(const PreparedTrial& trial) {
+    const auto objects = truthOf(trial, "objects");
+    const QuantityTrace* held = quantityOf(trial, "held");
+    if (!objects || held == nullptr)
+        return std::nullopt;
+    if (const auto number = lastHeld(*held)) {
+        const auto away_m = fromTarget_m(trial, *number);
+        return away_m ? std::optional(PlacedObject{*number, *away_m, true}) : std::nullopt;
+    }
     PlacedObject nearest;
+    nearest.taken = false;
     for (int i = 0; i < static_cast<int>(*objects); ++i) {
-        const std::string body = "body_" + std::to_string(i);
-        const QuantityTrace* bodyX = quantityOf(trial, body + "_x_m");
-        const QuantityTrace* bodyY = quantityOf(trial, body + "_y_m");
-        if (bodyX == nullptr || bodyY == nullptr)
+        const auto away_m = fromTarget_m(trial, i);
+        if (!away_m)
             return std::nullopt;
-        const double away_m = std::hypot(bodyX->values.back() - *x_m, bodyY->values.back() - *y_m);
-        if (away_m < nearest.fromTarget_m)
-            nearest = {i, away_m};
+        if (*away_m < nearest.fromTarget_m)
+            nearest = {i, *away_m, false};
     }
     return std::isfinite(nearest.fromTarget_m) ? std::optional(nearest) : std::nullopt;
 }

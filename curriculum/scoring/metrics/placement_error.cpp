@@ -12,7 +12,7 @@ Measurement measure(std::span<const PreparedTrial> trials) {
         return Measurement::undefined("no trials");
     double sum_m = 0.0;
     for (const PreparedTrial& trial : trials) {
-        const auto placed = nearestToTarget(trial);
+        const auto placed = answerOf(trial);
         if (!placed)
             return Measurement::undefined("the trace has no objects and target");
         sum_m += placed->fromTarget_m;
@@ -31,8 +31,8 @@ MetricDefinition placementErrorMetric() {
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
             .definition =
-                "Distance, seen from above, between the target's middle and that of the object nearest to it when the trial "
-                "ended, whether it was finished or not; the mean over the trials.",
+                "Distance, seen from above, between the target's middle and that of the object held last (of the nearest one where "
+                "nothing was held) when the trial ended, whether it was finished or not; the mean over the trials.",
             .source = "models.md §2.2; our definition",
             .measure = measure};
 }

@@ -29,8 +29,9 @@ MetricDefinition tensionErrorRmsMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::all,
-            .definition = "Root mean square of the tube's tension less its target over the samples of the hold: from when the tension "
-                          "first was in the band to the hold's end, in the band or not. A trial that held nothing has none.",
+            .definition = "Root mean square of the tube's tension less its target over the samples of all holds of all trials, broken ones "
+                          "too: each from when the tension first was in the band to the hold's end, in the band or not. A trial that "
+                          "held nothing has none.",
             .source = "models.md §6, tube",
             .measure = measure};
 }

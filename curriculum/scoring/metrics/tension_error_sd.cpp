@@ -39,8 +39,8 @@ MetricDefinition tensionErrorSdMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::all,
-            .definition = "Standard deviation of the tube's tension in the hold about the trial's own mean, pooled over the trials: how "
-                          "unsteady, whatever the target. A trial that held nothing has none.",
+            .definition = "Standard deviation of the tube's tension in all holds of a trial, broken ones too, about the trial's own mean, "
+                          "pooled over the trials: how unsteady, whatever the target. A trial that held nothing has none.",
             .source = "models.md §6, tube",
             .measure = measure};
 }

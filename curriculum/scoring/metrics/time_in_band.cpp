@@ -29,7 +29,7 @@ std::optional<Band> bandOf(const PreparedTrial& trial) {
 std::int64_t inBand_us(const PreparedTrial& trial, const Band& band) {
     const std::vector<double>& t_s = trial.tool->t_s;
     std::int64_t sum = 0;
-    for (const std::size_t i : tubeHold(trial))
+    for (const std::size_t i : tubeHold(trial, TubeHolds::last))
         if (i + 1 < t_s.size() && std::abs((*band.held)[i] - band.middle) <= band.half)
             sum += std::llround(t_s[i + 1] * 1e6) - std::llround(t_s[i] * 1e6);
     return sum;
@@ -58,7 +58,7 @@ MetricDefinition timeInBandMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::mean,
             .tools = MetricTools::all,
-            .definition = "How long the tension was in its band during the hold, at most the time it has to be held; where the task is a "
+            .definition = "How long the tension was in its band during the last hold, at most the time it has to be held; where the task is a "
                           "mark, how long the stretch was within its tolerance. 0 where nothing was held; the mean over the trials.",
             .source = "models.md §6, tube",
             .measure = measure};

@@ -50,9 +50,14 @@ inline bool isTubeStep(double step, core::LaparoscopyStep wanted) {
     return step == static_cast<double>(wanted);
 }
 
-/// The samples of the hold: of the last one, where a hold was broken and begun again, so that the completed one is meant.
-/// Paused samples are left out. Empty: nothing was held. Only where withoutTube() has nothing to say.
-inline std::vector<std::size_t> tubeHold(const PreparedTrial& trial) {
+/// Which of a trial's holds are meant, where one was broken and begun again.
+enum class TubeHolds {
+    all,  ///< a broken one too: an error that ended a hold is an error
+    last, ///< the completed one
+};
+
+/// The samples of these holds. Paused samples are left out. Empty: nothing was held. Only where withoutTube() has nothing to say.
+inline std::vector<std::size_t> tubeHold(const PreparedTrial& trial, TubeHolds meant) {
     const std::vector<double>& step = *tubeQuantity(trial, "step");
     std::vector<std::size_t> hold;
     bool holding = false;
@@ -60,7 +65,7 @@ inline std::vector<std::size_t> tubeHold(const PreparedTrial& trial) {
         if (trial.tool->paused[i] != 0)
             continue;
         const bool now = isTubeStep(step[i], core::LaparoscopyStep::hold);
-        if (now && !holding)
+        if (now && !holding && meant == TubeHolds::last)
             hold.clear();
         if (now)
             hold.push_back(i);
@@ -69,12 +74,12 @@ inline std::vector<std::size_t> tubeHold(const PreparedTrial& trial) {
     return hold;
 }
 
-/// Calls visit(error) with tension − target, N, for each sample of each trial's hold.
+/// Calls visit(error) with tension − target, N, for each sample of each trial's holds.
 template <class Visit> void forEachTensionError(std::span<const PreparedTrial> trials, Visit&& visit) {
     for (const PreparedTrial& trial : trials) {
         const std::vector<double>& tension = *tubeQuantity(trial, "tension_N");
         const double target_N = *tubeTruth(trial, "target_N");
-        for (const std::size_t i : tubeHold(trial))
+        for (const std::size_t i : tubeHold(trial, TubeHolds::all))
             visit(tension[i] - target_N);
     }
 }

@@ -15,10 +15,10 @@ Measurement measure(std::span<const PreparedTrial> trials) {
         const auto heaviest = truthOf(trial, "heaviest");
         if (truthOf(trial, "task") != kWeigh || !heaviest)
             return Measurement::undefined("no weighing was asked for");
-        const auto placed = nearestToTarget(trial);
+        const auto placed = answerOf(trial);
         if (!placed)
             return Measurement::undefined("the trace has no objects and target");
-        correct += trial.trial->completed && placed->number == static_cast<int>(*heaviest) ? 1 : 0;
+        correct += trial.trial->completed && placed->taken && placed->number == static_cast<int>(*heaviest) ? 1 : 0;
     }
     return Measurement::of(100.0 * static_cast<double>(correct) / static_cast<double>(trials.size()));
 }
@@ -34,7 +34,8 @@ MetricDefinition weighingCorrectMetric() {
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
             .definition =
-                "Trials in which the heaviest object was laid into the target, in % of all; one that time ended counts as wrong.",
+                "Trials that were finished and in which the object held last, the answer, was the heaviest, in % of all; one that time "
+                "ended counts as wrong.",
             .source = "P2, Preliminary Validation (mass: three objects from lightest to heaviest); our definition",
             .measure = measure};
 }

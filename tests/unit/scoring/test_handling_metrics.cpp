@@ -13,10 +13,12 @@ namespace {
 bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 
 /// Two objects for a second at 1 kHz: the first rests at 3, 4 mm from the target, the second 50 mm away; the squeeze is a ramp to 2 N.
-TrialTrace handled(double task = 0.0, double heaviest = 0.0, bool completed = true) {
+/// `held` (its number + 1, 0: none) is held from 0.2 to 0.8 s.
+TrialTrace handled(double task = 0.0, double heaviest = 0.0, bool completed = true, double held = 1.0) {
     TrialTrace trial;
     ToolTrace tool;
     QuantityTrace squeeze{"squeeze_N", {}};
+    QuantityTrace holding{"held", {}};
     std::vector<QuantityTrace> bodies;
     for (const char* id : {"body_0_x_m", "body_0_y_m", "body_1_x_m", "body_1_y_m"})
         bodies.push_back({id, {}});
@@ -27,12 +29,14 @@ TrialTrace handled(double task = 0.0, double heaviest = 0.0, bool completed = tr
         tool.tissue_N.push_back(core::Vec3::Zero());
         tool.paused.push_back(0);
         squeeze.values.push_back(0.002 * i);
+        holding.values.push_back(i >= 200 && i < 800 ? held : 0.0);
         for (std::size_t k = 0; k < 4; ++k)
             bodies[k].values.push_back(i < 1000 ? 0.5 : places[k]); // only where they lie in the end counts
     }
     trial.tools.push_back(std::move(tool));
     trial.quantities.push_back(std::move(squeeze));
     trial.quantities.insert(trial.quantities.end(), bodies.begin(), bodies.end());
+    trial.quantities.push_back(std::move(holding));
     trial.truth = {{"target_x_m", 0.010}, {"target_y_m", 0.020}, {"target_radius_m", 0.014}, {"squeeze_limit_N", 1.5},
                    {"task", task},        {"objects", 2.0},      {"heaviest", heaviest}};
     trial.completed = completed;
@@ -93,6 +97,24 @@ private slots:
         QCOMPARE(valueOf(session({handled(1.0, 0.0, false)}), "weighing_correct"), 0.0);
         QCOMPARE(valueOf(session({handled(1.0, 0.0), handled(1.0, 1.0), handled(1.0, 0.0), handled(1.0, 0.0)}), "weighing_correct"), 75.0);
         QCOMPARE(metricOf(session({handled(0.0)}), "weighing_correct").reason, std::string("no weighing was asked for"));
+    }
+
+    /// The answer is what was held last, not what happens to lie nearest to the target.
+    void theLastHeldIsTheAnswer() {
+        QCOMPARE(valueOf(session({handled(1.0, 1.0, true, 2.0)}), "weighing_correct"), 100.0);
+        QCOMPARE(valueOf(session({handled(1.0, 0.0, true, 2.0)}), "weighing_correct"), 0.0); // though the heaviest lies nearer
+        QVERIFY(isNear(valueOf(session({handled(0.0, 0.0, true, 2.0)}), "placement_error"), 50.0, 1e-9));
+        auto both = handled(1.0, 1.0, true, 2.0);
+        both.quantities.back().values[50] = 1.0; // the other one was tried before
+        QCOMPARE(valueOf(session({both}), "weighing_correct"), 100.0);
+        both.quantities.back().values[900] = 1.0; // and taken again after
+        QCOMPARE(valueOf(session({both}), "weighing_correct"), 0.0);
+        // nothing was ever held: no answer, and the placement is that of the nearest
+        QCOMPARE(valueOf(session({handled(1.0, 0.0, true, 0.0)}), "weighing_correct"), 0.0);
+        QVERIFY(isNear(valueOf(session({handled(0.0, 0.0, false, 0.0)}), "placement_error"), 5.0, 1e-9));
+        auto unknown = handled();
+        unknown.quantities.pop_back();
+        QCOMPARE(metricOf(session({unknown}), "placement_error").reason, std::string("the trace has no objects and target"));
     }
 
     void completed() {
