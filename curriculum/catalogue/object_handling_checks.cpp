@@ -3,6 +3,7 @@
 #include "catalogue/object_handling_content.h"
 
 #include "core/units.h"
+#include "simulation/exercises/object_handling/handling_world.h"
 #include "simulation/exercises/object_handling/object_handling_plan.h"
 #include "simulation/exercises/object_handling/soft_bed.h"
 #include "simulation/objects/grasp.h"
@@ -113,8 +114,22 @@ public:
     void organ() const {
         if (!m_p.organBed)
             return;
-        if (const auto bed = simulation::SoftBed::make(m_p); !bed)
-            add("bed_mesh", QString::fromStdString(m_p.bedMesh.id), QString::fromStdString("an organ that can be made: " + bed.error().message));
+        // The next question waits for the answer: a longer latency would make the organ's own time run slow.
+        const auto period = static_cast<int>(simulation::SoftBed::period_ticks(m_p));
+        if (m_p.bedLatency_ticks > period)
+            add("bed_latency_ticks", QString::number(m_p.bedLatency_ticks),
+                QStringLiteral("at most the %1 ticks between two steps at bed_rate_Hz = %2, so that a step of the organ lasts as long as it says")
+                    .arg(period)
+                    .arg(m_p.bedRate_Hz));
+        const auto bed = simulation::SoftBed::make(m_p);
+        if (!bed)
+            return add("bed_mesh", QString::fromStdString(m_p.bedMesh.id),
+                       QString::fromStdString("an organ that can be made: " + bed.error().message));
+        const double field_m = simulation::HandlingWorld::reachOfField_m(m_p);
+        if ((*bed)->reach_m() < field_m)
+            add("bed_mesh", QString::fromStdString(m_p.bedMesh.id) + QStringLiteral(" reaching ") + mm((*bed)->reach_m()),
+                QStringLiteral("an organ that reaches at least %1 along x and y: places_radius_mm, the rim %2 beyond it, and radius_mm")
+                    .arg(mm(field_m), mm(simulation::HandlingWorld::kRimBeyondPlaces_m)));
     }
 
 private:

@@ -100,6 +100,9 @@ void checkMesh(const Parameters& p, const QString& path, Problems& problems) {
     if (p.surface == simulation::ApexSurface::organ && ball > kMost)
         problems.push_back({memberPath(path, "mesh_edge_mm"), mm(p.meshEdge_m),
                             QStringLiteral("so long that the ball has at most %1 vertices, not %2").arg(kMost).arg(ball)});
+    else if (const auto dome = simulation::TouchedDome::make(p, {}); !dome) // the real thing: surface, springs and clock
+        problems.push_back({memberPath(path, "surface"), QStringLiteral("a dome that cannot be made"),
+                            QString::fromStdString(dome.error().message)});
 }
 
 } // namespace
@@ -143,6 +146,11 @@ void checkSphereApex(const ExerciseParameters& parameters, const QString& path, 
                                 mm(p.workspaceRadius_m - p.radius_m)});
     if (p.surface != simulation::ApexSurface::exact) {
         checkMesh(p, path, problems);
+        // The next question waits for the answer: a longer latency would make the organ's own time run slow.
+        if (p.surface == simulation::ApexSurface::organ && p.slowLatency_ms > p.slowPeriod_ms)
+            problems.push_back({memberPath(path, "slow_latency_ms"), QString::number(p.slowLatency_ms),
+                                QStringLiteral("at most slow_period_ms = %1, so that a step of the organ lasts as long as it says")
+                                    .arg(p.slowPeriod_ms)});
         return;
     }
     if (p.dimpleDepth_m <= 0.0)

@@ -2,6 +2,8 @@
 #include "catalogue/catalogue.h"
 #include "support/content_copy.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QtTest>
 
 using namespace chiron;
@@ -18,6 +20,8 @@ class TestContentFaults : public QObject {
 private slots:
     void crossChecks_data();
     void crossChecks();
+    void softOrgans_data();
+    void softOrgans();
     void missingFolderAndFiles();
     void levelNumbersWithoutGap();
     void allFaultsOfAFileTogether();
@@ -79,6 +83,43 @@ void TestContentFaults::crossChecks() {
     QVERIFY2(message.startsWith(copy.path(kLevel).toUtf8() + ':'), message.constData());
     QVERIFY2(message.contains(' ' + path), message.constData());
     QVERIFY(message.contains(": expected "));
+}
+
+void TestContentFaults::softOrgans_data() {
+    QTest::addColumn<QByteArray>("from");
+    QTest::addColumn<QByteArray>("to");
+    QTest::addColumn<QByteArray>("path");
+    const auto row = [](const char* tag, const char* from, const char* to, const char* path) {
+        QTest::newRow(tag) << QByteArray(from) << QByteArray(to) << QByteArray(path);
+    };
+    row("answers later than the next question", "\"slow_period_ms\": 33", "\"slow_period_ms\": 32", "$.parameters.slow_latency_ms: 33");
+    row("answers too soon to blend", "\"slow_latency_ms\": 33", "\"slow_latency_ms\": 19", "$.parameters.slow_latency_ms: 19");
+    row("too fine to be simulated", "\"mesh_edge_mm\": 1.5", "\"mesh_edge_mm\": 0.6", "$.parameters.mesh_edge_mm: 0.6 mm");
+    // within what this schema allows, but no organ can be made of it: told when it is loaded, not when it is touched
+    row("cannot be made", "\"organ_deepest_mm\": 8", "\"organ_deepest_mm\": 60", "$.parameters.surface: a dome that cannot be made");
+}
+
+void TestContentFaults::softOrgans() {
+    QFETCH(QByteArray, from);
+    QFETCH(QByteArray, to);
+    QFETCH(QByteArray, path);
+    const QString level = QStringLiteral("exercises/sphere_apex/levels/soft_organ.json");
+    const QString schema = QStringLiteral("schema/sphere_apex_parameters.json");
+    ContentCopy copy;
+    QJsonObject wider = QJsonDocument::fromJson(copy.read(schema)).object();
+    QJsonObject properties = wider["properties"].toObject();
+    QJsonObject deepest = properties["organ_deepest_mm"].toObject();
+    deepest["maximum"] = 100;
+    properties["organ_deepest_mm"] = deepest;
+    wider["properties"] = properties;
+    copy.write(schema, QJsonDocument(wider).toJson());
+    QByteArray text = copy.read(level);
+    QVERIFY(text.contains(from));
+    copy.write(level, text.replace(from, to));
+    const auto catalogue = Catalogue::load(copy.directory());
+    QVERIFY(!catalogue.has_value());
+    const QByteArray message = QByteArray::fromStdString(catalogue.error().message);
+    QVERIFY2(message.startsWith(copy.path(level).toUtf8() + ':') && message.contains(path), message.constData());
 }
 
 void TestContentFaults::missingFolderAndFiles() {

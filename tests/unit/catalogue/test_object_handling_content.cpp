@@ -90,6 +90,11 @@ private slots:
             "$.parameters.object.damping_N_s_per_m");
         row("pressed through", "lift_and_place", R"({"object": {"object": "ovary", "stiffness_N_per_m": 100}})",
             "$.parameters.object.stiffness_N_per_m");
+        row("organ narrower than the field", "soft_organ", R"({"bed_mesh": {"mesh": "organ"}})", "$.parameters.bed_mesh");
+        row("organ just too narrow", "soft_organ", R"({"places_radius_mm": 55})", "$.parameters.bed_mesh");
+        row("answers later than the next question", "soft_organ", R"({"bed_rate_Hz": 40})", "$.parameters.bed_latency_ticks");
+        row("answers too soon to blend", "soft_organ", R"({"bed_latency_ticks": 19})", "$.parameters.bed_latency_ticks");
+        row("no organ", "soft_organ", R"({"bed_mesh": {"shape": "none"}})", "$.parameters.bed_mesh");
         row("unknown object", "lift_and_place", R"({"object": "spleen"})", "$.parameters.object");
         row("unknown key", "lift_and_place", R"({"colour": 3})", "$.parameters.colour");
         row("range", "lift_and_place", R"({"hold_s": 99})", "$.parameters.hold_s");

@@ -20,6 +20,8 @@ private slots:
     void liftedOffItWeighsItsWeight();
     void placedOnItWithoutSteps();
     void lateAnswersAreNoSteps();
+    void besideTheOrganIsAFloor();
+    void withoutItsOrganNothingIsThere();
     void sameInputsSameBits();
 };
 
@@ -87,6 +89,50 @@ void TestObjectHandlingOrgan::lateAnswersAreNoSteps() {
     d.moveBy(Vec3(0.02, 0.0, 0.0), 1.5);
     d.ticks(1000);
     QVERIFY2(d.largestStep_N < 0.05, qPrintable(QString::number(d.largestStep_N)));
+}
+
+/// A body that is let go beside the organ lies on the floor it stands on, and the organ feels nothing of it; the tip meets it too.
+void TestObjectHandlingOrgan::besideTheOrganIsAFloor() {
+    ObjectHandlingParameters p = onOrgan(oneOvary());
+    p.bedMesh.halfAxisX_m = p.bedMesh.halfAxisY_m = 0.035; // narrower than content may have it
+    HandlingDriver d(p);
+    d.startRunning();
+    d.ticks(500);
+    d.graspObject();
+    d.moveBy(Vec3(0.0, 0.0, 0.030), 0.5);
+    d.moveTo(Vec3(0.050, 0.0, d.tool().p_WT.z()), 0.8);
+    d.moveBy(Vec3(0.0, 0.0, -0.035), 0.8);
+    d.open();
+    d.ticks(2000);
+    const double floor_m = -0.028; // its highest point is at 0, it is 28 mm thick
+    QVERIFY2(std::abs(d.body().p_W.z() - (floor_m + p.radius_m)) < 1e-3, qPrintable(QString::number(d.body().p_W.z())));
+    QVERIFY(d.body().v_W.norm() < 1e-3);
+    d.moveBy(Vec3(0.0, 0.0, 0.060), 0.5);
+    d.moveTo(Vec3(0.0, 0.060, 0.030), 0.5);
+    d.tool().jaw_rad = 0.0;
+    d.moveTo(Vec3(0.0, 0.060, floor_m - 0.002), 0.5);
+    d.ticks(200);
+    QVERIFY2(std::abs(d.force().z() - 0.6) < 0.1, qPrintable(QString::number(d.force().z()))); // 2 mm of 300 N/m; the mesh's lowest
+                                                                                             // corner may lie 0.3 mm higher
+}
+
+/// An organ that cannot be made is no plane: nothing is felt or shown, and the trial runs out.
+void TestObjectHandlingOrgan::withoutItsOrganNothingIsThere() {
+    ObjectHandlingParameters p = onOrgan(oneOvary());
+    p.bedMesh.shape = MeshSource::Shape::none;
+    p.trialLimit_s = 2.0;
+    HandlingDriver d(p);
+    QVERIFY(d.scene.slowModel() == nullptr);
+    d.startRunning();
+    d.tool().jaw_rad = 0.0;
+    double largest_N = 0.0;
+    d.observe = [&](HandlingDriver& now) { largest_N = std::max(largest_N, now.force().norm()); };
+    d.moveTo(Vec3(0.0, 0.0, -0.010), 1.0);
+    QCOMPARE(largest_N, 0.0);
+    QCOMPARE(d.out.cues.laparoscopy.bodies, 0);
+    d.ticks(1500);
+    QCOMPARE(d.events & bits::kTimedOut, bits::kTimedOut);
+    QCOMPARE(d.events & bits::kCompleted, 0U);
 }
 
 void TestObjectHandlingOrgan::sameInputsSameBits() {

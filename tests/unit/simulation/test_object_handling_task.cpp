@@ -55,6 +55,7 @@ private slots:
     void timeEndsIt();
     void tooLooseSlips();
     void droppedFromTheAir();
+    void aDropIsToldOnce();
     void overSqueezeIsToldOnceAndRearmed();
     void pauseKeepsTheGrip();
     void weighingBySeed();
@@ -169,6 +170,28 @@ void TestObjectHandlingTask::droppedFromTheAir() {
     d.ticks(500);
     QCOMPARE(d.events & bits::kSlipped, bits::kSlipped);
     QVERIFY(d.body().v_W.norm() < 1e-3);
+}
+
+/// Set down and let go it is no drop, nor does that make the slip that comes after it count again when it lands.
+void TestObjectHandlingTask::aDropIsToldOnce() {
+    HandlingDriver d(oneOvary());
+    int told = 0;
+    d.observe = [&](HandlingDriver& now) { told += (now.out.events & bits::kSlipped) != 0 ? 1 : 0; };
+    d.startRunning();
+    d.graspObject();
+    d.open(); // where it lies
+    d.ticks(5);
+    QCOMPARE(told, 0);
+    d.graspObject(0, 0.0004); // too loose: it slides out on the way up and falls from there
+    d.moveBy(Vec3(0.0, 0.0, 0.060), 0.25);
+    d.ticks(500);
+    QCOMPARE(d.q(q::kHeld), 0.0);
+    QCOMPARE(told, 1);
+    d.graspObject();
+    d.moveBy(Vec3(0.0, 0.0, 0.040), 0.6);
+    d.jawTo(2.0 * d.parameters.radius_m + 0.006, 0.02); // dropped on purpose: it lands hard, once
+    d.ticks(500);
+    QCOMPARE(told, 2);
 }
 
 void TestObjectHandlingTask::overSqueezeIsToldOnceAndRearmed() {

@@ -26,6 +26,7 @@ private slots:
     void contactEventsComeOnce();
     void cuesFollowTheLevel();
     void notANumberTouchesNothing();
+    void aDomeThatCannotBeMadeIsNoOther();
     void sameInputsSameBits();
 };
 
@@ -161,6 +162,24 @@ void TestSphereApexScene::notANumberTouchesNothing() {
     QVERIFY(std::abs(d.out.tissue.tools[0].force.z() - 0.5) < 1e-9); // and nothing of it stays
     d.in.tools.count = 99;
     QCOMPARE(d.tick().tissue.count, core::kMaxTools);
+}
+
+/// A level on meshes whose mesh cannot be made is not done on the exact sphere instead: nothing is felt, and the trial runs out.
+void TestSphereApexScene::aDomeThatCannotBeMadeIsNoOther() {
+    SphereApexParameters p = shortTrials();
+    p.surface = ApexSurface::mesh;
+    p.meshEdge_m = -1.0;
+    Driver d(p);
+    QVERIFY(d.scene.slowModel() == nullptr);
+    d.startRunning();
+    d.pressApex(0.004);
+    std::uint32_t events = 0;
+    for (int n = 0; n < 60; ++n) {
+        events |= d.tick().events;
+        QCOMPARE(d.out.tissue.tools[0].force.norm(), 0.0);
+    }
+    QCOMPARE(events & bits::kTimedOut, bits::kTimedOut);
+    QVERIFY((events & bits::kContactBegan) == 0);
 }
 
 void TestSphereApexScene::sameInputsSameBits() {

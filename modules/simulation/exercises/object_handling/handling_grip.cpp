@@ -30,14 +30,15 @@ void HandlingWorld::updateGrip(const HandlingTool& tool, HandlingAnswer& answer)
             answer.events |= bits::kGrasped;
             break;
         case GraspChange::released:
-            m_bodies[static_cast<std::size_t>(m_held)].dropCounts = true;
             letGo(tool);
             answer.events |= bits::kReleased;
             break;
         case GraspChange::none:
-            if (m_held != kNone && slidShare() >= 1.0) { // it has slid out
+            if (m_held != kNone && slidShare() >= 1.0) { // it has slid out: told now, and not again when it lands
                 m_latch.lose();
+                Body& slid = m_bodies[static_cast<std::size_t>(m_held)];
                 letGo(tool);
+                slid.dropCounts = false;
                 answer.events |= bits::kSlipped;
             }
             break;
@@ -64,6 +65,7 @@ void HandlingWorld::takeHold(int which, const HandlingTool& tool) noexcept {
     m_held = which;
     m_grip_m = body.it.p_W - tool.p_W;
     m_slide.reset();
+    body.dropCounts = false; // what it fell from before is over
     body.it.v_W = tool.v_W;
     body.tip.reset();
 }
@@ -72,6 +74,8 @@ void HandlingWorld::letGo(const HandlingTool& tool) noexcept {
     Body& body = m_bodies[static_cast<std::size_t>(m_held)];
     if (!tool.present)
         body.it.v_W.setZero();
+    else
+        body.dropCounts = !body.it.onBed(); // set down is no drop
     body.inside = body.embraced = true; // the jaws are still around it
     m_held = kNone;
 }

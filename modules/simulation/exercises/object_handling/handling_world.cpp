@@ -15,8 +15,7 @@ namespace bits = core::event_bits;
 namespace {
 
 constexpr double kT = core::kTickSeconds;
-/// Objects that were pushed away roll back from the rim of the field, so that a trial can go on (assumptions).
-constexpr double kRimBeyondPlaces_m = 0.025;
+/// Objects that were pushed away roll back from the rim of the field, so that a trial can go on (assumption).
 constexpr double kRim_N_per_m = 100.0;
 /// Slower than this a free body lies still: its height and energy there are what lifting is told from (assumption).
 constexpr double kStill_m_per_s = 0.002;
@@ -219,8 +218,10 @@ void HandlingWorld::moveBodies(HandlingAnswer& answer) noexcept {
                 answer.events |= bits::kSlipped;
         }
         body.airborne = inAir;
-        if (!isHeld(i) && !body.touched && !inAir && body.it.v_W.squaredNorm() < kStill_m_per_s * kStill_m_per_s)
+        if (!isHeld(i) && !body.touched && !inAir && body.it.v_W.squaredNorm() < kStill_m_per_s * kStill_m_per_s) {
             body.it.lieStill();
+            body.dropCounts = false;
+        }
         if (!isHeld(i))
             body.it.moveFreely(body.load + rimForce(body.it, rim));
     }

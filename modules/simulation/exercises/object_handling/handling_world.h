@@ -38,6 +38,12 @@ class HandlingWorld {
 public:
     static constexpr std::size_t kMaxBodies = ObjectHandlingTrial::kMaxObjects;
     static constexpr int kNone = -1;
+    /// The rim of the field, from which bodies roll back, lies so far beyond the places (assumption).
+    static constexpr double kRimBeyondPlaces_m = 0.025;
+    /// An organ has to reach so far from the middle: a body whose middle is at the rim still lies on it whole.
+    static double reachOfField_m(const ObjectHandlingParameters& p) noexcept {
+        return p.placesRadius_m + kRimBeyondPlaces_m + p.radius_m;
+    }
 
     /// `soft`: the organ that they lie on, which must outlive the world and is updated and asked by its owner; null: a plane.
     HandlingWorld(const ObjectHandlingParameters& parameters, SoftBed* soft) noexcept;
@@ -62,7 +68,7 @@ private:
         bool embraced = false;   ///< the jaws are around it, or let it go there: the tip does not touch it
         bool touched = false;    ///< by the tip, this tick
         bool airborne = false;   ///< left the bed
-        bool dropCounts = false; ///< let go on purpose: a hard landing is a drop
+        bool dropCounts = false; ///< let go in the air on purpose, and not landed yet: a hard landing is a drop
     };
 
     void updateGrip(const HandlingTool& tool, HandlingAnswer& answer) noexcept;

@@ -22,8 +22,8 @@ struct ObjectHandlingParameters {
     ObjectAttributes bed;               ///< what it lies on
     bool organBed = false;              ///< the bed is a deformable organ, simulated at the slow rate (P2, two rates)
     MeshSource bedMesh;                 ///< of the organ
-    double bedRate_Hz = 30.0;           ///< of the slow model, 30..100
-    int bedLatency_ticks = 33;          ///< L
+    double bedRate_Hz = 30.0;           ///< of the slow model, 30..50
+    int bedLatency_ticks = 33;          ///< L, 20 to one period: blending lasts as long
     int objects = 1;                    ///< 1..3
     double massLow_kg = 0.0;            ///< each object of a trial draws its mass in [low, high]; both 0: the object's own
     double massHigh_kg = 0.0;

@@ -65,7 +65,8 @@ void ObjectHandlingScene::enterReady(SceneOutput& out) noexcept {
     m_trialOver = false;
     if (m_softBed)
         m_softBed->begin(m_tick);
-    m_world.begin(m_trials[m_trial]);
+    if (hasBed())
+        m_world.begin(m_trials[m_trial]);
     m_task.begin(m_trials[m_trial]);
     out.events |= bits::kSceneChanged;
 }
@@ -113,12 +114,14 @@ void ObjectHandlingScene::touch(const SceneInput& in, SceneOutput& out) noexcept
     }
     HandlingAnswer answer;
     if (objectsPresent()) {
-        answer = m_world.step(grasper);
         const bool running = m_phase == TrialPhase::running && !in.paused && !m_trialOver;
-        m_task.follow(m_world, running);
+        if (hasBed()) {
+            answer = m_world.step(grasper);
+            m_task.follow(m_world, running);
+        } // without its organ nothing is touched and the trial runs out
         if (running)
             endTrial(out);
-        if (grasper.present)
+        if (grasper.present && hasBed())
             out.p_WProxy[0] = answer.surfacePoint;
         fillQuantities(answer.bedDepth_m, out);
     }

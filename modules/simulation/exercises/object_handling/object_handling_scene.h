@@ -55,6 +55,7 @@ private:
     void leaveTrial(SceneOutput& out) noexcept;
     void endTrial(SceneOutput& out) noexcept;
     bool objectsPresent() const noexcept;
+    bool hasBed() const noexcept { return m_softBed != nullptr || !m_parameters.organBed; } ///< false: its organ could not be made
     void touch(const SceneInput& in, SceneOutput& out) noexcept;
     void fillQuantities(double bedDepth_m, SceneOutput& out) const noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;

@@ -18,7 +18,8 @@ bool has(const std::vector<std::string>& cues, const char* cue) {
     return std::find(cues.begin(), cues.end(), cue) != cues.end();
 }
 
-/// Content was checked by making it (object_handling_checks.cpp); parameters that nobody checked and that make no organ lie on a plane.
+/// Content was checked by making it (object_handling_checks.cpp). Parameters that nobody checked and that make no organ have no
+/// bed at all: hasBed() says so, nothing is rendered and the trials run out; a plane would be another exercise.
 std::unique_ptr<SoftBed> softBed(const ObjectHandlingParameters& parameters) {
     if (!parameters.organBed)
         return nullptr;

@@ -3,6 +3,8 @@
 
 #include "core/units.h"
 
+#include <algorithm>
+
 namespace chiron::simulation {
 
 using core::Vec3;
@@ -31,14 +33,23 @@ ContactPlace SoftBed::place(std::size_t who, const Vec3& p, const Vec3& v, doubl
     place.foot = foot.point;
     place.position = p - toucher.carried;
     place.velocity = v - foot.surfaceMotion / core::kTickSeconds;
-    return place;
+    const double inFloor_m = radius_m - (p.z() - m_floor_m);
+    toucher.onFloor = inFloor_m > -reach_m && inFloor_m > place.depth_m;
+    if (!toucher.onFloor)
+        return place;
+    ContactPlace floor;
+    floor.depth_m = inFloor_m;
+    floor.foot = Vec3(p.x(), p.y(), m_floor_m);
+    floor.position = p;
+    floor.velocity = v;
+    return floor;
 }
 
 void SoftBed::touched(std::size_t who, const Vec3& p, double radius_m, const ContactPlace& place,
                       const ObjectContactResponse& felt) noexcept {
     OrganTouch& touch = m_touches[who];
-    touch.touching = felt.inContact;
-    if (!felt.inContact)
+    touch.touching = felt.inContact && !m_touchers[who].onFloor;
+    if (!touch.touching)
         return;
     const MeshFoot& foot = m_touchers[who].tracker.foot();
     touch.triangle = foot.place.triangle;
@@ -61,7 +72,7 @@ double SoftBed::restHeight_m(const core::Vec2& place_m) const noexcept {
         const NearestOnMesh nearest = nearestOnMesh(m_organ->restMesh(), at + Vec3(0.0, 0.0, m_lift_m));
         at.z() -= nearest.signedDistance_m;
     }
-    return at.z();
+    return std::max(at.z(), m_floor_m);
 }
 
 } // namespace chiron::simulation

@@ -27,7 +27,7 @@ DeformableOrgan::Settings settingsOf(const ObjectHandlingParameters& p) {
     settings.network.recoveryTime_s = kRecovery_s;
     settings.network.volumeKeeping = kVolumeKeeping;
     settings.network.deepest_m = kDeepest_m;
-    settings.timing.period_ticks = static_cast<std::uint64_t>(std::llround(1000.0 / p.bedRate_Hz));
+    settings.timing.period_ticks = SoftBed::period_ticks(p);
     settings.timing.latency_ticks = static_cast<std::uint64_t>(std::max(1, p.bedLatency_ticks));
     settings.network.step_s = 1e-3 * static_cast<double>(settings.timing.period_ticks);
     settings.blend_ticks = settings.timing.latency_ticks;
@@ -35,6 +35,10 @@ DeformableOrgan::Settings settingsOf(const ObjectHandlingParameters& p) {
 }
 
 } // namespace
+
+std::uint64_t SoftBed::period_ticks(const ObjectHandlingParameters& parameters) noexcept {
+    return static_cast<std::uint64_t>(std::max(1LL, std::llround(1000.0 / parameters.bedRate_Hz)));
+}
 
 core::Result<std::unique_ptr<SoftBed>> SoftBed::make(const ObjectHandlingParameters& parameters) {
     auto mesh = makeMesh(parameters.bedMesh);
@@ -50,6 +54,8 @@ core::Result<std::unique_ptr<SoftBed>> SoftBed::make(const ObjectHandlingParamet
     }
     std::unique_ptr<SoftBed> bed(new SoftBed);
     bed->m_lift_m = mesh->position(highest).z();
+    bed->m_floor_m = mesh->lowest().z() - bed->m_lift_m;
+    bed->m_reach_m = std::min({mesh->highest().x(), mesh->highest().y(), -mesh->lowest().x(), -mesh->lowest().y()});
     auto organ = DeformableOrgan::create(*mesh, anchored, highest, settingsOf(parameters));
     if (!organ)
         return tl::unexpected(organ.error());

@@ -49,7 +49,7 @@ struct SphereApexParameters {
     double organVolumeKeeping = 0.7;
     double organDeepest_m = 0.008;
     int slowPeriod_ms = 33;  ///< between two requests to the slow model, and the length of its step
-    int slowLatency_ms = 33; ///< L
+    int slowLatency_ms = 33; ///< L, 20 to slowPeriod_ms: blending lasts as long
     int trials = 10;                          ///< 1..32
     double trialLimit_s = 60.0;
     double betweenTrials_s = 1.0;  ///< after a mark, before the next scene appears

@@ -103,8 +103,13 @@ bool SphereApexScene::objectPresent() const noexcept {
 }
 
 ContactResponse SphereApexScene::touchWith(std::size_t tool, const core::ToolState& state) noexcept {
-    return m_dome ? m_dome->respond(tool, state.p_WT, state.v_WT)
-                  : m_contact.respond(state.p_WT, state.v_WT, m_bristles[tool]);
+    if (m_dome)
+        return m_dome->respond(tool, state.p_WT, state.v_WT);
+    if (m_parameters.surface == ApexSurface::exact)
+        return m_contact.respond(state.p_WT, state.v_WT, m_bristles[tool]);
+    ContactResponse nothing; // the dome could not be made: another surface would be another exercise, so the trials run out
+    nothing.surfacePoint = state.p_WT;
+    return nothing;
 }
 
 void SphereApexScene::touch(const core::ToolStates& tools, SceneOutput& out) noexcept {

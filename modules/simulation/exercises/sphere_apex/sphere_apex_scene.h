@@ -79,7 +79,7 @@ private:
     bool m_trialOver = false;    ///< the tick before ended the trial
     bool m_buttonWasDown = true; ///< so that a button held at the first tick is no edge
     HemisphereContact m_contact;         ///< of an exact surface
-    std::unique_ptr<TouchedDome> m_dome; ///< of the others; null: exact
+    std::unique_ptr<TouchedDome> m_dome; ///< of the others; null: exact, or it could not be made
     std::array<BristleFriction, core::kMaxTools> m_bristles{};
     std::array<bool, core::kMaxTools> m_touching{};
 };
