@@ -13,6 +13,7 @@ std::vector<CommandSpec> exerciseCommands();
 std::vector<CommandSpec> verifyCommands();
 std::vector<CommandSpec> evaluateCommands();
 std::vector<CommandSpec> metricsCommands();
+std::vector<CommandSpec> meshCommands();
 std::vector<CommandSpec> deviceCommands();
 std::vector<CommandSpec> storageCommands();
 std::vector<CommandSpec> trainCommands();

@@ -25,6 +25,7 @@ std::vector<CommandSpec> makeTable() {
              reportCommands,
              evaluateCommands,
              metricsCommands,
+             meshCommands,
              deviceCommands,
              storageCommands,
              demoCommands,
