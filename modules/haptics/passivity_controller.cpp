@@ -47,6 +47,14 @@ double PassivityController::supplied_J() const noexcept {
     return sum;
 }
 
+double PassivityController::work_J() const noexcept {
+    double sum = 0.0;
+    for (const Account& account : m_accounts) {
+        sum += account.open ? account.observer.work_J() : 0.0;
+    }
+    return sum;
+}
+
 double PassivityController::stored_J() const noexcept {
     double sum = 0.0;
     for (const Account& account : m_accounts) {
@@ -82,8 +90,7 @@ bool PassivityController::apply(const Limits& limits, int count, const core::Too
         if (m_used[body]) {
             injected = applyTo(m_accounts[body], limits, count, states, bodies.contacts[body], wrenches) || injected;
         } else {
-            m_accounts[body].observer.endContact();
-            m_accounts[body].open = false;
+            m_accounts[body].close();
         }
     }
     return injected;
@@ -102,15 +109,13 @@ void PassivityController::regroup(int count, const PassivityBodies& bodies) noex
             continue;
         }
         const double had = m_accounts[from].observer.supplied_J();
-        double moved = 0.0;
-        if (!m_used[from]) {
-            moved = had; // nobody stays behind
+        if (!m_used[from]) { // nobody stays behind
+            m_accounts[from].observer.moveAll(m_accounts[to].observer);
         } else if (!before[to]) {
             const PassivityContact& contact = bodies.contacts[to];
-            moved = std::clamp(renderedEnergy_J(contact, contact.gain, count), 0.0, std::max(0.0, had));
+            const double holds = renderedEnergy_J(contact, contact.gain, count);
+            m_accounts[from].observer.move(std::clamp(holds, 0.0, std::max(0.0, had)), m_accounts[to].observer);
         }
-        m_accounts[from].observer.credit(-moved);
-        m_accounts[to].observer.credit(moved);
     }
     m_bodyOf = bodies.bodyOf;
 }
@@ -119,15 +124,13 @@ bool PassivityController::applyTo(Account& account, const Limits& limits, int co
                                   const PassivityContact& contact, Wrenches& wrenches) noexcept {
     account.open = contact.touching && contact.gain > 0.0;
     if (!account.open) {
-        account.observer.endContact();
-        account.stored_J = 0.0;
-        account.excess_J = 0.0;
-        account.share = 1.0;
+        account.close();
         return false;
     }
-    account.stored_J = renderedEnergy_J(contact, contact.gain, count);
+    const double c = account.share;
+    account.stored_J = renderedEnergy_J(contact, c * contact.gain, count);
     if (contact.gain != contact.gainBefore) {
-        account.observer.credit(account.stored_J - renderedEnergy_J(contact, contact.gainBefore, count));
+        account.observer.credit(account.stored_J - renderedEnergy_J(contact, c * contact.gainBefore, count));
     }
     if (contact.givesWay)
         return giveWay(account, count, contact, wrenches);
@@ -137,19 +140,15 @@ bool PassivityController::applyTo(Account& account, const Limits& limits, int co
 
 bool PassivityController::giveWay(Account& account, int count, const PassivityContact& contact,
                                   Wrenches& wrenches) const noexcept {
-    const double whole = account.stored_J; // at c = 1
     const double allowed = m_settings.passivityExcess_J;
-    const double surplus = account.share < 1.0 ? allowed : kSurplus_J; // what shook once has no credit
-    double excess = account.share * whole - account.observer.supplied_J();
-    if (excess > 0.0)
-        account.observer.credit(std::min(excess, kForgiven_W * core::kTickSeconds));
-    else if (excess < -surplus)
-        account.observer.credit(excess + surplus);
-    excess = account.share * whole - account.observer.supplied_J();
-    const double full = std::max(whole, 1e-12); // what c = 1 would hold
-    if (excess > allowed)
-        account.share = std::max(kLeastShare, account.share - std::min(kFall, (excess - allowed) / full));
-    account.stored_J = account.share * whole;
+    account.settle(account.share < 1.0 ? allowed : kSurplus_J); // what shook once has no credit
+    const double whole = renderedEnergy_J(contact, contact.gain, count); // at c = 1
+    const double excess = account.stored_J - std::min(account.observer.supplied_J(), account.observer.late_J());
+    if (excess > allowed && whole > kLoaded_J)
+        account.fall(std::min(kFall * std::min(1.0, whole / allowed), (excess - allowed) / std::max(whole, allowed)));
+    else if (excess < 0.0 && account.share < 1.0)
+        account.recover(-excess / std::max(whole, kLoaded_J));
+    account.stored_J = renderedEnergy_J(contact, account.share * contact.gain, count);
     account.excess_J = account.stored_J - account.observer.supplied_J();
     if (account.share == 1.0)
         return false;
@@ -159,6 +158,41 @@ bool PassivityController::giveWay(Account& account, int count, const PassivityCo
             wrenches[i].torque *= account.share;
         }
     return true;
+}
+
+void PassivityController::Account::close() noexcept {
+    observer.endContact();
+    stored_J = excess_J = forgiven_J = 0.0;
+    share = rise = 1.0;
+    risen = open = false;
+}
+
+void PassivityController::Account::settle(double surplus_J) noexcept {
+    const double excess = stored_J - observer.supplied_J();
+    if (excess > 0.0) {
+        const double paid = std::min({excess, kForgiven_W * core::kTickSeconds, kForgiven_J - forgiven_J});
+        forgiven_J += paid;
+        observer.settleSupplied(paid);
+    } else if (excess < -surplus_J) {
+        observer.settleSupplied(excess + surplus_J);
+    }
+    const double late = stored_J - observer.late_J();
+    if (late > 0.0)
+        observer.settleLate(std::min(late, kForgivenLate_W * core::kTickSeconds));
+    else if (late < -surplus_J)
+        observer.settleLate(late + surplus_J);
+}
+
+void PassivityController::Account::fall(double by) noexcept {
+    share = std::max(kLeastShare, share - by);
+    if (risen)
+        rise *= 0.5; // it shook again
+    risen = false;
+}
+
+void PassivityController::Account::recover(double most) noexcept {
+    share = std::min(1.0, share + std::min(rise * kRise, most));
+    risen = true;
 }
 
 bool PassivityController::inject(double excess_J, const Limits& limits, int count, const core::ToolStates& states,

@@ -49,18 +49,27 @@ struct PassivityBodies {
 /// body holds, as far as the old book has it.
 ///
 /// Where a scene tells energy by body (`givesWay`), the answer to an excess is not damping but a softer body: its tools' wrenches
-/// and its energy are rendered at a share c, f = c f_scene, E = c U. Damping needs a velocity, which comes late: with the delay
-/// of a device two hands on one tube are driven by it rather than calmed (tests/unit/haptics/test_two_hands). Lowering c at a
-/// stretch destroys energy that nobody gets, which pays the book, E - W: so c falls until what the loop makes is what the book
-/// allows, which is at the stiffness that the device's delay carries, and stays there until the body is let go of (rising
-/// again it would only shake again). Debts are forgiven at kForgiven_W, or what a sampled spring leaks under a trembling hand would add up for ever; what was
-/// put in counts for kSurplus_J beyond what is held at most, since the rest has become heat. Thread: haptic.
+/// are rendered at a share c, f = c f_scene, which holds E = c g U s(2-s), s = min(1, ρ/(c g)). Damping needs a velocity, which
+/// comes late: with the delay of a device two hands on one tube are driven by it rather than calmed
+/// (tests/unit/haptics/test_two_hands). Lowering c at a stretch destroys energy that nobody gets, which pays the book, E - W: so c
+/// falls until what the loop makes is what the book allows, which is at the stiffness that the device's delay carries. It falls only
+/// under load (kLoaded_J), where that pays, and the slower the less it pays. It rises again only on energy that people have put
+/// in beyond what is held and that is then booked as held, kRise at most, half as fast after each time that it had to fall again,
+/// and at once when the body is let go of. Debts are forgiven at kForgiven_W up to kForgiven_J in a contact, or a trembling hand's
+/// leak would soften every long hold; what was put in counts for kSurplus_J beyond what is held at most, since the rest has become
+/// heat. So a contact never holds more than the plain work put in (work_J()), 1 mJ that is allowed, kForgiven_J, and what is made
+/// while c falls. Both are kept twice, with the force of the last tick and with that of kLate_ticks before (passivity_observer.h),
+/// and the worse book counts; the late one is forgiven kForgivenLate_W, without end. Thread: haptic.
 class PassivityController {
 public:
     static constexpr double kForgiven_W = 0.001; ///< assumption: a tremor of 0.1 mm on 500 N/m at 3 ms of delay makes 0.2 mW
     static constexpr double kSurplus_J = 0.020;  ///< assumption: an ovary of 10 g lifted by 0.2 m; only what is allowed while c < 1
+    static constexpr double kForgiven_J = 0.001; ///< assumption: in one contact, as much as is allowed anyhow
+    static constexpr double kForgivenLate_W = 1e-4; ///< assumption: a tremor of 0.1 mm on 200 N/m at 3 ms of delay makes 0.1 mW
+    static constexpr double kLoaded_J = 1e-5;    ///< assumption: 45 mN on 100 N/m
     static constexpr double kLeastShare = 0.02;
-    static constexpr double kFall = 0.01;   ///< of c in a tick, at most: 10 mN on each newton
+    static constexpr double kFall = 0.01;  ///< of c in a tick, at most: 10 mN on each newton
+    static constexpr double kRise = 5e-5;  ///< assumption: of c in a tick, at most: all of it in 20 s, not felt as a step
 
     using Limits = std::array<SafetyToolLimits, core::kMaxTools>;
     using Wrenches = std::array<core::Wrench, core::kMaxTools>;
@@ -76,7 +85,8 @@ public:
     void hold(const core::ToolStates& states, const core::ToolWrenches& commanded) noexcept;
 
     double excess_J(std::size_t body = 0) const noexcept { return m_accounts[body].excess_J; } ///< U - W at the last apply(), in W
-    double supplied_J() const noexcept; ///< W, summed over the bodies that are touched; J in W
+    double supplied_J() const noexcept; ///< the book W, with its credits, summed over the bodies that are touched; J in W
+    double work_J() const noexcept;     ///< what people put in, -Σ f·Δx of each contact, untouched, summed alike
     double stored_J() const noexcept;   ///< U as rendered, summed alike
 
     /// g U s(2-s) summed over the tools' shares.
@@ -86,10 +96,18 @@ private:
     /// The book of one body.
     struct Account {
         PassivityObserver observer;
-        double share = 1.0;    ///< c
-        double stored_J = 0.0; ///< as rendered
-        double excess_J = 0.0; ///< stored - supplied
-        bool open = false;     ///< touched
+        double share = 1.0;      ///< c
+        double rise = 1.0;       ///< of kRise: halved by each fall after a rise
+        double stored_J = 0.0;   ///< as rendered
+        double excess_J = 0.0;   ///< stored - supplied
+        double forgiven_J = 0.0; ///< in this contact
+        bool risen = false;      ///< since c last fell
+        bool open = false;       ///< touched
+
+        void close() noexcept;
+        void settle(double surplus_J) noexcept; ///< forgives a little debt, cuts credit
+        void fall(double by) noexcept;
+        void recover(double most) noexcept;
     };
 
     void regroup(int count, const PassivityBodies& bodies) noexcept;

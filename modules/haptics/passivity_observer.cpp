@@ -15,6 +15,21 @@ core::Vec3 smallRotation(const core::Quat& from, const core::Quat& to) noexcept 
     return (turn.w() < 0.0 ? -2.0 : 2.0) * turn.vec();
 }
 
+/// -Σ f·Δx + τ·θ
+double workOf(const core::ToolWrenches& held, const core::ToolStates& from, const core::ToolStates& to) noexcept {
+    double work = 0.0;
+    for (int tool = 0; tool < std::min(held.count, to.count); ++tool) {
+        const auto i = static_cast<std::size_t>(tool);
+        const core::ToolState& before = from.tools[i];
+        const core::ToolState& after = to.tools[i];
+        work -= held.tools[i].force.dot(after.p_WT - before.p_WT);
+        if (held.tools[i].torque != core::Vec3::Zero()) {
+            work -= held.tools[i].torque.dot(smallRotation(before.q_WT, after.q_WT));
+        }
+    }
+    return work;
+}
+
 } // namespace
 
 void PassivityObserver::reset() noexcept {
@@ -22,25 +37,26 @@ void PassivityObserver::reset() noexcept {
 }
 
 void PassivityObserver::addWork(const core::ToolStates& states) noexcept {
-    double work = 0.0;
-    for (int tool = 0; tool < std::min(m_held.count, states.count); ++tool) {
-        const auto i = static_cast<std::size_t>(tool);
-        const core::ToolState& before = m_states.tools[i];
-        const core::ToolState& after = states.tools[i];
-        work -= m_held.tools[i].force.dot(after.p_WT - before.p_WT);
-        if (m_held.tools[i].torque != core::Vec3::Zero()) {
-            work -= m_held.tools[i].torque.dot(smallRotation(before.q_WT, after.q_WT));
-        }
-    }
+    const double work = workOf(m_held, m_states, states);
+    const double late = workOf(m_earlier[m_oldest], m_states, states);
+    m_late_J += std::isfinite(late) ? late : 0.0;
     if (std::isfinite(work)) {
         m_supplied_J += work;
+        m_work_J += work;
     }
 }
 
 void PassivityObserver::hold(const core::ToolStates& states, const core::ToolWrenches& commanded) noexcept {
+    m_earlier[m_oldest] = m_held;
+    m_oldest = (m_oldest + 1) % kLate_ticks;
     m_held = commanded;
     m_held.count = std::min(commanded.count, states.count);
     m_states = states;
+}
+
+void PassivityObserver::holdNothing() noexcept {
+    m_held = core::ToolWrenches{};
+    m_earlier = {};
 }
 
 void PassivityObserver::hold(const core::ToolStates& states, const core::ToolWrenches& commanded,

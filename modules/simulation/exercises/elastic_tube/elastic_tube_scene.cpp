@@ -167,7 +167,9 @@ void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noe
         m_touching[i] = touching;
     }
     // Every held place may move: with two of them a tick can stretch the tube by both ways, ½k(v₁+v₂)² ≤ ½·2k(v₁²+v₂²).
-    out.bodyStiffness_N_per_m[0] = out.contactStiffness_N_per_m * std::max(1, m_grips.count());
+    // A tube that is held says so while it hangs slack too, by its first slope: its book of energy stays open until it is let go of.
+    const double slack = m_grips.count() > 0 ? share * m_tube.shape().law.elastic.slope(0.0) : 0.0;
+    out.bodyStiffness_N_per_m[0] = std::max(out.contactStiffness_N_per_m, slack) * std::max(1, m_grips.count());
 }
 
 } // namespace chiron::simulation

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The books of bodies alone (passivity_controller.h), without devices: who owes what, what is softened and what comes back.
+#include "haptics/passivity_controller.h"
+
+#include <QtTest>
+#include <algorithm>
+
+using namespace chiron;
+
+namespace {
+
+/// A controller with two tools, armed, without caps in the way.
+struct Books {
+    Books() {
+        controller.reset({});
+        for (auto& limit : limits)
+            limit.renders = true;
+        states.count = 2;
+    }
+    /// Tool i of body `of[i]` is shown f[i]; then moves by dx[i].
+    void tick(const std::array<std::uint8_t, 2>& of, const std::array<double, 2>& force, const std::array<double, 2>& dx,
+              const std::array<double, 4>& energy, double stiffness = 0.0) {
+        haptics::PassivityBodies bodies;
+        for (std::size_t i = 0; i < 2; ++i) {
+            bodies.bodyOf[i] = of[i];
+            haptics::PassivityContact& c = bodies.contacts[of[i]];
+            c.members[i] = true;
+            c.share[i] = of[0] == of[1] ? 0.5 : 1.0;
+            c.capRatio[i] = 1.0;
+        }
+        for (std::size_t body = 0; body < 4; ++body) {
+            haptics::PassivityContact& c = bodies.contacts[body];
+            c.givesWay = true;
+            c.gain = c.gainBefore = 1.0;
+            c.stored_J = energy[body];
+            c.stiffness_N_per_m = stiffness;
+            c.touching = energy[body] > 0.0 || stiffness > 0.0;
+        }
+        haptics::PassivityController::Wrenches wrenches{};
+        for (std::size_t i = 0; i < 2; ++i)
+            wrenches[i].force.x() = force[i];
+        acted = controller.apply(limits, 2, states, bodies, wrenches);
+        core::ToolWrenches shown;
+        shown.count = 2;
+        for (std::size_t i = 0; i < 2; ++i)
+            shown.tools[i] = wrenches[i];
+        controller.hold(states, shown);
+        share = force[0] != 0.0 ? wrenches[0].force.x() / force[0] : 1.0;
+        for (std::size_t i = 0; i < 2; ++i)
+            states.tools[i].p_WT.x() += dx[i];
+    }
+    haptics::PassivityController controller;
+    haptics::PassivityController::Limits limits{};
+    core::ToolStates states;
+    bool acted = false;
+    double share = 1.0;
+};
+
+} // namespace
+
+class TestPassivityBooks : public QObject {
+    Q_OBJECT
+private slots:
+    void oneBodyCannotBorrowFromAnother();
+    void aHeldBodyKeepsItsBookWhileItIsSlack();
+    void booksGoWithTheirTools();
+    void whereNothingIsLoadedNothingIsSoftened();
+    void aSoftenedBodyRecoversOnWorkAlone();
+    void capsAreBookedAtTheShare();
+};
+
+void TestPassivityBooks::oneBodyCannotBorrowFromAnother() {
+    // Tool 1 pushes into its spring: 1 N over 20 mm, 20 mJ in. Tool 0 is pushed by 1 N over 20 mm, and nobody pays.
+    for (const bool apart : {false, true}) {
+        Books books;
+        double least = 1.0;
+        for (int n = 0; n < 200; ++n) {
+            const double in = 1e-4 * n;
+            books.tick({0, static_cast<std::uint8_t>(apart ? 1 : 0)}, {1.0, 1.0}, {1e-4, -1e-4},
+                       apart ? std::array{5e-4, in, 0.0, 0.0} : std::array{5e-4, 0.0, 0.0, 0.0});
+            least = std::min(least, books.share);
+        }
+        QCOMPARE(least < 0.5, apart); // together the one pays for the other
+    }
+}
+
+void TestPassivityBooks::aHeldBodyKeepsItsBookWhileItIsSlack() {
+    // Each pull gives back 0.8 mJ more than it took, and the tube is slack in between.
+    for (const bool held : {false, true}) {
+        Books books;
+        bool acted = false;
+        for (int pull = 0; pull < 5; ++pull) {
+            for (int n = 0; n < 8; ++n) {
+                books.tick({0, 0}, {1.0, 0.0}, {1e-4, 0.0}, {1e-4, 0.0, 0.0, 0.0}, held ? 500.0 : 0.0);
+                acted = acted || books.acted;
+            }
+            books.tick({0, 0}, {0.0, 0.0}, {0.0, 0.0}, {}, held ? 500.0 : 0.0);
+        }
+        QCOMPARE(acted, held);
+    }
+}
+
+void TestPassivityBooks::booksGoWithTheirTools() {
+    Books books;
+    // Both at bodies of their own, 2 mJ put into each by 1 N over 2 mm.
+    for (int n = 0; n <= 20; ++n)
+        books.tick({0, 1}, {1.0, 1.0}, {n < 20 ? -1e-4 : 0.0, n < 20 ? -1e-4 : 0.0}, {1e-4 * n, 1e-4 * n, 0.0, 0.0});
+    QVERIFY(std::abs(books.controller.supplied_J() - 4e-3) < 1e-6);
+    // They become one: the books are one, nothing is lost and nothing is owed.
+    books.tick({0, 0}, {1.0, 1.0}, {0.0, 0.0}, {4e-3, 0.0, 0.0, 0.0});
+    QVERIFY(std::abs(books.controller.excess_J(0)) < 1e-6 && !books.acted);
+    // One of two again, with a quarter of it: what it holds goes along.
+    books.tick({0, 2}, {1.0, 1.0}, {0.0, 0.0}, {3e-3, 0.0, 1e-3, 0.0});
+    QVERIFY(std::abs(books.controller.excess_J(2)) < 1e-6 && std::abs(books.controller.excess_J(0)) < 1e-6);
+}
+
+void TestPassivityBooks::whereNothingIsLoadedNothingIsSoftened() {
+    Books books; // 1 N carried down 0.2 m: 200 mJ come out of what holds nothing elastic
+    for (int n = 0; n < 2000; ++n) {
+        books.tick({0, 1}, {-1.0, 0.0}, {-1e-4, 0.0}, {1e-6, 0.0, 0.0, 0.0}, 300.0);
+        QCOMPARE(books.share, 1.0);
+    }
+    QVERIFY(std::abs(books.controller.work_J() + 0.2) < 2e-4); // the plain work, nothing forgiven
+    QVERIFY(books.controller.supplied_J() - books.controller.work_J() < 1.001e-3);
+}
+
+void TestPassivityBooks::aSoftenedBodyRecoversOnWorkAlone() {
+    Books books;
+    for (int n = 0; n < 20; ++n) // 2 mJ put in
+        books.tick({0, 1}, {1.0, 0.0}, {-1e-4, 0.0}, {1e-4 * n, 0.0, 0.0, 0.0}, 300.0);
+    for (int n = 0; n < 25; ++n) // 2.5 mJ given away, and 2 mJ still held
+        books.tick({0, 1}, {1.0, 0.0}, {1e-4, 0.0}, {2e-3, 0.0, 0.0, 0.0}, 300.0);
+    for (int n = 0; n < 10'000; ++n) // falls until the book is paid
+        books.tick({0, 1}, {1.0, 0.0}, {0.0, 0.0}, {2e-3, 0.0, 0.0, 0.0}, 300.0);
+    const double fallen = books.share;
+    QVERIFY(fallen < 0.95 && fallen > 2.0 * haptics::PassivityController::kLeastShare);
+    for (int n = 0; n < 10'000; ++n) // time alone brings nothing back
+        books.tick({0, 1}, {1.0, 0.0}, {0.0, 0.0}, {2e-3, 0.0, 0.0, 0.0}, 300.0);
+    QVERIFY(books.share <= fallen);
+    double most = 0.0;
+    for (int n = 0; n < 30'000; ++n) { // 1 N against the hand for 30 mm
+        const double before = books.share;
+        books.tick({0, 1}, {1.0, 0.0}, {-1e-6, 0.0}, {2e-3, 0.0, 0.0, 0.0}, 300.0);
+        most = std::max(most, books.share - before);
+    }
+    QCOMPARE(books.share, 1.0);
+    QVERIFY(most > 0.0 && most <= haptics::PassivityController::kRise * 1.001);
+    books.tick({0, 1}, {0.0, 0.0}, {0.0, 0.0}, {}); // let go of: a new book
+    QCOMPARE(books.controller.work_J(), 0.0);
+}
+
+void TestPassivityBooks::capsAreBookedAtTheShare() {
+    haptics::PassivityContact contact;
+    contact.members[0] = true;
+    contact.share[0] = 1.0;
+    contact.stored_J = 0.01;
+    contact.capRatio[0] = 0.5; // twice the cap is asked for
+    const auto held = [&](double scale) { return haptics::PassivityController::renderedEnergy_J(contact, scale, 1); };
+    // ∫ min(c f, f/2) over the stretch x of f = k x: c U s(2 - s), s = 1/(2c)
+    for (const double c : {0.1, 0.3, 0.5, 0.8, 1.0}) {
+        double sum = 0.0;
+        constexpr int kSteps = 20'000;
+        for (int i = 0; i < kSteps; ++i)
+            sum += 2.0 * contact.stored_J * std::min(c * (i + 0.5) / kSteps, 0.5) / kSteps;
+        QVERIFY(std::abs(held(c) - sum) < 1e-9);
+    }
+}
+
+QTEST_APPLESS_MAIN(TestPassivityBooks)
+#include "test_passivity_books.moc"
