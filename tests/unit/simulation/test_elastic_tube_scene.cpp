@@ -292,9 +292,13 @@ void TestElasticTubeScene::aPoseThatIsNoNumber() {
 void TestElasticTubeScene::bothHandsAreOneBody() {
     TubeDriver d(tubeExercise(TubeTask::twoHanded));
     d.startRunning();
+    QCOMPARE(d.out.bodyStiffness_N_per_m[0], 0.0); // nobody holds it
     d.grasp(0, 1);
     d.grasp(1, 0);
-    d.moveTo(0, d.tool(0).p_WT + Vec3(0.01, 0.0, 0.0));
+    d.moveTo(0, d.tool(0).p_WT - Vec3(0.01, 0.0, 0.0));
+    QCOMPARE(d.out.storedEnergy_J, 0.0);
+    QVERIFY(std::abs(d.out.bodyStiffness_N_per_m[0] - 120.0) < 1e-9); // held though slack
+    d.moveTo(0, d.tool(0).p_WT + Vec3(0.02, 0.0, 0.0));
     QVERIFY(d.out.energyByBody);
     QCOMPARE(d.out.body[0], d.out.body[1]);
     QCOMPARE(d.out.bodyEnergy_J[0], d.out.storedEnergy_J);
