@@ -32,6 +32,9 @@ double workOf(const core::ToolWrenches& held, const core::ToolStates& from, cons
 
 } // namespace
 
+constexpr std::array<PassivityObserver::Sum, 3> PassivityObserver::kSums{
+    &PassivityObserver::m_supplied_J, &PassivityObserver::m_late_J, &PassivityObserver::m_work_J};
+
 void PassivityObserver::reset() noexcept {
     *this = PassivityObserver();
 }

@@ -32,14 +32,14 @@ public:
     void endContact() noexcept { m_supplied_J = m_late_J = m_work_J = 0.0; }
     /// A tool took part of what was put in along to another body's book: all sums follow it.
     void move(double energy_J, PassivityObserver& to) noexcept {
-        for (double PassivityObserver::* sum : {&PassivityObserver::m_supplied_J, &PassivityObserver::m_late_J, &PassivityObserver::m_work_J}) {
+        for (const Sum sum : kSums) {
             this->*sum -= energy_J;
             to.*sum += energy_J;
         }
     }
     /// The last tool went: the whole book goes along.
     void moveAll(PassivityObserver& to) noexcept {
-        for (double PassivityObserver::* sum : {&PassivityObserver::m_supplied_J, &PassivityObserver::m_late_J, &PassivityObserver::m_work_J}) {
+        for (const Sum sum : kSums) {
             to.*sum += this->*sum;
             this->*sum = 0.0;
         }
@@ -59,6 +59,9 @@ public:
     double work_J() const noexcept { return m_work_J; }         ///< the work alone, since the contact began
 
 private:
+    using Sum = double PassivityObserver::*;
+    static const std::array<Sum, 3> kSums;
+
     core::ToolStates m_states;
     core::ToolWrenches m_held;
     std::array<core::ToolWrenches, kLate_ticks> m_earlier{}; ///< ring
