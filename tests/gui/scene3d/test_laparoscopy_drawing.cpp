@@ -139,8 +139,12 @@ private slots:
         for (const TriangleMesh& mesh : {tubeMesh(curve), tubeMarks(curve, state.laparoscopy), tubeShade(curve, 0.0), peritoneumMesh(55.0),
                                          bowelMesh(55.0), fatMesh(55.0), uterusMesh(55.0), instrumentRings(4), instrumentCollar()})
             QVERIFY(isWhole(mesh));
-        for (const TriangleMesh& mesh : {tubeMesh(curve), peritoneumMesh(55.0), bowelMesh(55.0), uterusMesh(55.0), instrumentRings(4)})
-            QVERIFY2(facingInwards(mesh) * 200 < int(mesh.indices.size() / 3), qPrintable(QString::number(facingInwards(mesh)))); // but at sharp bends
+        int which = 0;
+        for (const TriangleMesh& mesh : {tubeMesh(curve), peritoneumMesh(55.0), bowelMesh(55.0), uterusMesh(55.0), instrumentRings(4)}) {
+            const int wrong = facingInwards(mesh), all = int(mesh.indices.size() / 3); // a tube bent sharper than it is thick folds inside
+            QVERIFY2(wrong * 100 < all, qPrintable(QStringLiteral("mesh %1: %2 of %3").arg(which).arg(wrong).arg(all)));
+            ++which;
+        }
         for (const MeshVertex& v : peritoneumMesh(55.0).vertices)
             if (std::hypot(v.position_mm[0], v.position_mm[1]) < 55.0F)
                 QCOMPARE(v.position_mm[2], 0.0F); // flat where the instruments work
