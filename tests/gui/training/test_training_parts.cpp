@@ -170,7 +170,7 @@ void TestTrainingParts::heldKeysBecomeASpeed() {
     QVERIFY(hand.keyDown(Qt::Key_Left) && hand.keyDown(Qt::Key_PageUp));
     QVERIFY(!hand.keyDown(Qt::Key_A));
     const double v = PointerControl::kKeySpeed_m_per_s;
-    QVERIFY((mailbox.read().rate_per_s == std::array{-v, 0.0, v}));
+    QVERIFY((mailbox.read().rate_per_s == std::array{-v, 0.0, v, 0.0}));
     hand.keyDown(Qt::Key_Right);
     QCOMPARE(mailbox.read().rate_per_s[0], 0.0);
     hand.keyUp(Qt::Key_Left);
