@@ -176,7 +176,7 @@ void TestTrainingParts::heldKeysBecomeASpeed() {
     hand.keyUp(Qt::Key_Left);
     QCOMPARE(mailbox.read().rate_per_s[0], v);
     hand.releaseKeys();
-    QVERIFY((mailbox.read().rate_per_s == std::array{0.0, 0.0, 0.0}));
+    QVERIFY((mailbox.read().rate_per_s == std::array{0.0, 0.0, 0.0, 0.0}));
 }
 
 void TestTrainingParts::everyStateHasItsWords() {
