@@ -95,8 +95,8 @@ void takeGrasping(tests::DesktopFixture& desktop, const QDir& folder, const Look
         int after_ms;
     };
     for (const Taken& taken : {Taken{"training_tube", "elastic_tube", 1, 7000}, Taken{"training_mark", "elastic_tube", 2, 7000},
-                               Taken{"training_two_handed", "elastic_tube", 4, 9000}, Taken{"training_transfer", "elastic_tube", 5, 11000},
-                               Taken{"training_handling", "object_handling", 1, 9000}, Taken{"training_weighing", "object_handling", 3, 10000}}) {
+                               Taken{"training_two_handed", "elastic_tube", 4, 16000}, Taken{"training_transfer", "elastic_tube", 5, 11000},
+                               Taken{"training_handling", "object_handling", 1, 12000}, Taken{"training_weighing", "object_handling", 3, 10000}}) {
         if (!wanted.has(taken.name) || !desktop.context.site().catalogue().find(taken.exercise, taken.level))
             continue;
         const tests::VisitedPlace setup{taken.name, "tina", {QStringLiteral("training"), {{"exercise", taken.exercise}, {"level", taken.level}, {"device", "demonstration"}, {"operator", "expert"}}}};
