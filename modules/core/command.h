@@ -17,6 +17,9 @@ enum class CommandKind : std::uint16_t {
     rearm = 6,       ///< after stop or a latched fault
     mark = 7,        ///< mark by key or click instead of the device's button
     end = 8,         ///< the person ends the session
+    report = 9,      ///< what was found; argument: a report word (palpation_cues.h)
+    present = 10,    ///< a study's next stimulus; argument: a presentation word (presentation_word.h)
+    answer = 11,     ///< what a participant answered; argument: the outcome of the task, from 0
 };
 
 struct Command {

@@ -14,6 +14,7 @@ inline constexpr int kMaxCoordinates = 8; ///< generalised coordinates a tool
 inline constexpr std::uint32_t kButtonMark = 1u << 0;    ///< "here it is" (trace files: buttons bit 0)
 inline constexpr std::uint32_t kButtonStop = 1u << 1;    ///< stop force at once
 inline constexpr std::uint32_t kButtonDeadMan = 1u << 2; ///< held by the person: permits force while arming by hand
+inline constexpr std::uint32_t kButtonReport = 1u << 3;  ///< takes the report word in the upper 16 bits (palpation_cues.h)
 
 /// Where a tool is and how it moves, in W: what a scene sees. Velocity comes from the one estimator in simulation
 /// (models.md §0), never from a driver.

@@ -4,6 +4,7 @@
 #include "core/endoscope_cues.h"
 #include "core/geometry.h"
 #include "core/laparoscopy_cues.h"
+#include "core/palpation_cues.h"
 #include "core/session_state.h"
 
 #include <cstdint>
@@ -24,6 +25,7 @@ struct VisibleCues {
                                    ///< motion); zero on a device that renders force, whose hand feels it instead
     EndoscopeCues endoscope;       ///< endoscopic exercises only
     LaparoscopyCues laparoscopy;   ///< exercises that grasp only
+    PalpationCues palpation;       ///< palpation only
 };
 
 } // namespace chiron::core

@@ -3,6 +3,7 @@
 
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
 #include "devices/drivers/endoscope_pointer/endoscope_pose_kinematics.h"
+#include "devices/drivers/simulated/fingertip_arm_kinematics.h"
 #include "devices/drivers/simulated/five_bar_spherical_kinematics.h"
 #include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 
@@ -25,6 +26,8 @@ core::Result<std::unique_ptr<IToolKinematics>> makeKinematics(const DeviceDescri
         return make<GimbalHprdKinematics>(descriptor);
     if (descriptor.kinematics == FiveBarSphericalKinematics::kId)
         return make<FiveBarSphericalKinematics>(descriptor);
+    if (descriptor.kinematics == FingertipArmKinematics::kId)
+        return make<FingertipArmKinematics>(descriptor);
     if (descriptor.kinematics == EndoscopePoseKinematics::kId)
         return make<EndoscopePoseKinematics>(descriptor);
     return core::fail(core::ErrorCode::badInput, "unknown kinematics \"" + descriptor.kinematics + "\"");

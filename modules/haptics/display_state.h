@@ -4,6 +4,7 @@
 #include "core/endoscope_cues.h"
 #include "core/geometry.h"
 #include "core/laparoscopy_cues.h"
+#include "core/palpation_cues.h"
 #include "core/session_state.h"
 #include "core/tool_state.h"
 #include "haptics/safety_io.h"
@@ -24,7 +25,8 @@ struct ToolDisplay {
     core::Array6 tissue{};    ///< what the scene answered: cues use this one
     core::Array6 commanded{}; ///< after the supervisor; zero on an input-only device
     core::Array6 measured{};  ///< valid if `measuredValid`
-    std::array<double, 3> displayPose{}; ///< normal force N, pitch rad, roll rad
+    std::array<double, 3> displayPose{}; ///< asked of a fingertip platform: normal force N, pitch rad, roll rad
+    std::array<double, 3> safeDisplay{}; ///< the same as the supervisor lets it through
     std::uint32_t buttons = 0;
     std::uint32_t age_us = 0;
     bool measuredValid = false;
@@ -60,6 +62,7 @@ struct DisplayState {
     double objectRadius_m = 0.0;
     core::EndoscopeCues endoscope; ///< endoscopic exercises only
     core::LaparoscopyCues laparoscopy; ///< exercises that grasp only
+    core::PalpationCues palpation; ///< palpation only
     double energySupplied_J = 0.0; ///< see core::TickHeader
     double energyStored_J = 0.0;
 

@@ -40,6 +40,8 @@ void HapticLoop::takeOfferedScene() noexcept {
 
 void HapticLoop::applyPendingCommands() noexcept {
     m_mark = false;
+    m_reports = 0;
+    m_present = m_answer = false;
     for (const core::Command& command : m_in.commands) {
         switch (command.kind) {
         case CommandKind::start:
@@ -57,6 +59,17 @@ void HapticLoop::applyPendingCommands() noexcept {
             break;
         case CommandKind::end:
             m_endWanted = true;
+            break;
+        case CommandKind::report:
+            m_report[m_reports++] = command.argument;
+            break;
+        case CommandKind::present:
+            m_present = true;
+            m_presented = command.argument;
+            break;
+        case CommandKind::answer:
+            m_answer = true;
+            m_answered = command.argument;
             break;
         case CommandKind::none:
         case CommandKind::confirmHold: // the supervisor's, like pause and resume: limit() hands it all of them
@@ -109,6 +122,12 @@ void HapticLoop::respond(const realtime::HapticTick& now) noexcept {
     in.paused = m_paused;
     in.forceReady = m_safe.forceReady;
     in.mark = m_mark;
+    in.reports = static_cast<int>(m_reports);
+    in.report = m_report;
+    in.present = m_present;
+    in.presented = m_presented;
+    in.answer = m_answer;
+    in.answered = m_answered;
     in.force = m_safe.force;
     in.slow = m_in.slow;
     m_scene->respond(now, in, m_out);
@@ -124,6 +143,8 @@ void HapticLoop::limit(const realtime::HapticTick& now) noexcept {
     for (SafeTool& tool : m_safe.tools) { // the last tick leaves every motor off
         tool.wrench_W = {};
         tool.wrench_D = {};
+        tool.display = {};
+        tool.display_D = {};
         tool.enabled = false;
     }
 }
@@ -134,8 +155,7 @@ void HapticLoop::commandDevices(const realtime::HapticTick& now) noexcept {
         devices::ForceCommand command;
         command.wrench_D = safe.wrench_D;
         command.enabled = safe.enabled;
-        if (safe.enabled)
-            command.display = m_out.display[i];
+        command.display = safe.display_D;
         m_devices[i]->command(now, command);
     }
 }

@@ -106,6 +106,12 @@ private:
     DisplayState m_shown;
     bool m_swapped = false;
     bool m_mark = false;
+    bool m_present = false; ///< commands of a study, of this tick
+    bool m_answer = false;
+    std::uint16_t m_presented = 0;
+    std::uint16_t m_answered = 0;
+    std::size_t m_reports = 0; ///< report commands of this tick
+    std::array<std::uint16_t, core::kMaxCommandsPerTick> m_report{};
 
     // What commands left behind.
     bool m_started = false;

@@ -68,6 +68,7 @@ ToolDisplay HapticLoop::displayOf(std::size_t i) const noexcept {
     shown.commanded = core::toArray(safe.wrench_W);
     shown.measured = in.sample.measured;
     shown.displayPose = arrayOf(m_out.display[i]);
+    shown.safeDisplay = arrayOf(safe.display);
     shown.buttons = state.buttons;
     shown.age_us = in.age_us;
     shown.measuredValid = (in.sample.status & core::sample_status::kMeasuredForce) != 0;
@@ -100,6 +101,7 @@ void HapticLoop::fillDisplay(const realtime::HapticTick& now) noexcept {
     m_shown.objectRadius_m = m_out.cues.objectRadius_m;
     m_shown.endoscope = m_out.cues.endoscope;
     m_shown.laparoscopy = m_out.cues.laparoscopy;
+    m_shown.palpation = m_out.cues.palpation;
     m_shown.energySupplied_J = m_safe.energySupplied_J;
     m_shown.energyStored_J = m_safe.energyStored_J;
     m_shown.lateTicks = m_statistics.late();

@@ -45,6 +45,9 @@ struct SafetyInput {
 struct SafeTool {
     core::Wrench wrench_W;   ///< "commanded": on the tool, in W, about the tip. Record this one
     core::Wrench wrench_D;   ///< the same in D (Hᵀ; unscaled). Hand this one to the device
+    core::DisplayPose display; ///< of a fingertip platform, scaled with what was let through of the wrench; level where none was. For
+                               ///< the tool in W: show this one
+    core::DisplayPose display_D; ///< the same for the tool in D, mirrored where the workspace is. Hand this one to the device
     bool enabled = false;    ///< motors on; false: the wrench is zero
     bool noMovement = false; ///< input-only device silent for 2 s
 };

@@ -73,6 +73,7 @@ private:
     void applyCapsAndSlew(Wrenches& wrenches) noexcept;
     void applyFiniteCheck(Wrenches& wrenches) noexcept;
     void forgetReferences(bool inputOnly) noexcept;
+    core::DisplayPose displayOf(const SafetyInput& in, std::size_t tool, const SafeTool& safe) noexcept;
     void publish(const SafetyInput& in, const Wrenches& wrenches, SafetyOutput& out) noexcept;
 
     SafetySettings m_settings;
@@ -83,6 +84,7 @@ private:
     SafetyStateMachine m_machine;
     PassivityController m_passivity;
     Wrenches m_last{}; ///< commanded in the tick before
+    std::array<core::DisplayPose, core::kMaxTools> m_lastDisplay{};
     double m_lastGain = 0.0;
     std::uint32_t m_guards = 0;  ///< collected while limit() runs
     bool m_requestFinite = true; ///< of this tick

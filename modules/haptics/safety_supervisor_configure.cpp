@@ -114,6 +114,8 @@ SafetyToolLimits limitsOf(const SafetySettings& settings, const SafetyTool& tool
     for (std::size_t i = 0; i < tool.device.axes.size(); ++i) {
         limits.axisCap[i] = tool.device.axes[i].continuousRating;
     }
+    limits.pushesHand = std::any_of(tool.device.axes.begin(), tool.device.axes.end(),
+                                    [](const devices::AxisDescriptor& axis) { return axis.continuousRating > 0.0; });
     limits.forceCap_N =
         std::min({tool.device.maximumForce_N, settings.siteForce_N, settings.exerciseForce_N});
     limits.torqueCap_Nm =
@@ -147,6 +149,7 @@ core::Result<void> SafetySupervisor::configure(const SafetySettings& settings,
     m_machine.reset(settings, m_mask);
     m_passivity.reset(settings);
     m_last = Wrenches{};
+    m_lastDisplay = {};
     m_lastGain = 0.0;
     m_guards = 0;
     m_requestFinite = true;

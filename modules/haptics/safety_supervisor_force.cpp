@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages after the gain: passivity, over-velocity damping, caps, slew, finite check, and the answer.
 #include "haptics/safety_caps.h"
+#include "haptics/safety_display.h"
 #include "haptics/safety_slew.h"
 #include "haptics/safety_supervisor.h"
 
@@ -43,14 +44,18 @@ void SafetySupervisor::fillContact(const SafetyInput& in, const Wrenches& reques
     contact.gainBefore = m_lastGain;
     double sum = 0.0;
     int members = 0;
+    bool pushes = false;
     contact.givesWay = in.scene.energyByBody;
     // A body that is held is touched, slack or not: its stiffness says so.
     contact.touching = contact.stored_J > 0.0 || (contact.givesWay && contact.stiffness_N_per_m > 0.0);
     for (int tool = 0; tool < m_count; ++tool) {
         const auto i = static_cast<std::size_t>(tool);
+        // Who feels it on the pad alone gives and takes no energy here.
+        contact.members[i] = contact.members[i] && m_limits[i].pushesHand;
         if (!contact.members[i]) {
             continue;
         }
+        pushes = true;
         ++members;
         const core::Wrench& w = requested[i];
         contact.capRatio[i] = 1.0;
@@ -60,6 +65,10 @@ void SafetySupervisor::fillContact(const SafetyInput& in, const Wrenches& reques
         if (contact.gain > 0.0 && m_limits[i].renders && m_mask.has(GuardMask::kCaps)) {
             contact.capRatio[i] = capRatio(m_limits[i], m_sanity[i].good(), w);
         }
+    }
+    if (!pushes) {
+        contact.stored_J = contact.stiffness_N_per_m = 0.0;
+        contact.touching = false;
     }
     for (std::size_t i = 0; i < contact.share.size(); ++i) {
         if (contact.members[i]) {
@@ -87,7 +96,7 @@ void SafetySupervisor::applyOverVelocityDamping(const SafetyInput& in, Wrenches&
         const auto i = static_cast<std::size_t>(tool);
         const core::Vec3 v_D =
             in.states.tools[i].v_WT / m_limits[i].scale; // along W's axes, at the hand's speed
-        if (!m_limits[i].renders || m_limits[i].forceCap_N <= 0.0 || !v_D.allFinite()) {
+        if (!m_limits[i].renders || !m_limits[i].pushesHand || m_limits[i].forceCap_N <= 0.0 || !v_D.allFinite()) {
             continue;
         }
         const double b = std::min(m_settings.overVelocityDamping_Ns_per_m, m_limits[i].damping_Ns_per_m);
@@ -134,6 +143,21 @@ void SafetySupervisor::applyFiniteCheck(Wrenches& wrenches) noexcept {
     }
 }
 
+core::DisplayPose SafetySupervisor::displayOf(const SafetyInput& in, std::size_t tool, const SafeTool& safe) noexcept {
+    // Over-velocity's damping is no tissue force: a pad shows nothing of it.
+    const bool shows = safe.enabled && m_machine.dampingGain() <= 0.0;
+    core::DisplayPose display = displayUnder(in.scene.display[tool], in.scene.tissue.tools[tool].force.norm(),
+                                             safe.wrench_W.force.norm(), shows, m_limits[tool].forceCap_N);
+    if (m_mask.has(GuardMask::kSlew)) {
+        bool limited = false;
+        display = slewDisplay(m_lastDisplay[tool], display, m_settings.slewForce_N_per_ms, limited);
+        // Of a device that pushes the hand the display is a picture alone: no guard acts on anybody.
+        m_guards |= limited && !m_limits[tool].pushesHand ? guard_bits::kSlew : 0u;
+    }
+    m_lastDisplay[tool] = display;
+    return display;
+}
+
 void SafetySupervisor::publish(const SafetyInput& in, const Wrenches& wrenches, SafetyOutput& out) noexcept {
     const bool live = m_answerFinite && (m_machine.gain() > 0.0 || m_machine.dampingGain() > 0.0);
     core::ToolWrenches commanded;
@@ -146,8 +170,11 @@ void SafetySupervisor::publish(const SafetyInput& in, const Wrenches& wrenches, 
         safe.enabled = live && m_limits[i].renders;
         safe.wrench_W = wrenches[i];
         safe.wrench_D = m_limits[i].map.wrenchToD(wrenches[i]);
+        safe.display = displayOf(in, i, safe);
+        safe.display_D = m_limits[i].map.displayToD(safe.display);
         safe.noMovement = !m_limits[i].renders && m_sanity[i].age_us() >= m_settings.noMovement_us;
-        commanded.tools[i] = wrenches[i];
+        if (m_limits[i].pushesHand) // else no work is done on this port
+            commanded.tools[i] = wrenches[i];
     }
     m_last = wrenches;
     m_passivity.hold(in.states, commanded);

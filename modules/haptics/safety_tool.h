@@ -31,6 +31,9 @@ struct SafetyToolLimits {
     std::uint32_t watchdogFault_us = 0;
     int axes = 0;
     std::array<double, core::kMaxCoordinates> axisCap{}; ///< N or N·m; 0: not actuated, left out
+    /// Some axis has a motor. Without one the force is displayed to a finger's pad (P3): it does no work on the tool's motion,
+    /// so nothing is booked for it, and no damping is made of it.
+    bool pushesHand = true;
     double forceCap_N = 0.0;                             ///< 0: the device gives no force
     double torqueCap_Nm = 0.0;                           ///< 0: the device gives no torque
     double damping_Ns_per_m = 0.0;                       ///< b_max of the device

@@ -21,6 +21,8 @@ struct HandPerception {
         core::Vec3::Zero(); ///< the shown object's centre in D; zero unless cues.objectShown
     core::Quat q_DT = core::Quat::Identity(); ///< how the hand holds the tool; identity where the device does not turn
     core::Vec3 w_DT = core::Vec3::Zero();     ///< rad/s
+    bool fingertip = false; ///< the finger pad is pressed by a platform (P3); the arm itself then feels no force
+    core::DisplayPose pad;  ///< what the platform truly does to the pad: force along its normal (N), pitch and roll (rad)
     core::Vec3 t_T_D = core::Vec3::Zero(); ///< torque that the plant really puts on the hand, D (N·m), mean over the last tick
 };
 

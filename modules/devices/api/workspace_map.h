@@ -11,7 +11,8 @@ namespace chiron::devices {
 /// The mapping between D and W in use: p_WT = o + s·H·p_DT with H = diag(-1,1,1) for a left-handed workspace, else 1.
 /// Velocities are scaled as positions. What turns (angular velocity, torque, the axis of a rotation) is an axial vector:
 /// under the reflection H it maps with det(H)·H, and an orientation with R_W = H R_D H, which stays a rotation.
-/// Forces go back through Hᵀ unscaled. Pure; any thread.
+/// Forces go back through Hᵀ unscaled. Under H a tool's x_W = −H x_D while its normal is H n_D, so of a fingertip platform's lean
+/// roll = l·x changes sign and pitch = −l·(n × x) does not (models.md §3). Pure; any thread.
 class WorkspaceMap {
 public:
     explicit WorkspaceMap(const WorkspaceMapping& mapping = {}) noexcept
@@ -34,6 +35,10 @@ public:
         return {m_polar.cwiseProduct(w_W.force), m_axial.cwiseProduct(w_W.torque)};
     }
     core::Wrench wrenchToW(const core::Wrench& w_D) const noexcept { return wrenchToD(w_D); } // H is its own inverse
+    core::DisplayPose displayToD(const core::DisplayPose& pose) const noexcept {
+        return {pose.normalForce_N, pose.pitch_rad, m_polar.x() * pose.roll_rad};
+    }
+    core::DisplayPose displayToW(const core::DisplayPose& pose) const noexcept { return displayToD(pose); }
 
     /// Pose of the tool in W from one packet; velocities stay zero.
     core::ToolState pose(const IToolKinematics& kinematics, const core::DeviceSample& sample) const noexcept {

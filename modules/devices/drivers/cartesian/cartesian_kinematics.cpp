@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
 
+#include "devices/rotation_rates.h"
+
 #include <cmath>
 
 namespace chiron::devices {
@@ -9,18 +11,6 @@ namespace {
 
 core::Vec3 triple(const AxisValues& values, std::size_t first) noexcept {
     return {values[first], values[first + 1], values[first + 2]};
-}
-
-core::Mat3 leftJacobian(const core::Vec3& r) noexcept {
-    const double angle = r.norm();
-    // Below this the series' next term is smaller than a double resolves beside the first.
-    constexpr double kSmall = 1e-4;
-    const bool small = angle < kSmall;
-    const double a = small ? 0.5 - angle * angle / 24.0 : (1.0 - std::cos(angle)) / (angle * angle);
-    const double b = small ? 1.0 / 6.0 - angle * angle / 120.0 : (angle - std::sin(angle)) / (angle * angle * angle);
-    core::Mat3 cross;
-    cross << 0.0, -r.z(), r.y(), r.z(), 0.0, -r.x(), -r.y(), r.x(), 0.0;
-    return core::Mat3::Identity() + a * cross + b * cross * cross;
 }
 
 } // namespace

@@ -25,6 +25,7 @@ core::Result<void> SimulatedMechanism::open() {
 
 void SimulatedMechanism::close() noexcept {
     movedPlant().beginTick({}, false);
+    stepDisplay({});
 }
 
 void SimulatedMechanism::show(const realtime::HapticTick&, const core::VisibleCues& cues) noexcept {
@@ -36,7 +37,7 @@ core::DeviceSample SimulatedMechanism::read(const realtime::HapticTick& now) noe
     const auto counts = plant.encoderCounts();
     for (std::size_t axis = 0; axis < counts.size(); ++axis)
         m_sample.counts[axis] = counts[axis];
-    m_sample.jawCounts = m_jaw ? m_jaw->counts() : 0;
+    m_sample.jawCounts = jawCounts();
     m_sample.buttons = m_hand.acting().buttons;
     m_sample.packet = static_cast<std::uint32_t>(now.index());
     m_sample.deviceTime_us = now.index() * 1000;
@@ -44,6 +45,7 @@ core::DeviceSample SimulatedMechanism::read(const realtime::HapticTick& now) noe
     m_sample.status = core::sample_status::kMeasuredForce | core::sample_status::kHomed |
                       (plant.saturated() ? core::sample_status::kSaturated : 0u);
     m_sample.measured = core::toArray(m_map.wrenchToW(plant.measured_D()));
+    addToSample(m_sample);
     return m_sample;
 }
 
@@ -61,6 +63,7 @@ mechanisms::HandPerception SimulatedMechanism::perceive() const noexcept {
         seen.w_DT = m_wrist.w_D();
         seen.t_T_D = m_onHand_D.torque;
     }
+    addToPerception(seen);
     return seen;
 }
 
@@ -95,6 +98,7 @@ void SimulatedMechanism::command(const realtime::HapticTick&, const ForceCommand
     if (m_jaw)
         m_jaw->advance(m_hand.acting().jaw_rad);
     plant.endTick();
+    stepDisplay(command);
     ++m_ticks;
 }
 

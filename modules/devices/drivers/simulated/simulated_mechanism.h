@@ -47,6 +47,7 @@ public:
 
     const mechanisms::Hand& hand() const noexcept { return m_hand; } ///< the truth, for tests
     const mechanisms::Wrist& wrist() const noexcept { return m_wrist; }
+    std::int32_t jawCounts() const noexcept { return m_jaw ? m_jaw->counts() : 0; }
     double jaw_rad() const noexcept { return m_jaw ? m_jaw->angle_rad() : 0.0; } ///< the truth, for tests
 
 protected:
@@ -54,6 +55,10 @@ protected:
                        std::unique_ptr<mechanisms::HandStrategy> strategy);
     virtual mechanisms::Plant& movedPlant() noexcept = 0;
     virtual void resetPlant() noexcept = 0; ///< at rest at the start, motors off
+    // What a mechanism has beside its plant (a fingertip platform): its channels, what it does to the hand, its own tick.
+    virtual void addToSample(core::DeviceSample&) const noexcept {}
+    virtual void addToPerception(mechanisms::HandPerception&) const noexcept {}
+    virtual void stepDisplay(const ForceCommand&) noexcept {} ///< after the plant's steps
 
 private:
     mechanisms::HandPerception perceive() const noexcept;

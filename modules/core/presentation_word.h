@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace chiron::core {
+
+/// What a study asks the scene to present, in the 16 bits of a command's argument, so that a recording and its replay know every
+/// stimulus exactly: which candidate of the study's frozen table, and how its multiples lie on the places (psychophysics/study/arrangement.h).
+struct PresentationWord {
+    static constexpr int kCandidates = 4096;
+    static constexpr int kArrangements = 16;
+
+    int candidate = 0;   ///< 0..kCandidates-1: row of the table of levels
+    int arrangement = 0; ///< 0..kArrangements-1
+
+    friend bool operator==(const PresentationWord&, const PresentationWord&) = default;
+};
+
+inline std::uint16_t encode(const PresentationWord& word) noexcept {
+    return static_cast<std::uint16_t>((word.candidate & 0xFFF) | ((word.arrangement & 0xF) << 12));
+}
+inline PresentationWord decodePresentation(std::uint16_t argument) noexcept {
+    return {argument & 0xFFF, argument >> 12};
+}
+
+} // namespace chiron::core

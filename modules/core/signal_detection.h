@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace chiron::core {
+
+/// Answers of a yes–no task: of `ofSignal` places (trials, regions) with a signal `hits` were answered yes, of `ofNoise` without one
+/// `falseAlarms`.
+struct DetectionCounts {
+    int hits = 0;
+    int ofSignal = 0;
+    int falseAlarms = 0;
+    int ofNoise = 0;
+
+    DetectionCounts& operator+=(const DetectionCounts& other) noexcept {
+        hits += other.hits;
+        ofSignal += other.ofSignal;
+        falseAlarms += other.falseAlarms;
+        ofNoise += other.ofNoise;
+        return *this;
+    }
+    friend bool operator==(const DetectionCounts&, const DetectionCounts&) = default;
+};
+
+inline constexpr int kUsableCounts = 20; ///< places with and without a signal each, for a usable d′ (models.md §6)
+inline bool isUsable(const DetectionCounts& n) noexcept { return n.ofSignal >= kUsableCounts && n.ofNoise >= kUsableCounts; }
+
+/// A rate with the log-linear correction, (yes + ½)/(of + 1): never 0 or 1, ½ where nothing was asked (Hautus 1995, Behavior
+/// Research Methods 27:46–51; models.md §6).
+double correctedRate(int yes, int of) noexcept;
+
+/// d′ = z(H) − z(F) and c = −½(z(H) + z(F)) of the equal-variance Gaussian model; c > 0: rather no. Macmillan & Creelman, Detection
+/// Theory (2nd ed. 2005), eq. 1.5 and 2.1. Of rates as they are: infinite at 0 and 1.
+double dPrime(double hitRate, double falseAlarmRate) noexcept;
+double criterion(double hitRate, double falseAlarmRate) noexcept;
+/// The same of counts, with corrected rates: always finite; 0 for no answers at all.
+double dPrime(const DetectionCounts& counts) noexcept;
+double criterion(const DetectionCounts& counts) noexcept;
+
+/// Standard error of d′ of counts (Gourevitch & Galanter 1967, Psychometrika 32:25–33; Macmillan & Creelman 2005, eq. 13.4):
+/// var = H(1−H)/(n₁ φ(z(H))²) + F(1−F)/(n₀ φ(z(F))²), with corrected rates and the true n₁ and n₀ places with and without a signal. Infinite where
+/// either is none.
+double dPrimeStandardError(const DetectionCounts& counts) noexcept;
+
+struct DetectionInterval {
+    double low = 0.0;
+    double high = 0.0;
+};
+
+/// d′ ± z((1 + level)/2) standard errors; 0 < level < 1. An approximation for large samples: unusable below kUsableCounts.
+DetectionInterval dPrimeInterval(const DetectionCounts& counts, double level = 0.95) noexcept;
+
+} // namespace chiron::core

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "devices/drivers/simulated/fingertip_arm_kinematics.h"
+#include "devices/drivers/simulated/fingertip_finger.h"
+#include "devices/drivers/simulated/simulated_mechanism.h"
+#include "mechanisms/fingertip_arm_plant.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace chiron::devices {
+
+/// P3's arm with a platform under one finger, and a scripted hand that holds it (SimulatedMechanism). The force is displayed to
+/// the pad and never pushes the hand back: the wrench of ForceCommand is ignored, its `display` is what the platform follows.
+class SimulatedFingertipDevice final : public SimulatedMechanism {
+public:
+    struct Configuration {
+        mechanisms::FingertipArmParameters arm;
+        mechanisms::FingertipPlatformParameters platform;
+        mechanisms::HandParameters hand;
+        std::optional<mechanisms::JawParameters> grasp = mechanisms::JawParameters{}; ///< the Hall sensor's
+        WorkspaceMapping mapping;           ///< to turn the cues into D and `measured` into W
+        core::Vec3 start_D{0.0, 0.0, 0.05}; ///< where the finger's pad, which is the arm's end, is at open(), m
+        std::uint64_t seed = 1;             ///< of tremor and sensors
+    };
+
+    /// Fails (badInput) when the start lies outside the arm's travel, a number makes no sense, or there is no strategy.
+    static core::Result<std::unique_ptr<SimulatedFingertipDevice>>
+    create(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
+    ~SimulatedFingertipDevice() override;
+
+    const IToolKinematics& kinematics() const noexcept override { return m_kinematics; }
+    const mechanisms::FingertipArmPlant& arm() const noexcept { return m_arm; }               ///< the truth, for tests
+    const mechanisms::FingertipPlatform& platform() const noexcept { return m_finger.platform(); } ///< the truth, for tests
+
+private:
+    friend class SimulatedSecondFinger;
+    SimulatedFingertipDevice(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
+    mechanisms::Plant& movedPlant() noexcept override { return m_arm; }
+    void resetPlant() noexcept override;
+    void addToSample(core::DeviceSample& sample) const noexcept override;
+    void addToPerception(mechanisms::HandPerception& seen) const noexcept override { m_finger.addToPerception(seen); }
+    void stepDisplay(const ForceCommand& command) noexcept override { m_finger.tick(command); }
+
+    Configuration m_configuration;
+    FingertipArmKinematics m_kinematics;
+    WorkspaceMap m_padMap;
+    mechanisms::FingertipArmPlant m_arm;
+    FingertipFinger m_finger;
+};
+
+/// What a fingertip device tells of itself. `pad_T`: this finger's pad from the arm's end, m.
+DeviceDescriptor describeFingertip(const SimulatedFingertipDevice::Configuration& configuration, const core::Vec3& pad_T);
+
+} // namespace chiron::devices

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mechanisms/fingertip_platform_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::mechanisms {
+
+/// A finger's pad on the platform (FingerPadParameters): its ball's centre O stands at (0, 0, R) of F, so that a level platform
+/// at z = 0 just touches it. Penetration δ = R − n·(O − c), whose gradient turns the force into the platform's generalised
+/// force −F ∂δ/∂(z, β, α). Pure; no allocation.
+class FingerPad {
+public:
+    explicit FingerPad(const FingerPadParameters& parameters) noexcept : m_p(parameters) {}
+
+    core::Vec3 centre() const noexcept { return {0.0, 0.0, m_p.radius_m}; }
+    double penetration(const FingertipLoop& at) const noexcept { return m_p.radius_m - at.normal.dot(centre() - at.centre); }
+    core::Vec3 gradient(const FingertipLoop& at) const noexcept { ///< ∂δ/∂(z, β, α)
+        return at.centreBy.transpose() * at.normal - at.normalBy.transpose() * (centre() - at.centre);
+    }
+    double elasticForce(double depth_m) const noexcept {
+        const double depth = std::clamp(depth_m, 0.0, 0.01);
+        return m_p.stiffness_N_per_m / m_p.hardening_per_m * std::expm1(m_p.hardening_per_m * depth);
+    }
+    double force(double depth_m, double rate_m_per_s) const noexcept {
+        if (!(depth_m > 0.0))
+            return 0.0;
+        return std::max(0.0, elasticForce(depth_m) + m_p.damping_Ns_per_m * rate_m_per_s * std::min(1.0, depth_m / 0.0002));
+    }
+    double energy_J(double depth_m) const noexcept { ///< elastic, ∫F dδ
+        const double depth = std::clamp(depth_m, 0.0, 0.01), b = m_p.hardening_per_m;
+        return m_p.stiffness_N_per_m / b * (std::expm1(b * depth) / b - depth);
+    }
+    double depthOf(double force_N) const noexcept { ///< inverse of elasticForce
+        return std::log1p(std::max(0.0, force_N) * m_p.hardening_per_m / m_p.stiffness_N_per_m) / m_p.hardening_per_m;
+    }
+    double stiffnessAt(double force_N) const noexcept {
+        return m_p.stiffness_N_per_m + m_p.hardening_per_m * std::max(0.0, force_N);
+    }
+    /// Height at which a platform that leans so presses it by `depth_m` (negative: stands off).
+    double heightFor(const FingertipLoop& at, double depth_m) const noexcept {
+        const double along = at.normal.x() * at.centre.x() + at.normal.y() * at.centre.y();
+        return m_p.radius_m - (m_p.radius_m - depth_m + along) / at.normal.z();
+    }
+    /// Where it touches, from the platform's middle, in the platform's own axes (m).
+    core::Vec2 place(const FingertipLoop& at) const noexcept {
+        const core::Vec3 to = at.turn.transpose() * (centre() - at.centre);
+        return {to.x(), to.y()};
+    }
+
+private:
+    FingerPadParameters m_p;
+};
+
+} // namespace chiron::mechanisms

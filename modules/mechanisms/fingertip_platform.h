@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tool_state.h"
+#include "mechanisms/fingertip_controller.h"
+#include "mechanisms/fingertip_sensors.h"
+
+#include <cstdint>
+
+namespace chiron::mechanisms {
+
+/// P3's fingertip platform under a finger: plant, sensors and loops, stepped by the tick. The same commands and the same seed
+/// give the same bits. Haptic thread; no allocation. Source: P3 §2.1; devices.md §5.
+class FingertipPlatform {
+public:
+    FingertipPlatform(const FingertipPlatformParameters& parameters, std::uint64_t seed) noexcept;
+
+    void reset() noexcept; ///< off, level, just clear of the pad; sensors tared
+    /// One tick of 1 ms: what is to be displayed; `enabled` false: motors off.
+    void tick(const core::DisplayPose& wanted, bool enabled) noexcept;
+
+    const core::DisplayPose& truth() const noexcept { return m_truth; } ///< what the pad really gets
+    double sensedForce_N() const noexcept { return m_force.force_N(); } ///< by the three resistors
+    double sensedPitch_rad() const noexcept { return m_imu.pitch_rad(); } ///< by the platform's IMU
+    double sensedRoll_rad() const noexcept { return m_imu.roll_rad(); }
+    bool saturated() const noexcept { return m_saturated; } ///< a motor ran at its limit in the last tick
+
+    const FingertipPlant& plant() const noexcept { return m_plant; }
+    const FingertipForceSensors& forceSensors() const noexcept { return m_force; }
+
+private:
+    core::Vec3 encoders() const noexcept;
+
+    FingertipPlatformParameters m_parameters;
+    FingertipPlant m_plant;
+    FingertipForceSensors m_force;
+    FingertipImu m_imu;
+    FingertipController m_controller;
+    core::DisplayPose m_truth;
+    bool m_saturated = false;
+    bool m_fresh = false;
+};
+
+} // namespace chiron::mechanisms

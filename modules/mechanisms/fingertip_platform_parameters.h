@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mechanisms/fingertip_kinematics.h"
+#include "mechanisms/lugre_friction.h"
+
+namespace chiron::mechanisms {
+
+/// The finger's pad as a ball of radius R that the flat platform presses: with penetration δ
+///   F = (a/β)(e^{βδ} − 1) + b δ˙ min(1, δ/0.2 mm), never below 0.
+/// A plane against a viscoelastic ball with exponential stiffness is the form that Pawluk & Howe found for 0–2 N (Dynamic
+/// contact of the human fingerpad against a flat surface, J. Biomech. Eng. 121(6), 1999, 605–611). The numbers are
+/// ASSUMPTIONS: 0.3 N/mm at first touch, 1.8 N/mm at 1 N.
+struct FingerPadParameters {
+    double radius_m = 0.008;
+    double stiffness_N_per_m = 300.0; ///< a
+    double hardening_per_m = 1500.0;  ///< β
+    double damping_Ns_per_m = 1.5;    ///< b
+
+    static constexpr FingerPadParameters soft() noexcept { return {0.009, 150.0, 1000.0, 1.0}; }
+    static constexpr FingerPadParameters stiff() noexcept { return {0.007, 900.0, 2500.0, 3.0}; }
+};
+
+/// Geared DC motor with pinion and rack, and what it moves. All as seen along the rail. P3 prints no numbers: ASSUMPTIONS for a
+/// micro motor with a planetary gear 26:1 and a pinion of 4 mm radius.
+struct FingertipDriveParameters {
+    double motorMass_kg = 0.040;   ///< rotor, reflected: 1e-9 kg·m² · (26/4 mm)²
+    LugreParameters friction{0.25, 20000.0, 10.0, 1.0}; ///< gear and rail: a tenth of the largest force, 12 µm of presliding
+    double forceLimit_N = 2.6;     ///< at the motor's current limit (0.25 A · 10.4 N/A): three give 7.8 N for P3's 4 N
+    double amplifierLag_s = 0.0005;
+    double backlash_m = 40e-6;     ///< of the gear at its output: 0.6°, as planetary micro gears have
+    double gearStiffness_N_per_m = 5.0e4; ///< pinion and rack in plastic
+    double gearDamping_Ns_per_m = 2.5;    ///< a tenth of critical
+    double encoder_m = 15.1e-6;    ///< a count: 64 counts a motor turn
+    double carriageMass_kg = 0.002;
+    double platformMass_kg = 0.010;
+    double jointDamping_Nms_per_rad = 5.0e-5;
+    double bandStiffness_N_per_m = 20.0; ///< P3's elastic bands: they carry the weight at level, and pull back to it
+};
+
+/// Three force-sensitive resistors under the platform's plate, in voltage dividers. From P3: 10 bits at 3.3 V, 4 N, about 4 mN
+/// a count, which a divider that is at half of 3.3 V with 4 N gives at small force (1/(1024·0.25 N⁻¹) = 3.9 mN). From Interlink's
+/// FSR 400 data sheet: part to part ±6 % (calibrated to a third of it here), hysteresis 10 % of the load, drift below 5 % a
+/// decade of time; rated from 0.2 N, hence the preload. The rest: ASSUMPTIONS.
+struct FingertipForceSensorParameters {
+    int adcBits = 10;
+    double divider_per_N = 0.25;    ///< R_M/R_FSR a newton
+    double preload_N = 0.20;        ///< of each, by the plate's cover; tared
+    double radius_m = 0.009;        ///< of the three places under the plate
+    double gainSd = 0.02;           ///< what calibration leaves, each sensor
+    double exponentSd = 0.02;       ///< of conductance over force, about 1: calibration assumes 1
+    double hysteresis = 0.05;       ///< half the loop's width over the load's change
+    double hysteresisForce_N = 0.1; ///< over which it turns round
+    double creep = 0.03;            ///< share that comes late
+    double creepTime_s = 3.0;
+    double noise_N = 0.004;         ///< SD of the summed force at small load, white at each reading: contact noise of the film
+    double adcNoise_counts = 0.5;   ///< SD, each reading
+    int period_ticks = 2;           ///< 500 Hz
+    int delay_ticks = 2;            ///< from sampling to the controller: conversion, filter and bus
+};
+
+/// The IMU on the platform. ASSUMPTIONS, of the class named in fingertip_arm_parameters.h.
+struct FingertipImuParameters {
+    double bias_rad = 8.7e-3;       ///< SD each angle, constant: mounting and calibration, 0.5°
+    double noise_rad = 3.5e-3;      ///< SD each angle, 0.2°
+    double noiseTime_s = 0.1;
+    int period_ticks = 10;          ///< 100 Hz
+};
+
+/// The loops. Position: PID on the three drives through the inverse kinematics, 1 kHz. Force: PD on the summed force, 500 Hz;
+/// its answer is the rate at which the wanted height moves, so that gear friction leaves no lasting error. P3 names PID and PD
+/// and no gains: ours.
+struct FingertipControlParameters {
+    double proportional_N_per_m = 2500.0;
+    double integral_N_per_ms = 6.0e4;
+    double derivative_Ns_per_m = 16.0;
+    double derivativeFilter_s = 0.0006;
+    double integralLimit_N = 1.5;
+    double forceBandwidth_rad_per_s = 30.0; ///< Kp = this / stiffness that the pad is taken to have
+    double leastStiffness_N_per_m = 900.0;  ///< but taken as no softer than this: a finger may be three times stiffer than measured
+    double forceDerivative_s = 0.004;
+    double correctionLimit_m = 0.0025;      ///< of the wanted height by the force loop
+    double clearance_m = 0.0003;            ///< between platform and pad where nothing is displayed
+    double fastest_m_per_s = 0.15;          ///< of the wanted height
+    double fastest_rad_per_s = 7.0;         ///< of the wanted angles: 400°/s
+    FingerPadParameters pad;                ///< what the controller takes the finger to be: measured when it is put on
+};
+
+struct FingertipPlatformParameters {
+    FingertipGeometry geometry;
+    FingertipDriveParameters drive;
+    FingertipForceSensorParameters force;
+    FingertipImuParameters imu;
+    FingertipControlParameters control;
+    FingerPadParameters pad; ///< the real finger
+    int substeps = 8;        ///< integration steps a tick, ≥ 8 (8 kHz): the gear's stiffness wants it
+};
+
+} // namespace chiron::mechanisms
