@@ -8,6 +8,7 @@
 #include "simulation/exercises/urethra_insertion/urethra_forces_law.h"
 #include "simulation/geometry/mesh/evaluate_mesh.h"
 #include "simulation/geometry/urethra/evaluate_urethra_geometry.h"
+#include "simulation/palpation/evaluate_palpation.h"
 
 #include <array>
 
@@ -86,7 +87,7 @@ void evaluateFriction(std::span<const double> p, std::span<const double> in, std
 }
 
 /// Laws with a file of their own hand out a constant of theirs.
-const std::array<core::LawDescription, 15> kLaws{{
+const std::array<core::LawDescription, 18> kLaws{{
     {"hemisphere", "hemisphere on a plane: elastic and damped contact of the sphere-apex exercise",
      "models.md §0 and §2.3", kHemisphereInputs, kHemisphereOutputs, kHemisphereParameters,
      &evaluateHemisphere},
@@ -106,6 +107,9 @@ const std::array<core::LawDescription, 15> kLaws{{
     viscosityLaw(),
     elasticTubeLaw(),
     meshContactLaw(),
+    voigtLaw(),
+    palpationContactLaw(),
+    palpationLumpLaw(),
 }};
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/command.h"
 #include "core/session_state.h"
 #include "core/quantity.h"
 #include "core/tool_state.h"
@@ -19,6 +20,12 @@ struct SceneInput {
     bool paused = false;     ///< trial clocks stand still
     bool forceReady = false; ///< the supervisor's gain is full (on an input-only device: always true)
     bool mark = false;       ///< the mark command arrived this tick (button marks come with the tools)
+    int reports = 0;         ///< report commands of this tick (button reports come with the tools)
+    std::array<std::uint16_t, core::kMaxCommandsPerTick> report{}; ///< their words (core/palpation_cues.h)
+    bool present = false;        ///< the command to present a stimulus arrived this tick
+    std::uint16_t presented = 0; ///< its word (core/presentation_word.h)
+    bool answer = false;         ///< a participant's answer arrived this tick
+    std::uint16_t answered = 0;  ///< the outcome it names
     core::ForceState force = core::ForceState::off; ///< of the previous tick, for the cues
     SlowUpdate slow = SlowUpdate::asDue; ///< when the slow model's answer takes effect
 };

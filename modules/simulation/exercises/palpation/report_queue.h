@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+#include "core/palpation_cues.h"
+#include "core/tool_state.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace chiron::simulation {
+
+/// One thing that a person reported and that has not yet been taken.
+struct PalpationReport {
+    core::ReportField field = core::ReportField::done;
+    unsigned value = 0;
+    core::Vec3 p_W = core::Vec3::Zero(); ///< `found`: on the surface, when it was reported
+};
+
+/// Reports in the order given, taken one by one, so that each has a recorded row of its own. Fixed size: nobody says so much at
+/// once, and what does not fit is not taken. One thread.
+class ReportQueue {
+public:
+    static constexpr std::size_t kRoom = 32;
+
+    void clear() noexcept { m_first = m_count = 0; }
+    bool empty() const noexcept { return m_count == 0; }
+    bool put(const PalpationReport& report) noexcept {
+        if (m_count == kRoom)
+            return false;
+        m_reports[(m_first + m_count++) % kRoom] = report;
+        return true;
+    }
+    /// The oldest; only where not empty().
+    PalpationReport take() noexcept {
+        const PalpationReport report = m_reports[m_first];
+        m_first = (m_first + 1) % kRoom;
+        --m_count;
+        return report;
+    }
+
+private:
+    std::array<PalpationReport, kRoom> m_reports{};
+    std::size_t m_first = 0;
+    std::size_t m_count = 0;
+};
+
+/// Edges of the buttons of every tool: held down counts once. One thread.
+class ReportButtons {
+public:
+    /// Every tick, paused ones included, so that a button pressed then is passed over.
+    void follow(const core::ToolStates& tools, int count) noexcept {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(core::kMaxTools); ++i) {
+            const std::uint32_t down = static_cast<int>(i) < count ? tools.tools[i].buttons : 0;
+            m_edges[i] = down & ~m_down[i];
+            m_down[i] = down;
+        }
+    }
+    bool marked(std::size_t tool) const noexcept { return (m_edges[tool] & core::kButtonMark) != 0; }
+    bool reported(std::size_t tool) const noexcept { return (m_edges[tool] & core::kButtonReport) != 0; }
+    std::uint16_t word(std::size_t tool) const noexcept { return static_cast<std::uint16_t>(m_down[tool] >> 16); }
+
+private:
+    std::array<std::uint32_t, core::kMaxTools> m_down{};
+    std::array<std::uint32_t, core::kMaxTools> m_edges{};
+};
+
+} // namespace chiron::simulation

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/law_description.h"
+
+namespace chiron::simulation {
+
+/// P3's laws as tables for the command line (evaluate_laws.h). Static data; thread: any.
+core::LawDescription voigtLaw() noexcept;            ///< eq. 1
+core::LawDescription palpationContactLaw() noexcept; ///< eq. 2 and 3, and what the platform shows of it
+core::LawDescription palpationLumpLaw() noexcept;    ///< models.md §3: a lump under a flat surface
+
+} // namespace chiron::simulation

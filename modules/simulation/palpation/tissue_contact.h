@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+#include "core/tool_state.h"
+#include "simulation/palpation/contact_frame.h"
+#include "simulation/palpation/lump_law.h"
+#include "simulation/palpation/smooth_patch.h"
+#include "simulation/palpation/tissue_parameters.h"
+#include "simulation/palpation/tissue_surface.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace chiron::simulation {
+
+/// What one finger keeps from tick to tick. One object a tool.
+struct TissueTouch {
+    bool touching = false;
+    core::Vec2 stretch_m = core::Vec2::Zero(); ///< bristle, along and across the fibres: kept in the contact frame, so that
+                                               ///< turning the frame makes no energy
+    core::Vec3 previous_W = core::Vec3::Zero();
+    core::Vec2 foot_m = core::Vec2::Zero(); ///< where the nearest point was, to begin from
+    void release() noexcept { *this = TissueTouch{}; }
+};
+
+/// What the tissue does to one finger. W, SI.
+struct TissueResponse {
+    core::Vec3 force = core::Vec3::Zero();        ///< F_ext on the tool
+    core::Vec3 surfacePoint = core::Vec3::Zero(); ///< C; the nearest surface point also out of contact
+    core::Vec3 normal{0.0, 0.0, 1.0};             ///< S_n, outward, unit
+    double depth_m = 0.0;                         ///< d ≥ 0
+    double normalForce_N = 0.0;                   ///< eq. 3, with the unlimited α; ≥ 0
+    double lean_rad = 0.0;                        ///< α, eq. 2, unlimited
+    core::DisplayPose display;                    ///< for the fingertip platform: limited
+    bool leanSaturated = false;
+    double energy_J = 0.0;                        ///< U + ½ zᵀK z
+    double stiffness_N_per_m = 0.0;               ///< largest of the contact, for the passivity credit
+    bool inContact = false;
+};
+
+/// P3's rendering (eq. 1–3) on a tissue with lumps: models.md §3. Contact frame: z = S_n, x = fibre direction projected on the
+/// plane, y = z × x. Immutable but for setLumps(); thread: haptic, nothing allocates.
+class TissueContact {
+public:
+    /// Ranges are the catalogue's; at most the maxima of TissueParameters are read.
+    explicit TissueContact(const TissueParameters& parameters);
+
+    void setLumps(std::span<const Lump> lumps) noexcept; ///< at most kMaxLumps; computes their centres in W
+    int lumps() const noexcept { return m_lumpCount; }
+    core::Vec3 lumpCentre_W(int lump) const noexcept;
+
+    /// `touch` is the tool's own. Not finite: releases it and answers nothing.
+    TissueResponse respond(const core::ToolState& tool, TissueTouch& touch) const noexcept;
+
+    const TissueSurface& surface() const noexcept { return m_surface; }
+    double normalStiffness_N_per_m() const noexcept { return m_normalStiffness; } ///< k, from layers where not given
+
+private:
+    struct PlacedLump {
+        core::Vec3 centre_W = core::Vec3::Zero();
+        double radius_m = 0.0;
+        double strength_m4 = 0.0; ///< (8/π) a R³ (m − 1)/(1 + 0.4 (m − 1))
+    };
+    /// What pushes without regard to speed or what was before, but for the bristle.
+    struct Elastic {
+        core::Vec3 force = core::Vec3::Zero();
+        double energy_J = 0.0;
+        double stiffness_N_per_m = 0.0;
+    };
+    /// Where a finger touches. Out of P3's re-cast ray, `spring_m` is d along the normal.
+    struct Meeting {
+        SurfaceFoot foot;                              ///< nearest point
+        core::Vec3 contact_W = core::Vec3::Zero();     ///< C
+        core::Vec3 spring_m = core::Vec3::Zero();      ///< C − p
+        ContactFrame frame;
+    };
+    Meeting meet(const core::ToolState& tool, const SurfaceFoot& foot) const noexcept;
+    StiffnessGain gainAt(const SurfaceFoot& foot, const core::Vec3& p_W) const noexcept;
+    Elastic pressOn(const Meeting& meeting, const core::Vec3& p_W) const noexcept;
+    void addBalls(const core::Vec3& p_W, Elastic& elastic) const noexcept;
+    core::Vec3 bristle(const core::Vec3& p_W, const ContactFrame& frame, double normalForce_N, TissueTouch& touch,
+                       double& energy_J) const noexcept;
+    void show(const core::ToolState& tool, TissueResponse& out) const noexcept;
+
+    TissueParameters m_parameters;
+    TissueSurface m_surface;
+    double m_normalStiffness = 0.0;
+    double m_perDampingDepth = 0.0; ///< 1/m
+    double m_largestTangent = 0.0;  ///< N/m, 0 where nothing holds the finger sideways
+    ContactFrame m_flatFrame;
+    std::size_t m_regionCount = 0;
+    std::array<SmoothPatch, TissueParameters::kMaxRegions> m_regions{};
+    int m_lumpCount = 0;
+    std::array<PlacedLump, TissueParameters::kMaxLumps> m_lumps{};
+};
+
+} // namespace chiron::simulation

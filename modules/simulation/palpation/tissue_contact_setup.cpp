@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/palpation/layered_stiffness.h"
+#include "simulation/palpation/tissue_contact.h"
+
+#include <algorithm>
+
+namespace chiron::simulation {
+
+namespace {
+/// k of a flat punch of radius a (Johnson, Contact Mechanics, §3.5): 2 a E/(1 − ν²), with the modulus that the layers amount to.
+double punchStiffness(const TissueParameters& p) {
+    const std::size_t count = std::min(p.layers.size(), TissueParameters::kMaxLayers);
+    const double modulus_Pa =
+        count == 0 ? TissueLayer{}.modulus_Pa : layeredModulus_Pa(std::span(p.layers).first(count), p.contactRadius_m, p.poisson);
+    return 2.0 * p.contactRadius_m * modulus_Pa / (1.0 - p.poisson * p.poisson);
+}
+} // namespace
+
+TissueContact::TissueContact(const TissueParameters& parameters)
+    : m_parameters(parameters), m_surface(parameters.shape),
+      m_normalStiffness(parameters.stiffness_N_per_m > 0.0 ? parameters.stiffness_N_per_m : punchStiffness(parameters)),
+      m_perDampingDepth(1.0 / std::max(parameters.dampingDepth_m, 1e-9)),
+      m_flatFrame(ContactFrame::on(core::Vec3::UnitZ(), parameters.fibreDirection)) {
+    if (parameters.friction > 0.0 || parameters.contact == TissueContactLaw::p3Recast)
+        m_largestTangent = std::max(parameters.tangentAlong_N_per_m, parameters.tangentAcross_N_per_m);
+    for (const StiffRegion& region : parameters.regions) {
+        if (m_regionCount == m_regions.size())
+            break;
+        m_regions[m_regionCount++] = SmoothPatch::over(region.centre_m, region.radii_m, region.turn_rad, region.gain);
+    }
+}
+
+void TissueContact::setLumps(std::span<const Lump> lumps) noexcept {
+    m_lumpCount = static_cast<int>(std::min(lumps.size(), m_lumps.size()));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(m_lumpCount); ++i) {
+        const Lump& lump = lumps[i];
+        m_lumps[i].centre_W = m_surface.pointAt(lump.place_m) - lump.depth_m * m_surface.normalAt(lump.place_m);
+        m_lumps[i].radius_m = lump.radius_m;
+        m_lumps[i].strength_m4 = lumpStrength(m_parameters.contactRadius_m, lump.radius_m, lump.ratio);
+    }
+}
+
+core::Vec3 TissueContact::lumpCentre_W(int lump) const noexcept {
+    return lump >= 0 && lump < m_lumpCount ? m_lumps[static_cast<std::size_t>(lump)].centre_W : core::Vec3(core::Vec3::Zero());
+}
+
+} // namespace chiron::simulation
