@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "psychophysics/fits/fit_priors.h"
+#include "psychophysics/fits/likelihood.h"
+
+#include <array>
+
+namespace chiron::psychophysics {
+
+/// The beta-binomial model of Schütt et al. (2016) for one set of levels; thresholds and widths on the unit axis.
+struct PosteriorModel {
+    const PreparedLevels& levels;
+    Sigmoid sigmoid;
+    FitPriors priors;
+    FreeParameters free; ///< of lapse and guess
+    double lapse = 0.0;  ///< where fixed
+    double guess = 0.0;
+    bool overdispersion = true; ///< false: η is 0
+
+    /// Log of prior × likelihood (a density over threshold, width, lapse, guess and η), up to a constant; −∞ where impossible.
+    double logDensity(const CurveParameters& at) const noexcept;
+};
+
+/// The mode: simplex climbs (Nelder & Mead 1965) over threshold, ln width and the roots of the shares, so that a mode at a share of 0
+/// is an inner one.
+CurveParameters posteriorMode(const PosteriorModel& model, const std::vector<CurveParameters>& starts);
+
+} // namespace chiron::psychophysics

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "psychophysics/measures/discrimination.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace chiron::psychophysics {
+
+/// d′ of counts, with its standard error (delta method) and interval (that of the proportion, carried over).
+struct DPrimeEstimate {
+    double proportion = std::numeric_limits<double>::quiet_NaN();
+    double dPrime = std::numeric_limits<double>::quiet_NaN();
+    double standardError = std::numeric_limits<double>::quiet_NaN();
+    double low = std::numeric_limits<double>::quiet_NaN();
+    double high = std::numeric_limits<double>::quiet_NaN(); ///< may be infinite
+    double pValue = std::numeric_limits<double>::quiet_NaN(); ///< exact binomial: so many right or more by guessing
+    double scoreChiSquare = std::numeric_limits<double>::quiet_NaN(); ///< (k − n p₀)²/(n p₀ (1 − p₀))
+    double scoreP = std::numeric_limits<double>::quiet_NaN(); ///< its one-sided p
+    std::vector<std::string> warnings; ///< no_trials, few_trials, chance, all_right
+};
+
+enum class ProportionLimits : std::uint8_t { exact, score }; ///< Clopper & Pearson; Wilson with continuity correction (as sensR's "score")
+
+/// Of `right` among `of` trials of a task (any but yes–no and same–different by differencing, which need two rates).
+DPrimeEstimate dPrimeOfCounts(const DiscriminationTask& task, long long right, long long of,
+                              ProportionLimits limits = ProportionLimits::exact, double level = 0.95);
+
+/// Of hit and false-alarm rates (2AFC, ABX, same–different by independent observation): the unbiased proportion Φ((z(H) − z(F))/2) first
+/// (Macmillan & Creelman 2005, eq. 7.9 and ch. 9), then its d′. Not a number for rates outside ]0, 1[.
+double dPrimeOfRates(const DiscriminationTask& task, double hitRate, double falseAlarmRate) noexcept;
+
+/// Same–different by differencing (Macmillan & Creelman 2005, eq. 9.5): "different" where |x₁ − x₂| > k.
+/// P(different | d′) = Φ((d′ − k)/√2) + Φ((−d′ − k)/√2).
+struct SameDifferentRates {
+    double hit = 0.0;        ///< "different" to different pairs
+    double falseAlarm = 0.0; ///< "different" to equal pairs
+};
+SameDifferentRates sameDifferentRates(double dPrime, double criterion) noexcept;
+/// d′ of rates in ]0, 1[; 0 where H ≤ F.
+double sameDifferentDPrime(double hitRate, double falseAlarmRate) noexcept;
+/// Of counts with log-linear correction (Hautus 1995); SE by the delta method. Yes–no: core/signal_detection.h.
+DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long long falseAlarms, long long ofSame, double level = 0.95);
+
+/// Exact power of a one-sided binomial test against guessing at level α, of n trials with true d′.
+double discriminationPower(const DiscriminationTask& task, double dPrime, int trials, double alpha = 0.05) noexcept;
+/// The fewest trials with at least that power; 0 where 100,000 are too few.
+int trialsForPower(const DiscriminationTask& task, double dPrime, double power, double alpha = 0.05) noexcept;
+
+} // namespace chiron::psychophysics

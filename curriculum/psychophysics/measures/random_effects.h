@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace chiron::psychophysics {
+
+/// A mean over subjects whose own estimates have known errors: y_i = μ + u_i + e_i, u ~ N(0, τ²), e_i ~ N(0, v_i).
+struct RandomEffects {
+    double mean = std::numeric_limits<double>::quiet_NaN();
+    double standardError = std::numeric_limits<double>::quiet_NaN(); ///< Hartung–Knapp
+    double low = std::numeric_limits<double>::quiet_NaN();           ///< 95 %, t with k − 1 degrees of freedom
+    double high = std::numeric_limits<double>::quiet_NaN();
+    double predictionLow = std::numeric_limits<double>::quiet_NaN(); ///< 95 % of a further subject's true value, k − 2 degrees of freedom
+    double predictionHigh = std::numeric_limits<double>::quiet_NaN();
+    double tau = std::numeric_limits<double>::quiet_NaN();           ///< between subjects; REML
+    double q = std::numeric_limits<double>::quiet_NaN();             ///< Cochran's Q and its p (all subjects alike)
+    double qP = std::numeric_limits<double>::quiet_NaN();
+    double iSquared = std::numeric_limits<double>::quiet_NaN();      ///< share of the variance that is between subjects
+    double pZero = std::numeric_limits<double>::quiet_NaN();         ///< two-sided, of μ = 0
+    int subjects = 0;
+    std::vector<double> weights; ///< shares, adding up to 1
+};
+
+/// τ² by restricted maximum likelihood (Fisher scoring, Viechtbauer 2005), the mean's interval after Hartung & Knapp (2001) with a factor of
+/// at least 1 (Röver, Knapp & Friede 2015), so that a few subjects who happen to agree do not make it too short. One subject: mean alone.
+RandomEffects randomEffects(const std::vector<double>& estimates, const std::vector<double>& variances);
+
+/// Interval of a statistic by drawing subjects with replacement: bias-corrected and accelerated (Efron 1987), the acceleration by leaving
+/// out one subject at a time; plain percentiles where the correction cannot be had. Both not numbers below 3 subjects.
+struct BootstrapInterval {
+    double low = std::numeric_limits<double>::quiet_NaN();
+    double high = std::numeric_limits<double>::quiet_NaN();
+    double percentileLow = std::numeric_limits<double>::quiet_NaN();
+    double percentileHigh = std::numeric_limits<double>::quiet_NaN();
+};
+BootstrapInterval bootstrapSubjects(int subjects, const std::function<double(const std::vector<int>&)>& statistic, std::uint64_t seed,
+                                    int samples = 2000);
+
+} // namespace chiron::psychophysics

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "psychophysics/measures/thurstone_posterior.h"
+
+#include "core/normal_distribution.h"
+#include "psychophysics/measures/discrimination.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace chiron::psychophysics {
+
+namespace {
+
+using core::normalCumulative;
+
+constexpr double kLargestLapse = 0.3;
+constexpr int kMostPasses = 8;
+constexpr double kLapsePriorPower = 29.0; // Beta(1, 30): (1 − λ)^29
+
+/// Equal cells from low to high; at(i) is a cell's middle.
+struct Axis {
+    double low = 0.0;
+    double high = 0.0;
+    std::size_t cells = 1;
+
+    double width() const { return (high - low) / static_cast<double>(cells); }
+    double at(std::size_t i) const { return low + (static_cast<double>(i) + 0.5) * width(); }
+};
+
+/// Weights over (σ, criterion, lapse), the last one fastest; the largest is 1. The lapse's axis holds √λ: fine cells near 0.
+struct Grid {
+    Axis sigma, criterion, lapse;
+    std::vector<double> weight;
+
+    std::size_t cell(std::size_t s, std::size_t c) const { return (s * criterion.cells + c) * lapse.cells; }
+    double lapseAt(std::size_t l) const { return lapse.at(l) * lapse.at(l); }
+    ThurstonePoint point(std::size_t i) const {
+        return {sigma.at(i / (criterion.cells * lapse.cells)), lapseAt(i % lapse.cells),
+                criterion.at(i / lapse.cells % criterion.cells)};
+    }
+};
+
+/// Proportion correct from a table, for speed: cubic over d = 0..16 in steps of 1/40.
+class CorrectTable {
+public:
+    explicit CorrectTable(DiscriminationTask task) {
+        for (int i = -1; i <= kEnd * kPerUnit + 2; ++i)
+            m_value.push_back(proportionCorrect(task, static_cast<double>(i) / kPerUnit));
+    }
+    double at(double d) const {
+        if (!(d < kEnd))
+            return 1.0;
+        const double place = d * kPerUnit;
+        const auto i = static_cast<std::size_t>(place);
+        const double u = place - static_cast<double>(i);
+        const double value = -u * (u - 1.0) * (u - 2.0) / 6.0 * m_value[i] + (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0 * m_value[i + 1] -
+                             (u + 1.0) * u * (u - 2.0) / 2.0 * m_value[i + 2] + (u + 1.0) * u * (u - 1.0) / 6.0 * m_value[i + 3];
+        return std::min(1.0, value);
+    }
+
+private:
+    static constexpr int kEnd = 16;
+    static constexpr int kPerUnit = 40;
+    std::vector<double> m_value;
+};
+
+double threeAfcCorrect(double d) {
+    static const CorrectTable table{{Discrimination::mAfc, 3}};
+    return d >= 0.0 ? table.at(d) : proportionCorrect({Discrimination::mAfc, 3}, d);
+}
+
+double oddityCorrect(double d) {
+    static const CorrectTable table{{Discrimination::oddityDifferencing, 3}};
+    return table.at(std::abs(d));
+}
+
+/// Of the answer of a kind, without lapses.
+double attentive(Task task, double difference, int kind, double sigma, double criterion) noexcept {
+    const double d = difference / sigma;
+    double yes = 0.5; // of kinds that end in 1
+    switch (task) {
+    case Task::rank3:
+        return tabulatedOrderProbabilities(d)[static_cast<std::size_t>(std::clamp(kind, 0, 5))];
+    case Task::twoAfc:
+        yes = normalCumulative(d / std::numbers::sqrt2);
+        break;
+    case Task::threeAfc:
+        yes = threeAfcCorrect(d);
+        break;
+    case Task::oddity:
+        yes = oddityCorrect(d);
+        break;
+    case Task::sameDifferent: {
+        const double shown = kind >= 2 ? d : 0.0;
+        yes = normalCumulative((shown - criterion) / std::numbers::sqrt2) + normalCumulative((-shown - criterion) / std::numbers::sqrt2);
+        break;
+    }
+    case Task::yesNo:
+        yes = normalCumulative(((kind >= 2 ? difference : 0.0) - criterion) / (std::numbers::sqrt2 * sigma));
+        break;
+    case Task::adjustment:
+    case Task::magnitude:
+        break;
+    }
+    return kind % 2 == 1 ? yes : 1.0 - yes;
+}
+
+/// Probability of this kind of answer by guessing.
+double guessed(Task task, int kind) noexcept {
+    const double share = 1.0 / answers(task);
+    const bool rightOrWrong = task == Task::threeAfc || task == Task::oddity;
+    return rightOrWrong && kind == 0 ? 1.0 - share : share;
+}
+
+void fill(Grid& grid, Task task, const std::vector<AnswerCount>& counts) {
+    std::vector<double> logWeight(grid.sigma.cells * grid.criterion.cells * grid.lapse.cells, 0.0);
+    for (std::size_t s = 0; s < grid.sigma.cells; ++s) {
+        const double sigma = std::pow(10.0, grid.sigma.at(s));
+        for (std::size_t c = 0; c < grid.criterion.cells; ++c)
+            for (const AnswerCount& group : counts) {
+                const double p = attentive(task, group.difference, group.kind, sigma, grid.criterion.at(c));
+                const double guess = guessed(task, group.kind);
+                for (std::size_t l = 0; l < grid.lapse.cells; ++l)
+                    logWeight[grid.cell(s, c) + l] += group.count * std::log(std::max(1e-300, p + grid.lapseAt(l) * (guess - p)));
+            }
+    }
+    for (std::size_t i = 0; i < logWeight.size(); ++i)
+        {
+        const std::size_t l = i % grid.lapse.cells;
+        logWeight[i] += kLapsePriorPower * std::log1p(-grid.lapseAt(l)) + std::log(grid.lapse.at(l)); // dλ = 2√λ d√λ
+    }
+    const double largest = *std::max_element(logWeight.begin(), logWeight.end());
+    grid.weight.resize(logWeight.size());
+    std::transform(logWeight.begin(), logWeight.end(), grid.weight.begin(), [&](double w) { return std::exp(w - largest); });
+}
+
+/// Sums over everything but one coordinate.
+struct Marginals {
+    std::vector<double> sigma, criterion, lapse;
+    double total = 0.0;
+};
+
+Marginals marginalsOf(const Grid& grid) {
+    Marginals m{std::vector<double>(grid.sigma.cells), std::vector<double>(grid.criterion.cells), std::vector<double>(grid.lapse.cells)};
+    for (std::size_t s = 0; s < grid.sigma.cells; ++s)
+        for (std::size_t c = 0; c < grid.criterion.cells; ++c)
+            for (std::size_t l = 0; l < grid.lapse.cells; ++l) {
+                const double w = grid.weight[grid.cell(s, c) + l];
+                m.sigma[s] += w;
+                m.criterion[c] += w;
+                m.lapse[l] += w;
+                m.total += w;
+            }
+    return m;
+}
+
+/// The part of an axis that holds all but a negligible weight, with one cell more at each end.
+Axis narrowed(const Axis& axis, const std::vector<double>& marginal, std::size_t cells) {
+    const double least = 1e-7 * *std::max_element(marginal.begin(), marginal.end());
+    std::size_t first = 0;
+    std::size_t last = axis.cells - 1;
+    while (first < last && marginal[first] < least)
+        ++first;
+    while (last > first && marginal[last] < least)
+        --last;
+    first -= first > 0 ? 1 : 0;
+    last += last + 1 < axis.cells ? 1 : 0;
+    return {axis.low + static_cast<double>(first) * axis.width(), axis.low + static_cast<double>(last + 1) * axis.width(), cells};
+}
+
+double quantile(const Axis& axis, const std::vector<double>& marginal, double total, double share) {
+    double below = 0.0;
+    for (std::size_t i = 0; i < marginal.size(); ++i) {
+        const double target = share * total - below;
+        if (target <= marginal[i] && marginal[i] > 0.0)
+            return axis.low + (static_cast<double>(i) + target / marginal[i]) * axis.width();
+        below += marginal[i];
+    }
+    return axis.high;
+}
+
+/// Grids one after the other, each where the last one had weight, until the posterior fills enough of each axis.
+struct Refined {
+    Grid grid;
+    Marginals marginals;
+};
+
+Refined refined(Refined now, Task task, const std::vector<AnswerCount>& counts, const Grid& cells) {
+    const auto shrinks = [](const Axis& next, const Axis& last, double share) { return next.high - next.low < share * (last.high - last.low); };
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        Grid next{narrowed(now.grid.sigma, now.marginals.sigma, cells.sigma.cells), narrowed(now.grid.criterion, now.marginals.criterion, cells.criterion.cells),
+                  narrowed(now.grid.lapse, now.marginals.lapse, cells.lapse.cells), {}};
+        if (pass > 0 && !shrinks(next.sigma, now.grid.sigma, 0.3) && !shrinks(next.criterion, now.grid.criterion, 0.3) &&
+            !shrinks(next.lapse, now.grid.lapse, 0.4))
+            break;
+        fill(next, task, counts);
+        now.marginals = marginalsOf(next);
+        now.grid = std::move(next);
+    }
+    return now;
+}
+
+void summarise(ThurstonePosterior& result, const Grid& grid, const Marginals& m) {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::size_t s = 0; s < m.sigma.size(); ++s) {
+        sum += m.sigma[s] * grid.sigma.at(s);
+        squares += m.sigma[s] * grid.sigma.at(s) * grid.sigma.at(s);
+    }
+    result.known = true;
+    result.meanLog10Sigma = sum / m.total;
+    result.sdLog10Sigma = std::sqrt(std::max(0.0, squares / m.total - result.meanLog10Sigma * result.meanLog10Sigma));
+    result.medianLog10Sigma = quantile(grid.sigma, m.sigma, m.total, 0.5);
+    result.lowLog10Sigma = quantile(grid.sigma, m.sigma, m.total, 0.025);
+    result.highLog10Sigma = quantile(grid.sigma, m.sigma, m.total, 0.975);
+    result.criterion = quantile(grid.criterion, m.criterion, m.total, 0.5);
+    result.lowCriterion = quantile(grid.criterion, m.criterion, m.total, 0.025);
+    result.highCriterion = quantile(grid.criterion, m.criterion, m.total, 0.975);
+    result.meanLapse = 0.0;
+    for (std::size_t l = 0; l < m.lapse.size(); ++l)
+        result.meanLapse += m.lapse[l] / m.total * grid.lapseAt(l);
+}
+
+void draw(ThurstonePosterior& result, const Grid& grid, double total, int draws) {
+    double below = 0.0;
+    int next = 0;
+    for (std::size_t i = 0; i < grid.weight.size() && next < draws; ++i) {
+        below += grid.weight[i];
+        for (; next < draws && (next + 0.5) / draws * total <= below; ++next)
+            result.draws.push_back(grid.point(i));
+    }
+}
+
+} // namespace
+
+double answerProbability(Task task, double difference, int kind, const ThurstonePoint& at) noexcept {
+    const double p = attentive(task, difference, kind, std::pow(10.0, at.log10Sigma), at.criterion);
+    return p + at.lapse * (guessed(task, kind) - p);
+}
+
+ThurstonePosterior thurstonePosterior(Task task, const std::vector<AnswerCount>& counts, const ThurstonePrior& prior, int draws) {
+    ThurstonePosterior result;
+    const bool answered = std::any_of(counts.begin(), counts.end(), [](const AnswerCount& group) { return group.count > 0.0; });
+    if (!answered || task == Task::adjustment || task == Task::magnitude || !(prior.highLog10Sigma > prior.lowLog10Sigma))
+        return result;
+    const bool hasCriterion = task == Task::yesNo || task == Task::sameDifferent;
+    const std::size_t criteria = hasCriterion ? 30 : 1;
+    const double mostRootLapse = std::sqrt(kLargestLapse);
+    Grid coarse{{prior.lowLog10Sigma, prior.highLog10Sigma, hasCriterion ? 40U : 60U},
+                {prior.lowCriterion, prior.highCriterion, criteria},
+                {0.0, mostRootLapse, 5},
+                {}};
+    fill(coarse, task, counts);
+    Marginals rough = marginalsOf(coarse);
+    const double peak = *std::max_element(rough.sigma.begin(), rough.sigma.end());
+    result.densityAtLowSigma = rough.sigma.front() / peak;
+    result.densityAtHighSigma = rough.sigma.back() / peak;
+    Grid cells;
+    cells.sigma.cells = hasCriterion ? 50 : 100;
+    cells.criterion.cells = criteria;
+    cells.lapse.cells = hasCriterion ? 10 : 15;
+    const auto [fine, exact] = refined({std::move(coarse), std::move(rough)}, task, counts, cells);
+    summarise(result, fine, exact);
+    draw(result, fine, exact.total, draws);
+    return result;
+}
+
+} // namespace chiron::psychophysics

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "psychophysics/planning/fisher_information.h"
+
+#include "core/normal_distribution.h"
+#include "psychophysics/measures/discrimination.h"
+#include "psychophysics/observers/thurstone.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace chiron::psychophysics {
+
+namespace {
+
+/// Probabilities of the outcomes, without lapses.
+std::vector<double> outcomesAt(Task task, double d, bool allCorrectOnly) {
+    const auto two = [](double p) { return std::vector<double>{p, 1.0 - p}; };
+    switch (task) {
+    case Task::rank3: {
+        const auto p = rankProbabilities(d);
+        return allCorrectOnly ? two(p[0]) : std::vector<double>(p.begin(), p.end());
+    }
+    case Task::twoAfc:
+        return two(proportionCorrect({Discrimination::mAfc, 2}, d));
+    case Task::threeAfc:
+        return two(proportionCorrect({Discrimination::mAfc, 3}, d));
+    case Task::oddity:
+        return two(proportionCorrect({Discrimination::oddityDifferencing, 3}, d));
+    case Task::sameDifferent: {
+        const double half = d / std::numbers::sqrt2;
+        return two(core::normalCumulative(half - 1.0) + core::normalCumulative(-half - 1.0));
+    }
+    case Task::yesNo:
+        return two(core::normalCumulative(d / std::numbers::sqrt2));
+    case Task::adjustment:
+    case Task::magnitude:
+        break;
+    }
+    return {};
+}
+
+/// Share that a guess gives each outcome.
+double guessed(Task task, std::size_t outcome, bool allCorrectOnly) {
+    const double right = 1.0 / answers(task);
+    return task == Task::rank3 && !allCorrectOnly ? right : outcome == 0 ? right : 1.0 - right;
+}
+
+} // namespace
+
+double fisherInformation(Task task, double spacing, double lapse, bool allCorrectOnly) {
+    if (task == Task::adjustment)
+        return 2.0;
+    constexpr double kStep = 1e-3; // of ln σ
+    const std::vector<double> here = outcomesAt(task, spacing, allCorrectOnly);
+    const std::vector<double> wider = outcomesAt(task, spacing * std::exp(-kStep), allCorrectOnly);
+    const std::vector<double> narrower = outcomesAt(task, spacing * std::exp(kStep), allCorrectOnly);
+    double information = 0.0;
+    for (std::size_t r = 0; r < here.size(); ++r) {
+        const double slope = (1.0 - lapse) * (wider[r] - narrower[r]) / (2.0 * kStep);
+        const double p = (1.0 - lapse) * here[r] + lapse * guessed(task, r, allCorrectOnly);
+        information += p > 0.0 ? slope * slope / p : 0.0;
+    }
+    return task == Task::sameDifferent || task == Task::yesNo ? 0.5 * information : information;
+}
+
+BestSpacing bestSpacing(Task task, double lapse, bool allCorrectOnly) {
+    BestSpacing best;
+    for (double spacing = 0.2; spacing <= 8.0; spacing += 0.01) {
+        const double information = fisherInformation(task, spacing, lapse, allCorrectOnly);
+        if (information > best.information)
+            best = {spacing, information, 100.0 / information};
+    }
+    return best;
+}
+
+} // namespace chiron::psychophysics

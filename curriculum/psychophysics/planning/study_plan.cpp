@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "psychophysics/planning/study_plan.h"
+
+#include "core/random.h"
+#include "psychophysics/planning/fisher_information.h"
+#include "psychophysics/planning/run_simulator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::psychophysics {
+
+namespace {
+
+constexpr double kSecondsAnObject = 4.0;
+constexpr double kSecondsAnAnswer = 2.0;
+
+double minutesOf(const Condition& condition, const TrialRules& rules, double trials) {
+    double exploring = kSecondsAnObject * placesOf(condition.task);
+    if (rules.exploreLimit_s > 0.0)
+        exploring = std::min(exploring, rules.exploreLimit_s);
+    const double one = exploring + kSecondsAnAnswer + rules.betweenTrials_s;
+    const double breaks = rules.breakEvery > 0 ? std::floor(std::max(trials - 1.0, 0.0) / rules.breakEvery) * rules.breakAtLeast_s : 0.0;
+    return ((trials + rules.practiceTrials) * one + breaks) / 60.0;
+}
+
+void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpec& observer, std::uint64_t seed) {
+    const auto simulator = RunSimulator::make(condition);
+    if (!simulator) {
+        plan.warnings.push_back("not_simulated: " + simulator.error().message);
+        plan.runs = 0;
+        return;
+    }
+    const double truth = std::log10(sigmaOf(observer));
+    double sum = 0.0, squares = 0.0, trials = 0.0;
+    int estimates = 0, covered = 0;
+    for (int run = 0; run < plan.runs; ++run) {
+        const std::uint64_t runSeed = core::Random::mix(seed, "plan." + std::to_string(run));
+        const std::vector<ScoredTrial> scored = simulator->run(observer, runSeed);
+        trials += static_cast<double>(scored.size());
+        const RunEstimate estimate = estimateRun(condition, scored, runSeed);
+        if (!std::isfinite(estimate.sigma_log10) || !(estimate.sigma_log10 > 0.0)) {
+            ++plan.withoutEstimate;
+            continue;
+        }
+        const double off = std::log10(estimate.sigma_log10) - truth;
+        sum += off;
+        squares += off * off;
+        covered += estimate.weber95.low <= observer.weber && observer.weber <= estimate.weber95.high ? 1 : 0;
+        ++estimates;
+    }
+    plan.meanTrials = trials / plan.runs;
+    if (estimates > 0) {
+        plan.biasLog10 = sum / estimates;
+        plan.coverage = static_cast<double>(covered) / estimates;
+    }
+    if (estimates > 1)
+        plan.sdLog10 = std::sqrt(std::max(0.0, (squares - estimates * plan.biasLog10 * plan.biasLog10) / (estimates - 1)));
+}
+
+/// Simpson's rule over 0..end.
+template <class Function> double integral(Function f, double end, int pieces) {
+    double sum = f(0.0) + f(end);
+    for (int i = 1; i < pieces; ++i)
+        sum += f(end * i / pieces) * (i % 2 == 1 ? 4.0 : 2.0);
+    return sum * end / pieces / 3.0;
+}
+
+double phi(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
+
+/// P(T ≤ t) of a noncentral t: a normal over the root of a chi-square by its freedom; integrated over that root.
+double noncentralT(double t, int freedom, double shift) {
+    const double logScale = std::log(2.0) + 0.5 * freedom * std::log(0.5 * freedom) - std::lgamma(0.5 * freedom);
+    const double end = 1.0 + 10.0 / std::sqrt(static_cast<double>(freedom));
+    return integral(
+        [&](double s) { return s > 0.0 ? phi(t * s - shift) * std::exp(logScale + (freedom - 1) * std::log(s) - 0.5 * freedom * s * s) : (freedom == 1 ? phi(-shift) * std::exp(logScale) : 0.0); },
+        end, 2000);
+}
+
+double criticalT(double alpha, int freedom) {
+    double low = 0.0, high = 1e4;
+    for (int i = 0; i < 80; ++i) {
+        const double t = 0.5 * (low + high);
+        (noncentralT(t, freedom, 0.0) < 1.0 - 0.5 * alpha ? low : high) = t;
+    }
+    return 0.5 * (low + high);
+}
+
+} // namespace
+
+ConditionPlan planCondition(const Condition& condition, const TrialRules& rules, const ObserverSpec& observer, int runs, std::uint64_t seed) {
+    ConditionPlan plan;
+    plan.runs = std::max(runs, 0);
+    const BestSpacing best = bestSpacing(condition.task, observer.lapse);
+    plan.fisherPerTrial = best.information;
+    plan.bestSpacing = best.spacing;
+    if (const int row = nearestCandidate(condition.stimulus.differences, best.spacing * sigmaOf(observer)); row >= 0)
+        plan.bestDifference = condition.stimulus.differences[static_cast<std::size_t>(row)];
+    if (plan.runs > 0)
+        simulate(plan, condition, observer, seed);
+    plan.minutes = minutesOf(condition, rules, plan.meanTrials);
+    if (!condition.stimulus.differences.empty() && condition.stimulus.differences.back() < 0.7 * best.spacing * sigmaOf(observer))
+        plan.warnings.push_back("differences_too_small: the largest difference is below what this observer needs");
+    if (plan.withoutEstimate > 0)
+        plan.warnings.push_back("runs_without_estimate: " + std::to_string(plan.withoutEstimate) + " of " + std::to_string(plan.runs));
+    return plan;
+}
+
+double power(const PowerQuestion& question) {
+    const int n = question.participants;
+    if (n < 2)
+        return 0.0;
+    const double runs = 2.0 * question.runSdLog10 * question.runSdLog10;
+    const double people = question.paired ? question.effectSdLog10 * question.effectSdLog10 : 2.0 * question.personSdLog10 * question.personSdLog10;
+    const double sd = std::sqrt(runs + people);
+    if (!(sd > 0.0))
+        return question.differenceLog10 != 0.0 ? 1.0 : question.alpha;
+    const int freedom = question.paired ? n - 1 : 2 * (n - 1);
+    const double shift = std::abs(question.differenceLog10) / sd * std::sqrt(static_cast<double>(n));
+    const double critical = criticalT(question.alpha, freedom);
+    return std::clamp(1.0 - noncentralT(critical, freedom, shift) + noncentralT(-critical, freedom, shift), 0.0, 1.0);
+}
+
+int participantsFor(PowerQuestion question, double wantedPower) {
+    for (question.participants = 2; question.participants <= 1000; ++question.participants)
+        if (power(question) >= wantedPower)
+            return question.participants;
+    return -1;
+}
+
+} // namespace chiron::psychophysics

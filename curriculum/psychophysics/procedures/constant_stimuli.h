@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/random.h"
+#include "psychophysics/procedures/procedure.h"
+#include "psychophysics/procedures/procedure_spec.h"
+#include "psychophysics/procedures/trial_log.h"
+
+namespace chiron::psychophysics {
+
+/// Constant stimuli, and the fixed schedules of adjustment and magnitude estimation: every level so often, in blocks of one of each,
+/// shuffled. A spoiled one comes again at a random later place. Outcome 1 is right, or yes, or (adjustment, magnitude) always 1.
+class ConstantStimuli final : public Procedure {
+public:
+    static core::Result<std::unique_ptr<Procedure>> make(const ConstantSpec& spec, std::uint64_t seed);
+    ConstantStimuli(const ConstantSpec& spec, std::uint64_t seed);
+
+    std::string_view id() const noexcept override { return "constant@1"; }
+    Choice next() const override;
+    core::Result<void> record(int outcome, const Stimulus& presented) override;
+    core::Result<void> undo() override;
+    void spoiled() override;
+    bool done() const noexcept override { return m_log.size() >= m_queue.size(); }
+    int trials() const noexcept override { return static_cast<int>(m_log.size()); }
+    /// Where the proportions, made to rise by pooling, cross 75, 50 (PSE) and 25 %; JND = (x75 - x25)/2. Fits: psychophysics/fits.
+    ProcedureEstimate estimate() const override;
+
+private:
+    std::vector<double> m_levels;
+    std::vector<int> m_queue; ///< rows of m_levels in the order of presentation; the first m_log.size() are done
+    std::vector<RecordedTrial> m_log;
+    core::Random m_random;    ///< of the places that spoiled ones go to
+};
+
+} // namespace chiron::psychophysics

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "psychophysics/procedures/quest.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::psychophysics {
+
+using core::ErrorCode;
+using core::fail;
+
+namespace {
+
+core::Result<void> check(const QuestSpec& spec) {
+    const auto bad = [](const char* what) { return fail(ErrorCode::badInput, what); };
+    if (!std::isfinite(spec.priorMean))
+        return bad("prior_mean: expected a finite number");
+    if (!(spec.priorSd > 0.0) || !std::isfinite(spec.priorSd))
+        return bad("prior_sd: expected a positive number");
+    if (!(spec.slope > 0.0) || !std::isfinite(spec.slope))
+        return bad("slope: expected a positive number");
+    if (!(spec.guess >= 0.0 && spec.guess < 1.0) || !(spec.lapse >= 0.0 && spec.lapse < 1.0))
+        return bad("guess, lapse: expected shares from 0 to below 1");
+    if (std::isnan(questEpsilon(spec.target, spec.slope, spec.guess, spec.lapse)))
+        return bad("target: expected a proportion between the lower and the upper asymptote");
+    if (!(spec.grain > 0.0) || !(spec.range > 0.0) || !(spec.range / spec.grain <= 1e6) || !(spec.range / spec.grain >= 2.0))
+        return bad("grain, range: expected positive numbers, range 2 to 1e6 times the grain");
+    if (spec.method != "quantile" && spec.method != "mean" && spec.method != "mode")
+        return bad("method: expected quantile, mean or mode");
+    if (spec.minimum && spec.maximum && *spec.minimum > *spec.maximum)
+        return bad("minimum: expected at most the maximum");
+    if (spec.stop.trials <= 0 && !(spec.stop.sd > 0.0))
+        return bad("stop: expected trials or sd");
+    return {};
+}
+
+} // namespace
+
+double questEpsilon(double target, double slope, double guess, double lapse) noexcept {
+    const double rest = 1.0 - (target - lapse * guess) / (1.0 - lapse); // (1-γ) exp(-10^(βε))
+    return std::log10(-std::log(rest / (1.0 - guess))) / slope;
+}
+
+double optimalQuantileOrder(double low, double high) noexcept {
+    constexpr double kTiny = 1e-14; // keeps logarithms finite
+    const double e = high * std::log(high + kTiny) - low * std::log(low + kTiny) + (1.0 - high + kTiny) * std::log(1.0 - high + kTiny) -
+                     (1.0 - low + kTiny) * std::log(1.0 - low + kTiny);
+    return (1.0 / (1.0 + std::exp(e / (low - high))) - low) / (high - low);
+}
+
+core::Result<std::unique_ptr<Procedure>> Quest::make(const QuestSpec& spec) {
+    if (auto good = check(spec); !good)
+        return tl::unexpected(good.error());
+    return std::make_unique<Quest>(spec);
+}
+
+Quest::Quest(QuestSpec spec) : m_spec(std::move(spec)) {
+    m_half = std::ceil(m_spec.range / m_spec.grain / 2.0);
+    const double epsilon = questEpsilon(m_spec.target, m_spec.slope, m_spec.guess, m_spec.lapse);
+    m_right.resize(static_cast<std::size_t>(4.0 * m_half) + 1);
+    for (std::size_t i = 0; i < m_right.size(); ++i) {
+        const double exponent = m_spec.slope * ((static_cast<double>(i) - 2.0 * m_half) * m_spec.grain + epsilon);
+        m_right[i] = m_spec.lapse * m_spec.guess +
+                     (1.0 - m_spec.lapse) * (1.0 - (1.0 - m_spec.guess) * std::exp(-std::pow(10.0, exponent)));
+    }
+    m_order = optimalQuantileOrder(m_right.front(), m_right.back());
+    restart();
+}
+
+void Quest::restart() {
+    m_pdf.resize(static_cast<std::size_t>(2.0 * m_half) + 1);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < m_pdf.size(); ++i)
+        sum += m_pdf[i] = std::exp(-0.5 * std::pow(x(i) / m_spec.priorSd, 2));
+    for (double& p : m_pdf)
+        p /= sum;
+}
+
+Choice Quest::next() const {
+    double level = m_spec.priorMean;
+    if (trials() > 0)
+        level = m_spec.method == "mean" ? mean() : m_spec.method == "mode" ? mode() : quantile(m_order);
+    if (m_spec.maximum)
+        level = std::min(level, *m_spec.maximum);
+    if (m_spec.minimum)
+        level = std::max(level, *m_spec.minimum);
+    Choice choice;
+    choice.stimulus = {level};
+    return choice;
+}
+
+core::Result<void> Quest::take(const RecordedTrial& trial) {
+    // Beyond the grid a stimulus counts as at its end.
+    const double offset = std::clamp(std::nearbyint((trial.presented[0] - m_spec.priorMean) / m_spec.grain), -m_half, m_half);
+    std::vector<double> pdf = m_pdf;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < pdf.size(); ++i) {
+        const double right = m_right[static_cast<std::size_t>(offset + 3.0 * m_half - static_cast<double>(i))];
+        sum += pdf[i] *= trial.outcome == 1 ? right : 1.0 - right;
+    }
+    if (!(sum > 0.0))
+        return fail(ErrorCode::badInput, "outcome " + std::to_string(trial.outcome) +
+                                             ": impossible at this stimulus for every threshold: expected a lapse above 0");
+    for (double& p : pdf)
+        p /= sum;
+    m_pdf = std::move(pdf);
+    return {};
+}
+
+double Quest::mean() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < m_pdf.size(); ++i)
+        sum += m_pdf[i] * x(i);
+    return m_spec.priorMean + sum;
+}
+
+double Quest::mode() const {
+    return m_spec.priorMean + x(static_cast<std::size_t>(std::max_element(m_pdf.begin(), m_pdf.end()) - m_pdf.begin()));
+}
+
+double Quest::sd() const {
+    const double centre = mean() - m_spec.priorMean;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < m_pdf.size(); ++i)
+        sum += m_pdf[i] * (x(i) - centre) * (x(i) - centre);
+    return std::sqrt(sum);
+}
+
+double Quest::quantile(double order) const {
+    // Between points where the distribution rises, as a straight line (points before each rise, the very last left out).
+    double below = m_pdf[0];
+    if (order < below)
+        return m_spec.priorMean + x(0);
+    double lastP = std::numeric_limits<double>::quiet_NaN();
+    double lastX = 0.0;
+    for (std::size_t i = 0; i + 1 < m_pdf.size(); ++i) {
+        const double next = below + m_pdf[i + 1];
+        if (next != below) {
+            if (below >= order)
+                return m_spec.priorMean + (std::isnan(lastP) ? x(i) : lastX + (x(i) - lastX) * (order - lastP) / (below - lastP));
+            lastP = below;
+            lastX = x(i);
+        }
+        below = next;
+    }
+    return m_spec.priorMean + (std::isnan(lastP) ? x(m_pdf.size() - 1) : lastX);
+}
+
+bool Quest::done() const noexcept {
+    return stopped(m_spec.stop, trials(), 0, m_spec.stop.sd > 0.0 ? std::optional<double>(sd()) : std::nullopt);
+}
+
+ProcedureEstimate Quest::estimate() const {
+    ProcedureEstimate estimate;
+    estimate.known = trials() > 0;
+    estimate.method = "posterior mean (QUEST)";
+    estimate.parameters = {{"threshold", mean(), sd(), quantile(0.025), quantile(0.975), mode()}};
+    return estimate;
+}
+
+} // namespace chiron::psychophysics

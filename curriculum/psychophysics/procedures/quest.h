@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "psychophysics/procedures/trial_log.h"
+
+namespace chiron::psychophysics {
+
+/// The ε for which p(x = T) is the target: δγ + (1-δ)(1-(1-γ) exp(-10^(βε))), solved. Not a number where the target is out of reach.
+double questEpsilon(double target, double slope, double guess, double lapse) noexcept;
+
+/// Pelli's (1987) order of the posterior's quantile to test at, of a function from `low` to `high`.
+double optimalQuantileOrder(double low, double high) noexcept;
+
+/// QUEST (Watson & Pelli 1983) on a grid of thresholds around the prior mean. The first trial is at the prior mean; then at the optimal
+/// quantile, mean or mode of the posterior, within minimum..maximum. Interpolation as in the common implementations, whose sequences it
+/// gives within 1e-6 of the range.
+class Quest final : public LoggedProcedure {
+public:
+    static core::Result<std::unique_ptr<Procedure>> make(const QuestSpec& spec);
+    explicit Quest(QuestSpec spec);
+
+    std::string_view id() const noexcept override { return "quest@1"; }
+    Choice next() const override;
+    bool done() const noexcept override;
+    ProcedureEstimate estimate() const override;
+
+    double mean() const;
+    double mode() const;
+    double sd() const;
+    /// Failure of a flat stretch aside, monotone in `order` (0..1).
+    double quantile(double order) const;
+    double quantileOrder() const noexcept { return m_order; }
+
+protected:
+    void restart() override;
+    core::Result<void> take(const RecordedTrial& trial) override;
+
+private:
+    double x(std::size_t i) const noexcept { return (static_cast<double>(i) - m_half) * m_spec.grain; }
+
+    QuestSpec m_spec;
+    double m_half = 0.0;         ///< grid points on either side of the prior mean
+    double m_order = 0.5;
+    std::vector<double> m_right; ///< p(right) by (stimulus - threshold)/grain + 2 m_half
+    std::vector<double> m_pdf;
+};
+
+} // namespace chiron::psychophysics

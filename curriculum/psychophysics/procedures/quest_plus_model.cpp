@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "psychophysics/procedures/quest_plus.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::psychophysics {
+
+using core::ErrorCode;
+using core::fail;
+
+namespace {
+
+constexpr std::size_t kMostStimuli = 65'536;
+constexpr std::size_t kMostEntries = 200'000'000; ///< stimuli times cells
+
+/// All combinations, the first dimension outermost.
+core::Result<std::vector<Stimulus>> stimuliOf(const QuestPlusSpec& spec) {
+    if (spec.stimuli.empty())
+        return fail(ErrorCode::badInput, "stimuli: expected at least one dimension");
+    std::vector<Stimulus> stimuli{{}};
+    for (const auto& [name, values] : spec.stimuli) {
+        if (values.empty() || !std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
+            return fail(ErrorCode::badInput, "stimuli: " + name + ": expected finite numbers, at least one");
+        if (values.size() > kMostStimuli / stimuli.size())
+            return fail(ErrorCode::badInput, "stimuli: more than " + std::to_string(kMostStimuli));
+        std::vector<Stimulus> longer;
+        for (const Stimulus& head : stimuli)
+            for (const double value : values) {
+                longer.push_back(head);
+                longer.back().push_back(value);
+            }
+        stimuli = std::move(longer);
+    }
+    return stimuli;
+}
+
+/// The parameters in the function's order, whatever order they were given in.
+core::Result<std::vector<ParameterGrid>> ordered(const std::vector<ParameterGrid>& given, const std::vector<std::string_view>& names) {
+    std::vector<ParameterGrid> inOrder;
+    for (const std::string_view name : names) {
+        const auto found = std::find_if(given.begin(), given.end(), [name](const ParameterGrid& p) { return p.name == name; });
+        if (found == given.end())
+            return fail(ErrorCode::badInput, "parameters: " + std::string(name) + " is missing");
+        inOrder.push_back(*found);
+    }
+    for (const ParameterGrid& p : given)
+        if (std::find(names.begin(), names.end(), p.name) == names.end())
+            return fail(ErrorCode::badInput, "parameters: " + p.name + ": not a parameter of this function");
+    if (given.size() != names.size())
+        return fail(ErrorCode::badInput, "parameters: one is given twice");
+    return inOrder;
+}
+
+core::Result<void> checkRules(const QuestPlusSpec& spec) {
+    if (spec.repeatLimit < 0)
+        return fail(ErrorCode::badInput, "repeat_limit: expected at least 0");
+    if (!(spec.catchEvery >= 0.0 && spec.catchEvery < 1.0))
+        return fail(ErrorCode::badInput, "catch_every: expected a share from 0 to below 1");
+    if (spec.stop.trials <= 0 && !(spec.stop.sd > 0.0))
+        return fail(ErrorCode::badInput, "stop: expected trials or sd");
+    return {};
+}
+
+/// Where a right answer (the last outcome) is likeliest under the prior.
+int easiestOf(const QuestPlusModel& model) {
+    int easiest = 0;
+    double most = -1.0;
+    std::vector<double> likelihood;
+    const std::vector<double>& p = model.prior.probability();
+    for (std::size_t x = 0; x < model.stimuli.size(); ++x) {
+        model.tables->likelihood(x, model.tables->outcomes() - 1, likelihood);
+        const double right = blockedDot(p.data(), likelihood.data(), p.size());
+        if (right > most) {
+            most = right;
+            easiest = static_cast<int>(x);
+        }
+    }
+    return easiest;
+}
+
+core::Result<void> addFunction(QuestPlusModel& model, const QuestPlusSpec& spec) {
+    const PsychometricFunction* function = psychometricFunction(spec.function);
+    if (function == nullptr)
+        return fail(ErrorCode::badInput, "function: \"" + spec.function + "\" is not known");
+    if (spec.outcomes != 2)
+        return fail(ErrorCode::badInput, "outcomes: expected 2 with this function");
+    if (model.stimuli.front().size() != function->stimuli.size())
+        return fail(ErrorCode::badInput, "stimuli: expected " + std::to_string(function->stimuli.size()) + " dimensions");
+    auto parameters = ordered(spec.parameters, function->parameters());
+    if (!parameters)
+        return tl::unexpected(parameters.error());
+    auto prior = PosteriorGrid::make(*parameters);
+    if (!prior)
+        return tl::unexpected(prior.error());
+    if (prior->cells() > kMostEntries / model.stimuli.size())
+        return fail(ErrorCode::badInput, "stimuli times parameter cells: more than " + std::to_string(kMostEntries));
+    auto tables = psychometricTables(*function, model.stimuli, *prior);
+    if (!tables)
+        return tl::unexpected(tables.error());
+    model.prior = std::move(*prior);
+    model.tables = std::move(*tables);
+    model.tablesAt = [function, grid = model.prior](const Stimulus& x) { return psychometricTables(*function, {x}, grid); };
+    return {};
+}
+
+core::Result<void> addTable(QuestPlusModel& model, const QuestPlusSpec& spec) {
+    auto prior = PosteriorGrid::make(spec.parameters);
+    if (!prior)
+        return tl::unexpected(prior.error());
+    if (!std::is_partitioned(spec.parameters.begin(), spec.parameters.end(), [](const ParameterGrid& p) { return !p.nuisance; }))
+        return fail(ErrorCode::badInput, "parameters: with a table, those that are a nuisance come last");
+    if (static_cast<int>(spec.table.size()) != spec.outcomes || spec.outcomes < 2)
+        return fail(ErrorCode::badInput, "table: expected as many outcomes as outcomes says, at least 2");
+    auto tables = generalTables(spec.table, *prior);
+    if (!tables)
+        return tl::unexpected(tables.error());
+    if ((*tables)->stimuli() != model.stimuli.size())
+        return fail(ErrorCode::badInput, "table: expected " + std::to_string(model.stimuli.size()) + " stimuli");
+    model.prior = std::move(*prior);
+    model.tables = std::move(*tables);
+    return {};
+}
+
+} // namespace
+
+core::Result<std::shared_ptr<const QuestPlusModel>> questPlusModel(const QuestPlusSpec& spec) {
+    if (auto good = checkRules(spec); !good)
+        return tl::unexpected(good.error());
+    auto model = std::make_shared<QuestPlusModel>();
+    model->id = "quest_plus@1";
+    auto stimuli = stimuliOf(spec);
+    if (!stimuli)
+        return tl::unexpected(stimuli.error());
+    model->stimuli = std::move(*stimuli);
+    if (auto added = spec.function == "table" ? addTable(*model, spec) : addFunction(*model, spec); !added)
+        return tl::unexpected(added.error());
+    model->stop = spec.stop;
+    model->repeatLimit = spec.repeatLimit;
+    model->catchShare = spec.catchEvery;
+    if (spec.catchEvery > 0.0)
+        model->easiest = easiestOf(*model);
+    return model;
+}
+
+} // namespace chiron::psychophysics

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "psychophysics/study/run_estimate.h"
+
+#include "psychophysics/measures/run_curve.h"
+#include "psychophysics/measures/run_fit.h"
+#include "psychophysics/measures/run_warnings.h"
+#include "psychophysics/measures/scored_answers.h"
+#include "psychophysics/measures/set_and_said.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace chiron::psychophysics {
+
+namespace {
+
+constexpr double kJndPerSigma = 0.9538725524089398; ///< √2 z(0.75): the 75 % point of 2AFC in units of σ
+
+/// The procedure's own range of log10 σ, else from a tenth of the smallest to ten times the largest difference.
+ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers) {
+    ThurstonePrior prior;
+    if (answers.smallestDifference > 0.0) {
+        prior.lowLog10Sigma = std::log10(answers.smallestDifference) - 1.0;
+        prior.highLog10Sigma = std::log10(answers.largestDifference) + 1.0;
+    }
+    for (const ProcedureSpec& spec : condition.procedures) {
+        const auto* rank3 = std::get_if<Rank3Spec>(&spec);
+        if (rank3 == nullptr || rank3->log10Sigma.size() < 2)
+            continue;
+        const auto [low, high] = std::minmax_element(rank3->log10Sigma.begin(), rank3->log10Sigma.end());
+        if (std::isfinite(*low) && std::isfinite(*high) && *low < *high)
+            prior.lowLog10Sigma = *low, prior.highLog10Sigma = *high;
+    }
+    if (condition.task == Task::sameDifferent)
+        prior.highCriterion = 6.0;
+    if (condition.task == Task::yesNo && !answers.points.empty()) { // from below the lowest value shown to above the highest
+        const double margin = 0.5 * answers.largestDifference;
+        prior.lowCriterion = std::min(0.0, answers.points.front().difference) - margin;
+        prior.highCriterion = std::max(0.0, answers.points.back().difference) + margin;
+    }
+    return prior;
+}
+
+void takeSigma(RunEstimate& result, const ThurstonePosterior& posterior, double reference) {
+    const auto weber = [](double log10Sigma) { return std::expm1(std::log(10.0) * kJndPerSigma * std::pow(10.0, log10Sigma)); };
+    result.sigma_log10 = std::pow(10.0, posterior.medianLog10Sigma);
+    result.sigma95 = {std::pow(10.0, posterior.lowLog10Sigma), std::pow(10.0, posterior.highLog10Sigma)};
+    result.weber = weber(posterior.medianLog10Sigma);
+    result.weber95 = {weber(posterior.lowLog10Sigma), weber(posterior.highLog10Sigma)};
+    result.jnd = result.weber * reference;
+    result.lapse = posterior.meanLapse;
+}
+
+void takeCriterion(RunEstimate& result, const ThurstonePosterior& posterior, double reference) {
+    result.pse = reference * std::pow(10.0, posterior.criterion);
+    result.pse95 = {reference * std::pow(10.0, posterior.lowCriterion), reference * std::pow(10.0, posterior.highCriterion)};
+}
+
+void fromAnswers(RunEstimate& result, const Condition& condition, const std::vector<ScoredTrial>& trials) {
+    const ScoredAnswers answers = sortAnswers(condition.task, trials);
+    result.trials = answers.used;
+    result.points = answers.points;
+    result.method = condition.task == Task::rank3 ? "posterior of a Thurstone observer over log10 sigma and lapse, all orders said"
+                                                  : "posterior of a Thurstone observer over log10 sigma and lapse";
+    const ThurstonePrior prior = priorOf(condition, answers);
+    const ThurstonePosterior posterior =
+        answers.levels > 0 ? thurstonePosterior(condition.task, answers.counts, prior) : ThurstonePosterior{};
+    if (posterior.known) {
+        takeSigma(result, posterior, condition.stimulus.reference);
+        if (condition.task == Task::yesNo)
+            takeCriterion(result, posterior, condition.stimulus.reference);
+        takeCurve(result, condition.task, answers, posterior);
+    }
+    warnOfAnswers(result.warnings, condition.task, answers, posterior);
+    warnOfPlaces(result.warnings, condition.task, trials);
+    if (posterior.known)
+        takeFit(result, condition.task, answers);
+}
+
+} // namespace
+
+RunEstimate estimateRun(const Condition& condition, const std::vector<ScoredTrial>& trials, std::uint64_t seed) {
+    (void)seed; // nothing is drawn: intervals are of the posterior, of profiles and of t
+    RunEstimate result;
+    result.criterion = condition.criterion;
+    result.unit = std::string(unitOf(condition.stimulus.attribute));
+    if (!(condition.stimulus.reference > 0.0) || !std::isfinite(condition.stimulus.reference)) {
+        result.warnings.emplace_back("reference: the condition has no reference above zero, so nothing can be given in its unit");
+        return result;
+    }
+    if (condition.task == Task::adjustment)
+        takeSettings(result, condition, trials);
+    else if (condition.task == Task::magnitude)
+        takeMagnitudes(result, condition, trials);
+    else
+        fromAnswers(result, condition, trials);
+    return result;
+}
+
+} // namespace chiron::psychophysics
