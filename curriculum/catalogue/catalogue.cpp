@@ -15,6 +15,7 @@ core::Result<Catalogue> Catalogue::load(const std::string& directory) {
     catalogue.m_exercises = std::move(*exercises);
     catalogue.m_objects = reader.named().objects();
     catalogue.m_meshes = reader.named().meshes();
+    catalogue.m_tissues = reader.named().tissues();
     return catalogue;
 }
 
@@ -43,6 +44,13 @@ const ContentMesh* Catalogue::findMesh(std::string_view id) const {
     for (const ContentMesh& mesh : m_meshes)
         if (mesh.id == id)
             return &mesh;
+    return nullptr;
+}
+
+const ContentTissue* Catalogue::findTissue(std::string_view id) const {
+    for (const ContentTissue& tissue : m_tissues)
+        if (tissue.id == id)
+            return &tissue;
     return nullptr;
 }
 

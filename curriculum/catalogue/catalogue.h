@@ -3,6 +3,7 @@
 
 #include "catalogue/exercise.h"
 #include "catalogue/object_content.h"
+#include "catalogue/tissue_content.h"
 #include "core/result.h"
 
 #include <string>
@@ -25,8 +26,10 @@ public:
     const ExerciseLevel* find(std::string_view exercise, int level) const;
     const std::vector<ContentObject>& objects() const { return m_objects; } ///< content/objects, by id
     const std::vector<ContentMesh>& meshes() const { return m_meshes; }     ///< content/meshes, by id
+    const std::vector<ContentTissue>& tissues() const { return m_tissues; } ///< content/tissues, by id
     const ContentObject* findObject(std::string_view id) const;
     const ContentMesh* findMesh(std::string_view id) const;
+    const ContentTissue* findTissue(std::string_view id) const;
     const std::string& directory() const { return m_directory; }
 
 private:
@@ -34,6 +37,7 @@ private:
     std::vector<Exercise> m_exercises;
     std::vector<ContentObject> m_objects;
     std::vector<ContentMesh> m_meshes;
+    std::vector<ContentTissue> m_tissues;
 };
 
 /// The content folder: `explicitDirectory` if not empty, else the environment's CHIRON_CONTENT, else the

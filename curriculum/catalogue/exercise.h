@@ -2,8 +2,10 @@
 #pragma once
 
 #include "scoring/score_card.h"
+#include "simulation/exercises/comparison/comparison_parameters.h"
 #include "simulation/exercises/elastic_tube/elastic_tube_parameters.h"
 #include "simulation/exercises/object_handling/object_handling_parameters.h"
+#include "simulation/exercises/palpation/palpation_parameters.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_parameters.h"
 #include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
 
@@ -23,7 +25,8 @@ const std::string& textIn(const Translated& text, const std::string& language);
 
 /// What a kind of exercise is set up with; each kind adds its struct here and a line in exercise_kinds.cpp.
 using ExerciseParameters = std::variant<simulation::SphereApexParameters, simulation::UrethraInsertionParameters,
-                                        simulation::ElasticTubeParameters, simulation::ObjectHandlingParameters>;
+                                        simulation::ElasticTubeParameters, simulation::ObjectHandlingParameters, simulation::PalpationParameters,
+                                        simulation::ComparisonParameters>;
 
 struct MetricChoice {
     std::string id;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/exercise_kinds.h"
 
+#include "catalogue/comparison_content.h"
 #include "catalogue/elastic_tube_content.h"
 #include "catalogue/object_handling_content.h"
+#include "catalogue/palpation_content.h"
 #include "catalogue/sphere_apex_content.h"
 #include "catalogue/urethra_insertion_content.h"
 
@@ -17,6 +19,8 @@ std::span<const ExerciseKind> exerciseKinds() {
         {"urethra_insertion", "urethra_insertion_parameters", readUrethraInsertion, checkUrethraInsertion, "tissue"},
         {"elastic_tube", "elastic_tube_parameters", readElasticTube, checkElasticTube},
         {"object_handling", "object_handling_parameters", readObjectHandling, checkObjectHandling},
+        {"palpation", "palpation_parameters", readPalpation, checkPalpation},
+        {"comparison", "comparison_parameters", readComparison, checkComparison}, // studies: no file of content has one
     });
     return kKinds;
 }

@@ -31,7 +31,8 @@ struct NamedContent::Kind {
 core::Result<NamedContent> NamedContent::read(const QString& directory) {
     NamedContent content;
     for (const Kind& kind : {Kind{"object", "objects", "attributes", "object_attributes"},
-                             Kind{"mesh", "meshes", "shape", "mesh_source"}})
+                             Kind{"mesh", "meshes", "shape", "mesh_source"},
+                             Kind{"tissue", "tissues", "properties", "tissue_properties"}})
         if (auto read = content.readFolder(directory, kind); !read)
             return tl::unexpected(read.error());
     return content;
@@ -81,9 +82,12 @@ core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind
         if (key == QLatin1String("object")) {
             m_objects.push_back({text.text("id"), text.translated("title"), text.text("source"), readObject(typed)});
             checkObject(m_objects.back().attributes, at, problems);
-        } else {
+        } else if (key == QLatin1String("mesh")) {
             m_meshes.push_back({text.text("id"), text.translated("title"), text.text("source"), readMesh(typed)});
             checkMesh(m_meshes.back().mesh, at, problems);
+        } else {
+            m_tissues.push_back({text.text("id"), text.translated("title"), text.text("source"), readTissue(typed)});
+            checkTissue(m_tissues.back().parameters, at, problems);
         }
     }
     if (!problems.empty())

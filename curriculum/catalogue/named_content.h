@@ -3,6 +3,7 @@
 
 #include "catalogue/object_content.h"
 #include "catalogue/schema.h"
+#include "catalogue/tissue_content.h"
 #include "core/result.h"
 
 #include <QJsonObject>
@@ -12,31 +13,33 @@
 
 namespace chiron::catalogue {
 
-/// What parameters may name: the objects of content/objects and the meshes of content/meshes, read once, each checked in its
-/// own file. A folder that is not there has none.
+/// What parameters may name: the objects of content/objects, the meshes of content/meshes and the tissues of content/tissues, read
+/// once, each checked in its own file. A folder that is not there has none.
 class NamedContent {
 public:
     /// Failure (badInput): a fault in one of the files, with its place.
     static core::Result<NamedContent> read(const QString& directory);
 
-    /// `parameters` with every object and mesh filled in: a member whose schema has a key "object" (or "mesh"), given as a
+    /// `parameters` with every one of them filled in: a member whose schema has a key "object" ("mesh", "tissue"), given as a
     /// name or as an object with that key, becomes the named one's numbers with the given ones over them. A member that is not
     /// given takes its schema's default, and is filled in alike. Paths of problems are below `path`.
     QJsonObject filledIn(const QJsonObject& parameters, const Schema& schema, const QString& path, Problems& problems) const;
 
     const std::vector<ContentObject>& objects() const { return m_objects; }
     const std::vector<ContentMesh>& meshes() const { return m_meshes; }
+    const std::vector<ContentTissue>& tissues() const { return m_tissues; }
 
 private:
-    struct Kind; ///< objects or meshes: folder, schemas, keys
+    struct Kind; ///< objects, meshes or tissues: folder, schemas, keys
     using Named = std::map<QString, QJsonObject>;
 
     core::Result<void> readFolder(const QString& directory, const Kind& kind);
     core::Result<void> readNamed(const QString& path, const Kind& kind, const Schema& file, const Schema& content);
 
-    std::map<QString, Named> m_named; ///< "object" and "mesh" → name → its numbers as given
+    std::map<QString, Named> m_named; ///< "object", "mesh", "tissue" → name → its numbers as given
     std::vector<ContentObject> m_objects;
     std::vector<ContentMesh> m_meshes;
+    std::vector<ContentTissue> m_tissues;
 };
 
 } // namespace chiron::catalogue

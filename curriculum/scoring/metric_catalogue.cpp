@@ -41,6 +41,19 @@ namespace chiron::scoring {
     METRIC(squeezeTimeOverLimitMetric)                                                                       \
     METRIC(placementErrorMetric)                                                                             \
     METRIC(weighingCorrectMetric)                                                                            \
+    METRIC(palpationHitsMetric)                                                                              \
+    METRIC(palpationMissesMetric)                                                                            \
+    METRIC(palpationFalseAlarmsMetric)                                                                       \
+    METRIC(palpationDPrimeMetric)                                                                            \
+    METRIC(palpationCriterionMetric)                                                                         \
+    METRIC(palpationRocAreaMetric)                                                                           \
+    METRIC(localisationErrorMetric)                                                                          \
+    METRIC(sizeErrorMetric)                                                                                  \
+    METRIC(hardnessOrderMetric)                                                                              \
+    METRIC(coverageMetric)                                                                                   \
+    METRIC(forceBandTimeMetric)                                                                              \
+    METRIC(pressingTimeMetric)                                                                               \
+    METRIC(searchingTimeMetric)                                                                              \
     METRIC(apexErrorMeanMetric)                                                                              \
     METRIC(apexErrorSdMetric)                                                                                \
     METRIC(apexBiasXMetric)                                                                                  \

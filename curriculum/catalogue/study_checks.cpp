@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/study_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::catalogue {
+
+using psychophysics::Attribute;
+using psychophysics::Condition;
+using psychophysics::ProcedureScale;
+using psychophysics::ProcedureSpec;
+using psychophysics::Task;
+
+namespace {
+
+/// What a reference and every presented value may be, SI (unitOf): what the simulation and a desktop device have any use for.
+struct Range {
+    double lowest, highest;
+};
+Range rangeOf(Attribute attribute) {
+    switch (attribute) {
+    case Attribute::stiffness: return {1.0, 20000.0};
+    case Attribute::mass: return {0.001, 10.0};
+    case Attribute::deformation: return {0.001, 100.0};
+    case Attribute::roughness: return {1e-7, 0.01};
+    case Attribute::friction: return {0.005, 5.0};
+    case Attribute::viscosity: return {0.01, 200.0};
+    case Attribute::apex: return {0.001, 0.2};
+    }
+    return {};
+}
+
+QString word(std::string_view token) { return QString::fromUtf8(token.data(), static_cast<qsizetype>(token.size())); }
+
+bool outcomesAre(const ProcedureSpec& spec, int outcomes) {
+    const auto* plus = std::get_if<psychophysics::QuestPlusSpec>(&spec);
+    return plus == nullptr || plus->outcomes == outcomes;
+}
+
+/// The kinds that can drive a task: what they are told is its outcome.
+QStringList kindsFor(Task task) {
+    if (task == Task::rank3)
+        return {"rank3_quest_plus", "quest_plus", "descending", "constant"};
+    if (task == Task::adjustment || task == Task::magnitude)
+        return {"constant"};
+    return {"staircase", "pest", "constant", "descending", "quest", "quest_plus"};
+}
+
+void checkTask(const Condition& condition, const QString& path, Problems& problems) {
+    const QStringList kinds = kindsFor(condition.task);
+    for (std::size_t i = 0; i < condition.procedures.size(); ++i) {
+        const QString at = elementPath(memberPath(path, "procedures"), static_cast<qsizetype>(i));
+        const QString kind = word(psychophysics::kindOf(condition.procedures[i]));
+        const int outcomes = condition.task == Task::rank3 ? 6 : 2;
+        if (!kinds.contains(kind))
+            problems.push_back({memberPath(at, "kind"), quoted(kind),
+                                QStringLiteral("for the task %1 one of %2").arg(word(psychophysics::token(condition.task)), kinds.join(", "))});
+        else if (!outcomesAre(condition.procedures[i], outcomes))
+            problems.push_back({memberPath(at, "outcomes"), QStringLiteral("another number"),
+                                QStringLiteral("%1 for the task %2").arg(outcomes).arg(word(psychophysics::token(condition.task)))});
+    }
+    if (condition.stimulus.attribute == Attribute::apex && condition.task != Task::adjustment)
+        problems.push_back({memberPath(path, "task"), quoted(word(psychophysics::token(condition.task))),
+                            QStringLiteral("adjustment: the apex is pointed at")});
+}
+
+// Both sides of the reference make sense where "more than the reference" is asked, set or said.
+bool takesBothSides(Task task) {
+    return task == Task::twoAfc || task == Task::yesNo || task == Task::adjustment || task == Task::magnitude;
+}
+
+void checkTable(const Condition& condition, const QString& path, Problems& problems) {
+    const QString stimulus = memberPath(path, "stimulus");
+    const QString at = elementPath(memberPath(stimulus, "differences"), 0);
+    const auto& differences = condition.stimulus.differences;
+    const double first = differences.front();
+    if (condition.scale == ProcedureScale::logDifference && first <= 0.0)
+        problems.push_back({at, QString::number(first), QStringLiteral("more than 0: the scale takes its logarithm")});
+    else if (!takesBothSides(condition.task) && first <= 0.0)
+        problems.push_back({at, QString::number(first), QStringLiteral("more than 0 for the task %1").arg(word(psychophysics::token(condition.task)))});
+    const Range range = rangeOf(condition.stimulus.attribute);
+    const double reference = condition.stimulus.reference;
+    const QString expected = QStringLiteral("%1 to %2 %3").arg(range.lowest).arg(range.highest).arg(word(psychophysics::unitOf(condition.stimulus.attribute)));
+    if (!(reference >= range.lowest && reference <= range.highest)) {
+        problems.push_back({memberPath(stimulus, "reference"), QString::number(reference), expected});
+        return;
+    }
+    const double multiple = condition.task == Task::rank3 ? 2.0 : 1.0;
+    for (const std::size_t i : {std::size_t{0}, differences.size() - 1}) {
+        const double value = reference * std::pow(10.0, multiple * differences[i]);
+        if (!(value >= range.lowest && value <= range.highest))
+            problems.push_back({elementPath(memberPath(stimulus, "differences"), static_cast<qsizetype>(i)),
+                                QStringLiteral("an object of %1").arg(value), expected});
+    }
+}
+
+// Levels that a procedure names must be there to be presented.
+void checkLevels(const Condition& condition, const QString& path, Problems& problems) {
+    const auto& table = condition.stimulus.differences;
+    const bool logarithm = condition.scale == ProcedureScale::logDifference;
+    if ((logarithm && table.front() <= 0.0))
+        return;
+    const double slack = 1e-9;
+    const double lowest = (logarithm ? std::log10(table.front()) : table.front()) - slack;
+    const double highest = (logarithm ? std::log10(table.back()) : table.back()) + slack;
+    for (std::size_t i = 0; i < condition.procedures.size(); ++i) {
+        const QString at = elementPath(memberPath(path, "procedures"), static_cast<qsizetype>(i));
+        const auto inside = [&](const char* key, const std::vector<double>& levels) {
+            const auto outside = std::find_if(levels.begin(), levels.end(), [&](double x) { return x < lowest || x > highest; });
+            if (outside != levels.end())
+                problems.push_back({memberPath(at, key), QString::number(*outside),
+                                    QStringLiteral("%1 to %2, as the table of differences has").arg(lowest).arg(highest)});
+        };
+        const ProcedureSpec& spec = condition.procedures[i];
+        if (const auto* constant = std::get_if<psychophysics::ConstantSpec>(&spec))
+            inside("levels", constant->levels);
+        else if (const auto* descending = std::get_if<psychophysics::DescendingSpec>(&spec))
+            inside("levels", descending->levels);
+        else if (const auto* rank3 = std::get_if<psychophysics::Rank3Spec>(&spec)) {
+            inside("differences", rank3->differences);
+            if (logarithm)
+                problems.push_back({memberPath(path, "scale"), quoted(QStringLiteral("log_difference")),
+                                    QStringLiteral("difference for rank3_quest_plus")});
+        }
+    }
+}
+
+} // namespace
+
+void checkCondition(const Condition& condition, const QString& path, Problems& problems) {
+    checkTask(condition, path, problems);
+    checkTable(condition, path, problems);
+    checkLevels(condition, path, problems);
+}
+
+} // namespace chiron::catalogue

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "psychophysics/study/study_design.h"
+
+#include <QByteArray>
+#include <string>
+
+namespace chiron::catalogue {
+
+/// A study from its JSON (content/schema/study.json documents every key). Strict: unknown keys are refused, everything wrong is told
+/// together. Failure (badInput): `file:line:column: $.path: found: expected ...`, a line each.
+core::Result<psychophysics::StudyDesign> readStudy(const QByteArray& json, const std::string& file);
+
+/// The canonical JSON of a study: keys sorted, no spaces, every key that applies written out. Reading and writing it again gives the
+/// same bytes.
+QByteArray studyJson(const psychophysics::StudyDesign& design);
+
+/// SHA-256 of the bytes, 64 hex digits; of studyJson: what a study is frozen under.
+std::string studySha256(const QByteArray& json);
+
+} // namespace chiron::catalogue

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scoring/detection/finding_matches.h"
+
+#include <vector>
+
+namespace chiron::scoring {
+
+/// What a sum of errors is made of: adds up over trials.
+struct ErrorSum {
+    double sum = 0.0;
+    int count = 0;
+};
+
+/// Distances of hits from their lumps' places, m.
+ErrorSum localisationErrors(const std::vector<FindingMatch>& matches);
+/// |reported − true radius| of hits whose size was said, m.
+ErrorSum sizeErrors(const PalpationTruth& truth, const core::FindingsBook& findings, const std::vector<FindingMatch>& matches);
+
+/// Pairs of lumps of different hardness that were found and rated, in one trial.
+struct HardnessPairs {
+    int right = 0; ///< the harder one was called harder; alike is not right
+    int pairs = 0;
+    int rated = 0; ///< found lumps with a rating
+};
+HardnessPairs hardnessPairs(const PalpationTruth& truth, const core::FindingsBook& findings,
+                            const std::vector<FindingMatch>& matches);
+
+} // namespace chiron::scoring

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scoring/metrics/palpation_samples.h"
+
+#include "scoring/detection/finding_errors.h"
+
+#include <algorithm>
+
+namespace chiron::scoring {
+
+namespace {
+
+Measurement measure(std::span<const PreparedTrial> trials) {
+    const auto [answers, undefined] = judged(trials);
+    if (undefined)
+        return *undefined;
+    HardnessPairs all;
+    bool asked = false;
+    for (const PalpationAnswer& answer : answers) {
+        const HardnessPairs pairs = hardnessPairs(answer.truth, answer.findings, answer.matches);
+        all.right += pairs.right;
+        all.pairs += pairs.pairs;
+        all.rated = std::max(all.rated, pairs.rated);
+        asked = asked || answer.truth.asksHardness;
+    }
+    if (all.pairs > 0)
+        return Measurement::of(100.0 * all.right / all.pairs);
+    if (!asked && all.rated == 0)
+        return Measurement::undefined("the level asks for no hardness");
+    return Measurement::undefined(all.rated < 2 ? "fewer than two lumps of a trial were found and their hardness said"
+                                                : "the lumps that were found are equally hard");
+}
+
+} // namespace
+
+MetricDefinition hardnessOrderMetric() {
+    return {.id = "hardness_order",
+            .version = 1,
+            .unit = "%",
+            .direction = Direction::higherIsBetter,
+            .wrench = MetricWrench::none,
+            .aggregate = Aggregate::pooled,
+            .tools = MetricTools::first,
+            .definition = "Share of the pairs of lumps found in one trial whose harder one was called harder; pairs truly alike "
+                          "are left out, called alike is not right; all trials pooled.",
+            .source = "models.md §6 (hardness-rank correctness); our definition",
+            .measure = measure};
+}
+
+} // namespace chiron::scoring

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scoring/detection/palpation_answer.h"
+#include "scoring/metric.h"
+#include "scoring/prepared_trial.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace chiron::scoring {
+
+/// All trials judged, or why a session's value would silently leave one out.
+struct JudgedTrials {
+    std::vector<PalpationAnswer> answers;
+    std::optional<Measurement> undefined;
+};
+
+inline JudgedTrials judged(std::span<const PreparedTrial> trials) {
+    JudgedTrials out;
+    if (trials.empty())
+        out.undefined = Measurement::undefined("no trials");
+    for (const PreparedTrial& trial : trials) {
+        JudgedTrial one = judgePalpation(*trial.trial);
+        if (!one.answer) {
+            out.undefined = Measurement::undefined(std::string(one.reason));
+            return out;
+        }
+        out.answers.push_back(std::move(*one.answer));
+    }
+    return out;
+}
+
+inline int lumpsOf(const std::vector<PalpationAnswer>& answers) {
+    int lumps = 0;
+    for (const PalpationAnswer& answer : answers)
+        lumps += static_cast<int>(answer.truth.lumps.size());
+    return lumps;
+}
+
+/// Regions of all trials, pooled.
+inline core::DetectionCounts countsOf(const std::vector<PalpationAnswer>& answers) {
+    core::DetectionCounts counts;
+    for (const PalpationAnswer& answer : answers)
+        counts += countsOf(answer.regions);
+    return counts;
+}
+
+/// Why d′, c and the ROC's area of so few regions would say nothing.
+inline Measurement tooFewRegions(const core::DetectionCounts& n) {
+    return Measurement::undefined("only " + std::to_string(n.ofSignal) + " regions with a lump and " + std::to_string(n.ofNoise) +
+                                  " without: " + std::to_string(core::kUsableCounts) + " of each are needed");
+}
+
+/// Calls visit(force on the tissue in N, beginning in s, end in s) for each unpaused sample of each finger that presses (over
+/// 0.02 N); a sample's force holds until that finger's next one.
+template <class Visit> void forEachPress(const PreparedTrial& trial, Visit&& visit) {
+    for (const ToolTrace& tool : trial.trial->tools)
+        for (std::size_t i = 0; i + 1 < tool.t_s.size(); ++i)
+            if (const double force_N = tool.tissue_N[i].norm(); tool.paused[i] == 0 && force_N > kContactForce_N)
+                visit(force_N, tool.t_s[i], tool.t_s[i + 1]);
+}
+
+} // namespace chiron::scoring
