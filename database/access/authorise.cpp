@@ -13,7 +13,8 @@ std::string wordsFor(Action action) {
         const bool capital = c >= 'A' && c <= 'Z';
         words += capital ? std::string{' ', static_cast<char>(c - 'A' + 'a')} : std::string(1, c);
     }
-    for (const char* thing : {"person", "session", "trials", "events", "second", "comments", "scores"}) {
+    for (const char* thing : {"person", "session", "trials", "events", "second", "comments", "scores", "study", "sealed",
+                              "participant", "runs", "questionnaire"}) {
         if (words.starts_with(thing)) {
             return "read " + words;
         }
@@ -100,27 +101,63 @@ core::Result<void> authoriseFor(Connection& connection, const Actor& actor, Acti
     return {};
 }
 
-core::Result<void> authoriseForSession(Connection& connection, const Actor& actor, Action action,
-                                       SessionId session) {
+namespace {
+
+/// A thing that belongs to somebody.
+struct Owned {
+    const char* what;
+    std::int64_t number = 0;
+    const char* ownerSql;
+};
+
+core::Result<void> authoriseForOwned(Connection& connection, const Actor& actor, Action action, const Owned& thing) {
     const auto scope = authorise(connection, actor, action);
     if (!scope) {
         return tl::unexpected(scope.error());
     }
-    const auto owner = selectInteger(connection, "SELECT person_id FROM session WHERE id = ?", {session});
+    const std::string name = thing.what + (" " + std::to_string(thing.number));
+    const auto owner = selectInteger(connection, thing.ownerSql, {thing.number});
     if (!owner) {
         return tl::unexpected(owner.error());
     }
     if (!*owner && *scope == Scope::all) {
-        return core::fail(core::ErrorCode::notFound, "there is no session " + std::to_string(session));
+        return core::fail(core::ErrorCode::notFound, "there is no " + name);
     }
     if (!*owner || !reaches(*scope, actor, **owner)) {
-        return tl::unexpected(
-            denied(actor, action,
-                   "session " + std::to_string(session) +
-                       (actor.kind() == ActorKind::anonymous ? " is not a simulated one; log in first"
-                                                             : " is somebody else's")));
+        return tl::unexpected(denied(actor, action,
+                                     name + (actor.kind() == ActorKind::anonymous
+                                                 ? " is not a simulated one; log in first"
+                                                 : " is somebody else's")));
     }
     return {};
+}
+
+} // namespace
+
+core::Result<void> authoriseForSession(Connection& connection, const Actor& actor, Action action,
+                                       SessionId session) {
+    return authoriseForOwned(connection, actor, action,
+                             {"session", session, "SELECT person_id FROM session WHERE id = ?"});
+}
+
+core::Result<void> authoriseForStudy(Connection& connection, const Actor& actor, Action action, StudyPart part,
+                                     std::int64_t number) {
+    switch (part) {
+    case StudyPart::study:
+        return authoriseForOwned(connection, actor, action,
+                                 {"study", number, "SELECT author_id FROM study WHERE id = ?"});
+    case StudyPart::participant:
+        return authoriseForOwned(connection, actor, action,
+                                 {"participant", number,
+                                  "SELECT s.author_id FROM study_participant p JOIN study s ON s.id = p.study_id "
+                                  "WHERE p.id = ?"});
+    case StudyPart::run:
+        return authoriseForOwned(connection, actor, action,
+                                 {"run", number,
+                                  "SELECT s.author_id FROM study_run r JOIN study_participant p ON p.id = "
+                                  "r.participant_id JOIN study s ON s.id = p.study_id WHERE r.id = ?"});
+    }
+    return tl::unexpected(denied(actor, action, "there is no such thing"));
 }
 
 } // namespace chiron::database

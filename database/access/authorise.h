@@ -20,4 +20,10 @@ core::Result<void> authoriseFor(Connection& connection, const Actor& actor, Acti
 core::Result<void> authoriseForSession(Connection& connection, const Actor& actor, Action action,
                                        SessionId session);
 
+/// What of a study something is about: itself, one of its participants, or one of their runs.
+enum class StudyPart { study, participant, run };
+/// As above, for the author of a study, to whom everything in it belongs.
+core::Result<void> authoriseForStudy(Connection& connection, const Actor& actor, Action action, StudyPart part,
+                                     std::int64_t number);
+
 } // namespace chiron::database

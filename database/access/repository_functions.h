@@ -44,6 +44,31 @@
     X(ScoreRepository, storeScores)                                                                          \
     X(ScoreRepository, scores)                                                                               \
     X(AuditRepository, listAudit)                                                                            \
+    X(StudyRepository, createStudy)                                                                          \
+    X(StudyRepository, saveDraft)                                                                            \
+    X(StudyRepository, freezeStudy)                                                                          \
+    X(StudyRepository, closeStudy)                                                                           \
+    X(StudyRepository, setStudyArchived)                                                                     \
+    X(StudyRepository, unblindStudy)                                                                         \
+    X(StudyRepository, enrolParticipant)                                                                     \
+    X(StudyRepository, recordConsent)                                                                        \
+    X(StudyRepository, completeParticipant)                                                                  \
+    X(StudyRepository, withdrawParticipant)                                                                  \
+    X(StudyRepository, beginRun)                                                                             \
+    X(StudyRepository, storeStudyTrial)                                                                      \
+    X(StudyRepository, finishRun)                                                                            \
+    X(StudyRepository, storeQuestionnaireAnswers)                                                            \
+    X(StudyReader, listStudies)                                                                              \
+    X(StudyReader, study)                                                                                    \
+    X(StudyReader, studyByKey)                                                                               \
+    X(StudyReader, sealedConditions)                                                                         \
+    X(StudyReader, participants)                                                                             \
+    X(StudyReader, participantByCode)                                                                        \
+    X(StudyReader, runs)                                                                                     \
+    X(StudyReader, studyTrials)                                                                              \
+    X(StudyReader, questionnaireAnswers)                                                                     \
+    X(StudyReader, participantKeys)                                                                          \
+    X(PrivacyRepository, eraseParticipant)                                                                   \
     X(Upkeep, backup)                                                                                        \
     X(Upkeep, restore)                                                                                       \
     X(Upkeep, exportSite)

@@ -194,19 +194,18 @@ core::Result<Person> AccountService::personByName(const Actor& actor, const std:
     return reader ? AccountRepository(**reader, actor).personByName(name) : tl::unexpected(reader.error());
 }
 
-core::Result<void> AccountService::erasePerson(const Actor& actor, const std::string& password,
-                                               PersonId person, const std::string& reason,
-                                               bool withdrawRecordings) {
+core::Result<void> AccountService::mayErase(const Actor& actor, const std::string& password) {
     if (auto confirmed = confirm(actor, password); !confirmed) {
         return tl::unexpected(confirmed.error());
     }
-    if (!m_database.isWritable() || m_database.writer().hasSources()) {
-        return core::fail(core::ErrorCode::wrongUse,
-                          "an erasure needs the writer and waits until no session is running");
-    }
-    const auto erased = m_database.write([&](WriteContext& writing) {
-        return PrivacyRepository(writing.connection(), actor).erasePerson(person, reason, withdrawRecordings);
-    });
+    return m_database.isWritable() && !m_database.writer().hasSources()
+               ? core::Result<void>()
+               : core::fail(core::ErrorCode::wrongUse,
+                            "an erasure needs the writer and waits until no session is running");
+}
+
+// On the site's list, for backups that are restored, and out of the file's free pages.
+core::Result<void> AccountService::makeErasureLast(const core::Result<Erasure>& erased) {
     if (!erased) {
         return tl::unexpected(erased.error());
     }
@@ -215,6 +214,27 @@ core::Result<void> AccountService::erasePerson(const Actor& actor, const std::st
     }
     return m_database.writer().runMaintenance(
         [](WriteContext& writing) { return forgetOldPages(writing.connection()); });
+}
+
+core::Result<void> AccountService::erasePerson(const Actor& actor, const std::string& password,
+                                               PersonId person, const std::string& reason,
+                                               bool withdrawRecordings) {
+    if (auto may = mayErase(actor, password); !may) {
+        return may;
+    }
+    return makeErasureLast(m_database.write([&](WriteContext& writing) {
+        return PrivacyRepository(writing.connection(), actor).erasePerson(person, reason, withdrawRecordings);
+    }));
+}
+
+core::Result<void> AccountService::eraseParticipant(const Actor& actor, const std::string& password,
+                                                    ParticipantNumber participant, const std::string& reason) {
+    if (auto may = mayErase(actor, password); !may) {
+        return may;
+    }
+    return makeErasureLast(m_database.write([&](WriteContext& writing) {
+        return PrivacyRepository(writing.connection(), actor).eraseParticipant(participant, reason);
+    }));
 }
 
 } // namespace chiron::database

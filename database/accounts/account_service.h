@@ -5,6 +5,8 @@
 #include "database/accounts/person.h"
 #include "database/accounts/user_csv.h"
 #include "database/database.h"
+#include "database/privacy/erasure.h"
+#include "database/repositories/study_types.h"
 
 #include <functional>
 #include <optional>
@@ -85,8 +87,14 @@ public:
     /// running.
     core::Result<void> erasePerson(const Actor& actor, const std::string& password, PersonId person,
                                    const std::string& reason, bool withdrawRecordings);
+    /// The same for a withdrawn participant of a study, by number: key, free texts and questionnaires, and the
+    /// recordings where the participant wished so. Runs and trials stay under the code.
+    core::Result<void> eraseParticipant(const Actor& actor, const std::string& password, ParticipantNumber participant,
+                                        const std::string& reason);
 
 private:
+    core::Result<void> mayErase(const Actor& actor, const std::string& password);
+    core::Result<void> makeErasureLast(const core::Result<Erasure>& erased);
     core::Result<LoginAttempt> begin(const std::string& name, bool recovery);
     core::Result<Actor> finish(const LoginAttempt& attempt);
     core::Result<Actor> confirm(const Actor& actor, const std::string& password);

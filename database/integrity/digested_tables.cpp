@@ -113,6 +113,10 @@ std::vector<DigestedTable> makeTables() {
     for (DigestedTable& table : recordTables()) {
         tables.push_back(std::move(table));
     }
+    for (DigestedTable& table : studyTables()) {
+        table.since = kStudyVersion;
+        tables.push_back(std::move(table));
+    }
     return tables;
 }
 

@@ -28,10 +28,17 @@ struct DigestedTable {
     /// ones are NULL the digest leaves them out, so that a row which has none keeps the digest it was born
     /// with.
     std::size_t laterColumns = 0;
+    int since = 1; ///< version of the schema that brought the table
 };
+
+inline constexpr int kStudyVersion = 3; ///< the schema that brought studies
+/// The schema of a file that is verified; an older one lacks later tables.
+int schemaVersionOf(Connection& connection);
 
 /// All of them, parents first.
 const std::vector<DigestedTable>& digestedTables();
+/// The tables of studies (version 3), a part of them.
+std::vector<DigestedTable> studyTables();
 /// The one of this name; must exist.
 const DigestedTable& digestedTable(std::string_view name);
 

@@ -4,6 +4,7 @@
 #include "core/clock.h"
 #include "database/audit/audit_trail.h"
 #include "database/integrity/digested_row.h"
+#include "database/privacy/participant_erasure.h"
 
 #include <vector>
 
@@ -85,35 +86,39 @@ core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, P
     return {};
 }
 
+// Sessions of a study hold its participants' movements, not those of whoever ran them.
 core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWhom, Erasure& erasure) {
-    const auto sessions = idsOf(connection, "SELECT id FROM session WHERE person_id = ?", erasure.person);
+    const auto sessions = idsOf(connection,
+                                "SELECT id FROM session WHERE person_id = ? AND id NOT IN (SELECT session_id FROM "
+                                "study_trial WHERE session_id IS NOT NULL)",
+                                erasure.person);
     if (!sessions) {
         return tl::unexpected(sessions.error());
     }
-    erasure.digestsJson += ",\"sessions\":{";
-    for (std::size_t i = 0; i < sessions->size(); ++i) {
-        const SessionId session = (*sessions)[i];
-        const auto seal =
-            selectText(connection, "SELECT lower(hex(seal)) FROM session WHERE id = ?", {session});
-        auto payloads =
-            Query::run(connection, "UPDATE chunk SET payload = zeroblob(0) WHERE session_id = ?", {session});
-        if (!seal || !payloads) {
-            return tl::unexpected(!seal ? seal.error() : payloads.error());
+    std::string seals;
+    for (const SessionId session : *sessions) {
+        if (auto done = overwriteRecording(connection, byWhom, session, seals); !done) {
+            return done;
         }
-        const auto row =
-            updateRow(connection, "session", {{"id", session}}, {{"recording_erased", std::int64_t{1}}});
-        if (!row) {
-            return tl::unexpected(row.error());
-        }
-        if (auto audited =
-                appendAudit(connection, byWhom, {"eraseRecording", "session", session, *row, "{}"});
-            !audited) {
-            return audited;
-        }
-        erasure.digestsJson +=
-            (i > 0 ? ",\"" : "\"") + std::to_string(session) + "\":\"" + seal->value_or("") + "\"";
     }
-    erasure.digestsJson += "}";
+    erasure.digestsJson += ",\"sessions\":{" + seals + "}";
+    return {};
+}
+
+// As a participant of studies: the key knows who it was, the rest is told by the code.
+core::Result<void> overwriteParticipations(Connection& connection, const Actor& byWhom, const Erasure& erasure) {
+    const auto participants = participantsOf(connection, erasure.person);
+    if (!participants) {
+        return tl::unexpected(participants.error());
+    }
+    for (const std::int64_t participant : *participants) {
+        Erasure each = erasure;
+        each.digestsJson.clear();
+        const auto done = overwriteParticipant(connection, byWhom, participant, std::move(each));
+        if (!done) {
+            return tl::unexpected(done.error());
+        }
+    }
     return {};
 }
 
@@ -139,11 +144,29 @@ core::Result<void> storeTombstone(Connection& connection, const Erasure& erasure
 
 } // namespace
 
+core::Result<void> overwriteRecording(Connection& connection, const Actor& byWhom, SessionId session,
+                                      std::string& digestsJson) {
+    const auto seal = selectText(connection, "SELECT lower(hex(seal)) FROM session WHERE id = ?", {session});
+    auto payloads =
+        Query::run(connection, "UPDATE chunk SET payload = zeroblob(0) WHERE session_id = ?", {session});
+    if (!seal || !payloads) {
+        return tl::unexpected(!seal ? seal.error() : payloads.error());
+    }
+    const auto row =
+        updateRow(connection, "session", {{"id", session}}, {{"recording_erased", std::int64_t{1}}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    digestsJson += (digestsJson.empty() ? "\"" : ",\"") + std::to_string(session) + "\":\"" + seal->value_or("") + "\"";
+    return appendAudit(connection, byWhom, {"eraseRecording", "session", session, *row, "{}"});
+}
+
 core::Result<Erasure> overwritePerson(Connection& connection, const Actor& byWhom, Erasure erasure) {
     if (erasure.utc.empty()) {
         erasure.utc = core::utcNowIso8601();
     }
-    auto done = overwriteIdentity(connection, byWhom, erasure);
+    auto done = overwriteParticipations(connection, byWhom, erasure);
+    done = done ? overwriteIdentity(connection, byWhom, erasure) : done;
     done = done ? overwriteTexts(connection, byWhom, erasure.person) : done;
     if (done && erasure.recordingsWithdrawn) {
         done = overwriteRecordings(connection, byWhom, erasure);
@@ -167,7 +190,12 @@ core::Result<std::vector<Erasure>> storedErasures(Connection& connection) {
         erasures.push_back({query->integer(0), query->text(1), query->text(2), query->text(3),
                             query->integer(4), query->integer(5) != 0, query->text(6)});
     }
-    return row ? core::Result<std::vector<Erasure>>(std::move(erasures)) : tl::unexpected(row.error());
+    const auto participants = row ? storedParticipantErasures(connection) : tl::unexpected(row.error());
+    if (!participants) {
+        return tl::unexpected(participants.error());
+    }
+    erasures.insert(erasures.end(), participants->begin(), participants->end());
+    return erasures;
 }
 
 } // namespace chiron::database

@@ -21,6 +21,8 @@ struct Erasure {
     PersonId administrator = 0;
     bool recordingsWithdrawn = false;
     std::string digestsJson; ///< digests of what was overwritten
+    /// Of a participant of a study, erased by the code alone (person is 0 then): codes are never given out twice.
+    std::string participantCode{};
 };
 
 /// Whether it is about the person with this number who was created then ("" on either side: not known).
@@ -29,11 +31,11 @@ inline bool isAbout(const Erasure& erasure, PersonId person, const std::string& 
     return erasure.person == person && (unknown || erasure.personCreated_utc == created_utc);
 }
 
-/// Puts an erasure into a list, in the place of an older one of the same person.
+/// Puts an erasure into a list, in the place of an older one of the same person or participant.
 void putErasure(std::vector<Erasure>& list, const Erasure& erasure);
 
-/// Overwrites a person's name, code, credentials and free texts (and recordings, if withdrawn), stores the
-/// tombstone and audits it on behalf of byWhom. In the running transaction. Row digests of trials, chunks and
+/// Overwrites a person's name, code, credentials and free texts (and recordings, if withdrawn), erases who of
+/// the participants of studies it was, stores the tombstone and audits it on behalf of byWhom. In the running transaction. Row digests of trials, chunks and
 /// comments, and seals, stay as they were: they cover payloads and texts through their hashes. Failure:
 /// notFound, storage.
 core::Result<Erasure> overwritePerson(Connection& connection, const Actor& byWhom, Erasure erasure);
@@ -45,7 +47,11 @@ core::Result<void> writeErasureList(const std::string& siteFolder, const Erasure
 core::Result<std::vector<Erasure>> readErasureList(const std::string& file);
 core::Result<void> saveErasureList(const std::string& file, const std::vector<Erasure>& erasures);
 
-/// The tombstones in a database.
+/// Overwrites the samples of a session and marks it; adds its seal to `digestsJson` (`"3":"..."`). Failure: storage.
+core::Result<void> overwriteRecording(Connection& connection, const Actor& byWhom, SessionId session,
+                                      std::string& digestsJson);
+
+/// The tombstones in a database, people's before participants'.
 core::Result<std::vector<Erasure>> storedErasures(Connection& connection);
 
 inline std::string erasureListFile(const std::string& siteFolder) {

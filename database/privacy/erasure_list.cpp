@@ -12,13 +12,17 @@ namespace chiron::database {
 namespace {
 
 QJsonObject jsonOf(const Erasure& erasure) {
-    return {{"person", static_cast<qint64>(erasure.person)},
+    QJsonObject json{{"person", static_cast<qint64>(erasure.person)},
             {"person_created_utc", QString::fromStdString(erasure.personCreated_utc)},
             {"utc", QString::fromStdString(erasure.utc)},
             {"reason", QString::fromStdString(erasure.reason)},
             {"administrator", static_cast<qint64>(erasure.administrator)},
             {"recordings_withdrawn", erasure.recordingsWithdrawn},
             {"digests", QString::fromStdString(erasure.digestsJson)}};
+    if (!erasure.participantCode.empty()) {
+        json["participant_code"] = QString::fromStdString(erasure.participantCode);
+    }
+    return json;
 }
 
 } // namespace
@@ -44,8 +48,9 @@ core::Result<std::vector<Erasure>> readErasureList(const std::string& name) {
                               json["reason"].toString().toStdString(),
                               json["administrator"].toInteger(),
                               json["recordings_withdrawn"].toBool(),
-                              json["digests"].toString().toStdString()};
-        if (erasure.person <= Actor::kSimulatedPerson) {
+                              json["digests"].toString().toStdString(),
+                              json["participant_code"].toString().toStdString()};
+        if (erasure.participantCode.empty() && erasure.person <= Actor::kSimulatedPerson) {
             return core::fail(core::ErrorCode::badInput, name + ": an erasure names no person");
         }
         erasures.push_back(erasure);
@@ -54,8 +59,10 @@ core::Result<std::vector<Erasure>> readErasureList(const std::string& name) {
 }
 
 void putErasure(std::vector<Erasure>& list, const Erasure& erasure) {
-    std::erase_if(list,
-                  [&](const Erasure& e) { return isAbout(e, erasure.person, erasure.personCreated_utc); });
+    std::erase_if(list, [&](const Erasure& e) {
+        return e.participantCode == erasure.participantCode &&
+               isAbout(e, erasure.person, erasure.personCreated_utc);
+    });
     list.push_back(erasure);
 }
 

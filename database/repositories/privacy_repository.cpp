@@ -6,6 +6,7 @@
 #include "database/accounts/account_rules.h"
 #include "database/query.h"
 #include "database/repositories/account_repository.h"
+#include "database/repositories/participations.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "database/repositories/session_rules.h"
@@ -122,6 +123,11 @@ core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
         }
         held.sessions.push_back(*std::move(session));
     }
+    auto participations = participationsOf(m_connection, id);
+    if (!participations) {
+        return tl::unexpected(participations.error());
+    }
+    held.participations = *std::move(participations);
     return held;
 }
 

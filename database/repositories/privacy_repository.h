@@ -7,6 +7,7 @@
 #include "database/privacy/erasure.h"
 #include "database/repositories/audit_repository.h"
 #include "database/repositories/session_types.h"
+#include "database/repositories/study_types.h"
 #include "scoring/score_card.h"
 
 #include <optional>
@@ -24,6 +25,17 @@ struct PersonSession {
     std::optional<scoring::ScoreCard> scores;
 };
 
+/// What is held of somebody as a participant of a study.
+struct PersonParticipation {
+    std::string studyKey;
+    std::string studyTitle;
+    Participant participant;
+    std::string identity; ///< as the key table has it
+    std::vector<StudyRun> runs;
+    std::vector<StudyTrial> trials; ///< of all runs
+    std::vector<QuestionnaireAnswer> answers;
+};
+
 /// Everything held about one person. Samples are exported per session (recording reader); credentials are
 /// secrets, only their presence is told.
 struct PersonExport {
@@ -33,6 +45,7 @@ struct PersonExport {
     std::vector<AuditEntry> audit;               ///< by or about them
     bool hasPassword = false;
     int failedLogins = 0;
+    std::vector<PersonParticipation> participations; ///< where a study's key table names this account
 };
 
 /// What the law gives a person: a copy, and oblivion.
@@ -48,6 +61,11 @@ public:
     /// (list, VACUUM) can be done again; recordings can still be withdrawn.
     /// Failure: wrongUse for the simulated account, oneself, the last administrator or a running session.
     core::Result<Erasure> erasePerson(PersonId person, const std::string& reason, bool withdrawRecordings);
+    /// Overwrites who a participant of a study was and all answers to questionnaires, and the recordings where
+    /// the participant wished so at withdrawal; leaves a tombstone. The caller confirms the password and VACUUMs
+    /// (AccountService::eraseParticipant). An erased one can be erased again. Failure: wrongUse for a simulated one,
+    /// one who has not withdrawn, or while a session of theirs runs.
+    core::Result<Erasure> eraseParticipant(ParticipantNumber participant, const std::string& reason);
     core::Result<std::vector<Erasure>> listErasures();
 
 private:

@@ -2,7 +2,7 @@
 #include "database/upkeep/restorable.h"
 
 #include "database/integrity/snapshot_check.h"
-#include "database/privacy/erasure.h"
+#include "database/privacy/participant_erasure.h"
 #include "database/query.h"
 #include "database/schema/migration_runner.h"
 #include "database/upkeep/manifest.h"
@@ -37,10 +37,32 @@ core::Result<std::vector<Erasure>> erasuresToApply(const std::string& backupFold
     return all;
 }
 
+// Whether a participant of that code is there, and was overwritten again.
+core::Result<bool> applyToParticipant(Connection& connection, const Actor& actor, const Erasure& erasure) {
+    const auto participant = participantWithCode(connection, erasure.participantCode);
+    if (!participant || *participant == 0) {
+        return participant ? core::Result<bool>(false) : tl::unexpected(participant.error());
+    }
+    const auto done = overwriteParticipant(connection, actor, *participant, erasure);
+    return done ? core::Result<bool>(true) : tl::unexpected(done.error());
+}
+
 core::Result<int> applyErasures(Connection& connection, const Actor& actor,
                                 const std::vector<Erasure>& erasures) {
     int applied = 0;
     for (const Erasure& erasure : erasures) {
+        Erasure again = erasure;
+        const auto administrator =
+            selectInteger(connection, "SELECT id FROM person WHERE id = ?", {erasure.administrator});
+        again.administrator = administrator.value_or(std::nullopt) ? erasure.administrator : actor.personId();
+        if (!erasure.participantCode.empty()) {
+            const auto done = applyToParticipant(connection, actor, again);
+            if (!done) {
+                return tl::unexpected(done.error());
+            }
+            applied += *done ? 1 : 0;
+            continue;
+        }
         const auto created = selectText(
             connection, "SELECT created_utc FROM person WHERE id = ? AND kind = 'person'", {erasure.person});
         if (!created) {
@@ -49,10 +71,6 @@ core::Result<int> applyErasures(Connection& connection, const Actor& actor,
         if (!*created || !isAbout(erasure, erasure.person, **created)) {
             continue;
         }
-        Erasure again = erasure;
-        const auto administrator =
-            selectInteger(connection, "SELECT id FROM person WHERE id = ?", {erasure.administrator});
-        again.administrator = administrator.value_or(std::nullopt) ? erasure.administrator : actor.personId();
         if (auto done = overwritePerson(connection, actor, again); !done) {
             return tl::unexpected(done.error());
         }

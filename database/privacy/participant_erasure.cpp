@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/privacy/participant_erasure.h"
+
+#include "core/clock.h"
+#include "database/audit/audit_trail.h"
+#include "database/integrity/digested_row.h"
+
+namespace chiron::database {
+namespace {
+
+core::Result<std::vector<std::int64_t>> idsOf(Connection& connection, const std::string& sql, std::int64_t number) {
+    auto query = Query::run(connection, sql, {number});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<std::int64_t> ids;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        ids.push_back(query->integer(0));
+    }
+    return row ? core::Result<std::vector<std::int64_t>>(std::move(ids)) : tl::unexpected(row.error());
+}
+
+// Keys and answers are covered through their hashes, so neither digests nor chain change.
+core::Result<void> overwriteTexts(Connection& connection, std::int64_t participant, std::string& digests) {
+    const auto key = selectText(connection, "SELECT lower(hex(key_hash)) FROM participant_key WHERE id = ?", {participant});
+    const auto answers = selectText(connection,
+                                    "SELECT group_concat('\"' || id || '\":\"' || lower(hex(answer_hash)) || '\"', ',') FROM "
+                                    "questionnaire_answer WHERE participant_id = ?",
+                                    {participant});
+    if (!key || !answers) {
+        return tl::unexpected(!key ? key.error() : answers.error());
+    }
+    digests += "\"key\":\"" + key->value_or("") + "\",\"answers\":{" + answers->value_or("") + "}";
+    auto first = Query::run(connection, "UPDATE participant_key SET key_json = '' WHERE id = ?", {participant});
+    auto second =
+        Query::run(connection, "UPDATE questionnaire_answer SET answer_json = '' WHERE participant_id = ?", {participant});
+    if (!first || !second) {
+        return tl::unexpected(!first ? first.error() : second.error());
+    }
+    return {};
+}
+
+core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWhom, std::int64_t participant,
+                                       std::string& digests) {
+    const auto sessions = idsOf(connection,
+                                "SELECT DISTINCT t.session_id FROM study_trial t JOIN study_run r ON r.id = t.run_id "
+                                "WHERE r.participant_id = ? AND t.session_id IS NOT NULL ORDER BY t.session_id",
+                                participant);
+    if (!sessions) {
+        return tl::unexpected(sessions.error());
+    }
+    std::string seals;
+    for (const SessionId session : *sessions) {
+        if (auto done = overwriteRecording(connection, byWhom, session, seals); !done) {
+            return done;
+        }
+    }
+    digests += ",\"sessions\":{" + seals + "}";
+    return {};
+}
+
+core::Result<void> storeTombstone(Connection& connection, const Actor& byWhom, std::int64_t participant,
+                                  const Erasure& erasure) {
+    const auto known = selectInteger(connection, "SELECT 1 FROM participant_erasure WHERE id = ?", {participant});
+    if (!known) {
+        return tl::unexpected(known.error());
+    }
+    std::vector<Column> rest{{"utc", erasure.utc},
+                             {"reason", erasure.reason},
+                             {"administrator_id", erasure.administrator},
+                             {"recordings_withdrawn", std::int64_t{erasure.recordingsWithdrawn}},
+                             {"digests_json", erasure.digestsJson}};
+    if (!*known) {
+        rest.insert(rest.begin(), {"id", participant});
+    }
+    const auto row = *known ? updateRow(connection, "participant_erasure", {{"id", participant}}, std::move(rest))
+                            : insertRow(connection, "participant_erasure", std::move(rest));
+    return row ? appendAudit(connection, byWhom, {"eraseParticipant", "participant_erasure", participant, *row, "{}"})
+               : core::Result<void>(tl::unexpected(row.error()));
+}
+
+} // namespace
+
+core::Result<std::vector<std::int64_t>> participantsOf(Connection& connection, PersonId person) {
+    return idsOf(connection,
+                 "SELECT id FROM participant_key WHERE CASE WHEN json_valid(key_json) THEN json_extract(key_json, "
+                 "'$.person') ELSE 0 END = ? ORDER BY id",
+                 person);
+}
+
+core::Result<std::int64_t> participantWithCode(Connection& connection, const std::string& code) {
+    const auto id =
+        selectInteger(connection, "SELECT id FROM study_participant WHERE code = ? AND simulated = 0", {code});
+    return id ? core::Result<std::int64_t>(id->value_or(0)) : tl::unexpected(id.error());
+}
+
+core::Result<Erasure> overwriteParticipant(Connection& connection, const Actor& byWhom, std::int64_t participant,
+                                           Erasure erasure) {
+    auto query = Query::run(connection, "SELECT code, simulated, erase_recordings FROM study_participant WHERE id = ?",
+                            {participant});
+    const auto row = query ? query->next() : tl::unexpected(query.error());
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    if (!*row || query->integer(1) != 0) {
+        return *row ? core::fail(core::ErrorCode::wrongUse, "a simulated participant is nobody who could be erased")
+                    : core::fail(core::ErrorCode::notFound, "there is no participant " + std::to_string(participant));
+    }
+    erasure.person = 0;
+    erasure.personCreated_utc.clear();
+    erasure.participantCode = query->text(0);
+    erasure.recordingsWithdrawn = erasure.recordingsWithdrawn || query->integer(2) != 0;
+    erasure.utc = erasure.utc.empty() ? core::utcNowIso8601() : erasure.utc;
+    std::string digests;
+    auto done = overwriteTexts(connection, participant, digests);
+    if (done && erasure.recordingsWithdrawn) {
+        done = overwriteRecordings(connection, byWhom, participant, digests);
+    }
+    erasure.digestsJson = "{" + digests + "}";
+    done = done ? storeTombstone(connection, byWhom, participant, erasure) : done;
+    return done ? core::Result<Erasure>(std::move(erasure)) : tl::unexpected(done.error());
+}
+
+core::Result<std::vector<Erasure>> storedParticipantErasures(Connection& connection) {
+    const auto there =
+        selectInteger(connection, "SELECT count(*) FROM sqlite_schema WHERE name = 'participant_erasure'");
+    if (!there || there->value_or(0) == 0) {
+        return there ? core::Result<std::vector<Erasure>>(std::vector<Erasure>()) : tl::unexpected(there.error());
+    }
+    auto query = Query::run(connection, "SELECT p.code, e.utc, e.reason, e.administrator_id, e.recordings_withdrawn, "
+                                        "e.digests_json FROM participant_erasure e JOIN study_participant p ON p.id = e.id "
+                                        "ORDER BY e.id");
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<Erasure> erasures;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        erasures.push_back({0, "", query->text(1), query->text(2), query->integer(3), query->integer(4) != 0,
+                            query->text(5), query->text(0)});
+    }
+    return row ? core::Result<std::vector<Erasure>>(std::move(erasures)) : tl::unexpected(row.error());
+}
+
+} // namespace chiron::database

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/repositories/participations.h"
+
+#include "database/access/authorise.h"
+#include "database/access/writer_only.h"
+#include "database/accounts/account_rules.h"
+#include "database/privacy/participant_erasure.h"
+#include "database/repositories/study_rows.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+// Participants of studies towards the law: what is held, and its erasure.
+namespace chiron::database {
+namespace {
+
+core::Result<void> addStudy(Connection& connection, PersonParticipation& held) {
+    auto query = Query::run(connection,
+                            "SELECT s.key, s.title, k.key_json FROM study_participant p JOIN study s ON s.id = p.study_id "
+                            "JOIN participant_key k ON k.id = p.id WHERE p.id = ?",
+                            {held.participant.id});
+    const auto row = query ? query->next() : tl::unexpected(query.error());
+    if (!row || !*row) {
+        return row ? core::Result<void>() : tl::unexpected(row.error());
+    }
+    held.studyKey = query->text(0);
+    held.studyTitle = query->text(1);
+    held.identity = QJsonDocument::fromJson(QByteArray::fromStdString(query->text(2))).object()["identity"].toString().toStdString();
+    return {};
+}
+
+core::Result<PersonParticipation> participation(Connection& connection, ParticipantNumber id) {
+    auto participants = participantRows(connection, "p.id = ?", {id});
+    auto runs = runRows(connection, id);
+    auto answers = answerRows(connection, "p.id = ?", id);
+    if (!participants || !runs || !answers || participants->empty()) {
+        return !participants ? tl::unexpected(participants.error())
+               : !runs       ? tl::unexpected(runs.error())
+               : !answers    ? tl::unexpected(answers.error())
+                             : core::fail(core::ErrorCode::storage, "a participant is damaged; run verify");
+    }
+    PersonParticipation held;
+    held.participant = std::move(participants->front());
+    held.runs = *std::move(runs);
+    held.answers = *std::move(answers);
+    for (const StudyRun& run : held.runs) {
+        auto trials = studyTrialRows(connection, run.id);
+        if (!trials) {
+            return tl::unexpected(trials.error());
+        }
+        held.trials.insert(held.trials.end(), trials->begin(), trials->end());
+    }
+    const auto done = addStudy(connection, held);
+    return done ? core::Result<PersonParticipation>(std::move(held)) : tl::unexpected(done.error());
+}
+
+} // namespace
+
+core::Result<std::vector<PersonParticipation>> participationsOf(Connection& connection, PersonId person) {
+    const auto ids = participantsOf(connection, person);
+    if (!ids) {
+        return tl::unexpected(ids.error());
+    }
+    std::vector<PersonParticipation> all;
+    for (const ParticipantNumber id : *ids) {
+        auto one = participation(connection, id);
+        if (!one) {
+            return tl::unexpected(one.error());
+        }
+        all.push_back(*std::move(one));
+    }
+    return all;
+}
+
+core::Result<Erasure> PrivacyRepository::eraseParticipant(ParticipantNumber participant, const std::string& reason) {
+    if (auto writer = requireWriter(m_connection); !writer) {
+        return tl::unexpected(writer.error());
+    }
+    if (auto allowed = authoriseForStudy(m_connection, m_actor, Action::eraseParticipant, StudyPart::participant, participant);
+        !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    if (auto good = checkText("reason", reason, 1000); !good || reason.empty()) {
+        return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text") : tl::unexpected(good.error());
+    }
+    const auto state = selectText(m_connection, "SELECT state FROM study_participant WHERE id = ?", {participant});
+    const auto running = selectInteger(m_connection,
+                                       "SELECT count(*) FROM session WHERE state = 'running' AND id IN (SELECT t.session_id "
+                                       "FROM study_trial t JOIN study_run r ON r.id = t.run_id WHERE r.participant_id = ?)",
+                                       {participant});
+    if (!state || !running) {
+        return tl::unexpected(!state ? state.error() : running.error());
+    }
+    if (state->value_or("") != "withdrawn" || running->value_or(0) > 0) {
+        return core::fail(core::ErrorCode::wrongUse, running->value_or(0) > 0
+                                                         ? "a session of this participant has not ended yet"
+                                                         : "the participant has not withdrawn: withdraw first, then erase");
+    }
+    Erasure erasure;
+    erasure.reason = reason;
+    erasure.administrator = m_actor.personId();
+    return overwriteParticipant(m_connection, m_actor, participant, std::move(erasure));
+}
+
+} // namespace chiron::database

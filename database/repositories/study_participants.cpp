@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/clock.h"
+#include "database/accounts/account_rules.h"
+#include "database/audit/audit_trail.h"
+#include "database/integrity/digested_row.h"
+#include "database/privacy/participant_erasure.h"
+#include "database/repositories/study_reader.h"
+#include "database/repositories/study_repository.h"
+#include "database/repositories/study_rules.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <algorithm>
+
+// Who takes part: codes, keys, consent, withdrawal.
+namespace chiron::database {
+namespace {
+
+constexpr int kMaximumIdentity = 2000;
+constexpr int kMaximumObserver = 500;
+
+struct NewParticipant {
+    StudyNumber study = 0;
+    std::string identity;
+    PersonId person = 0;
+    std::string observer;
+    std::string wantedCode;
+    bool simulated() const { return !observer.empty(); }
+};
+
+core::Result<void> bad(const std::string& message) {
+    return core::fail(core::ErrorCode::badInput, message);
+}
+
+core::Result<void> checkPerson(Connection& connection, const NewParticipant& wanted) {
+    if (wanted.person == 0) {
+        return {};
+    }
+    const auto known = selectInteger(connection, "SELECT 1 FROM person WHERE id = ? AND kind = 'person'", {wanted.person});
+    const auto ids = participantsOf(connection, wanted.person);
+    if (!known || !ids) {
+        return tl::unexpected(!known ? known.error() : ids.error());
+    }
+    if (!*known) {
+        return bad("person " + std::to_string(wanted.person) + ": expected somebody with an account");
+    }
+    for (const ParticipantNumber id : *ids) {
+        const auto participant = storedParticipant(connection, id);
+        if (participant && participant->study == wanted.study && participant->state != ParticipantState::withdrawn) {
+            return bad("this person takes part already, as " + participant->code);
+        }
+    }
+    return {};
+}
+
+core::Result<void> checkWanted(Connection& connection, const Actor& actor, const NewParticipant& wanted) {
+    if (actor.kind() == ActorKind::simulated && !wanted.simulated()) {
+        return core::fail(core::ErrorCode::notAllowed,
+                          "not allowed for the simulated account: participants other than simulated ones");
+    }
+    if (wanted.simulated() && (wanted.person != 0 || !wanted.identity.empty())) {
+        return bad("a simulated participant is nobody: expected no identity and no person");
+    }
+    static const QRegularExpression kCode(QStringLiteral("^[A-Za-z0-9_-]{1,20}$"));
+    if (!wanted.wantedCode.empty() &&
+        (!wanted.simulated() || !kCode.match(QString::fromStdString(wanted.wantedCode)).hasMatch())) {
+        return bad("code \"" + wanted.wantedCode + "\": expected 1 to 20 letters, digits, \"-\" or \"_\", for a simulated "
+                   "participant; people get random codes");
+    }
+    auto good = checkText("identity", wanted.identity, kMaximumIdentity);
+    good = good ? checkText("observer", wanted.observer, kMaximumObserver) : good;
+    return good ? checkPerson(connection, wanted) : good;
+}
+
+core::Result<std::string> codeFor(Connection& connection, const NewParticipant& wanted) {
+    if (!wanted.wantedCode.empty()) {
+        const auto taken = selectInteger(connection, "SELECT 1 FROM study_participant WHERE study_id = ? AND code = ?",
+                                         {wanted.study, wanted.wantedCode});
+        if (!taken) {
+            return tl::unexpected(taken.error());
+        }
+        return *taken ? core::fail(core::ErrorCode::badInput,
+                                   "code \"" + wanted.wantedCode + "\": is taken in this study")
+                      : core::Result<std::string>(wanted.wantedCode);
+    }
+    while (true) { // 148 million codes: a second round is rare
+        const std::string code = randomCode();
+        const auto taken = selectInteger(connection, "SELECT 1 FROM study_participant WHERE code = ?", {code});
+        if (!taken || !*taken) {
+            return taken ? core::Result<std::string>(code) : tl::unexpected(taken.error());
+        }
+    }
+}
+
+core::Result<std::int64_t> freeRow(Connection& connection, const NewParticipant& wanted) {
+    const Value simulated(std::int64_t{wanted.simulated()});
+    const auto row = selectInteger(
+        connection,
+        "WITH taken AS (SELECT order_row AS r FROM study_participant WHERE study_id = ? AND simulated = ? AND "
+        "state <> 'withdrawn') SELECT min(r) FROM (SELECT 0 AS r UNION SELECT r + 1 FROM taken) WHERE r NOT IN taken",
+        {wanted.study, simulated});
+    return row ? core::Result<std::int64_t>(row->value_or(0)) : tl::unexpected(row.error());
+}
+
+core::Result<void> storeKey(Connection& connection, const Actor& actor, ParticipantNumber id, const NewParticipant& wanted) {
+    const QJsonObject key{{"identity", QString::fromStdString(wanted.identity)},
+                          {"nonce", QString::fromStdString(randomNonce())},
+                          {"person", static_cast<qint64>(wanted.person)}};
+    const std::string json = QJsonDocument(key).toJson(QJsonDocument::Compact).toStdString();
+    const auto row = insertRow(connection, "participant_key",
+                               {{"id", id}, {"key_json", json}, {"key_hash", toBlob(textDigest(json))}});
+    return row ? appendAudit(connection, actor, {"enrolParticipant", "participant_key", id, *row, "{}"})
+               : core::Result<void>(tl::unexpected(row.error()));
+}
+
+core::Result<void> setState(Connection& connection, const Actor& actor, ParticipantNumber participant,
+                            std::string_view action, std::vector<Column> changes) {
+    const auto row = updateRow(connection, "study_participant", {{"id", participant}}, std::move(changes));
+    return row ? appendAudit(connection, actor, {action, "study_participant", participant, *row, "{}"})
+               : core::Result<void>(tl::unexpected(row.error()));
+}
+
+core::Result<void> insertParticipant(Connection& connection, const Actor& actor, ParticipantNumber id,
+                                     const NewParticipant& wanted) {
+    const auto code = codeFor(connection, wanted);
+    const auto order = freeRow(connection, wanted);
+    if (!code || !order) {
+        return tl::unexpected(!code ? code.error() : order.error());
+    }
+    const auto row = insertRow(connection, "study_participant",
+                               {{"id", id},
+                                {"study_id", wanted.study},
+                                {"code", *code},
+                                {"order_row", *order},
+                                {"state", std::string("enrolled")},
+                                {"simulated", std::int64_t{wanted.simulated()}},
+                                {"observer", wanted.observer},
+                                {"enrolled_by", actor.personId()},
+                                {"enrolled_utc", core::utcNowIso8601()},
+                                {"erase_recordings", std::int64_t{0}}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    auto done = appendAudit(connection, actor,
+                            {"enrolParticipant", "study_participant", id, *row,
+                             "{\"study\":" + std::to_string(wanted.study) + "}"});
+    return done && !wanted.simulated() ? storeKey(connection, actor, id, wanted) : done;
+}
+
+} // namespace
+
+core::Result<Participant> StudyRepository::enrolParticipant(StudyNumber study, const std::string& identity,
+                                                            PersonId person, const std::string& observer,
+                                                            const std::string& wantedCode) {
+    auto done = mayWriteStudy(m_connection, m_actor, Action::enrolParticipant, StudyPart::study, study);
+    const auto stored = done ? studyInState(m_connection, study, "frozen") : tl::unexpected(done.error());
+    if (!stored) {
+        return tl::unexpected(stored.error());
+    }
+    const NewParticipant wanted{study, identity, person, observer, wantedCode};
+    done = checkWanted(m_connection, m_actor, wanted);
+    const auto last = selectInteger(m_connection, "SELECT max(id) FROM study_participant");
+    if (!done || !last) {
+        return tl::unexpected(!done ? done.error() : last.error());
+    }
+    const ParticipantNumber id = last->value_or(0) + 1;
+    if (done = insertParticipant(m_connection, m_actor, id, wanted); !done) {
+        return tl::unexpected(done.error());
+    }
+    const auto all = StudyReader(m_connection, m_actor).participants(study);
+    if (!all) {
+        return tl::unexpected(all.error());
+    }
+    const auto found = std::find_if(all->begin(), all->end(), [&](const Participant& p) { return p.id == id; });
+    return found != all->end() ? core::Result<Participant>(*found)
+                               : core::fail(core::ErrorCode::storage, "the new participant cannot be read");
+}
+
+core::Result<void> StudyRepository::recordConsent(ParticipantNumber participant, const std::string& sha256) {
+    auto allowed = mayWriteStudy(m_connection, m_actor, Action::recordConsent, StudyPart::participant, participant);
+    const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
+    const auto study = who ? studyInState(m_connection, who->study, "frozen") : tl::unexpected(who.error());
+    const auto design = study ? designObject(study->designJson) : tl::unexpected(study.error());
+    if (!design) {
+        return tl::unexpected(design.error());
+    }
+    if (who->state != ParticipantState::enrolled) {
+        return core::fail(core::ErrorCode::wrongUse, "participant " + who->code + " is " + std::string(token(who->state)) +
+                                                         ": expected enrolled, without consent");
+    }
+    const std::vector<std::string> texts = consentDigests(*design);
+    if (std::find(texts.begin(), texts.end(), sha256) == texts.end()) {
+        return bad("consent " + sha256 + ": expected the SHA-256 of the study's consent text in one of its languages");
+    }
+    const QByteArray bytes = QByteArray::fromHex(QByteArray::fromStdString(sha256));
+    const auto row = insertRow(m_connection, "participant_consent",
+                               {{"id", participant},
+                                {"sha256", Blob(bytes.begin(), bytes.end())},
+                                {"utc", core::utcNowIso8601()},
+                                {"recorded_by", m_actor.personId()}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    auto done = appendAudit(m_connection, m_actor, {"recordConsent", "participant_consent", participant, *row, "{}"});
+    return done ? setState(m_connection, m_actor, participant, "recordConsent", {{"state", std::string("consented")}}) : done;
+}
+
+core::Result<void> StudyRepository::completeParticipant(ParticipantNumber participant) {
+    auto allowed = mayWriteStudy(m_connection, m_actor, Action::completeParticipant, StudyPart::participant, participant);
+    const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
+    if (!who) {
+        return tl::unexpected(who.error());
+    }
+    const auto open = selectInteger(
+        m_connection, "SELECT count(*) FROM study_run WHERE participant_id = ? AND state = 'open'", {participant});
+    if (!open) {
+        return tl::unexpected(open.error());
+    }
+    const bool may = who->state == ParticipantState::consented ||
+                     (who->simulated && who->state == ParticipantState::enrolled);
+    if (!may || open->value_or(0) > 0) {
+        return core::fail(core::ErrorCode::wrongUse, "participant " + who->code + " is " + std::string(token(who->state)) +
+                                                         " with " + std::to_string(open->value_or(0)) +
+                                                         " open runs: expected consented, with none open");
+    }
+    return setState(m_connection, m_actor, participant, "completeParticipant", {{"state", std::string("completed")}});
+}
+
+core::Result<void> StudyRepository::withdrawParticipant(ParticipantNumber participant, bool eraseRecordings) {
+    auto allowed = mayWriteStudy(m_connection, m_actor, Action::withdrawParticipant, StudyPart::participant, participant);
+    const auto who = allowed ? storedParticipant(m_connection, participant) : tl::unexpected(allowed.error());
+    if (!who) {
+        return tl::unexpected(who.error());
+    }
+    auto open = Query::run(m_connection, "SELECT id FROM study_run WHERE participant_id = ? AND state = 'open'", {participant});
+    std::vector<StudyRunNumber> runs;
+    auto row = open ? open->next() : tl::unexpected(open.error());
+    for (; row && *row; row = open->next()) {
+        runs.push_back(open->integer(0));
+    }
+    auto done = row ? core::Result<void>() : tl::unexpected(row.error());
+    for (std::size_t i = 0; done && i < runs.size(); ++i) {
+        done = endRun(m_connection, m_actor, runs[i], StudyRunState::stopped);
+    }
+    return done ? setState(m_connection, m_actor, participant, "withdrawParticipant",
+                           {{"state", std::string("withdrawn")}, {"erase_recordings", std::int64_t{eraseRecordings}}})
+                : done;
+}
+
+} // namespace chiron::database

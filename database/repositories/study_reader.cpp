@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/repositories/study_reader.h"
+
+#include "database/access/authorise.h"
+#include "database/access/writer_only.h"
+#include "database/audit/audit_trail.h"
+#include "database/query.h"
+#include "database/repositories/study_rows.h"
+#include "database/repositories/study_rules.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace chiron::database {
+namespace {
+
+constexpr const char* kSummaryColumns =
+    "s.id, s.key, s.title, s.state, coalesce(lower(hex(s.sha256)), ''), s.author_id, s.created_utc, s.frozen_utc, "
+    "s.unblinded, s.archived, s.demonstration, "
+    "(SELECT count(*) FROM study_participant p WHERE p.study_id = s.id AND p.state <> 'withdrawn'), "
+    "(SELECT count(*) FROM study_participant p WHERE p.study_id = s.id AND p.state = 'completed'), "
+    "(SELECT count(*) FROM study_participant p JOIN study_run r ON r.participant_id = p.id JOIN study_trial t ON "
+    "t.run_id = r.id WHERE p.study_id = s.id AND t.spoiled = '' AND t.practice = 0 AND t.undone = 0)";
+
+StudySummary summaryOf(const Query& row) {
+    StudySummary summary;
+    summary.id = row.integer(0);
+    summary.key = row.text(1);
+    summary.title = row.text(2);
+    summary.state = row.integer(9) != 0 ? StudyState::archived : studyStateFromToken(row.text(3)).value_or(StudyState::draft);
+    summary.sha256 = row.text(4);
+    summary.author = row.integer(5);
+    summary.createdUtc = row.text(6);
+    summary.frozenUtc = row.text(7);
+    summary.unblinded = row.integer(8) != 0;
+    summary.demonstration = row.integer(10) != 0;
+    summary.participants = static_cast<int>(row.integer(11));
+    summary.completed = static_cast<int>(row.integer(12));
+    summary.trials = static_cast<int>(row.integer(13));
+    return summary;
+}
+
+// Rows of what the actor may read.
+template <class T, class Make>
+core::Result<std::vector<T>> permittedRows(Connection& connection, const Actor& actor, Action action, StudyPart part,
+                                           std::int64_t number, const std::string& sql, Make make) {
+    if (auto allowed = authoriseForStudy(connection, actor, action, part, number); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    return rowsOf<T>(connection, sql, {number}, make);
+}
+
+} // namespace
+
+core::Result<std::vector<StudySummary>> StudyReader::listStudies(bool includeArchived) {
+    const auto scope = authorise(m_connection, m_actor, Action::listStudies);
+    if (!scope) {
+        return tl::unexpected(scope.error());
+    }
+    return rowsOf<StudySummary>(m_connection,
+                                std::string("SELECT ") + kSummaryColumns +
+                                    " FROM study s WHERE (s.author_id = 1 OR ?) AND (s.archived = 0 OR ?) ORDER BY s.id",
+                                {std::int64_t{*scope == Scope::all}, std::int64_t{includeArchived}}, summaryOf);
+}
+
+core::Result<StudyRecord> StudyReader::study(StudyNumber study) {
+    auto found = permittedRows<StudyRecord>(
+        m_connection, m_actor, Action::study, StudyPart::study, study,
+        std::string("SELECT ") + kSummaryColumns + ", s.design_json FROM study s WHERE s.id = ?",
+        [](const Query& row) { return StudyRecord{summaryOf(row), row.text(14)}; });
+    if (!found || found->empty()) {
+        return found ? core::fail(core::ErrorCode::notFound, "there is no study " + std::to_string(study))
+                     : core::Result<StudyRecord>(tl::unexpected(found.error()));
+    }
+    return std::move(found->front());
+}
+
+core::Result<StudyRecord> StudyReader::studyByKey(const std::string& key) {
+    const auto scope = authorise(m_connection, m_actor, Action::studyByKey);
+    const auto id = scope ? selectInteger(m_connection,
+                                          "SELECT id FROM study WHERE key = ? AND (author_id = 1 OR ?) ORDER BY "
+                                          "author_id = 1, id LIMIT 1",
+                                          {key, std::int64_t{*scope == Scope::all}})
+                          : tl::unexpected(scope.error());
+    if (!id) {
+        return tl::unexpected(id.error());
+    }
+    return *id ? study(**id) : core::fail(core::ErrorCode::notFound, "there is no study \"" + key + "\" in the database");
+}
+
+core::Result<std::vector<SealedCondition>> StudyReader::sealedConditions(StudyNumber study) {
+    return permittedRows<SealedCondition>(
+        m_connection, m_actor, Action::sealedConditions, StudyPart::study, study,
+        "SELECT condition, sealed_code FROM study_condition WHERE study_id = ? ORDER BY ordinal",
+        [](const Query& row) { return SealedCondition{row.text(0), row.text(1)}; });
+}
+
+core::Result<std::vector<Participant>> StudyReader::participants(StudyNumber study) {
+    auto allowed = authoriseForStudy(m_connection, m_actor, Action::participants, StudyPart::study, study);
+    return allowed ? participantRows(m_connection, "p.study_id = ?", {study}) : tl::unexpected(allowed.error());
+}
+
+core::Result<Participant> StudyReader::participantByCode(StudyNumber study, const std::string& code) {
+    if (auto allowed = authoriseForStudy(m_connection, m_actor, Action::participantByCode, StudyPart::study, study); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    auto found = participantRows(
+        m_connection, "p.study_id = ? AND upper(replace(p.code, '-', '')) = upper(replace(?, '-', ''))", {study, code});
+    if (!found || found->empty()) {
+        return found ? core::fail(core::ErrorCode::notFound, "there is no participant \"" + code + "\" in this study")
+                     : core::Result<Participant>(tl::unexpected(found.error()));
+    }
+    return std::move(found->front());
+}
+
+core::Result<std::vector<StudyRun>> StudyReader::runs(ParticipantNumber participant) {
+    auto allowed = authoriseForStudy(m_connection, m_actor, Action::runs, StudyPart::participant, participant);
+    return allowed ? runRows(m_connection, participant) : tl::unexpected(allowed.error());
+}
+
+core::Result<std::vector<StudyTrial>> StudyReader::studyTrials(StudyRunNumber run) {
+    auto allowed = authoriseForStudy(m_connection, m_actor, Action::studyTrials, StudyPart::run, run);
+    return allowed ? studyTrialRows(m_connection, run) : tl::unexpected(allowed.error());
+}
+
+core::Result<std::vector<QuestionnaireAnswer>> StudyReader::questionnaireAnswers(StudyNumber study) {
+    auto allowed = authoriseForStudy(m_connection, m_actor, Action::questionnaireAnswers, StudyPart::study, study);
+    return allowed ? answerRows(m_connection, "p.study_id = ?", study) : tl::unexpected(allowed.error());
+}
+
+core::Result<std::vector<ParticipantKey>> StudyReader::participantKeys(StudyNumber study) {
+    auto done = mayWriteStudy(m_connection, m_actor, Action::participantKeys, StudyPart::study, study);
+    done = done ? appendAudit(m_connection, m_actor, {"participantKeys", "study", study, std::nullopt, "{}"}) : done;
+    if (!done) {
+        return tl::unexpected(done.error());
+    }
+    return rowsOf<ParticipantKey>(
+        m_connection,
+        "SELECT p.id, p.code, k.key_json FROM participant_key k JOIN study_participant p ON p.id = k.id WHERE "
+        "p.study_id = ? AND k.key_json <> '' ORDER BY p.id",
+        {study}, [](const Query& row) {
+            const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(row.text(2))).object();
+            const PersonId person = json["person"].toInteger();
+            return ParticipantKey{row.integer(0), row.text(1), json["identity"].toString().toStdString(),
+                                  person != 0 ? std::optional(person) : std::nullopt};
+        });
+}
+
+} // namespace chiron::database

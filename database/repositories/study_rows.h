@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "database/connection.h"
+#include "database/query.h"
+#include "database/repositories/study_types.h"
+
+#include <string>
+#include <vector>
+
+// Rows of studies as values; who may read them is asked before.
+namespace chiron::database {
+
+/// All rows of a query, each made into a value.
+template <class T, class Make>
+core::Result<std::vector<T>> rowsOf(Connection& connection, const std::string& sql, const std::vector<Value>& values,
+                                    Make make) {
+    auto query = Query::run(connection, sql, values);
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<T> rows;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        rows.push_back(make(*query));
+    }
+    return row ? core::Result<std::vector<T>>(std::move(rows)) : tl::unexpected(row.error());
+}
+
+/// Participants (alias p of study_participant), by number.
+core::Result<std::vector<Participant>> participantRows(Connection& connection, const std::string& where,
+                                                       const std::vector<Value>& values);
+core::Result<std::vector<StudyRun>> runRows(Connection& connection, ParticipantNumber participant);
+core::Result<std::vector<StudyTrial>> studyTrialRows(Connection& connection, StudyRunNumber run);
+/// Answers (alias a) of participants (alias p), by participant, in the order given.
+core::Result<std::vector<QuestionnaireAnswer>> answerRows(Connection& connection, const std::string& where,
+                                                          std::int64_t number);
+
+} // namespace chiron::database

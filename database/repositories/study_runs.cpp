@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/clock.h"
+#include "database/access/writer_only.h"
+#include "database/accounts/account_rules.h"
+#include "database/audit/audit_trail.h"
+#include "database/integrity/digested_row.h"
+#include "database/repositories/study_repository.h"
+#include "database/repositories/study_rules.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <cmath>
+
+// What is done by participants: runs, trials, questionnaires.
+namespace chiron::database {
+namespace {
+
+constexpr std::size_t kMaximumFidelityBytes = 65536;
+
+core::Result<void> bad(const std::string& message) {
+    return core::fail(core::ErrorCode::badInput, message);
+}
+
+core::Result<void> mayRun(const StoredParticipant& who) {
+    const bool may = who.state == ParticipantState::consented ||
+                     (who.simulated && who.state == ParticipantState::enrolled);
+    if (may) {
+        return {};
+    }
+    return core::fail(core::ErrorCode::wrongUse,
+                      "participant " + who.code + " is " + std::string(token(who.state)) +
+                          (who.state == ParticipantState::enrolled ? ": the consent must be recorded before a run"
+                                                                   : ": expected one who still takes part"));
+}
+
+// One open or completed run of a condition; a stopped one may be begun again.
+core::Result<void> notYetRun(Connection& connection, const NewStudyRun& run) {
+    auto query = Query::run(
+        connection, "SELECT id, state FROM study_run WHERE participant_id = ? AND condition = ? AND state <> 'stopped'",
+        {run.participant, run.condition});
+    const auto row = query ? query->next() : tl::unexpected(query.error());
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    return *row ? core::fail(core::ErrorCode::wrongUse, "condition " + run.condition + " has a run (number " +
+                                                            std::to_string(query->integer(0)) + ") that is " +
+                                                            query->text(1) + ": an open one is resumed")
+                : core::Result<void>();
+}
+
+core::Result<void> checkTrial(const StudyTrial& trial) {
+    const bool finite = std::isfinite(trial.difference) && std::isfinite(trial.exploration_s) &&
+                        std::isfinite(trial.answer_s) && (!trial.value || std::isfinite(*trial.value));
+    if (!finite || trial.exploration_s < 0.0 || trial.answer_s < 0.0 || std::abs(trial.difference) > 1000.0) {
+        return bad("trial " + std::to_string(trial.ordinal) + ": expected finite numbers and times of 0 or more");
+    }
+    if (trial.candidate < 0 || trial.candidate > 4095 || trial.arrangement < 0 || trial.arrangement > 15) {
+        return bad("trial " + std::to_string(trial.ordinal) + ": expected a candidate of 0 to 4095 and an arrangement of 0 to 15");
+    }
+    if (trial.answer < -1 || trial.outcome < -1 || trial.procedure < 0 || trial.lastTick < trial.firstTick) {
+        return bad("trial " + std::to_string(trial.ordinal) + ": expected answer and outcome from -1, procedure from 0, "
+                                                              "last tick not before the first");
+    }
+    const QJsonDocument fidelity = QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson));
+    if (!fidelity.isObject() || trial.fidelityJson.size() > kMaximumFidelityBytes) {
+        return bad("trial " + std::to_string(trial.ordinal) + ": fidelity: expected a JSON object of at most 64 KiB");
+    }
+    return checkText("spoiled", trial.spoiled, 40);
+}
+
+core::Result<void> followsOn(Connection& connection, const Actor& actor, const StudyTrial& trial) {
+    const auto state = selectText(connection, "SELECT state FROM study_run WHERE id = ?", {trial.run});
+    const auto last = selectInteger(connection, "SELECT max(ordinal) FROM study_trial WHERE run_id = ?", {trial.run});
+    const auto owner = selectInteger(connection, "SELECT person_id FROM session WHERE id = ?", {trial.session});
+    if (!state || !last || !owner) {
+        return tl::unexpected(!state ? state.error() : !last ? last.error() : owner.error());
+    }
+    if (state->value_or("") != "open") {
+        return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(trial.run) + " has ended (" +
+                                                         state->value_or("") + ")");
+    }
+    if (trial.ordinal != last->value_or(-1) + 1) {
+        return bad("trial " + std::to_string(trial.ordinal) + ": expected " + std::to_string(last->value_or(-1) + 1) +
+                   ", the run's next");
+    }
+    if (trial.session != 0 && owner->value_or(0) != actor.personId()) {
+        return bad("session " + std::to_string(trial.session) + ": expected one of whoever stores the trial");
+    }
+    return {};
+}
+
+std::vector<Column> columnsOf(const StudyTrial& trial) {
+    const auto number = [](int value) { return Value(std::int64_t{value}); };
+    return {{"run_id", trial.run},
+            {"ordinal", number(trial.ordinal)},
+            {"procedure", number(trial.procedure)},
+            {"session_id", trial.session != 0 ? Value(trial.session) : Value()},
+            {"first_tick", storedFromUnsigned(trial.firstTick)},
+            {"last_tick", storedFromUnsigned(trial.lastTick)},
+            {"candidate", number(trial.candidate)},
+            {"arrangement", number(trial.arrangement)},
+            {"difference", trial.difference},
+            {"entropy_margin", std::isfinite(trial.entropyMargin) ? Value(trial.entropyMargin) : Value()},
+            {"answer", number(trial.answer)},
+            {"outcome", number(trial.outcome)},
+            {"value", trial.value ? Value(*trial.value) : Value()},
+            {"exploration_s", trial.exploration_s},
+            {"answer_s", trial.answer_s},
+            {"practice", number(trial.practice)},
+            {"undone", number(trial.undone)},
+            {"spoiled", trial.spoiled},
+            {"fidelity_json", trial.fidelityJson},
+            {"utc", trial.utc.empty() ? core::utcNowIso8601() : trial.utc}};
+}
+
+std::string answerJson(const QuestionnaireAnswer& answer) {
+    QJsonObject json{{"nonce", QString::fromStdString(randomNonce())}};
+    if (answer.number) {
+        json["number"] = *answer.number;
+    } else {
+        json["text"] = QString::fromStdString(answer.text);
+    }
+    return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
+}
+
+core::Result<void> storeAnswer(Connection& connection, const Actor& actor, const QuestionnaireAnswer& answer) {
+    const auto last = selectInteger(connection, "SELECT max(id) FROM questionnaire_answer");
+    const auto there = selectInteger(
+        connection, "SELECT 1 FROM questionnaire_answer WHERE participant_id = ? AND questionnaire = ? AND item = ?",
+        {answer.participant, answer.questionnaire, answer.item});
+    if (!last || !there) {
+        return tl::unexpected(!last ? last.error() : there.error());
+    }
+    if (*there) {
+        return core::fail(core::ErrorCode::wrongUse, "answer " + answer.questionnaire + "." + answer.item +
+                                                         " was given already, and answers are not changed");
+    }
+    const std::int64_t id = last->value_or(0) + 1;
+    const std::string json = answerJson(answer);
+    const auto row = insertRow(connection, "questionnaire_answer",
+                               {{"id", id},
+                                {"participant_id", answer.participant},
+                                {"questionnaire", answer.questionnaire},
+                                {"item", answer.item},
+                                {"answer_json", json},
+                                {"answer_hash", toBlob(textDigest(json))},
+                                {"utc", answer.utc.empty() ? core::utcNowIso8601() : answer.utc}});
+    return row ? appendAudit(connection, actor, {"storeQuestionnaireAnswers", "questionnaire_answer", id, *row, "{}"})
+               : core::Result<void>(tl::unexpected(row.error()));
+}
+
+} // namespace
+
+core::Result<StudyRunNumber> StudyRepository::beginRun(const NewStudyRun& run) {
+    auto good = mayWriteStudy(m_connection, m_actor, Action::beginRun, StudyPart::participant, run.participant);
+    const auto who = good ? storedParticipant(m_connection, run.participant) : tl::unexpected(good.error());
+    const auto study = who ? studyInState(m_connection, who->study, "frozen") : tl::unexpected(who.error());
+    if (!study) {
+        return tl::unexpected(study.error());
+    }
+    const auto sealed = selectText(m_connection, "SELECT sealed_code FROM study_condition WHERE study_id = ? AND condition = ?",
+                                   {who->study, run.condition});
+    const auto last = selectInteger(m_connection, "SELECT max(id) FROM study_run");
+    if (!sealed || !last) {
+        return tl::unexpected(!sealed ? sealed.error() : last.error());
+    }
+    good = *sealed ? mayRun(*who) : bad("condition \"" + run.condition + "\": expected one of study " + study->key);
+    good = good ? notYetRun(m_connection, run) : good;
+    good = good ? checkText("procedures", run.procedures, 1000) : good;
+    if (good && (run.procedures.empty() || run.position < 0 || run.position > 1000)) {
+        good = bad("run: expected the procedures' ids and a position from 0");
+    }
+    if (!good) {
+        return tl::unexpected(good.error());
+    }
+    const StudyRunNumber id = last->value_or(0) + 1;
+    const auto row = insertRow(m_connection, "study_run",
+                               {{"id", id},
+                                {"participant_id", run.participant},
+                                {"condition", run.condition},
+                                {"sealed_code", **sealed},
+                                {"position", std::int64_t{run.position}},
+                                {"seed", storedFromUnsigned(run.seed)},
+                                {"procedures", run.procedures},
+                                {"begun_by", m_actor.personId()},
+                                {"state", std::string("open")},
+                                {"started_utc", core::utcNowIso8601()},
+                                {"ended_utc", std::string()},
+                                {"trials", std::int64_t{0}}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    auto audited = appendAudit(m_connection, m_actor, {"beginRun", "study_run", id, *row, "{}"});
+    return audited ? core::Result<StudyRunNumber>(id) : tl::unexpected(audited.error());
+}
+
+core::Result<void> StudyRepository::storeStudyTrial(const StudyTrial& trial) {
+    auto good = mayWriteStudy(m_connection, m_actor, Action::storeStudyTrial, StudyPart::run, trial.run);
+    good = good ? checkTrial(trial) : good;
+    good = good ? followsOn(m_connection, m_actor, trial) : good;
+    if (!good) {
+        return good;
+    }
+    const auto row = insertRow(m_connection, "study_trial", columnsOf(trial));
+    return row ? core::Result<void>() : tl::unexpected(row.error());
+}
+
+core::Result<void> StudyRepository::finishRun(StudyRunNumber run, StudyRunState state) {
+    if (auto allowed = mayWriteStudy(m_connection, m_actor, Action::finishRun, StudyPart::run, run); !allowed) {
+        return allowed;
+    }
+    const auto present = selectText(m_connection, "SELECT state FROM study_run WHERE id = ?", {run});
+    if (!present) {
+        return tl::unexpected(present.error());
+    }
+    if (present->value_or("") != "open") {
+        return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run) + " has ended (" + present->value_or("") + ")");
+    }
+    return state == StudyRunState::open ? bad("a run ends completed or stopped") : endRun(m_connection, m_actor, run, state);
+}
+
+core::Result<void> StudyRepository::storeQuestionnaireAnswers(const std::vector<QuestionnaireAnswer>& answers) {
+    if (auto writer = requireWriter(m_connection); !writer) {
+        return writer;
+    }
+    if (const auto scope = authorise(m_connection, m_actor, Action::storeQuestionnaireAnswers); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    for (const QuestionnaireAnswer& answer : answers) {
+        auto good = authoriseForStudy(m_connection, m_actor, Action::storeQuestionnaireAnswers, StudyPart::participant,
+                                      answer.participant);
+        const auto who = good ? storedParticipant(m_connection, answer.participant) : tl::unexpected(good.error());
+        const auto study = who ? storedStudy(m_connection, who->study) : tl::unexpected(who.error());
+        const auto design = study ? designObject(study->designJson) : tl::unexpected(study.error());
+        if (!design) {
+            return tl::unexpected(design.error());
+        }
+        good = who->state == ParticipantState::withdrawn ? mayRun(*who) : good;
+        good = good ? checkAnswer(*design, answer) : good;
+        good = good ? storeAnswer(m_connection, m_actor, answer) : good;
+        if (!good) {
+            return good;
+        }
+    }
+    return {};
+}
+
+} // namespace chiron::database

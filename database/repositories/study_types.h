@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/actor.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace chiron::database {
+
+using StudyNumber = std::int64_t;
+using ParticipantNumber = std::int64_t;
+using StudyRunNumber = std::int64_t;
+
+enum class StudyState : std::uint8_t { draft, frozen, closed, archived };
+enum class ParticipantState : std::uint8_t { enrolled, consented, completed, withdrawn };
+enum class StudyRunState : std::uint8_t { open, completed, stopped };
+
+/// A line of the list of studies.
+struct StudySummary {
+    StudyNumber id = 0;
+    std::string key;   ///< the design's id
+    std::string title; ///< English
+    StudyState state = StudyState::draft;
+    std::string sha256; ///< of the frozen design's canonical JSON, 64 hex digits; empty while a draft
+    PersonId author = 0;
+    std::string createdUtc;
+    std::string frozenUtc;
+    bool unblinded = false;
+    bool demonstration = false;
+    int participants = 0;
+    int completed = 0; ///< participants
+    int trials = 0;    ///< scored
+};
+
+struct StudyRecord {
+    StudySummary summary;
+    std::string designJson; ///< canonical; catalogue::readStudy makes a psychophysics::StudyDesign of it
+};
+
+/// A participant as exports and experimenters know one: never a name.
+struct Participant {
+    ParticipantNumber id = 0;
+    StudyNumber study = 0;
+    std::string code; ///< random, e.g. "K7M-4QX"
+    int order = 0;    ///< from 0: row of the order design
+    ParticipantState state = ParticipantState::enrolled;
+    bool simulated = false;
+    std::string observer; ///< of a simulated one: its specification
+    std::string enrolledUtc;
+    std::string consentUtc; ///< empty: none
+    std::string consentSha256; ///< of the text that was agreed to
+    PersonId enrolledBy = 0;
+    bool recordingsToErase = false; ///< of a withdrawn one: wants the recordings erased, too (an administrator does it)
+    bool erased = false;            ///< key, free texts and questionnaires (and recordings, where wanted) are overwritten
+};
+
+/// Who a code is; kept apart, for administrators and the study's author alone.
+struct ParticipantKey {
+    ParticipantNumber participant = 0;
+    std::string code;
+    std::string identity;           ///< free text, as the researcher wrote it
+    std::optional<PersonId> person; ///< where it is somebody with an account
+};
+
+/// One condition done by one participant; goes on over several sittings (sessions).
+struct StudyRun {
+    StudyRunNumber id = 0;
+    ParticipantNumber participant = 0;
+    std::string condition;   ///< id in the design
+    std::string sealedCode;  ///< what a blind experimenter is shown instead
+    int position = 0;        ///< from 0, in the participant's order
+    std::uint64_t seed = 0;
+    std::string procedures;  ///< ids with version, "rank3_quest_plus@1", comma-separated
+    StudyRunState state = StudyRunState::open;
+    std::string startedUtc;
+    std::string endedUtc;
+};
+
+/// What a run begins with.
+struct NewStudyRun {
+    ParticipantNumber participant = 0;
+    std::string condition; ///< id in the design
+    int position = 0;      ///< from 0, in the participant's order
+    std::uint64_t seed = 0;
+    std::string procedures; ///< as StudyRun::procedures
+};
+
+/// What a condition is called towards a blind experimenter: "Q7M", made with the site's key when the study is frozen, so that it can
+/// neither be guessed nor computed from the design.
+struct SealedCondition {
+    std::string condition;
+    std::string sealedCode;
+};
+
+/// One presentation, scored or not. Its digest covers all of it; never changed or deleted.
+struct StudyTrial {
+    StudyRunNumber run = 0;
+    int ordinal = 0;            ///< from 0, every presentation of the run counted
+    int procedure = 0;          ///< which of interleaved ones
+    SessionId session = 0;      ///< whose recording holds it; 0: none (a quick simulation)
+    std::uint64_t firstTick = 0, lastTick = 0;
+    int candidate = 0;          ///< row of the table of differences
+    int arrangement = 0;
+    double difference = 0.0;    ///< D asked for, log10 of the ratio
+    double entropyMargin = std::numeric_limits<double>::quiet_NaN(); ///< absent where NaN
+    int answer = -1;            ///< -1: none
+    int outcome = -1;           ///< what the procedure was told; -1: nothing
+    std::optional<double> value; ///< a number said (magnitude), or the value set (adjustment), SI
+    double exploration_s = 0.0; ///< until the answer
+    double answer_s = 0.0;      ///< from the last contact to the answer
+    bool practice = false;
+    bool undone = false;        ///< always false when stored; an undo is a row of its own that names it
+    std::string spoiled;        ///< empty: scored; else why not: "force_error", "late_ticks", "saturation", "speed", "time", "experimenter", "stopped", ...
+    std::string fidelityJson = "{}"; ///< canonical; session::TrialFidelity
+    std::string utc;
+};
+
+/// One answer to one question. Overwritten by an erasure: then neither number nor text.
+struct QuestionnaireAnswer {
+    ParticipantNumber participant = 0;
+    std::string questionnaire;
+    std::string item;
+    std::optional<double> number; ///< likert, number, choice (index from 0)
+    std::string text;             ///< free text
+    std::string utc;
+};
+
+} // namespace chiron::database
