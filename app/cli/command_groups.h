@@ -20,6 +20,8 @@ std::vector<CommandSpec> trainCommands();
 std::vector<CommandSpec> sessionCommands();
 std::vector<CommandSpec> reviewCommands();
 std::vector<CommandSpec> reportCommands();
+std::vector<CommandSpec> psychophysicsCommands();
+std::vector<CommandSpec> studyCommands();
 std::vector<CommandSpec> demoCommands();
 
 } // namespace chiron::cli

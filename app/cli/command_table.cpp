@@ -27,6 +27,8 @@ std::vector<CommandSpec> makeTable() {
              metricsCommands,
              meshCommands,
              deviceCommands,
+             psychophysicsCommands,
+             studyCommands,
              storageCommands,
              demoCommands,
          }) {

@@ -12,8 +12,6 @@
 namespace chiron::report {
 
 namespace {
-constexpr double kBody = 12.5;
-
 void text(QCPPainter& p, const QRectF& box, const QFont& font, const QColor& ink, int flags,
           const QString& words) {
     p.setFont(font);
@@ -23,7 +21,7 @@ void text(QCPPainter& p, const QRectF& box, const QFont& font, const QColor& ink
 } // namespace
 
 ReportBlocks::ReportBlocks(const ReportData& data, const PlotTheme& theme, double width)
-    : m_data(data), m_theme(theme), m_width(width) {
+    : BlockMaker(theme, width), m_data(data) {
     addBanner();
     addTitle();
     addVerdict();
@@ -31,23 +29,10 @@ ReportBlocks::ReportBlocks(const ReportData& data, const PlotTheme& theme, doubl
     addHeadlines();
     addApex();
     addInsertion();
+    addPalpation();
     addMetrics();
     addPlots();
     addIntegrity();
-}
-
-void ReportBlocks::add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint,
-                       bool keep, int header) {
-    m_blocks.push_back({height, gap, keep, header, std::move(paint)});
-}
-
-void ReportBlocks::addHeading(const QString& words) {
-    add(
-        24, 18,
-        [this, words](QCPPainter& p, const QRectF& box) {
-            text(p, box, m_theme.font(15, true), m_theme.ink, Qt::AlignLeft | Qt::AlignVCenter, words);
-        },
-        true);
 }
 
 void ReportBlocks::addBanner() {
@@ -119,28 +104,6 @@ void ReportBlocks::addVerdict() {
         p.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
         drawText(p, box.adjusted(12, 7, -12, 0), words, {font, ink});
     });
-}
-
-void ReportBlocks::addPairs(const std::vector<std::pair<QString, QString>>& pairs, int columns) {
-    const double column = m_width / columns;
-    const double inner = column - 14;
-    for (std::size_t first = 0; first < pairs.size(); first += static_cast<std::size_t>(columns)) {
-        const std::size_t end = std::min(pairs.size(), first + static_cast<std::size_t>(columns));
-        const std::vector<std::pair<QString, QString>> row(pairs.begin() + static_cast<std::ptrdiff_t>(first),
-                                                           pairs.begin() + static_cast<std::ptrdiff_t>(end));
-        double height = 0.0;
-        for (const auto& pair : row)
-            height = std::max(height, textHeight(pair.second, m_theme.font(kBody), inner));
-        add(15 + height, first == 0 ? 12 : 6, [this, row, column, inner](QCPPainter& p, const QRectF& box) {
-            double left = box.left();
-            for (const auto& [label, value] : row) {
-                drawText(p, QRectF(left, box.top(), inner, 15), label, {m_theme.font(10.5), m_theme.muted});
-                drawText(p, QRectF(left, box.top() + 15, inner, box.height() - 15),
-                         value.isEmpty() ? QStringLiteral("–") : value, {m_theme.font(kBody), m_theme.ink});
-                left += column;
-            }
-        });
-    }
 }
 
 void ReportBlocks::addFacts() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "report/palpation_report_data.h"
+
 #include <QDateTime>
 #include <QString>
 #include <cstdint>
@@ -114,6 +116,7 @@ struct ReportData {
     std::vector<MetricRow> metrics;
     std::vector<ApexError> apexErrors;
     std::optional<InsertionProfile> insertion; ///< exercises through a canal
+    std::optional<PalpationReport> palpation;  ///< of a palpation
     SampleSeries series;
     double forceLimit_N = 4.0;
     LoopFacts loop;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/report_blocks.h"
+#include "report/block_maker.h"
 #include "report/text_box.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ void paintRow(QCPPainter& p, const QRectF& box, const TableRow& row) {
 
 } // namespace
 
-void ReportBlocks::addTable(const std::vector<QString>& head, const std::vector<std::vector<QString>>& rows,
+void BlockMaker::addTable(const std::vector<QString>& head, const std::vector<std::vector<QString>>& rows,
                             const std::vector<double>& shares, const std::vector<bool>& rightAligned) {
     std::vector<double> widths;
     for (const double share : shares)

@@ -1,110 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/report_writer.h"
 
-#include "report/page_layout.h"
+#include "report/page_writer.h"
 #include "report/plot_canvas.h"
 #include "report/report_blocks.h"
 #include "report/report_text.h"
 #include "report/session_plots.h"
 
-#include <QBuffer>
 #include <QDir>
-#include <QPageLayout>
-#include <QPdfWriter>
-#include <QSaveFile>
+#include <QPainter>
 #include <qcustomplot.h>
 
 namespace chiron::report {
 
 namespace {
 
-// A4 in logical pixels of 1/96 inch, and what is kept free around the body.
-constexpr int kResolution = 1200;
-constexpr double kPixel = kResolution / 96.0;
-constexpr double kPageWidth = 210.0 / 25.4 * 96.0;
-constexpr double kPageHeight = 297.0 / 25.4 * 96.0;
-constexpr double kSide = 60.0;
-constexpr double kHeaderHeight = 78.0;
-constexpr double kFooterHeight = 62.0;
-constexpr double kBodyWidth = kPageWidth - 2 * kSide;
-constexpr double kBodyHeight = kPageHeight - kHeaderHeight - kFooterHeight;
-
 core::Error storageError(const QString& path, const QString& reason) {
     return {core::ErrorCode::storage, path.toStdString() + ": was not written: " + reason.toStdString()};
 }
 
-void paintHeader(QCPPainter& p, const PlotTheme& theme) {
-    const QRectF box(kSide, 34, kBodyWidth, 26);
-    p.setPen(theme.accent);
-    p.setFont(theme.font(16, true));
-    p.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("Chiron"));
-    p.setPen(theme.muted);
-    p.setFont(theme.font(12));
-    p.drawText(box, Qt::AlignRight | Qt::AlignVCenter, Words::tr("Session report"));
-    p.setPen(QPen(theme.accent, 1.6));
-    p.drawLine(QPointF(kSide, 63), QPointF(kPageWidth - kSide, 63));
-}
-
-void paintFooter(QCPPainter& p, const ReportData& data, const PlotTheme& theme, int page, int pages) {
-    const double top = kPageHeight - kFooterHeight + 14;
-    p.setPen(QPen(theme.rule, 1.0));
-    p.drawLine(QPointF(kSide, top), QPointF(kPageWidth - kSide, top));
-    const QFont font = theme.font(9.5);
-    const QFontMetricsF metrics(font);
-    const QString number = Words::tr("Page %1 of %2").arg(page).arg(pages);
-    const double right = metrics.horizontalAdvance(number) + 12;
-    p.setFont(font);
-    p.setPen(theme.muted);
-    p.drawText(QRectF(kSide, top + 5, kBodyWidth, 14), Qt::AlignRight | Qt::AlignVCenter, number);
+PageFrame frameOf(const ReportData& data, const PlotTheme& theme) {
     const auto joined = [](QStringList parts) {
         parts.removeAll(QString());
         return parts.join(QStringLiteral(" · "));
     };
-    const QString who =
-        joined({data.integrity.sessionId, formatMoment(data.startedUtc, data.offsetMinutes, theme.locale)});
-    p.drawText(QRectF(kSide, top + 5, kBodyWidth - right, 14), Qt::AlignLeft | Qt::AlignVCenter,
-               metrics.elidedText(who, Qt::ElideRight, kBodyWidth - right));
-    const QString digest = data.integrity.recordingDigest;
-    const QString proof =
-        joined({data.demonstration ? Words::tr("Demonstration") : QString(), data.integrity.buildId,
-                digest.isEmpty() ? Words::tr("no recording digest") : digest});
-    p.drawText(QRectF(kSide, top + 18, kBodyWidth, 14), Qt::AlignLeft | Qt::AlignVCenter,
-               metrics.elidedText(proof, Qt::ElideRight, kBodyWidth));
-}
-
-void configure(QPdfWriter& writer, const ReportData& data) {
-    writer.setResolution(kResolution);
-    writer.setPageSize(QPageSize(QPageSize::A4));
-    writer.setPageMargins(QMarginsF(0, 0, 0, 0));
-    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
-    writer.setTitle(
-        QStringLiteral("Chiron session report: %1, %2, session %3, recording %4")
-            .arg(data.person, data.exerciseTitle, data.integrity.sessionId, data.integrity.recordingDigest));
-    writer.setCreator(QStringLiteral("Chiron %1").arg(data.integrity.buildId).trimmed());
-}
-
-bool paintPages(QPdfWriter& writer, const ReportData& data, const PlotTheme& theme) {
-    const ReportBlocks content(data, theme, kBodyWidth);
-    const auto pages = paginate(content.blocks(), kBodyHeight);
-    QCPPainter painter;
-    if (!painter.begin(&writer))
-        return false;
-    painter.setMode(QCPPainter::pmVectorized);
-    for (std::size_t i = 0; i < pages.size(); ++i) {
-        if (i > 0 && !writer.newPage())
-            return false;
-        painter.resetTransform();
-        painter.scale(kPixel, kPixel);
-        paintHeader(painter, theme);
-        paintFooter(painter, data, theme, static_cast<int>(i) + 1, static_cast<int>(pages.size()));
-        for (const PlacedBlock& placed : pages[i]) {
-            const Block& block = content.blocks()[static_cast<std::size_t>(placed.block)];
-            painter.save();
-            block.paint(painter, QRectF(kSide, kHeaderHeight + placed.top, kBodyWidth, block.height));
-            painter.restore();
-        }
-    }
-    return painter.end();
+    const IntegrityFacts& facts = data.integrity;
+    PageFrame frame;
+    frame.heading = Words::tr("Session report");
+    frame.who = joined({facts.sessionId, formatMoment(data.startedUtc, data.offsetMinutes, theme.locale)});
+    frame.proof = joined({data.demonstration ? Words::tr("Demonstration") : QString(), facts.buildId,
+                          facts.recordingDigest.isEmpty() ? Words::tr("no recording digest") : facts.recordingDigest});
+    frame.title = QStringLiteral("Chiron session report: %1, %2, session %3, recording %4")
+                      .arg(data.person, data.exerciseTitle, facts.sessionId, facts.recordingDigest);
+    frame.creator = QStringLiteral("Chiron %1").arg(facts.buildId).trimmed();
+    return frame;
 }
 
 core::Result<void> save(PlotView& left, PlotView* right, const QString& path, QSize size,
@@ -119,24 +48,34 @@ core::Result<void> save(PlotView& left, PlotView* right, const QString& path, QS
     return writePng(path, renderPanels(panels, size, kScale, theme));
 }
 
+core::Result<void> saveMaps(const PalpationTrialReport& trial, const QString& path, const PlotTheme& theme) {
+    constexpr double kScale = 2.0;
+    const QSizeF size(1400, 440);
+    QImage image((size * kScale).toSize(), QImage::Format_RGB32);
+    image.fill(theme.paper);
+    QPainter painter(&image);
+    painter.scale(kScale, kScale);
+    paintPalpationMaps(painter, QRectF(QPointF(0, 0), size).adjusted(16, 16, -16, -16), trial, theme);
+    painter.end();
+    return writePng(path, image);
+}
+
+/// One picture a trial: palpation_1.png, ...
+core::Result<void> saveAllMaps(const PalpationReport& report, const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) {
+    for (const PalpationTrialReport& trial : report.trials) {
+        const QString path = folder.filePath(QStringLiteral("palpation_%1.png").arg(trial.trial + 1));
+        if (auto done = saveMaps(trial, path, theme); !done)
+            return done;
+        written.push_back(path);
+    }
+    return {};
+}
+
 } // namespace
 
 core::Result<void> writeSessionPdf(const QString& path, const ReportData& data, const PlotTheme& theme) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return tl::unexpected(storageError(path, file.errorString()));
-    QByteArray bytes;
-    {
-        QBuffer buffer(&bytes);
-        buffer.open(QIODevice::WriteOnly);
-        QPdfWriter writer(&buffer);
-        configure(writer, data);
-        if (!paintPages(writer, data, theme))
-            return tl::unexpected(storageError(path, QStringLiteral("the pages could not be drawn")));
-    }
-    if (file.write(bytes) != bytes.size() || !file.commit())
-        return tl::unexpected(storageError(path, file.errorString()));
-    return {};
+    const ReportBlocks content(data, theme, kPageBodyWidth);
+    return writePages(path, frameOf(data, theme), content.blocks(), theme);
 }
 
 core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const ReportData& data,
@@ -171,6 +110,9 @@ core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const
         if (!done)
             return tl::unexpected(done.error());
     }
+    if (data.palpation)
+        if (auto done = saveAllMaps(*data.palpation, directory, theme, written); !done)
+            return tl::unexpected(done.error());
     return written;
 }
 

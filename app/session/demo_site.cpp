@@ -82,6 +82,9 @@ core::Result<std::vector<Planned>> makePeople(database::Database& database, cons
     return planned;
 }
 
+/// Which levels every operator does: all, but of palpation, whose sessions last ten minutes and more, the first two.
+bool isShown(const std::string& exercise, int level) { return exercise != "palpation" || level <= 2; }
+
 core::Result<std::vector<Planned>> planOperators(const catalogue::Catalogue& catalogue, std::uint64_t seed) {
     std::vector<Planned> planned;
     for (const catalogue::Exercise& exercise : catalogue.exercises()) {
@@ -89,6 +92,8 @@ core::Result<std::vector<Planned>> planOperators(const catalogue::Catalogue& cat
         if (!kind)
             return tl::unexpected(kind.error());
         for (const catalogue::ExerciseLevel& level : exercise.levels) {
+            if (!isShown(exercise.id, level.number))
+                continue;
             for (const std::string& name : (*kind)->operatorNames())
                 planned.push_back({"simulated", database::Actor::simulated(), {exercise.id, level.number, name, seed}});
         }

@@ -22,6 +22,9 @@ const char* wordFor(CommandKind kind) {
     case CommandKind::rearm: return "rearm";
     case CommandKind::mark: return "mark_command";
     case CommandKind::end: return "end";
+    case CommandKind::present: return "presented";
+    case CommandKind::answer: return "answered";
+    case CommandKind::report: // the recorded quantities tell what was said
     case CommandKind::none: break;
     }
     return nullptr;

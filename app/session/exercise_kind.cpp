@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/exercise_kind.h"
 
+#include "session/comparison_kind.h"
 #include "session/elastic_tube_kind.h"
 #include "session/object_handling_kind.h"
+#include "session/palpation_kind.h"
 #include "session/sphere_apex_kind.h"
 #include "session/urethra_insertion_kind.h"
 
@@ -15,8 +17,10 @@ core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
     static const UrethraInsertionKind urethraInsertion;
     static const ElasticTubeKind elasticTube;
     static const ObjectHandlingKind objectHandling;
+    static const PalpationKind palpation;
+    static const ComparisonKind comparison; // of studies
     static const auto kinds =
-        std::to_array<const ExerciseKind*>({&sphereApex, &urethraInsertion, &elasticTube, &objectHandling});
+        std::to_array<const ExerciseKind*>({&sphereApex, &urethraInsertion, &elasticTube, &objectHandling, &palpation, &comparison});
     std::string known;
     for (const ExerciseKind* kind : kinds) {
         if (kind->id() == id)

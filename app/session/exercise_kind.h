@@ -39,6 +39,12 @@ inline ScriptedTrainee oneHanded(std::unique_ptr<mechanisms::HandStrategy> strat
 /// What a mouse and a keyboard move: a point, an endoscope, or the graspers of a laparoscopy, one at a time.
 enum class PointerTool { point, endoscope, grasper };
 
+/// How the tools of an exercise on fingertip platforms (P3) are fingers of hands: tool = hand · perHand + finger.
+struct FingersOfHand {
+    int perHand = 1;
+    double spacing_m = 0.018; ///< from one pad to the next, along x_T
+};
+
 /// How one kind of exercise is run: the only place that knows its scene, its operators and its truth by type. A new
 /// kind adds a class and one line in exercise_kind.cpp. Stateless.
 class ExerciseKind {
@@ -49,10 +55,18 @@ public:
     virtual ~ExerciseKind() = default;
 
     virtual std::string_view id() const noexcept = 0;
-    /// The simulated mechanism that a scripted operator holds: kinematics id "gimbal_hprd" (P2) or "five_bar_spherical" (P1).
+    /// The simulated mechanism that a scripted operator holds: kinematics id "gimbal_hprd" (P2), "five_bar_spherical" (P1) or
+    /// "fingertip_arm" (P3).
     virtual std::string_view mechanism() const noexcept { return "gimbal_hprd"; }
+    /// All on which it can be done, the usual one (mechanism()) first.
+    virtual std::vector<std::string_view> mechanisms() const { return {mechanism()}; }
+    /// Whether a trace that ends within a trial means its last position as the answer. Where a mark answers nothing by itself it
+    /// does not, and the trial stays without its end.
+    virtual bool traceEndIsMark() const noexcept { return true; }
     /// How many instruments a level is done with, 1..core::kMaxTools.
     virtual int toolCount(const catalogue::ExerciseLevel&) const { return 1; }
+    /// Of a kind whose mechanism is "fingertip_arm".
+    virtual FingersOfHand fingers(const catalogue::ExerciseLevel&) const { return {}; }
     /// Where the device base of an instrument stands in W when nothing else is said: its entry point in the abdomen's wall.
     virtual devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel&, int) const { return {}; }
     /// What the scene puts into `SceneOutput::quantities`, in that order; recorded with the session. At most core::kMaxQuantities.
@@ -66,6 +80,11 @@ public:
     /// Failure: notFound naming the operators that exist.
     virtual core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                        std::uint64_t seed) const = 0;
+    /// The same on a certain mechanism of mechanisms(), where that makes a difference.
+    virtual core::Result<ScriptedTrainee> makeOperatorOn(std::string_view, const catalogue::ExerciseLevel& level,
+                                                         const std::string& name, std::uint64_t seed) const {
+        return makeOperator(level, name, seed);
+    }
     virtual std::vector<std::string> operatorNames() const = 0;
     virtual int trialCount(const catalogue::ExerciseLevel& level) const = 0;
     virtual double forceLimit_N(const catalogue::ExerciseLevel& level) const = 0;

@@ -5,9 +5,12 @@
 
 namespace chiron::session {
 
+const std::vector<std::string>& cueWordsOf(const catalogue::ExerciseLevel& level, bool felt) {
+    return !felt && level.needsForce && level.shownForce ? level.shownForce->cues : level.cues;
+}
+
 LevelCues cuesOf(const catalogue::ExerciseLevel& level, bool felt) {
-    const bool shown = !felt && level.needsForce && level.shownForce;
-    const std::vector<std::string>& words = shown ? level.shownForce->cues : level.cues;
+    const std::vector<std::string>& words = cueWordsOf(level, felt);
     const auto has = [&words](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
     return {.object = has("object"),
             .tool = has("tool"),

@@ -22,6 +22,8 @@ struct LiveSample {
     std::array<float, 3> p_WT_m{};
     std::array<float, 4> q_WT{1.0f, 0.0f, 0.0f, 0.0f}; ///< w, x, y, z
     float depth_m = 0.0f;         ///< from the drawn surface point to the tip, 0 out of contact
+    /// Of each fingertip: where it touches (x, y, m) and the normal force displayed (N); 0 for what is no fingertip.
+    std::array<std::array<float, 3>, core::kMaxTools> press{};
     std::uint32_t guards = 0;     ///< core::guard_bits
     std::uint32_t events = 0;     ///< core::event_bits
     core::TrialPhase phase = core::TrialPhase::idle;

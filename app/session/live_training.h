@@ -35,7 +35,7 @@ public:
     ~LiveTraining();
 
     /// Hands a command to the loop; false when 64 are already waiting.
-    bool post(core::CommandKind kind) noexcept { return m_link.inputs().post({kind}); }
+    bool post(core::CommandKind kind, std::uint16_t argument = 0) noexcept { return m_link.inputs().post({kind, argument}); }
     void beat() noexcept; ///< the window is alive
     /// Asks for the end; the session becomes *stopped*. Returns at once.
     void requestStop() noexcept { m_cancel.store(true, std::memory_order_relaxed); }
@@ -56,6 +56,8 @@ public:
     devices::EndoscopeMailbox* endoscope() noexcept { return m_request.station.endoscope; } ///< the same for an endoscope
     /// The same for graspers, one a tool; empty where the station has none.
     std::span<devices::PointerMailbox* const> graspers() noexcept { return m_request.station.graspers; }
+    /// The same for the points of several fingers, one a tool; empty where the station has one point or none.
+    std::span<devices::PointerMailbox* const> fingers() noexcept { return m_request.station.fingers; }
     bool felt() const noexcept { return m_felt; } ///< whether any device of the station renders force
 
 private:

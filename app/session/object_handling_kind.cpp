@@ -2,6 +2,7 @@
 #include "session/object_handling_kind.h"
 
 #include "operators/object_handling/object_handling_operator.h"
+#include "session/level_cues.h"
 #include "session/session_setup.h"
 #include "simulation/exercises/object_handling/object_handling_plan.h"
 #include "simulation/exercises/object_handling/object_handling_scene.h"
@@ -54,7 +55,9 @@ std::vector<core::QuantityDescription> ObjectHandlingKind::quantities(const cata
 }
 
 std::unique_ptr<simulation::IScene> ObjectHandlingKind::makeScene(const SessionSetup& setup) const {
-    return std::make_unique<simulation::ObjectHandlingScene>(parametersOf(setup.level), setup.seed);
+    simulation::ObjectHandlingParameters parameters = parametersOf(setup.level);
+    parameters.cues = cueWordsOf(setup.level, setup.felt()); // what cannot be felt is shown
+    return std::make_unique<simulation::ObjectHandlingScene>(parameters, setup.seed);
 }
 
 core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,

@@ -97,6 +97,54 @@ QJsonObject sessionJson(const database::PersonSession& session) {
     return json;
 }
 
+QJsonObject studyTrialJson(const database::StudyTrial& trial) {
+    return {{QStringLiteral("run"), static_cast<qint64>(trial.run)},
+            {QStringLiteral("ordinal"), trial.ordinal},
+            {QStringLiteral("session_id"), static_cast<qint64>(trial.session)},
+            {QStringLiteral("candidate"), trial.candidate},
+            {QStringLiteral("arrangement"), trial.arrangement},
+            {QStringLiteral("difference"), trial.difference},
+            {QStringLiteral("answer"), trial.answer},
+            {QStringLiteral("outcome"), trial.outcome},
+            {QStringLiteral("value"), trial.value ? QJsonValue(*trial.value) : QJsonValue()},
+            {QStringLiteral("exploration_s"), trial.exploration_s},
+            {QStringLiteral("answer_s"), trial.answer_s},
+            {QStringLiteral("practice"), trial.practice},
+            {QStringLiteral("spoiled"), text(trial.spoiled)},
+            {QStringLiteral("fidelity"), parsed(trial.fidelityJson)},
+            {QStringLiteral("utc"), text(trial.utc)}};
+}
+
+// As a participant of a study.
+QJsonObject participationJson(const database::PersonParticipation& held) {
+    QJsonArray runs;
+    for (const database::StudyRun& run : held.runs)
+        runs.append(QJsonObject{{QStringLiteral("run"), static_cast<qint64>(run.id)},
+                                {QStringLiteral("condition"), text(run.condition)},
+                                {QStringLiteral("started_utc"), text(run.startedUtc)},
+                                {QStringLiteral("ended_utc"), text(run.endedUtc)}});
+    QJsonArray trials;
+    for (const database::StudyTrial& trial : held.trials)
+        trials.append(studyTrialJson(trial));
+    QJsonArray answers;
+    for (const database::QuestionnaireAnswer& answer : held.answers)
+        answers.append(QJsonObject{{QStringLiteral("questionnaire"), text(answer.questionnaire)},
+                                   {QStringLiteral("item"), text(answer.item)},
+                                   {QStringLiteral("number"), answer.number ? QJsonValue(*answer.number) : QJsonValue()},
+                                   {QStringLiteral("text"), text(answer.text)},
+                                   {QStringLiteral("utc"), text(answer.utc)}});
+    return {{QStringLiteral("study"), text(held.studyKey)},
+            {QStringLiteral("title"), text(held.studyTitle)},
+            {QStringLiteral("code"), text(held.participant.code)},
+            {QStringLiteral("identity"), text(held.identity)},
+            {QStringLiteral("enrolled_utc"), text(held.participant.enrolledUtc)},
+            {QStringLiteral("consent_utc"), text(held.participant.consentUtc)},
+            {QStringLiteral("consent_sha256"), text(held.participant.consentSha256)},
+            {QStringLiteral("runs"), runs},
+            {QStringLiteral("trials"), trials},
+            {QStringLiteral("answers"), answers}};
+}
+
 } // namespace
 
 QJsonObject personJson(const database::Person& person) {
@@ -124,11 +172,15 @@ QJsonObject personExportJson(const database::PersonExport& everything) {
                                  {QStringLiteral("target"), text(entry.target)},
                                  {QStringLiteral("target_id"), static_cast<qint64>(entry.targetId)},
                                  {QStringLiteral("detail"), parsed(entry.detailJson)}});
+    QJsonArray participations;
+    for (const database::PersonParticipation& held : everything.participations)
+        participations.append(participationJson(held));
     return {{QStringLiteral("person"), personJson(everything.person)},
             {QStringLiteral("has_password"), everything.hasPassword},
             {QStringLiteral("failed_logins"), everything.failedLogins},
             {QStringLiteral("sessions"), sessions},
             {QStringLiteral("comments_written"), commentsJson(everything.commentsWritten)},
+            {QStringLiteral("participations"), participations},
             {QStringLiteral("audit"), audit}};
 }
 

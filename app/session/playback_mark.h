@@ -36,6 +36,8 @@ enum class PlaybackMarkKind : std::uint8_t {
     released,     ///< it let go, on purpose
     slipped,      ///< penalty: what was held slipped out, or was dropped
     damaged,      ///< penalty: over-stretched or over-squeezed
+    found,        ///< palpation: a finding was reported; value: its number, from 1
+    takenBack,    ///< palpation: a finding was taken back; value: its number, from 1
     failed,       ///< penalty: the trial could not be done any more (torn)
 };
 

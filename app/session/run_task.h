@@ -39,6 +39,7 @@ struct RunLimits {
     const devices::ReplayDevice* trace = nullptr; ///< its end marks the last position and ends the session
     const std::atomic<bool>* cancel = nullptr;
     LiveLink* live = nullptr; ///< a window that looks on: gets every tick
+    bool endIsMark = true; ///< ExerciseKind::traceEndIsMark()
 };
 
 /// The loop as a runner drives it: ends it by command, so that the end is recorded like everything else. A TickTask.
@@ -53,7 +54,7 @@ public:
             m_limits.live->publish(m_loop.shown());
         if (!m_ending && wantsEnd(now)) {
             m_ending = true;
-            if (m_limits.trace && m_limits.trace->finished() && m_sink.phase() == core::TrialPhase::running)
+            if (m_limits.endIsMark && m_limits.trace && m_limits.trace->finished() && m_sink.phase() == core::TrialPhase::running)
                 m_inputs.postOwn({core::CommandKind::mark, kMarkOfTraceEnd}); // a trace without a mark: its last position is the answer
             else
                 m_inputs.postOwn({core::CommandKind::end});

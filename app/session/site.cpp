@@ -37,10 +37,11 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
     const std::vector<std::string> names = kind.operatorNames();
     if (std::find(names.begin(), names.end(), session.operatorName) != names.end())
         {
-        if (session.map != mechanisms::PolarMap::exact && kind.mechanism() != devices::GimbalHprdKinematics::kId)
+        const std::string_view mechanism = session.mechanism.empty() ? kind.mechanism() : std::string_view(session.mechanism);
+        if (session.map != mechanisms::PolarMap::exact && mechanism != devices::GimbalHprdKinematics::kId)
             return core::fail(core::ErrorCode::wrongUse, "force map as-published: exercise " + session.exercise +
                                                              " is not done on the gimbal whose map it is; expected exact");
-        return scriptedStation(kind, level, session.operatorName, session.seed, session.map);
+        return scriptedStation(kind, level, session.operatorName, session.seed, session.map, mechanism);
     }
     std::error_code ignored;
     if (!std::filesystem::exists(session.operatorName, ignored)) {
@@ -53,6 +54,8 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
     auto rows = scoring::readTraceCsvFile(session.operatorName);
     if (!rows)
         return tl::unexpected(rows.error());
+    if (!session.mechanism.empty())
+        return core::fail(core::ErrorCode::wrongUse, "mechanism " + session.mechanism + ": a trace is held by none; expected an operator");
     if (session.map != mechanisms::PolarMap::exact)
         return core::fail(core::ErrorCode::wrongUse, "force map as-published: a trace feels nothing; expected exact");
     return traceStation(*rows, kind.pointerTool(), kind.toolCount(level));

@@ -31,6 +31,7 @@ struct ScriptedSession {
     bool realtime = false;
     bool familiarisation = false;
     mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< of the simulated gimbal
+    std::string mechanism{}; ///< kinematics id of the simulated mechanism; "": the exercise's usual one
 };
 
 /// Whether its operator, or trace, can be had at all: asked before a database is made for it. Failure: notFound (exercise,

@@ -4,6 +4,8 @@
 #include "core/random.h"
 #include "devices/drivers/simulated/simulated_device.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
+#include "devices/drivers/simulated/simulated_fingertip_device.h"
+#include "devices/drivers/simulated/simulated_second_finger.h"
 #include "simulation/exercises/urethra_insertion/procedure_plan.h"
 
 #include <algorithm>
@@ -46,6 +48,35 @@ core::Result<Station> withDevices(Station station, const typename Device::Config
         if (!device)
             return tl::unexpected(device.error());
         station.mappings.push_back(configuration.mapping);
+        station.devices.push_back(std::move(*device));
+    }
+    return station;
+}
+
+/// One arm a hand; further fingers of a hand are tools on the first one's arm.
+core::Result<Station> withFingers(Station station, const FingersOfHand& fingers, ScriptedTrainee trainee, std::uint64_t handSeed,
+                                  std::span<const devices::WorkspaceMapping> places) {
+    const devices::SimulatedFingertipDevice* hand = nullptr;
+    for (std::size_t i = 0; i < trainee.strategies.size(); ++i) {
+        const int finger = static_cast<int>(i) % std::max(fingers.perHand, 1);
+        const std::uint64_t seed = i == 0 ? handSeed : core::Random::mix(handSeed, "hand " + std::to_string(i));
+        station.mappings.push_back(places[i - static_cast<std::size_t>(finger)]); // of its hand
+        if (finger > 0) {
+            auto device = devices::SimulatedSecondFinger::create(*hand, {finger * fingers.spacing_m, 0.0, 0.0}, seed,
+                                                                 std::move(trainee.strategies[i]));
+            if (!device)
+                return tl::unexpected(device.error());
+            station.devices.push_back(std::move(*device));
+            continue;
+        }
+        devices::SimulatedFingertipDevice::Configuration configuration;
+        configuration.seed = seed;
+        configuration.hand = trainee.hand;
+        configuration.mapping = station.mappings.back();
+        auto device = devices::SimulatedFingertipDevice::create(configuration, std::move(trainee.strategies[i]));
+        if (!device)
+            return tl::unexpected(device.error());
+        hand = device->get();
         station.devices.push_back(std::move(*device));
     }
     return station;
@@ -153,7 +184,8 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, Pointe
 
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const ExerciseKind& kind,
                                            const catalogue::ExerciseLevel& level) {
-    if (kind.pointerTool() != PointerTool::grasper)
+    const bool fingers = kind.pointerTool() == PointerTool::point && kind.toolCount(level) > 1;
+    if (kind.pointerTool() != PointerTool::grasper && !fingers)
         return keyboardMouseStation(choice, kind.pointerTool());
     const auto chosen = mappingOf(choice);
     if (!chosen)
@@ -166,20 +198,26 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const 
         devices::WorkspaceMapping mapping = *chosen;
         for (std::size_t i = 0; i < 3; ++i)
             mapping.origin_m[i] += place.origin_m[i];
-        auto device = makePointer<devices::KeyboardMouseDevice>(grasperSettings(mapping, choice.origin_m), choice.scale);
+        const auto settings = fingers ? devices::KeyboardMouseSettings{} : grasperSettings(mapping, choice.origin_m);
+        auto device = makePointer<devices::KeyboardMouseDevice>(settings, choice.scale);
         if (!device)
             return tl::unexpected(device.error());
-        station.graspers.push_back(&(*device)->mailbox());
+        (fingers ? station.fingers : station.graspers).push_back(&(*device)->mailbox());
         station.mappings.push_back(mapping);
         station.devices.push_back(std::move(*device));
     }
     return station;
 }
 
-core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
-                                      const std::string& operatorName, std::uint64_t seed, mechanisms::PolarMap map) {
+core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level, const std::string& operatorName,
+                                      std::uint64_t seed, mechanisms::PolarMap map, std::string_view mechanism) {
+    const std::vector<std::string_view> known = kind.mechanisms();
+    const std::string_view chosen = mechanism.empty() ? kind.mechanism() : mechanism;
+    if (std::find(known.begin(), known.end(), chosen) == known.end())
+        return core::fail(core::ErrorCode::wrongUse, "mechanism \"" + std::string(chosen) + "\": exercise " + std::string(kind.id()) +
+                                                         " is not done on it");
     // Hand and mind have streams of their own: the same person in another field trembles alike.
-    auto trainee = kind.makeOperator(level, operatorName, core::Random::mix(seed, "operator"));
+    auto trainee = kind.makeOperatorOn(chosen, level, operatorName, core::Random::mix(seed, "operator"));
     if (!trainee)
         return tl::unexpected(trainee.error());
     const auto places = placesOf(kind, level, trainee->strategies.size());
@@ -188,21 +226,23 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
     Station station;
     station.operatorName = operatorName;
     const std::uint64_t handSeed = core::Random::mix(seed, "hand");
-    if (kind.mechanism() == devices::FiveBarSphericalKinematics::kId) {
+    if (chosen == devices::FiveBarSphericalKinematics::kId) {
         devices::SimulatedEndoscopeDevice::Configuration configuration;
         configuration.start_D = endoscopeStart_W(); // D is W where nothing else is said
         return withDevices<devices::SimulatedEndoscopeDevice>(std::move(station), configuration, std::move(*trainee), handSeed,
                                                               *places);
     }
-    if (kind.mechanism() == devices::GimbalHprdKinematics::kId) {
+    if (chosen == devices::GimbalHprdKinematics::kId) {
         devices::SimulatedDevice::Configuration configuration;
         configuration.map = map;
         if (kind.pointerTool() == PointerTool::grasper)
             configuration.jaw = mechanisms::JawParameters{};
         return withDevices<devices::SimulatedDevice>(std::move(station), configuration, std::move(*trainee), handSeed, *places);
     }
+    if (chosen == devices::FingertipArmKinematics::kId)
+        return withFingers(std::move(station), kind.fingers(level), std::move(*trainee), handSeed, *places);
     return core::fail(core::ErrorCode::wrongUse,
-                      "exercise " + std::string(kind.id()) + ": no simulated mechanism \"" + std::string(kind.mechanism()) +
+                      "exercise " + std::string(kind.id()) + ": no simulated mechanism \"" + std::string(chosen) +
                           "\"");
 }
 

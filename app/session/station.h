@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace chiron::session {
@@ -25,6 +26,7 @@ struct Station {
     std::string operatorName; ///< scripted operator or "trace:<file>"; empty: a person's own hand
     devices::PointerMailbox* pointer = nullptr;   ///< of `devices`, where a mouse and a keyboard move a point
     std::vector<devices::PointerMailbox*> graspers; ///< of `devices`, one a tool, where they move graspers
+    std::vector<devices::PointerMailbox*> fingers; ///< of `devices`, one a tool, where they move the points of several fingers
     devices::EndoscopeMailbox* endoscope = nullptr; ///< of `devices`, where they move an endoscope
     const devices::ReplayDevice* trace = nullptr; ///< of `devices`, where a trace is played (all of them end with it): its end
                                                   ///< ends the session
@@ -49,18 +51,19 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
 /// Failure: badInput.
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {}, PointerTool tool = PointerTool::point);
 
-/// The same for a level of an exercise. Graspers: one tool for each instrument, jaws open, above the field under their entry
+/// The same for a level of an exercise. Several points (fingers): one tool each, at the kind's places, every one with the same
+/// box round its own place, so that the fingers of a hand stay side by side at an edge too. Graspers: one tool for each instrument, jaws open, above the field under their entry
 /// points; all reach the same box of W, whose middle is the choice's origin. Failure: badInput; wrongUse for a level without
 /// 1..kMaxTools instruments.
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const ExerciseKind& kind,
                                            const catalogue::ExerciseLevel& level);
 
-/// The simulated mechanism that the kind names, one for each instrument of the level, with a scripted operator on it. Failure: that of the kind's makeOperator();
-/// wrongUse for a mechanism that does not exist.
+/// A simulated mechanism of the kind's (`mechanism`: its kinematics id; "": the usual one), one for each instrument of the level, with a scripted operator on it. Failure: that of the kind's makeOperator();
+/// wrongUse for a mechanism that does not exist, or that the kind is not done on.
 /// `map`: how a force becomes motor torques on P2's gimbal (models.md §2.1).
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                       const std::string& operatorName, std::uint64_t seed,
-                                      mechanisms::PolarMap map = mechanisms::PolarMap::exact);
+                                      mechanisms::PolarMap map = mechanisms::PolarMap::exact, std::string_view mechanism = {});
 
 /// A recorded trace as input devices (class "shown": nobody feels anything), one for each of the `tools` that the level needs;
 /// rows of other tools are left out. All begin with the file's earliest row and end with its last: a tool waits where its own

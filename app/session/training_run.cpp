@@ -141,7 +141,7 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
     if (request.realtime && slowModel != nullptr)
         inputs.setSlowUpdate(simulation::SlowUpdate::whenReady);
     scenes.offer(scene);
-    TeeSink sink(recording.sink(), request.witness);
+    TeeSink sink(recording.sink(), request.director ? request.director : request.witness);
     auto loop = haptics::HapticLoop::create({tools, inputs, supervisor, setup.safety, scenes, sink});
     if (!loop)
         return tl::unexpected(loop.error());
@@ -149,8 +149,10 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
         inputs.postOwn({core::CommandKind::start});
     else // a window that never comes up is a frozen one
         inputs.beat(request.realtime ? core::monotonicNow_ns() : 0);
-    const std::uint64_t tickLimit = request.live ? kNoTickLimit : kind.tickLimit(setup.level);
-    RunTask task(**loop, inputs, sink, {tickLimit, request.station.trace, request.cancel, request.live});
+    if (request.director)
+        request.director->connect(inputs);
+    const std::uint64_t tickLimit = request.live || request.director ? kNoTickLimit : kind.tickLimit(setup.level);
+    RunTask task(**loop, inputs, sink, {tickLimit, request.station.trace, request.cancel, request.live, kind.traceEndIsMark()});
     return request.realtime ? runRealtime(task, **loop, slowModel) : runAsFast(task, database.writer());
 }
 
@@ -188,6 +190,8 @@ core::Result<TrainingResult> runTrainingOn(database::Database& database, const d
     result.session = *session;
     if (request.live)
         request.live->setSession(*session);
+    if (request.onSession)
+        request.onSession(*session);
     auto recording = LiveRecording::start(database, actor, *session, setup, request.ringFolder, request.realtime);
     if (!recording)
         return abandon(database, actor, *session, recording.error());

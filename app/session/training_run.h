@@ -10,10 +10,12 @@
 #include "session/live_recording.h"
 #include "session/loop_report.h"
 #include "session/station.h"
+#include "session/tick_director.h"
 
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 namespace chiron::session {
@@ -28,6 +30,9 @@ struct TrainingRequest {
     std::filesystem::path ringFolder;         ///< of the crash ring; recording::defaultRingFolder()
     core::IFrameSink* witness = nullptr;      ///< also gets every frame, on the haptic thread
     const std::atomic<bool>* cancel = nullptr; ///< set from outside: the session ends as *stopped*
+    /// Gives the commands of an as-fast run and ends it (no tick limit then). Outlives the run.
+    ITickDirector* director = nullptr;
+    std::function<void(database::SessionId)> onSession; ///< told once the session is listed, before its first tick; may be empty
     /// A window: its heartbeat is watched, its `start` command begins the first trial, and nothing but the exercise, `end`
     /// and `cancel` end the session. Outlives the run.
     LiveLink* live = nullptr;

@@ -4,8 +4,16 @@
 #include "core/geometry.h"
 
 #include <optional>
+#include <vector>
 
 namespace chiron::session {
+
+/// A lump below a surface that is palpated. W, m.
+struct TrialLump {
+    core::Vec3 p_WCentre = core::Vec3::Zero();
+    core::Vec3 p_WAbove = core::Vec3::Zero(); ///< the surface point above it: where a mark should be
+    double radius_m = 0.0;
+};
 
 /// The object of one trial, as playback draws it: what was true, from content and seed.
 struct TrialObject {
@@ -13,6 +21,7 @@ struct TrialObject {
     double radius_m = 0.0;
     std::optional<core::Vec2> dimpleCentre_m; ///< x, y in W, where the level has a decoy
     double turn_rad = 0.0; ///< of a meshed dome about the vertical
+    std::vector<TrialLump> lumps{}; ///< palpation: what was to be found (before a control moved it)
 };
 
 /// What could be touched in each trial of a session, made again from its stored content and seed: the same geometry

@@ -4,6 +4,7 @@
 #include "database/repositories/score_repository.h"
 #include "recording/digest.h"
 #include "session_report/insertion_profile.h"
+#include "session_report/palpation_report.h"
 #include "session_report/series_maker.h"
 #include "session/exercise_kind.h"
 
@@ -150,6 +151,19 @@ QString metricName(const std::string& id) {
         {"squeeze_time_over_limit", "Time squeezed too hard"},
         {"placement_error", "Placement error"},
         {"weighing_correct", "Heaviest found"},
+        {"palpation_hits", "Lumps found"},
+        {"palpation_misses", "Lumps missed"},
+        {"palpation_false_alarms", "False alarms"},
+        {"palpation_d_prime", "Sensitivity (d′)"},
+        {"palpation_criterion", "Criterion (c)"},
+        {"palpation_roc_area", "Area under the ROC"},
+        {"localisation_error", "Localisation error"},
+        {"size_error", "Size error"},
+        {"hardness_order", "Hardness order"},
+        {"coverage", "Area covered"},
+        {"force_band_time", "Time in the force band"},
+        {"pressing_time", "Time pressing"},
+        {"searching_time", "Time searching"},
         {"apex_error_mean", "Apex error, mean"},
         {"apex_error_sd", "Apex error, SD"},
         {"apex_bias_x", "Apex bias, x"},
@@ -188,6 +202,7 @@ core::Result<ReportData> reportDataOf(session::StoredSession& session, database:
         return tl::unexpected(trace.error());
     data.apexErrors = apexErrorsOf(*trace);
     data.insertion = insertionProfileOf(*trace);
+    data.palpation = palpationReportOf(*trace, session.setup().level);
     auto series = makeSeries(session, data.integrity.recordingDigest);
     if (!series)
         return tl::unexpected(series.error());

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
 #include "cli/command_groups.h"
+#include "cli/device_check.h"
+#include "cli/messages.h"
 #include "cli/text_table.h"
 #include "devices/driver_catalogue.h"
+#include "mechanisms/friction_identification.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 namespace chiron::cli {
 
@@ -30,6 +38,119 @@ core::Result<CommandOutput> list(const Arguments&) {
     return CommandOutput{QJsonDocument(drivers), table.toText(), 0};
 }
 
+/// What a lab's device would be asked for: only the simulated one is here, and it has no transport.
+core::Result<void> refuseOtherDrivers(const QString& driver) {
+    if (driver.isEmpty() || driver == QLatin1String("simulated"))
+        return {};
+    if (devices::findDriver(driver.toStdString()) == nullptr)
+        return wrongUse(QStringLiteral("option --driver: %1 is unknown; see chiron-cli device list").arg(quoted(driver)));
+    return core::fail(core::ErrorCode::device, "device " + driver.toStdString() + ": has no motors that could be checked");
+}
+
+core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::optional<double> damping) {
+    const auto seed = arguments.seed(QStringLiteral("seed"), 1);
+    mechanisms::FingertipVerificationSettings settings;
+    const auto frequency = arguments.number(QStringLiteral("frequency"), 0.05, 5.0, settings.frequency_Hz);
+    const auto poses = arguments.integer(QStringLiteral("poses"), 1, 10000, settings.poses);
+    if (!seed)
+        return tl::unexpected(seed.error());
+    if (!frequency)
+        return tl::unexpected(frequency.error());
+    if (!poses)
+        return tl::unexpected(poses.error());
+    settings.frequency_Hz = *frequency;
+    settings.poses = static_cast<int>(*poses);
+    const mechanisms::FingertipPlatformParameters plant;
+    auto verified = mechanisms::verifyFingertip(plant, *seed, settings);
+    if (!verified)
+        return tl::unexpected(verified.error());
+    FingertipCheck check;
+    check.seed = *seed;
+    check.verification = std::move(*verified);
+    check.friction = mechanisms::identifyFingertipFriction(plant);
+    check.damping_Ns_per_m = damping.value_or(mechanisms::fingertipDamping_Ns_per_m(check.friction, plant));
+    check.stiffnessCap_N_per_m = mechanisms::stiffnessCap_N_per_m(check.damping_Ns_per_m, core::kTickSeconds, check.verification.latency_s);
+    if (arguments.has(QStringLiteral("degrade"))) {
+        auto table = mechanisms::degradeFingertip(plant, *seed, settings);
+        if (!table)
+            return tl::unexpected(table.error());
+        check.degradation = std::move(*table);
+    }
+    return describeFingertipCheck(check, arguments.has(QStringLiteral("series")));
+}
+
+/// P2's gimbal: friction of its motor axes by Tholey's method, beside what the plant was given; holds within a twentieth.
+core::Result<CommandOutput> checkGimbal(double damping) {
+    const mechanisms::GimbalPlantParameters parameters;
+    mechanisms::GimbalPlant plant(parameters);
+    const auto found = mechanisms::identifyFriction(plant, {});
+    if (!found)
+        return tl::unexpected(found.error());
+    const double latency_s = core::kTickSeconds * parameters.sampleDelay_ticks + parameters.amplifierLag_s;
+    const double cap = mechanisms::stiffnessCap_N_per_m(damping, core::kTickSeconds, latency_s);
+    TextTable table({QStringLiteral("axis"), QStringLiteral(">Coulomb"), QStringLiteral(">given"), QStringLiteral(">viscous"), QStringLiteral(">given")});
+    QJsonArray axes;
+    bool holds = true;
+    const std::array<const char*, 4> names{"heading", "pitch", "roll", "depth"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto& axis = (*found)[i];
+        if (!axis)
+            continue;
+        const auto& given = parameters.friction[i];
+        holds = holds && std::abs(axis->coulomb - given.coulomb) <= 0.05 * given.coulomb &&
+                std::abs(axis->viscous - given.viscous) <= 0.05 * given.viscous;
+        axes.append(QJsonObject{{"axis", names[i]}, {"coulomb", axis->coulomb}, {"viscous", axis->viscous}});
+        table.add({names[i], shortNumber(axis->coulomb), shortNumber(given.coulomb), shortNumber(axis->viscous), shortNumber(given.viscous)});
+    }
+    const QString text = QStringLiteral("Gimbal, simulated; N·m and N·m·s/rad, depth N and N·s/m.\n\n") + table.toText() + QLatin1Char('\n') +
+                         alignedPairs({{QStringLiteral("latency"), shortNumber(1e3 * latency_s) + QStringLiteral(" ms")},
+                                       {QStringLiteral("stiffest wall"), shortNumber(cap) + QStringLiteral(" N/m")}});
+    return CommandOutput{QJsonDocument(QJsonObject{{"mechanism", "gimbal_hprd"},
+                                                   {"holds", holds},
+                                                   {"friction", axes},
+                                                   {"latency_us", 1e6 * latency_s},
+                                                   {"damping_Ns_per_m", damping},
+                                                   {"stiffness_cap_N_per_m", cap}}),
+                         text, holds ? 0 : 1};
+}
+
+core::Result<CommandOutput> check(const Arguments& arguments) {
+    if (auto refused = refuseOtherDrivers(arguments.value(QStringLiteral("driver"))); !refused)
+        return tl::unexpected(refused.error());
+    const QString fingertip = QStringLiteral("fingertip_arm");
+    const auto mechanism = arguments.choice(QStringLiteral("mechanism"), {fingertip, QStringLiteral("gimbal_hprd")}, fingertip);
+    const auto damping = arguments.number(QStringLiteral("damping"), 0.01, 100.0, 2.0); // models.md: default B of a wall
+    if (!mechanism)
+        return tl::unexpected(mechanism.error());
+    if (!damping)
+        return tl::unexpected(damping.error());
+    if (*mechanism == fingertip)
+        return checkFingertip(arguments, arguments.has(QStringLiteral("damping")) ? std::optional(*damping) : std::nullopt);
+    for (const char* option : {"seed", "frequency", "poses", "degrade", "series"})
+        if (arguments.has(QString::fromLatin1(option)))
+            return wrongUse(QStringLiteral("option --%1: means nothing with --mechanism gimbal_hprd").arg(QLatin1String(option)));
+    return checkGimbal(*damping);
+}
+
+CommandSpec checkCommand() {
+    CommandSpec command;
+    command.group = QStringLiteral("device");
+    command.verb = QStringLiteral("check");
+    command.summary = QStringLiteral("verify a mechanism: force and angle beside P3's figures, friction, latency, stiffness cap");
+    command.options = {
+        {QStringLiteral("mechanism"), QStringLiteral("ID"), QStringLiteral("fingertip_arm (default) or gimbal_hprd (friction alone)")},
+        {QStringLiteral("driver"), QStringLiteral("ID"), QStringLiteral("the device's driver (default: simulated)")},
+        {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of sensor noise and poses (default 1)")},
+        {QStringLiteral("frequency"), QStringLiteral("HZ"), QStringLiteral("of the 1 N sine, 0.05 to 5 (default 0.5; P3 does not print it)")},
+        {QStringLiteral("poses"), QStringLiteral("N"), QStringLiteral("random orientations, 1 to 10000 (default 100)")},
+        {QStringLiteral("damping"), QStringLiteral("B"), QStringLiteral("of device, hand and wall together in the stiffness cap, N·s/m (default: drives and pad; gimbal: 2)")},
+        {QStringLiteral("degrade"), {}, QStringLiteral("also a table: force noise, converter, delay, friction, backlash, IMU times 0, 1, 2, 4")},
+        {QStringLiteral("series"), {}, QStringLiteral("with --json also every tick of the sine and every pose")}};
+    command.example = QStringLiteral("chiron-cli device check --seed 1 --degrade --json");
+    command.run = check;
+    return command;
+}
+
 } // namespace
 
 std::vector<CommandSpec> deviceCommands() {
@@ -39,7 +160,7 @@ std::vector<CommandSpec> deviceCommands() {
     command.summary = QStringLiteral("the devices that this build can drive");
     command.example = QStringLiteral("chiron-cli device list --json");
     command.run = list;
-    return {command};
+    return {command, checkCommand()};
 }
 
 } // namespace chiron::cli

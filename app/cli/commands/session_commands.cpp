@@ -5,6 +5,7 @@
 #include "cli/site_access.h"
 #include "cli/text_table.h"
 #include "database/repositories/session_reader.h"
+#include "session/bids_motion.h"
 #include "session/session_export.h"
 
 #include <QDir>
@@ -76,6 +77,8 @@ core::Result<CommandOutput> show(const Arguments& arguments) {
 
 core::Result<void> writeFormat(const QString& format, session::StoredSession& session, const QJsonObject& summary,
                                const QString& path) {
+    if (format == QLatin1String("bids"))
+        return session::exportSessionBids(session, path.toStdString());
     return format == QLatin1String("csv") ? session::exportCsv(session, path)
                                           : session::exportJson(session, summary, path);
 }
@@ -88,8 +91,8 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
     if (formats->isEmpty())
         *formats << QStringLiteral("csv");
     for (const QString& format : *formats) {
-        if (format != QLatin1String("csv") && format != QLatin1String("json"))
-            return wrongUse(QStringLiteral("--format: %1: unknown; expected csv, json").arg(quoted(format)));
+        if (format != QLatin1String("csv") && format != QLatin1String("json") && format != QLatin1String("bids"))
+            return wrongUse(QStringLiteral("--format: %1: unknown; expected csv, json, bids").arg(quoted(format)));
     }
     auto reading = openReading(arguments);
     if (!reading)
@@ -141,8 +144,8 @@ std::vector<CommandSpec> sessionCommands() {
     showing.run = show;
     CommandSpec exporting = showing;
     exporting.verb = QStringLiteral("export");
-    exporting.summary = QStringLiteral("write a session's samples (csv) and what is known of it, with its events (json)");
-    exporting.options = {{QStringLiteral("format"), QStringLiteral("csv,json"), QStringLiteral("which files; default: csv")},
+    exporting.summary = QStringLiteral("write a session's samples (csv), what is known of it, with its events (json), or its motion and forces as a BIDS dataset (bids)");
+    exporting.options = {{QStringLiteral("format"), QStringLiteral("csv,json,bids"), QStringLiteral("which; bids is a folder session_ID.bids that must not be there yet; default: csv")},
                          {QStringLiteral("folder"), QStringLiteral("DIR"), QStringLiteral("where to; default: here")}};
     exporting.example = QStringLiteral("chiron-cli session export 12 --format csv,json --folder out");
     exporting.run = exportSession;

@@ -45,6 +45,7 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
         return tl::unexpected(map.error());
     if (*map == QLatin1String("as-published"))
         asked.map = mechanisms::PolarMap::asPublished;
+    asked.mechanism = arguments.value(QStringLiteral("mechanism")).toStdString();
     std::vector<session::ScriptedSession> sessions;
     const int levels = static_cast<int>(exercise->levels.size());
     const bool all = arguments.value(QStringLiteral("level")) == QLatin1String("all");
@@ -142,7 +143,9 @@ std::vector<CommandSpec> trainCommands() {
         {QStringLiteral("realtime"), {}, QStringLiteral("at 1 kHz by the clock; default: as fast as the machine can, same result")},
         {QStringLiteral("familiarisation"), {}, QStringLiteral("recorded and marked, never counted")},
         {QStringLiteral("force-map"), QStringLiteral("WORD"),
-         QStringLiteral("how the simulated gimbal makes torques of a force: exact (power is conserved) or as-published; default: exact")}};
+         QStringLiteral("how the simulated gimbal makes torques of a force: exact (power is conserved) or as-published; default: exact")},
+        {QStringLiteral("mechanism"), QStringLiteral("ID"),
+         QStringLiteral("what the scripted hand holds: fingertip_arm or gimbal_hprd (palpation); default: the exercise's usual one")}};
     command.example = QStringLiteral("chiron-cli train sphere_apex --level 2 --operator expert --seed 7 --json");
     command.run = train;
     return {command};

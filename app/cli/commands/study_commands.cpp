@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_groups.h"
+#include "cli/study/study_access.h"
+
+namespace chiron::cli {
+
+namespace {
+
+const OptionSpec kParticipant{QStringLiteral("participant"), QStringLiteral("CODE"), QStringLiteral("the participant's code"), true};
+
+CommandSpec row(const char* verb, const char* summary, const char* rest, decltype(CommandSpec::run) run, std::vector<OptionSpec> options = {}) {
+    CommandSpec command;
+    command.group = QStringLiteral("study");
+    command.verb = QString::fromUtf8(verb);
+    command.summary = QString::fromUtf8(summary);
+    command.operands = {{"STUDY", "number or key of a study"}};
+    command.options = std::move(options);
+    command.example = QStringLiteral("chiron-cli study %1 %2").arg(command.verb, QString::fromUtf8(rest));
+    command.run = run;
+    return command;
+}
+
+CommandSpec listing() {
+    CommandSpec command = row("list", "the studies that you may see; without --as the simulated ones", "--json", listStudies, {{"archived", {}, "archived ones too"}});
+    command.operands = {};
+    return command;
+}
+
+CommandSpec making() {
+    CommandSpec command = row("new", "a draft from a study of the content or a file", "stiffness_elastic_tube --as rosa", newStudy, {{"id", "KEY", "another key than the design's own"}});
+    command.operands = {{"FROM", "id of a study of the content, or a JSON file"}};
+    return command;
+}
+
+} // namespace
+
+std::vector<CommandSpec> studyCommands() {
+    return {listing(),
+            row("show", "one study with its design and participants, by codes", "3 --as rosa --json", showStudy),
+            making(),
+            row("freeze", "fix the design for ever; prints its SHA-256", "3 --as rosa", freezeStudy),
+            row("enrol", "a participant under a random code; who it is comes from CHIRON_IDENTITY, or as the line after the password's, and is kept in the key table alone", "3 --as rosa --password-stdin", enrolParticipant),
+            row("consent", "record that a participant consents", "3 --participant K7M-4QX --as rosa", consentOf,
+                {kParticipant, {"language", "CODE", "of the text that was shown; default: en"}}),
+            row("withdraw", "a participant takes no further part", "3 --participant K7M-4QX --as rosa", withdrawParticipant,
+                {kParticipant, {"erase-recordings", {}, "the participant wants the recordings erased, too (an administrator does it)"}}),
+            row("unblind", "conditions go by their names from now on", "3 --as rosa", unblindStudy),
+            row("close", "no more participants and runs", "3 --as rosa", closeStudy),
+            row("archive", "out of the usual lists", "3 --as rosa", archiveStudy, {{"undo", {}, "back into them"}}),
+            row("key", "who the codes are; for the study's author and administrators, audited", "3 --as rosa", studyKey),
+            row("run", "a simulated participant does the study, or goes on with it; makes a missing database, study and participant", "stiffness_elastic_tube --participant S01 --observer weber:0.12,lapse:0.02 --seed 7 --json", runStudy,
+                {kParticipant, {"observer", "SPEC", "weber:W[,lapse:L][,bias:B]: W the Weber fraction at 75 % correct in 2AFC", true}, {"seed", "S", "of participant and runs; default: 1"},
+                 {"quick", {}, "without rendering: the observer is told the values"}, {"condition", "ID", "this one alone, where the experimenter is not blind; default: all that are not completed, in order"},
+                 {"trials", "N", "stop after so many presentations of a run, to be gone on with"}}),
+            row("rerun", "run the log again: exit 1 where a stimulus would be chosen differently", "3 --as rosa --json", rerunStudy),
+            row("plan", "expected bias, precision and minutes before anyone is tested", "stiffness_elastic_tube --observer weber:0.12,lapse:0.02 --runs 100 --json", planStudy,
+                {{"observer", "SPEC", "weber:W[,lapse:L][,bias:B]", true}, {"runs", "N", "simulated runs a condition, 0: information alone; default: 100"}, {"seed", "S", "default: 1"}}),
+            row("analyse", "what each run and each condition's group say, and whether the log chooses the same stimuli again", "3 --as rosa --json", analyseStudies, {{"seed", "S", "of bootstraps; default: 1"}}),
+            row("export", "pseudonymised data with a data dictionary", "3 --format csv,bids --out folder --as rosa", exportStudy,
+                {{"format", "csv,bids", "which; with both each gets a folder of its own in --out; default: csv"}, {"out", "FOLDER", "must not be there yet", true}})};
+}
+
+} // namespace chiron::cli

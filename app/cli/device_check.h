@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/command.h"
+#include "mechanisms/fingertip_verification.h"
+
+#include <optional>
+#include <vector>
+
+namespace chiron::cli {
+
+/// What `device check` found of P3's simulated mechanism.
+struct FingertipCheck {
+    std::uint64_t seed = 1;
+    mechanisms::FingertipVerification verification;
+    mechanisms::FingertipFriction friction;
+    double damping_Ns_per_m = 0.0;  ///< b + B in the cap of the stiffness
+    double stiffnessCap_N_per_m = 0.0;
+    std::vector<mechanisms::FingertipDegradation> degradation; ///< empty unless asked for
+};
+
+/// As JSON and as a table beside P3's figures; exit 1 where the check does not hold.
+CommandOutput describeFingertipCheck(const FingertipCheck& check, bool withSeries);
+
+} // namespace chiron::cli

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/procedure_reader.h"
+#include "cli/input_file.h"
+#include "cli/messages.h"
+#include "cli/psychophysics/adaptive_lines.h"
+#include "cli/psychophysics/handlers.h"
+#include "cli/session_output.h"
+
+#include <QJsonDocument>
+#include <cstdio>
+#include <iostream>
+#include <string>
+
+namespace chiron::cli {
+
+namespace {
+
+using namespace psychophysics;
+
+core::Result<void> printLine(const QJsonObject& json) {
+    const QByteArray line = QJsonDocument(json).toJson(QJsonDocument::Compact) + '\n';
+    const auto size = static_cast<std::size_t>(line.size());
+    if (std::fwrite(line.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
+        return core::fail(core::ErrorCode::storage, "stdout: could not be written completely");
+    return {};
+}
+
+QStringList dimensionsOf(const ProcedureSpec& spec) {
+    QStringList names;
+    if (const auto* questPlus = std::get_if<QuestPlusSpec>(&spec))
+        for (const auto& dimension : questPlus->stimuli)
+            names << QString::fromStdString(dimension.first);
+    return names;
+}
+
+bool ordersThree(const ProcedureSpec& spec) {
+    const auto* questPlus = std::get_if<QuestPlusSpec>(&spec);
+    return std::holds_alternative<Rank3Spec>(spec) || (questPlus && questPlus->function == "rank3");
+}
+
+/// Takes one line. Failure: badInput, wrongUse (undo of nothing); the procedure is as before.
+core::Result<void> take(Procedure& procedure, const AdaptiveLine& line) {
+    if (line.kind == AdaptiveLine::Kind::undo)
+        return procedure.undo();
+    if (line.kind == AdaptiveLine::Kind::spoiled) {
+        procedure.spoiled();
+        return {};
+    }
+    return procedure.record(line.outcome, line.presented ? *line.presented : procedure.next().stimulus);
+}
+
+tl::unexpected<core::Error> atLine(int number, const core::Error& error) {
+    return badInput(QStringLiteral("stdin line %1: %2").arg(number).arg(QString::fromStdString(error.message)));
+}
+
+/// Each line is taken and answered before the next is read. Once the procedure is done, answers change nothing and are marked as ignored.
+core::Result<void> answerLines(Procedure& procedure, bool orders, const QStringList& names) {
+    const auto dimensions = static_cast<std::size_t>(names.isEmpty() ? 1 : names.size());
+    std::string text;
+    for (int number = 1; std::getline(std::cin, text); ++number) {
+        const QString words = QString::fromStdString(text);
+        if (words.trimmed().isEmpty())
+            continue;
+        const auto line = parseAdaptiveLine(words, procedure.outcomes(), orders, dimensions);
+        if (!line)
+            return atLine(number, line.error());
+        const bool ignored = procedure.done() && line->kind != AdaptiveLine::Kind::undo;
+        if (!ignored)
+            if (auto taken = take(procedure, *line); !taken)
+                return atLine(number, taken.error());
+        QJsonObject state = adaptiveState(procedure, names);
+        if (ignored) {
+            state.insert("ignored", true);
+            tell(QStringLiteral("stdin line %1: the procedure is done; this answer changes nothing").arg(number));
+        }
+        if (auto printed = printLine(state); !printed)
+            return printed;
+    }
+    return {};
+}
+
+} // namespace
+
+core::Result<CommandOutput> runAdaptive(const Arguments& arguments) {
+    const auto seed = arguments.seed(QStringLiteral("seed"), 1);
+    if (!seed)
+        return tl::unexpected(seed.error());
+    constexpr qint64 kLargest = 1 << 20;
+    const QString path = arguments.value(QStringLiteral("procedure"));
+    const auto bytes = readInputFile(path, kLargest);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    const auto spec = catalogue::readProcedure(*bytes, path.toStdString());
+    if (!spec)
+        return tl::unexpected(spec.error());
+    const auto procedure = makeProcedure(*spec, *seed);
+    if (!procedure)
+        return badInput(QStringLiteral("%1: %2").arg(path, QString::fromStdString(procedure.error().message)));
+    const QStringList names = dimensionsOf(*spec);
+    QJsonObject first = adaptiveState(**procedure, names);
+    first.insert("procedure", QString::fromUtf8((*procedure)->id().data(), static_cast<qsizetype>((*procedure)->id().size())));
+    if (auto printed = printLine(first); !printed)
+        return tl::unexpected(printed.error());
+    if (auto answered = answerLines(**procedure, ordersThree(*spec), names); !answered)
+        return tl::unexpected(answered.error());
+    QJsonObject last = adaptiveState(**procedure, names);
+    last.insert("final", true);
+    if (auto printed = printLine(last); !printed)
+        return tl::unexpected(printed.error());
+    return CommandOutput{};
+}
+
+} // namespace chiron::cli

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/psychophysics/adaptive_lines.h"
+
+#include "cli/messages.h"
+#include "psychophysics/study/arrangement.h"
+
+#include <cmath>
+
+namespace chiron::cli {
+
+namespace {
+
+using namespace psychophysics;
+
+QString expected(int outcomes, bool orders) {
+    if (orders)
+        return QStringLiteral("an order such as b<a<c, an outcome from 0 to 5, undo or spoiled");
+    return outcomes == 2 ? QStringLiteral("0, 1, undo or spoiled") : QStringLiteral("an outcome from 0 to %1, undo or spoiled").arg(outcomes - 1);
+}
+
+core::Result<Stimulus> presentedOf(const QStringList& words, std::size_t dimensions) {
+    Stimulus stimulus;
+    for (const QString& word : words) {
+        bool ok = false;
+        const double value = word.toDouble(&ok);
+        if (!ok || !std::isfinite(value))
+            return badInput(QStringLiteral("%1: expected the stimulus presented, a number").arg(quoted(word)));
+        stimulus.push_back(value);
+    }
+    if (stimulus.size() != dimensions)
+        return badInput(QStringLiteral("%1 numbers after the response: expected none, or the stimulus presented (%2)").arg(words.size()).arg(dimensions));
+    return stimulus;
+}
+
+QJsonValue finite(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); }
+
+QJsonObject estimateJson(const ProcedureEstimate& estimate) {
+    QJsonObject json{{"known", estimate.known}, {"method", QString::fromStdString(estimate.method)}};
+    for (const NamedEstimate& parameter : estimate.parameters) {
+        const QString name = QString::fromStdString(parameter.name);
+        json.insert(name, finite(parameter.mean));
+        json.insert(name + "_sd", finite(parameter.sd));
+        json.insert(name + "_low", finite(parameter.low));
+        json.insert(name + "_high", finite(parameter.high));
+    }
+    return json;
+}
+
+} // namespace
+
+int outcomeOfOrder(const QString& word) {
+    const QStringList names = word.split(u'<');
+    Places ranks(3, -1);
+    if (names.size() != 3)
+        return -1;
+    for (int rank = 0; rank < 3; ++rank) {
+        const QString name = names[rank].trimmed().toLower();
+        const int object = name == u"a" ? 0 : name == u"b" ? 1 : name == u"c" ? 2 : -1;
+        if (object < 0 || ranks[static_cast<std::size_t>(object)] >= 0)
+            return -1;
+        ranks[static_cast<std::size_t>(object)] = rank;
+    }
+    const auto& orders = arrangements(Task::rank3);
+    for (std::size_t i = 0; i < orders.size(); ++i)
+        if (orders[i] == ranks)
+            return static_cast<int>(i);
+    return -1;
+}
+
+core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, bool orders, std::size_t dimensions) {
+    AdaptiveLine read;
+    QString joined = line.simplified();
+    joined.replace(QStringLiteral(" <"), QStringLiteral("<")).replace(QStringLiteral("< "), QStringLiteral("<"));
+    QStringList words = joined.split(u' ', Qt::SkipEmptyParts);
+    if (words.isEmpty())
+        return badInput(QStringLiteral("empty: expected %1").arg(expected(outcomes, orders)));
+    const QString word = words.takeFirst();
+    if (word == u"undo" || word == u"spoiled") {
+        if (!words.isEmpty())
+            return badInput(QStringLiteral("%1 after %2: expected nothing").arg(quoted(words.join(u' ')), word));
+        read.kind = word == u"undo" ? AdaptiveLine::Kind::undo : AdaptiveLine::Kind::spoiled;
+        return read;
+    }
+    if (word.contains(u'='))
+        return badInput(QStringLiteral("%1: ties are not allowed by this procedure; expected %2").arg(quoted(word), expected(outcomes, orders)));
+    bool ok = false;
+    read.outcome = orders && word.contains(u'<') ? outcomeOfOrder(word) : word.toInt(&ok);
+    if ((!ok && !word.contains(u'<')) || read.outcome < 0 || read.outcome >= outcomes)
+        return badInput(QStringLiteral("%1: expected %2").arg(quoted(word), expected(outcomes, orders)));
+    if (!words.isEmpty()) {
+        auto presented = presentedOf(words, dimensions);
+        if (!presented)
+            return tl::unexpected(presented.error());
+        read.presented = std::move(*presented);
+    }
+    return read;
+}
+
+QJsonObject adaptiveState(const Procedure& procedure, const QStringList& dimensions) {
+    QJsonObject json{{"trial", procedure.trials()}, {"reversals", procedure.reversals()}, {"done", procedure.done()}};
+    json.insert("stimulus", QJsonValue::Null);
+    json.insert("entropy_margin", QJsonValue::Null);
+    if (!procedure.done()) {
+        const Choice choice = procedure.next();
+        json.insert("entropy_margin", finite(choice.entropyMargin));
+        if (choice.stimulus.size() == 1) {
+            json.insert("stimulus", choice.stimulus[0]);
+        } else {
+            QJsonObject stimulus;
+            for (std::size_t i = 0; i < choice.stimulus.size(); ++i)
+                stimulus.insert(dimensions.value(static_cast<qsizetype>(i), QString::number(i)), choice.stimulus[i]);
+            json.insert("stimulus", stimulus);
+        }
+        if (choice.candidate >= 0)
+            json.insert("candidate", choice.candidate);
+    }
+    json.insert("estimate", estimateJson(procedure.estimate()));
+    return json;
+}
+
+} // namespace chiron::cli

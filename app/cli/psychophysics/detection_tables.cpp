@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/csv_table.h"
+#include "cli/messages.h"
+#include "cli/psychophysics/handlers.h"
+#include "cli/text_table.h"
+#include "core/signal_detection.h"
+#include "psychophysics/measures/dprime.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <cmath>
+
+namespace chiron::cli {
+
+namespace {
+
+using namespace psychophysics;
+
+const QStringList kTasks{"yes-no", "2afc", "mafc", "same-different", "triangle", "oddity", "abx", "tetrad"};
+const QStringList kCounts{"hits", "misses", "false_alarms", "correct_rejections"};
+
+/// A line to be turned into d': four counts, or right answers of all (or a proportion alone).
+struct Row {
+    std::optional<std::array<long long, 4>> counts;
+    long long right = 0, of = 0;
+    double proportion = std::numeric_limits<double>::quiet_NaN();
+};
+
+core::Result<DiscriminationTask> ruleOf(const Arguments& arguments, const QString& task) {
+    const auto rule = arguments.choice(QStringLiteral("rule"), {"differencing", "independent"}, {});
+    const auto m = arguments.integer(QStringLiteral("m"), 2, 1000, 3);
+    if (!rule || !m)
+        return tl::unexpected(rule ? m.error() : rule.error());
+    const bool independent = *rule == u"independent" || (rule->isEmpty() && task == u"oddity");
+    if (task == u"mafc" || task == u"2afc")
+        return DiscriminationTask{Discrimination::mAfc, task == u"2afc" ? 2 : static_cast<int>(*m)};
+    if (task == u"triangle" || task == u"oddity")
+        return DiscriminationTask{independent ? Discrimination::oddityIndependent : Discrimination::oddityDifferencing, 3};
+    if (task == u"abx")
+        return DiscriminationTask{independent ? Discrimination::abxIndependent : Discrimination::abxDifferencing, 2};
+    return DiscriminationTask{task == u"tetrad" ? Discrimination::tetrad : Discrimination::sameDifferentIndependent, 2};
+}
+
+core::Result<long long> count(const CsvTable& table, std::size_t row, int column) {
+    const auto value = table.number(row, column);
+    if (!value)
+        return tl::unexpected(value.error());
+    if (!(*value >= 0.0 && *value <= 1e9) || *value != std::floor(*value))
+        return table.fault(row, column, QStringLiteral("a whole number from 0"));
+    return static_cast<long long>(*value);
+}
+
+core::Result<std::vector<Row>> readRows(const QString& path, bool fourCounts) {
+    const auto table = readCsvTable(path);
+    if (!table)
+        return tl::unexpected(table.error());
+    const QStringList wanted = fourCounts ? kCounts : QStringList{"n_correct", "n_total"};
+    std::vector<int> columns;
+    for (const QString& name : wanted) {
+        columns.push_back(table->column(name));
+        if (columns.back() < 0)
+            return badInput(QStringLiteral("%1:1: column %2 is missing; expected %3").arg(path, name, wanted.join(u',')));
+    }
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < table->rows.size(); ++i) {
+        std::array<long long, 4> numbers{};
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            const auto number = count(*table, i, columns[c]);
+            if (!number)
+                return tl::unexpected(number.error());
+            numbers[c] = *number;
+        }
+        if (!fourCounts && numbers[0] > numbers[1])
+            return table->fault(i, columns[0], QStringLiteral("at most n_total"));
+        rows.push_back(fourCounts ? Row{numbers, 0, 0} : Row{std::nullopt, numbers[0], numbers[1]});
+    }
+    return rows;
+}
+
+core::Result<Row> rowOfOptions(const Arguments& arguments, bool fourCounts) {
+    Row row;
+    constexpr qint64 kMost = 1'000'000'000;
+    const QStringList names = fourCounts ? QStringList{"hits", "misses", "false-alarms", "correct-rejections"} : QStringList{"correct", "total"};
+    if (!fourCounts && arguments.has(QStringLiteral("proportion"))) {
+        const auto proportion = arguments.number(QStringLiteral("proportion"), 0.0, 1.0, 0.0);
+        if (!proportion)
+            return tl::unexpected(proportion.error());
+        row.proportion = *proportion;
+        return row;
+    }
+    std::array<long long, 4> numbers{};
+    for (qsizetype i = 0; i < names.size(); ++i) {
+        if (!arguments.has(names[i]))
+            return wrongUse(QStringLiteral("--%1 is missing; expected --%2, or a table").arg(names[i], names.join(QStringLiteral(", --"))));
+        const auto number = arguments.integer(names[i], 0, kMost, 0);
+        if (!number)
+            return tl::unexpected(number.error());
+        numbers[static_cast<std::size_t>(i)] = *number;
+    }
+    if (fourCounts)
+        row.counts = numbers;
+    row.right = numbers[0];
+    row.of = numbers[1];
+    if (!fourCounts && row.right > row.of)
+        return wrongUse(QStringLiteral("--correct %1: expected at most --total %2").arg(row.right).arg(row.of));
+    return row;
+}
+
+QJsonObject estimateJson(const DPrimeEstimate& e) {
+    QJsonArray warnings;
+    for (const std::string& warning : e.warnings)
+        warnings.append(QString::fromStdString(warning));
+    return {{"d_prime", e.dPrime}, {"se", e.standardError}, {"ci_low", e.low}, {"ci_high", e.high}, {"proportion_correct", e.proportion}, {"p_value", e.pValue}, {"warnings", warnings}};
+}
+
+QJsonObject yesNoJson(const std::array<long long, 4>& c, bool corrected) {
+    const core::DetectionCounts counts{static_cast<int>(c[0]), static_cast<int>(c[0] + c[1]), static_cast<int>(c[2]), static_cast<int>(c[2] + c[3])};
+    const auto rate = [&](int yes, int of) { return corrected ? core::correctedRate(yes, of) : static_cast<double>(yes) / of; };
+    const double hit = rate(counts.hits, counts.ofSignal), alarm = rate(counts.falseAlarms, counts.ofNoise);
+    QJsonArray warnings;
+    if (counts.ofSignal == 0 || counts.ofNoise == 0)
+        warnings.append(QStringLiteral("no_trials: there are no trials with, or none without, the stimulus"));
+    else if (!core::isUsable(counts))
+        warnings.append(QStringLiteral("few_trials: fewer than %1 trials with, or without, the stimulus; d' is uncertain").arg(core::kUsableCounts));
+    const core::DetectionInterval interval = core::dPrimeInterval(counts);
+    return {{"d_prime", core::dPrime(hit, alarm)}, {"criterion", core::criterion(hit, alarm)}, {"log_beta", core::dPrime(hit, alarm) * core::criterion(hit, alarm)},
+            {"se", core::dPrimeStandardError(counts)}, {"ci_low", interval.low}, {"ci_high", interval.high},
+            {"hit_rate", hit}, {"false_alarm_rate", alarm}, {"correction", corrected ? "log-linear" : "none"}, {"warnings", warnings}};
+}
+
+core::Result<QJsonObject> rowJson(const Arguments& arguments, const QString& task, const Row& row) {
+    QJsonObject json;
+    const bool corrected = !arguments.has(QStringLiteral("uncorrected"));
+    if (task == u"yes-no") {
+        json = yesNoJson(*row.counts, corrected);
+    } else if (row.counts && arguments.value(QStringLiteral("rule")) != u"independent") {
+        const auto& c = *row.counts;
+        json = estimateJson(sameDifferentOfCounts(c[0], c[0] + c[1], c[2], c[2] + c[3]));
+        json.insert("rule", "differencing");
+    } else {
+        const auto rule = ruleOf(arguments, task);
+        if (!rule)
+            return tl::unexpected(rule.error());
+        if (row.counts) {
+            const QJsonObject rates = yesNoJson(*row.counts, corrected);
+            json = {{"d_prime", dPrimeOfRates(*rule, rates["hit_rate"].toDouble(), rates["false_alarm_rate"].toDouble())},
+                    {"hit_rate", rates["hit_rate"]}, {"false_alarm_rate", rates["false_alarm_rate"]}, {"rule", "independent"}, {"warnings", rates["warnings"]}};
+        } else if (std::isfinite(row.proportion)) {
+            json = {{"d_prime", dPrimeAt(*rule, row.proportion)}, {"proportion_correct", row.proportion}, {"warnings", QJsonArray()}};
+        } else {
+            json = estimateJson(dPrimeOfCounts(*rule, row.right, row.of));
+        }
+        json.insert("chance", chanceOf(*rule));
+    }
+    json.insert("task", task);
+    return json;
+}
+
+} // namespace
+
+core::Result<CommandOutput> detectionTables(const Arguments& arguments) {
+    const auto task = arguments.choice(QStringLiteral("task"), kTasks, QStringLiteral("yes-no"));
+    if (!task)
+        return tl::unexpected(task.error());
+    const bool fourCounts = *task == u"yes-no" || *task == u"same-different";
+    const bool isTable = !arguments.operand(0).isEmpty();
+    std::vector<Row> rows;
+    if (isTable) {
+        auto read = readRows(arguments.operand(0), fourCounts);
+        if (!read)
+            return tl::unexpected(read.error());
+        rows = std::move(*read);
+    } else {
+        auto row = rowOfOptions(arguments, fourCounts);
+        if (!row)
+            return tl::unexpected(row.error());
+        rows.push_back(*row);
+    }
+    QJsonArray all;
+    TextTable table({"task", ">d'", ">low", ">high", ">criterion", "warnings"});
+    for (const Row& row : rows) {
+        const auto json = rowJson(arguments, *task, row);
+        if (!json)
+            return tl::unexpected(json.error());
+        all.append(*json);
+        const auto shown = [&](const char* key) { return shortNumber(json->value(QLatin1String(key)).toDouble(std::nan(""))); };
+        QStringList warnings;
+        for (const QJsonValue& warning : (*json)["warnings"].toArray())
+            warnings << warning.toString();
+        table.add({*task, shown("d_prime"), shown("ci_low"), shown("ci_high"), shown("criterion"), warnings.join(QStringLiteral("; "))});
+    }
+    return CommandOutput{QJsonDocument(isTable ? QJsonObject{{"rows", all}} : all[0].toObject()), table.toText(), 0};
+}
+
+} // namespace chiron::cli

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/csv_table.h"
+#include "cli/messages.h"
+#include "cli/psychophysics/handlers.h"
+#include "cli/text_table.h"
+#include "psychophysics/fits/fit.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <cmath>
+
+namespace chiron::cli {
+
+namespace {
+
+using namespace psychophysics;
+
+QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
+
+QStringList sigmoidNames() {
+    QStringList names;
+    for (int i = 0; i < kSigmoids; ++i)
+        names << text(token(static_cast<Sigmoid>(i)));
+    return names;
+}
+
+core::Result<PsychometricData> readLevels(const QString& path) {
+    const auto table = readCsvTable(path);
+    if (!table)
+        return tl::unexpected(table.error());
+    std::array<int, 3> columns{};
+    const std::array<QString, 3> names{QStringLiteral("intensity"), QStringLiteral("n_correct"), QStringLiteral("n_total")};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        columns[i] = table->column(names[i]);
+        if (columns[i] < 0)
+            return badInput(QStringLiteral("%1:1: column %2 is missing; expected intensity,n_correct,n_total").arg(path, names[i]));
+    }
+    PsychometricData data;
+    for (std::size_t row = 0; row < table->rows.size(); ++row) {
+        std::array<double, 3> values{};
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const auto value = table->number(row, columns[i]);
+            if (!value)
+                return tl::unexpected(value.error());
+            values[i] = *value;
+        }
+        data.x.push_back(values[0]);
+        data.k.push_back(values[1]);
+        data.n.push_back(values[2]);
+    }
+    return data;
+}
+
+/// A proportion, "free", or (where `equal` may be) "equal".
+core::Result<Asymptote> asymptote(const Arguments& arguments, const QString& option, bool equal, Asymptote fallback) {
+    if (!arguments.has(option))
+        return fallback;
+    const QString given = arguments.value(option);
+    if (given == u"free")
+        return Asymptote::fitted();
+    if (equal && given == u"equal")
+        return Asymptote::equalToLapse();
+    bool ok = false;
+    const double value = given.toDouble(&ok);
+    if (!ok || !(value >= 0.0 && value < 1.0))
+        return wrongUse(QStringLiteral("--%1: %2: expected a proportion from 0 to below 1%3 or free")
+                            .arg(option, quoted(given), equal ? QStringLiteral(", equal") : QString()));
+    return Asymptote::fixedAt(value);
+}
+
+core::Result<void> readSimulations(const Arguments& arguments, FitOptions& options) {
+    constexpr qint64 kMost = 1'000'000;
+    const auto bootstrap = arguments.integer(QStringLiteral("bootstrap"), 0, kMost, 0);
+    const auto monteCarlo = arguments.integer(QStringLiteral("monte-carlo"), 0, kMost, 0);
+    const auto curve = arguments.integer(QStringLiteral("curve"), 0, 10'000, 0);
+    const auto confidence = arguments.number(QStringLiteral("confidence"), 0.5, 0.999, 0.95);
+    const auto seed = arguments.seed(QStringLiteral("seed"), 1);
+    for (const auto* whole : {&bootstrap, &monteCarlo, &curve})
+        if (!*whole)
+            return tl::unexpected(whole->error());
+    if (!confidence || !seed)
+        return tl::unexpected(confidence ? seed.error() : confidence.error());
+    if (*bootstrap > 0) {
+        options.bootstrap = arguments.has(QStringLiteral("nonparametric")) ? Bootstrap::nonparametric : Bootstrap::parametric;
+        options.bootstrapSamples = static_cast<int>(*bootstrap);
+    }
+    options.monteCarlo = static_cast<int>(*monteCarlo);
+    options.curvePoints = static_cast<int>(*curve);
+    options.confidence = *confidence;
+    options.seed = *seed;
+    return {};
+}
+
+core::Result<FitOptions> readOptions(const Arguments& arguments) {
+    FitOptions options;
+    const auto function = arguments.choice(QStringLiteral("function"), sigmoidNames(), QStringLiteral("gauss"));
+    const auto scale = arguments.choice(QStringLiteral("scale"), {"linear", "ln", "log10", "db"}, {});
+    if (!function || !scale)
+        return tl::unexpected(function ? scale.error() : function.error());
+    options.function = *sigmoidFromToken(function->toStdString());
+    if (!scale->isEmpty())
+        options.scale = stimulusScaleFromToken(scale->toStdString());
+    const auto guess = asymptote(arguments, QStringLiteral("guess"), true, Asymptote::fixedAt(0.5));
+    const auto lapse = asymptote(arguments, QStringLiteral("lapse"), false, Asymptote::fitted());
+    if (!guess || !lapse)
+        return tl::unexpected(guess ? lapse.error() : guess.error());
+    options.guess = *guess;
+    options.lapse = *lapse;
+    if (auto read = readSimulations(arguments, options); !read)
+        return tl::unexpected(read.error());
+    return options;
+}
+
+QJsonArray pair(const FitInterval& interval) { return {interval.low, interval.high}; }
+
+QJsonObject intervals(const ParameterIntervals& ci) {
+    return {{"threshold", pair(ci.threshold)}, {"width", pair(ci.width)}, {"lapse", pair(ci.lapse)}, {"guess", pair(ci.guess)}, {"eta", pair(ci.eta)}};
+}
+
+QJsonObject parameters(const CurveParameters& at, StimulusScale scale) {
+    return {{"threshold", fromScale(at.threshold, scale)}, {"width", at.width}, {"lapse", at.lapse}, {"guess", at.guess}, {"eta", at.eta}};
+}
+
+QJsonArray levelsJson(const FitResult& fit) {
+    QJsonArray levels;
+    for (const FittedLevel& level : fit.levels)
+        levels.append(QJsonObject{{"intensity", level.x}, {"n_correct", level.right}, {"n_total", level.of}, {"fitted", level.fitted}, {"residual", level.residual}});
+    return levels;
+}
+
+QJsonObject fitJson(const FitResult& fit) {
+    QJsonArray warnings;
+    for (const std::string& warning : fit.warnings)
+        warnings.append(text(warning));
+    QJsonObject json{{"fitted", fit.fitted}, {"function", text(token(fit.function))}, {"method", fit.method == FitMethod::bayesian ? "bayes" : "ml"},
+                     {"scale", text(token(fit.scale))}, {"threshold", fit.threshold}, {"width", fit.width}, {"lapse", fit.lapse},
+                     {"guess", fit.guess}, {"eta", fit.eta}, {"confidence", fit.confidence}, {"ci", intervals(fit.ci)},
+                     {"deviance", fit.deviance}, {"degrees_of_freedom", fit.degreesOfFreedom}, {"p_value", fit.pValue},
+                     {"log_likelihood", fit.logLikelihood}, {"aic", fit.aic}, {"levels", levelsJson(fit)}, {"warnings", warnings}};
+    if (fit.method == FitMethod::bayesian)
+        json.insert("mean", parameters(fit.mean, fit.scale));
+    if (!fit.curve.empty()) {
+        QJsonArray curve;
+        for (const CurveSample& sample : fit.curve)
+            curve.append(QJsonObject{{"intensity", sample.x}, {"fitted", sample.fitted}, {"low", sample.low}, {"high", sample.high}});
+        json.insert("curve", curve);
+    }
+    return json;
+}
+
+/// What was asked for beside the parameters: the threshold at another proportion, and PSE, JND and Weber fraction at a reference.
+core::Result<void> addDerived(const Arguments& arguments, const FitResult& fit, QJsonObject& json) {
+    const bool unscaled = arguments.has(QStringLiteral("unscaled"));
+    if (arguments.has(QStringLiteral("threshold-at"))) {
+        const auto proportion = arguments.number(QStringLiteral("threshold-at"), 0.001, 0.999, 0.75);
+        if (!proportion)
+            return tl::unexpected(proportion.error());
+        const double p = *proportion;
+        const FitInterval interval = intervalOf(fit, [&](const CurveParameters& at) { return thresholdAt(fit, at, p, unscaled); });
+        json.insert("threshold_at", QJsonObject{{"proportion", p}, {"unscaled", unscaled}, {"value", thresholdAt(fit, p, unscaled)}, {"ci", pair(interval)}});
+    }
+    json.insert("pse", pse(fit));
+    json.insert("jnd", jnd(fit));
+    if (arguments.has(QStringLiteral("reference"))) {
+        const auto reference = arguments.number(QStringLiteral("reference"), -1e12, 1e12, 0.0);
+        if (!reference)
+            return tl::unexpected(reference.error());
+        json.insert("reference", *reference);
+        json.insert("weber", weberFraction(fit, *reference));
+    }
+    return {};
+}
+
+QString fitText(const QJsonObject& json) {
+    TextTable table({"parameter", ">value", ">low", ">high"});
+    for (const char* name : {"threshold", "width", "lapse", "guess", "eta"}) {
+        const QJsonArray ci = json["ci"][QLatin1String(name)].toArray();
+        const auto shown = [](const QJsonValue& value) { return shortNumber(value.toDouble(std::nan(""))); };
+        table.add({name, shown(json[QLatin1String(name)]), shown(ci[0]), shown(ci[1])});
+    }
+    const auto number = [&](const char* key) { return shortNumber(json[QLatin1String(key)].toDouble(std::nan(""))); };
+    QString words = QStringLiteral("%1, %2, fitted on a %3 axis, %4 % intervals\n")
+                        .arg(json["function"].toString(), json["method"].toString(), json["scale"].toString())
+                        .arg(100.0 * json["confidence"].toDouble());
+    words += table.toText();
+    words += QStringLiteral("deviance %1 (p %2), log-likelihood %3\nPSE %4, JND %5\n")
+                 .arg(number("deviance"), number("p_value"), number("log_likelihood"), number("pse"), number("jnd"));
+    for (const QJsonValue& warning : json["warnings"].toArray())
+        words += QStringLiteral("! %1\n").arg(warning.toString());
+    return words;
+}
+
+} // namespace
+
+core::Result<CommandOutput> fitCurve(const Arguments& arguments) {
+    const auto method = arguments.choice(QStringLiteral("method"), {"bayes", "ml"}, QStringLiteral("bayes"));
+    if (!method)
+        return tl::unexpected(method.error());
+    const auto options = readOptions(arguments);
+    if (!options)
+        return tl::unexpected(options.error());
+    if (*method == u"bayes" && options->bootstrap != Bootstrap::none)
+        return wrongUse(QStringLiteral("--bootstrap: expected with --method ml; a Bayesian fit has credible intervals"));
+    const auto data = readLevels(arguments.operand(0));
+    if (!data)
+        return tl::unexpected(data.error());
+    const FitResult fit = *method == u"ml" ? fitMaximumLikelihood(*data, *options) : fitBayesian(*data, *options);
+    QJsonObject json = fitJson(fit);
+    if (auto added = addDerived(arguments, fit, json); !added)
+        return tl::unexpected(added.error());
+    return CommandOutput{QJsonDocument(json), fitText(json), 0};
+}
+
+} // namespace chiron::cli

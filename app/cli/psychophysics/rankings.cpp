@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/csv_table.h"
+#include "cli/messages.h"
+#include "cli/psychophysics/handlers.h"
+#include "cli/text_table.h"
+#include "psychophysics/measures/agreement.h"
+#include "psychophysics/measures/page_trend.h"
+#include "psychophysics/measures/pairwise_ranking.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace chiron::cli {
+
+namespace {
+
+using namespace psychophysics;
+
+QJsonArray words(const std::vector<std::string>& warnings) {
+    QJsonArray array;
+    for (const std::string& warning : warnings)
+        array.append(QString::fromStdString(warning));
+    return array;
+}
+
+QJsonObject worthJson(const WorthEstimate& worth, const QStringList& items, bool exponentials) {
+    QJsonArray objects;
+    double total = 0.0;
+    for (const double log : worth.logWorth)
+        total += std::exp(log);
+    for (std::size_t i = 0; i < worth.logWorth.size(); ++i) {
+        QJsonObject one{{"item", items[static_cast<qsizetype>(i)]}};
+        one.insert(exponentials ? "log_worth" : "scale", worth.logWorth[i]);
+        if (exponentials)
+            one.insert("worth", std::exp(worth.logWorth[i]) / total);
+        if (i < worth.standardError.size())
+            one.insert("se", worth.standardError[i]);
+        objects.append(one);
+    }
+    return {{"fitted", worth.fitted}, {"items", objects}, {"log_likelihood", worth.logLikelihood}, {"iterations", worth.iterations}, {"warnings", words(worth.warnings)}};
+}
+
+/// Judges' ranks: a row a judge, a column an object; columns called subject, judge, participant or trial are left out.
+struct Judges {
+    QStringList items;
+    std::vector<std::vector<double>> ranks;
+    std::vector<std::vector<int>> bestFirst; ///< of rows without ties and missing ranks
+    int leftOut = 0;
+};
+
+core::Result<Judges> readJudges(const CsvTable& table) {
+    const QStringList names{"subject", "judge", "participant", "trial"};
+    Judges judges;
+    std::vector<int> columns;
+    for (int i = 0; i < table.header.size(); ++i) {
+        if (names.contains(table.header[i].toLower()))
+            continue;
+        columns.push_back(i);
+        judges.items << table.header[i];
+    }
+    if (columns.size() < 2)
+        return badInput(QStringLiteral("%1:1: %2 objects; expected a column an object, at least two").arg(table.name).arg(columns.size()));
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        std::vector<double> ranks;
+        for (const int column : columns) {
+            const auto rank = table.number(row, column);
+            if (!rank)
+                return tl::unexpected(rank.error());
+            ranks.push_back(*rank);
+        }
+        std::vector<int> order(ranks.size());
+        std::iota(order.begin(), order.end(), 0);
+        const auto rankOf = [&](int i) { return ranks[static_cast<std::size_t>(i)]; };
+        const bool finite = std::all_of(ranks.begin(), ranks.end(), [](double r) { return std::isfinite(r); });
+        if (finite)
+            std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rankOf(a) < rankOf(b); });
+        const bool tied = finite && std::adjacent_find(order.begin(), order.end(), [&](int a, int b) { return rankOf(a) == rankOf(b); }) != order.end();
+        if (finite && !tied)
+            judges.bestFirst.push_back(order);
+        else
+            ++judges.leftOut;
+        judges.ranks.push_back(std::move(ranks));
+    }
+    return judges;
+}
+
+/// Columns in the order that --order expects, for Page's L.
+core::Result<std::vector<std::vector<double>>> inOrder(const Judges& judges, const QStringList& order) {
+    std::vector<qsizetype> columns;
+    for (const QString& item : order) {
+        columns.push_back(judges.items.indexOf(item));
+        if (columns.back() < 0)
+            return wrongUse(QStringLiteral("--order: %1: not a column; expected each of %2").arg(quoted(item), judges.items.join(u',')));
+    }
+    if (order.size() != judges.items.size())
+        return wrongUse(QStringLiteral("--order: %1 objects; expected each of %2").arg(order.size()).arg(judges.items.join(u',')));
+    std::vector<std::vector<double>> rows;
+    for (const auto& ranks : judges.ranks) {
+        std::vector<double> row;
+        for (const qsizetype column : columns)
+            row.push_back(ranks[static_cast<std::size_t>(column)]);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+core::Result<QJsonObject> ranksJson(const Arguments& arguments, const CsvTable& table, const WorthOptions& options) {
+    const auto judges = readJudges(table);
+    if (!judges)
+        return tl::unexpected(judges.error());
+    auto order = arguments.list(QStringLiteral("order"));
+    if (!order)
+        return tl::unexpected(order.error());
+    const auto rows = inOrder(*judges, order->isEmpty() ? judges->items : *order);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    const Concordance w = kendallW(judges->ranks);
+    const PageTrend page = pageTrend(*rows);
+    std::vector<Selection> selections;
+    for (const auto& bestFirst : judges->bestFirst)
+        for (const Selection& selection : selectionsOf(bestFirst))
+            selections.push_back(selection);
+    const int objects = static_cast<int>(judges->items.size());
+    return QJsonObject{{"judges", w.judges}, {"objects", w.objects}, {"items", QJsonArray::fromStringList(judges->items)}, {"tied_or_incomplete", judges->leftOut},
+                       {"kendall_w", QJsonObject{{"w", w.w}, {"chi_square", w.chiSquare}, {"degrees_of_freedom", w.objects - 1}, {"p_value", w.pValue}, {"exact_p", w.exactP}, {"warnings", words(w.warnings)}}},
+                       {"page", QJsonObject{{"order", QJsonArray::fromStringList(order->isEmpty() ? judges->items : *order)}, {"l", page.l}, {"expected", page.expected}, {"z", page.z},
+                                            {"p_value", page.pValue}, {"exact_p", page.exactP}, {"warnings", words(page.warnings)}}},
+                       {"plackett_luce", worthJson(fitPlackettLuce(objects, selections, options), judges->items, true)},
+                       {"thurstone", worthJson(fitThurstoneOrders(objects, judges->bestFirst), judges->items, false)}};
+}
+
+core::Result<QJsonObject> pairsJson(const CsvTable& table, const WorthOptions& options) {
+    const int winner = table.column("winner"), loser = table.column("loser"), count = table.column("count");
+    QStringList items;
+    std::vector<Selection> pairs;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        for (const int column : {winner, loser})
+            if (!items.contains(table.cell(row, column)))
+                items << table.cell(row, column);
+        const auto times = count >= 0 ? table.number(row, count) : core::Result<double>(1.0);
+        if (!times)
+            return tl::unexpected(times.error());
+        if (!(*times >= 0.0) || !std::isfinite(*times))
+            return table.fault(row, count, QStringLiteral("a number from 0"));
+        const auto index = [&](int column) { return static_cast<int>(items.indexOf(table.cell(row, column))); };
+        if (index(winner) == index(loser))
+            return table.fault(row, loser, QStringLiteral("another one than the winner"));
+        pairs.push_back({index(winner), {index(loser)}, *times});
+    }
+    const int objects = static_cast<int>(items.size());
+    return QJsonObject{{"objects", objects}, {"items", QJsonArray::fromStringList(items)},
+                       {"bradley_terry", worthJson(fitPlackettLuce(objects, pairs, options), items, true)},
+                       {"thurstone", worthJson(fitThurstonePairs(objects, pairs), items, false)}};
+}
+
+QString textOf(const QJsonObject& json) {
+    QString text;
+    if (json.contains("kendall_w")) {
+        const QJsonObject w = json["kendall_w"].toObject(), page = json["page"].toObject();
+        text += QStringLiteral("Kendall's W %1 (p %2), Page's L %3 (p %4), %5 judges\n")
+                    .arg(shortNumber(w["w"].toDouble(std::nan(""))), shortNumber(w["p_value"].toDouble(std::nan(""))), shortNumber(page["l"].toDouble(std::nan(""))),
+                         shortNumber(page["p_value"].toDouble(std::nan(""))))
+                    .arg(json["judges"].toInt());
+    }
+    for (const char* model : {"plackett_luce", "bradley_terry", "thurstone"}) {
+        const QJsonObject fit = json[QLatin1String(model)].toObject();
+        if (fit.isEmpty())
+            continue;
+        TextTable table({QLatin1String(model), ">value", ">se"});
+        for (const QJsonValue& item : fit["items"].toArray())
+            table.add({item["item"].toString(), shortNumber((item.toObject().contains("scale") ? item["scale"] : item["log_worth"]).toDouble(std::nan(""))), shortNumber(item["se"].toDouble(std::nan("")))});
+        text += table.toText();
+        for (const QJsonValue& warning : fit["warnings"].toArray())
+            text += QStringLiteral("! %1\n").arg(warning.toString());
+    }
+    return text;
+}
+
+} // namespace
+
+core::Result<CommandOutput> rankings(const Arguments& arguments) {
+    WorthOptions options;
+    const auto regularisation = arguments.number(QStringLiteral("regularise"), 0.0, 1e6, 0.0);
+    if (!regularisation)
+        return tl::unexpected(regularisation.error());
+    options.regularisation = *regularisation;
+    const auto table = readCsvTable(arguments.operand(0));
+    if (!table)
+        return tl::unexpected(table.error());
+    const bool pairs = table->column("winner") >= 0 && table->column("loser") >= 0;
+    const auto json = pairs ? pairsJson(*table, options) : ranksJson(arguments, *table, options);
+    if (!json)
+        return tl::unexpected(json.error());
+    return CommandOutput{QJsonDocument(*json), textOf(*json), 0};
+}
+
+} // namespace chiron::cli

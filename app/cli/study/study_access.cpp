@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/study/study_access.h"
+
+#include "cli/messages.h"
+
+#include <QJsonArray>
+#include <array>
+#include <cmath>
+
+namespace chiron::cli {
+
+core::Result<database::StudyRecord> findStudy(database::StudyReader reader, const QString& name) {
+    bool isNumber = false;
+    const qint64 number = name.toLongLong(&isNumber);
+    return isNumber ? reader.study(number) : reader.studyByKey(name.toStdString());
+}
+
+core::Result<StudySite> openStudy(const Arguments& arguments, Opening opening) {
+    auto site = opening == Opening::forWriting ? openAsPerson(arguments, opening) : openAsAnybody(arguments, opening);
+    if (!site)
+        return tl::unexpected(site.error());
+    auto connection = site->database->openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    auto record = findStudy(database::StudyReader(**connection, site->actor), arguments.operand(0));
+    if (!record)
+        return tl::unexpected(record.error());
+    return StudySite{std::move(*site), std::move(*connection), std::move(*record)};
+}
+
+QString stateWord(database::StudyState state) {
+    constexpr std::array<const char*, 4> words{"draft", "frozen", "closed", "archived"};
+    return QLatin1String(words[static_cast<std::size_t>(state)]);
+}
+
+QJsonObject studyJson(const database::StudySummary& s) {
+    return {{"id", static_cast<qint64>(s.id)}, {"key", QString::fromStdString(s.key)}, {"title", QString::fromStdString(s.title)},
+            {"state", stateWord(s.state)}, {"sha256", QString::fromStdString(s.sha256)}, {"unblinded", s.unblinded},
+            {"created_utc", QString::fromStdString(s.createdUtc)}, {"frozen_utc", QString::fromStdString(s.frozenUtc)},
+            {"participants", s.participants}, {"completed", s.completed}, {"trials", s.trials}};
+}
+
+QJsonObject estimateJson(const psychophysics::RunEstimate& e, bool blinded) {
+    const auto number = [](double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); };
+    QJsonArray warnings;
+    for (const std::string& warning : e.warnings) {
+        const QString words = QString::fromStdString(warning);
+        warnings.append(blinded ? words.section(u':', 0, 0) : words);
+    }
+    QJsonObject json{{"weber", number(e.weber)}, {"sigma_log10", number(e.sigma_log10)}, {"ci_low", number(e.weber95.low)}, {"ci_high", number(e.weber95.high)},
+                     {"trials", e.trials}, {"warnings", warnings}};
+    if (blinded)
+        return json;
+    json.insert("criterion", e.criterion);
+    json.insert("method", QString::fromStdString(e.method));
+    json.insert("jnd", number(e.jnd));
+    json.insert("unit", QString::fromStdString(e.unit));
+    json.insert("pse", number(e.pse));
+    return json;
+}
+
+QJsonObject participantJson(const database::Participant& p) {
+    constexpr std::array<const char*, 4> words{"enrolled", "consented", "completed", "withdrawn"};
+    return {{"code", QString::fromStdString(p.code)}, {"order", p.order}, {"state", QLatin1String(words[static_cast<std::size_t>(p.state)])},
+            {"simulated", p.simulated}, {"observer", QString::fromStdString(p.observer)}, {"consented", !p.consentUtc.empty()}};
+}
+
+} // namespace chiron::cli

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/study/study_access.h"
+#include "cli/text_table.h"
+#include "session/study/study_analysis.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace chiron::cli {
+
+namespace {
+
+using psychophysics::GroupEstimate;
+
+QString text(const std::string& words) { return QString::fromStdString(words); }
+
+QJsonValue number(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); }
+
+QJsonArray interval(const psychophysics::Interval& ends) { return {number(ends.low), number(ends.high)}; }
+
+QJsonObject replayedJson(const session::ReplayedChoices& r) {
+    return {{"trials", r.trials}, {"same", r.same}, {"ties", r.ties}, {"first_difference", r.firstDifference}, {"same_procedures", r.sameProcedures},
+            {"identical", r.same + r.ties == r.trials && r.sameProcedures}};
+}
+
+/// Without physical units and methods while blinded.
+QJsonObject groupJson(const GroupEstimate& g, bool blinded) {
+    QJsonArray warnings;
+    for (const std::string& warning : g.warnings)
+        warnings.append(blinded ? text(warning).section(u':', 0, 0) : text(warning));
+    QJsonObject json{{"weber", number(g.weber)}, {"ci_low", number(g.weber95.low)}, {"ci_high", number(g.weber95.high)}, {"bootstrap", interval(g.bootstrap95)},
+                     {"prediction", interval(g.prediction95)}, {"sigma_log10", number(g.sigma_log10)}, {"sd_between_log10", number(g.sdBetweenLog10)},
+                     {"i_squared", number(g.iSquared)}, {"heterogeneity_p", number(g.heterogeneityP)}, {"participants", g.participants}, {"left_out", g.leftOut},
+                     {"warnings", warnings}};
+    if (blinded)
+        return json;
+    json.insert("jnd", number(g.jnd));
+    json.insert("unit", text(g.unit));
+    json.insert("method", text(g.method));
+    json.insert("pse", number(g.pse));
+    json.insert("pse_ci", interval(g.pse95));
+    json.insert("exponent", number(g.exponent));
+    json.insert("exponent_ci", interval(g.exponent95));
+    return json;
+}
+
+/// A condition's name, or its sealed code: every run carries it.
+QString labelOf(const session::AnalysedCondition& condition, bool blinded) {
+    return blinded ? text(condition.runs.front().run.sealedCode) : text(condition.condition);
+}
+
+struct Told {
+    QJsonArray runs, conditions;
+    TextTable table{{"participant", "condition", ">trials", ">Weber", ">low", ">high", ">same choices", "warnings"}};
+};
+
+void tellRuns(Told& told, const session::AnalysedCondition& condition, const QString& label, bool blinded) {
+    std::map<std::string, int> counts;
+    for (const session::AnalysedRun& run : condition.runs) {
+        const psychophysics::RunEstimate& e = run.estimate;
+        told.runs.append(QJsonObject{{"participant", text(run.participant.code)}, {"condition", label}, {"run", ++counts[run.participant.code]},
+                                     {"simulated", run.participant.simulated}, {"estimate", estimateJson(e, blinded)}, {"replayed", replayedJson(run.replayed)}});
+        QStringList warnings;
+        for (const std::string& warning : e.warnings)
+            warnings << text(warning).section(u':', 0, 0);
+        told.table.add({text(run.participant.code), label, QString::number(e.trials), shortNumber(e.weber), shortNumber(e.weber95.low), shortNumber(e.weber95.high),
+                        QStringLiteral("%1/%2").arg(run.replayed.same + run.replayed.ties).arg(run.replayed.trials), warnings.join(QStringLiteral(", "))});
+    }
+}
+
+void tellGroup(Told& told, const session::AnalysedCondition& condition, const QString& label, bool blinded) {
+    const GroupEstimate& g = condition.group;
+    int same = 0, trials = 0;
+    for (const session::AnalysedRun& run : condition.runs) {
+        same += run.replayed.same + run.replayed.ties;
+        trials += run.replayed.trials;
+    }
+    told.conditions.append(QJsonObject{{"condition", label}, {"group", groupJson(g, blinded)}, {"replayed", QJsonObject{{"trials", trials}, {"same", same}}}});
+    QStringList warnings;
+    for (const std::string& warning : g.warnings)
+        warnings << text(warning).section(u':', 0, 0);
+    told.table.add({QStringLiteral("(group of %1)").arg(g.participants), label, QString(), shortNumber(g.weber), shortNumber(g.weber95.low), shortNumber(g.weber95.high),
+                    QStringLiteral("%1/%2").arg(same).arg(trials), warnings.join(QStringLiteral(", "))});
+}
+
+} // namespace
+
+core::Result<CommandOutput> analyseStudies(const Arguments& arguments) {
+    auto study = openStudy(arguments, Opening::forReading);
+    if (!study)
+        return tl::unexpected(study.error());
+    const std::string& sha256 = study->record.summary.sha256;
+    if (sha256.empty())
+        return core::fail(core::ErrorCode::wrongUse, "study \"" + study->record.summary.key + "\": a draft has no data; expected a frozen study");
+    const auto seed = arguments.seed(QStringLiteral("seed"), 1);
+    if (!seed)
+        return tl::unexpected(seed.error());
+    database::StudyReader reader = study->reader();
+    auto analysis = session::analyseStudy(reader, study->number(), *seed);
+    if (!analysis)
+        return tl::unexpected(analysis.error());
+    const bool blinded = analysis->design.blindExperimenter && !analysis->record.summary.unblinded;
+    auto& conditions = analysis->conditions;
+    std::erase_if(conditions, [](const auto& each) { return each.runs.empty(); });
+    if (blinded) // neither the design's order nor that of enrolment shows
+        std::sort(conditions.begin(), conditions.end(), [](const auto& a, const auto& b) { return labelOf(a, true) < labelOf(b, true); });
+    Told told;
+    for (const session::AnalysedCondition& condition : conditions) {
+        tellRuns(told, condition, labelOf(condition, blinded), blinded);
+        tellGroup(told, condition, labelOf(condition, blinded), blinded);
+    }
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"sha256", text(sha256)}, {"blinded", blinded},
+                                                   {"conditions", told.conditions}, {"runs", told.runs}}),
+                         told.table.toText(), 0};
+}
+
+} // namespace chiron::cli

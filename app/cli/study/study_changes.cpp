@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/study_catalogue.h"
+#include "catalogue/study_reader.h"
+#include "cli/input_file.h"
+#include "cli/messages.h"
+#include "cli/study/study_access.h"
+#include "cli/text_table.h"
+#include "database/repositories/study_repository.h"
+
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+namespace chiron::cli {
+
+namespace {
+
+QString text(const std::string& words) { return QString::fromStdString(words); }
+
+/// Runs one change on the writer's connection, then tells of the study as it now is.
+template <class Change> core::Result<CommandOutput> change(const Arguments& arguments, Change&& apply) {
+    auto study = openStudy(arguments, Opening::forWriting);
+    if (!study)
+        return tl::unexpected(study.error());
+    const auto number = study->number();
+    auto done = study->site.database->write([&](database::WriteContext& context) -> core::Result<void> {
+        return apply(database::StudyRepository(context.connection(), study->site.actor), number);
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    auto record = study->reader().study(number);
+    if (!record)
+        return tl::unexpected(record.error());
+    const QJsonObject json = studyJson(record->summary);
+    return CommandOutput{QJsonDocument(json), QStringLiteral("%1: %2 %3\n").arg(json["key"].toString(), json["state"].toString(), json["sha256"].toString()), 0};
+}
+
+core::Result<database::Participant> participantOf(const Arguments& arguments, const StudySite& study) {
+    return study.reader().participantByCode(study.number(), arguments.value(QStringLiteral("participant")).toStdString());
+}
+
+template <class Change> core::Result<CommandOutput> changeParticipant(const Arguments& arguments, Change&& apply) {
+    auto study = openStudy(arguments, Opening::forWriting);
+    if (!study)
+        return tl::unexpected(study.error());
+    const auto participant = participantOf(arguments, *study);
+    if (!participant)
+        return tl::unexpected(participant.error());
+    auto done = study->site.database->write([&](database::WriteContext& context) -> core::Result<void> {
+        return apply(database::StudyRepository(context.connection(), study->site.actor), *study, *participant);
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    const auto after = participantOf(arguments, *study);
+    if (!after)
+        return tl::unexpected(after.error());
+    const QJsonObject json = participantJson(*after);
+    return CommandOutput{QJsonDocument(json), QStringLiteral("%1: %2\n").arg(json["code"].toString(), json["state"].toString()), 0};
+}
+
+/// SHA-256 of the consent text in the language asked for.
+core::Result<std::string> consentSha256(const Arguments& arguments, const StudySite& study) {
+    const auto design = catalogue::readStudy(QByteArray::fromStdString(study.record.designJson), study.record.summary.key);
+    if (!design)
+        return tl::unexpected(design.error());
+    const QString language = arguments.has(QStringLiteral("language")) ? arguments.value(QStringLiteral("language")) : QStringLiteral("en");
+    const auto found = design->consent.find(language.toStdString());
+    if (found == design->consent.end())
+        return core::fail(core::ErrorCode::wrongUse, QStringLiteral("--language: %1: the study's consent text is not in it").arg(quoted(language)).toStdString());
+    return catalogue::studySha256(QByteArray::fromStdString(found->second));
+}
+
+} // namespace
+
+core::Result<CommandOutput> newStudy(const Arguments& arguments) {
+    const QString from = arguments.operand(0);
+    psychophysics::StudyDesign design;
+    if (QFileInfo(from).isFile()) {
+        constexpr qint64 kLargest = 1 << 20;
+        const auto bytes = readInputFile(from, kLargest);
+        if (!bytes)
+            return tl::unexpected(bytes.error());
+        auto read = catalogue::readStudy(*bytes, from.toStdString());
+        if (!read)
+            return tl::unexpected(read.error());
+        design = std::move(*read);
+    } else {
+        const auto content = catalogue::StudyCatalogue::load();
+        if (!content)
+            return tl::unexpected(content.error());
+        const auto* found = content->find(from.toStdString());
+        if (!found)
+            return core::fail(core::ErrorCode::notFound, QStringLiteral("FROM %1: neither a file nor a study of the content").arg(quoted(from)).toStdString());
+        design = *found;
+    }
+    if (arguments.has(QStringLiteral("id")))
+        design.id = arguments.value(QStringLiteral("id")).toStdString();
+    auto site = openAsPerson(arguments, Opening::forWriting);
+    if (!site)
+        return tl::unexpected(site.error());
+    const auto title = design.title.find("en");
+    const std::string json = catalogue::studyJson(design).toStdString();
+    auto number = site->database->write([&](database::WriteContext& context) {
+        return database::StudyRepository(context.connection(), site->actor).createStudy(design.id, title == design.title.end() ? design.id : title->second, json);
+    });
+    if (!number)
+        return tl::unexpected(number.error());
+    const QJsonObject told{{"id", static_cast<qint64>(*number)}, {"key", text(design.id)}, {"state", "draft"}};
+    return CommandOutput{QJsonDocument(told), QStringLiteral("study %1: %2, a draft\n").arg(*number).arg(text(design.id)), 0};
+}
+
+core::Result<CommandOutput> freezeStudy(const Arguments& arguments) {
+    return change(arguments, [](database::StudyRepository repository, database::StudyNumber study) -> core::Result<void> {
+        if (auto sha256 = repository.freezeStudy(study); !sha256)
+            return tl::unexpected(sha256.error());
+        return {};
+    });
+}
+
+core::Result<CommandOutput> closeStudy(const Arguments& arguments) {
+    return change(arguments, [](database::StudyRepository repository, database::StudyNumber study) { return repository.closeStudy(study); });
+}
+
+core::Result<CommandOutput> archiveStudy(const Arguments& arguments) {
+    const bool archived = !arguments.has(QStringLiteral("undo"));
+    return change(arguments, [&](database::StudyRepository repository, database::StudyNumber study) { return repository.setStudyArchived(study, archived); });
+}
+
+core::Result<CommandOutput> unblindStudy(const Arguments& arguments) {
+    return change(arguments, [](database::StudyRepository repository, database::StudyNumber study) { return repository.unblindStudy(study); });
+}
+
+core::Result<CommandOutput> enrolParticipant(const Arguments& arguments) {
+    const std::string given = qgetenv("CHIRON_IDENTITY").toStdString();
+    qunsetenv("CHIRON_IDENTITY"); // no child or crash report inherits it
+    auto study = openStudy(arguments, Opening::forWriting);
+    if (!study)
+        return tl::unexpected(study.error());
+    const std::string& identity = arguments.has(QStringLiteral("password-stdin")) ? study->site.secrets[1] : given;
+    if (identity.empty())
+        return wrongUse(QStringLiteral("identity: none given; expected it in CHIRON_IDENTITY or, with --password-stdin, as the second line of stdin"));
+    const auto number = study->number();
+    auto enrolled = study->site.database->write([&](database::WriteContext& context) {
+        return database::StudyRepository(context.connection(), study->site.actor)
+            .enrolParticipant(number, identity, 0, {});
+    });
+    if (!enrolled)
+        return tl::unexpected(enrolled.error());
+    const QJsonObject json = participantJson(*enrolled);
+    return CommandOutput{QJsonDocument(json), QStringLiteral("%1: order %2\n").arg(json["code"].toString()).arg(enrolled->order), 0};
+}
+
+core::Result<CommandOutput> consentOf(const Arguments& arguments) {
+    return changeParticipant(arguments, [&](database::StudyRepository repository, const StudySite& study, const database::Participant& participant) -> core::Result<void> {
+        const auto sha256 = consentSha256(arguments, study);
+        if (!sha256)
+            return tl::unexpected(sha256.error());
+        return repository.recordConsent(participant.id, *sha256);
+    });
+}
+
+core::Result<CommandOutput> withdrawParticipant(const Arguments& arguments) {
+    const bool erase = arguments.has(QStringLiteral("erase-recordings"));
+    return changeParticipant(arguments, [&](database::StudyRepository repository, const StudySite&, const database::Participant& participant) {
+        return repository.withdrawParticipant(participant.id, erase);
+    });
+}
+
+core::Result<CommandOutput> studyKey(const Arguments& arguments) {
+    auto study = openStudy(arguments, Opening::forWriting); // the look is audited
+    if (!study)
+        return tl::unexpected(study.error());
+    const auto number = study->number();
+    auto keys = study->site.database->write([&](database::WriteContext& context) { return database::StudyReader(context.connection(), study->site.actor).participantKeys(number); });
+    if (!keys)
+        return tl::unexpected(keys.error());
+    QJsonArray array;
+    TextTable table({"code", "identity"});
+    for (const database::ParticipantKey& key : *keys) {
+        array.append(QJsonObject{{"code", text(key.code)}, {"identity", text(key.identity)}});
+        table.add({text(key.code), text(key.identity)});
+    }
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"participants", array}}), table.toText(), 0};
+}
+
+} // namespace chiron::cli

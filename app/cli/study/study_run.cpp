@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/study_catalogue.h"
+#include "catalogue/study_reader.h"
+#include "cli/messages.h"
+#include "cli/session_output.h"
+#include "cli/study/study_access.h"
+#include "cli/text_table.h"
+#include "database/accounts/account_service.h"
+#include "database/repositories/study_repository.h"
+#include "session/site.h"
+#include "session/study/study_runner.h"
+#include "session/study_export_data.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+
+namespace chiron::cli {
+
+namespace {
+
+using namespace psychophysics;
+
+std::atomic<bool> g_cancel{false}; // the one thing a signal handler may touch
+
+void onSignal(int) { g_cancel.store(true, std::memory_order_relaxed); }
+
+QString text(const std::string& words) { return QString::fromStdString(words); }
+
+/// The study, made of the content's one of that id and frozen where there is none yet.
+core::Result<database::StudyRecord> studyToRun(database::Database& database, const database::Actor& actor, const QString& name) {
+    auto connection = database.openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    database::StudyReader reader(**connection, actor);
+    auto found = findStudy(reader, name);
+    if (found || found.error().code != core::ErrorCode::notFound)
+        return found;
+    const auto content = catalogue::StudyCatalogue::load();
+    if (!content)
+        return tl::unexpected(content.error());
+    const StudyDesign* design = content->find(name.toStdString());
+    if (!design)
+        return tl::unexpected(found.error());
+    const std::string json = catalogue::studyJson(*design).toStdString();
+    auto number = database.write([&](database::WriteContext& context) -> core::Result<database::StudyNumber> {
+        database::StudyRepository repository(context.connection(), actor);
+        auto made = repository.createStudy(design->id, design->title.at("en"), json);
+        if (!made)
+            return made;
+        if (auto frozen = repository.freezeStudy(*made); !frozen)
+            return tl::unexpected(frozen.error());
+        return made;
+    });
+    if (!number)
+        return tl::unexpected(number.error());
+    return reader.study(*number);
+}
+
+core::Result<database::Participant> participantToRun(database::Database& database, const database::Actor& actor, database::StudyNumber study,
+                                                     const std::string& code, const ObserverSpec& observer) {
+    auto connection = database.openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    database::StudyReader reader(**connection, actor);
+    auto found = reader.participantByCode(study, code);
+    if (found && !found->simulated)
+        return core::fail(core::ErrorCode::wrongUse, "--participant " + code + ": a person; expected a simulated participant, or a code that is not taken");
+    if (found || found.error().code != core::ErrorCode::notFound)
+        return found;
+    return database.write([&](database::WriteContext& context) {
+        return database::StudyRepository(context.connection(), actor).enrolParticipant(study, {}, 0, observerText(observer), code);
+    });
+}
+
+QJsonValue number(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); }
+
+/// While blinded neither values nor anything else by which conditions could be told apart.
+QJsonObject trialJson(const database::StudyTrial& t, const Condition& condition, const session::StudyExportData& data) {
+    QJsonObject json{{"ordinal", t.ordinal}, {"practice", t.practice}, {"spoiled", text(t.spoiled)}, {"exploration_s", t.exploration_s}, {"answer_s", t.answer_s}};
+    if (!data.blinded || data.oneTable)
+        json.insert("difference", t.difference);
+    for (const auto& [key, value] : {std::pair{"arrangement", t.arrangement}, {"answer", t.answer}, {"outcome", t.outcome}})
+        if (!data.blinded || data.oneTask)
+            json.insert(QLatin1String(key), value);
+    if (data.blinded)
+        return json;
+    QJsonArray values;
+    for (const int multiple : arrangements(condition.task)[static_cast<std::size_t>(t.arrangement)])
+        values.append(condition.stimulus.reference * std::pow(10.0, multiple * t.difference));
+    json.insert("procedure", t.procedure);
+    json.insert("candidate", t.candidate);
+    json.insert("values", values);
+    json.insert("value", t.value ? number(*t.value) : QJsonValue(QJsonValue::Null));
+    json.insert("entropy_margin", number(t.entropyMargin));
+    json.insert("session_id", static_cast<qint64>(t.session));
+    json.insert("fidelity", QJsonDocument::fromJson(QByteArray::fromStdString(t.fidelityJson)).object());
+    return json;
+}
+
+QJsonArray runsJson(const session::StudyExportData& data, const std::string& code) {
+    QJsonArray all;
+    for (const session::ExportedParticipant& each : data.participants) {
+        if (each.participant.code != code)
+            continue;
+        for (const session::ExportedRun& run : each.runs) {
+            QJsonArray list;
+            for (const database::StudyTrial& trial : run.trials)
+                list.append(trialJson(trial, *run.condition, data));
+            QJsonObject json{{"condition", run.label}, {"run", run.index}, {"completed", run.run.state == database::StudyRunState::completed},
+                             {"trials", list}, {"estimate", estimateJson(run.estimate, data.blinded)}};
+            if (!data.blinded)
+                json.insert("seed", QString::number(run.run.seed));
+            all.append(json);
+        }
+    }
+    return all;
+}
+
+core::Result<CommandOutput> told(database::Database& database, const database::Actor& actor, const database::StudyRecord& study, const database::Participant& participant) {
+    auto connection = database.openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    database::StudyReader reader(**connection, actor);
+    const auto data = session::gatherStudy(reader, study.summary.id);
+    if (!data)
+        return tl::unexpected(data.error());
+    const QJsonArray runs = runsJson(*data, participant.code);
+    QJsonObject json{{"study", text(study.summary.key)}, {"sha256", text(study.summary.sha256)}, {"participant", text(participant.code)}, {"observer", text(participant.observer)}, {"blinded", data->blinded}, {"runs", runs}};
+    if (!runs.isEmpty()) { // the contract's keys: of the first condition
+        json.insert("trials", runs.first()["trials"]);
+        json.insert("estimate", runs.first()["estimate"]);
+    }
+    TextTable table({"condition", "completed", ">trials", ">Weber", ">low", ">high"});
+    for (const QJsonValue& run : runs) {
+        const QJsonObject e = run["estimate"].toObject();
+        const auto shown = [&](const char* key) { return shortNumber(e[QLatin1String(key)].toDouble(std::nan(""))); };
+        table.add({run["condition"].toString(), run["completed"].toBool() ? "yes" : "no", QString::number(e["trials"].toInt()), shown("weber"), shown("ci_low"), shown("ci_high")});
+    }
+    return CommandOutput{QJsonDocument(json), table.toText(), 0};
+}
+
+/// Blind experimenters do not choose: the sealed code beside the condition's name would tell which is which.
+core::Result<void> refuseChoosing(const database::StudyRecord& study, const session::StudyRunRequest& request) {
+    const auto design = catalogue::readStudy(QByteArray::fromStdString(study.designJson), study.summary.key);
+    if (!design)
+        return tl::unexpected(design.error());
+    if (request.condition.empty() || !design->blindExperimenter || study.summary.unblinded)
+        return {};
+    return core::fail(core::ErrorCode::wrongUse, "--condition: study \"" + study.summary.key + "\" is blinded; expected none, or the study to be unblinded first");
+}
+
+core::Result<session::StudyRunRequest> requestOf(const Arguments& arguments) {
+    session::StudyRunRequest request;
+    const auto observer = parseObserver(arguments.value(QStringLiteral("observer")).toStdString());
+    if (!observer)
+        return badInput(QStringLiteral("--observer: %1").arg(text(observer.error().message)));
+    const auto seed = arguments.seed(QStringLiteral("seed"), 1);
+    const auto most = arguments.integer(QStringLiteral("trials"), 1, 100'000, 0);
+    if (!seed || !most)
+        return tl::unexpected(seed ? most.error() : seed.error());
+    request.observer = *observer;
+    request.seed = *seed;
+    request.trialsAtMost = static_cast<int>(*most);
+    request.quick = arguments.has(QStringLiteral("quick"));
+    request.condition = arguments.value(QStringLiteral("condition")).toStdString();
+    request.participantCode = arguments.value(QStringLiteral("participant")).toStdString();
+    request.cancel = &g_cancel;
+    return request;
+}
+
+} // namespace
+
+core::Result<CommandOutput> runStudy(const Arguments& arguments) {
+    auto request = requestOf(arguments);
+    if (!request)
+        return tl::unexpected(request.error());
+    std::vector<std::string> secrets;
+    if (arguments.has(QStringLiteral("as"))) {
+        auto read = readSecrets(arguments, {QStringLiteral("CHIRON_PASSWORD")});
+        if (!read)
+            return tl::unexpected(read.error());
+        secrets = std::move(*read);
+    }
+    auto site = session::openSite(databasePath(arguments).toStdString(), databaseOptions());
+    if (!site)
+        return tl::unexpected(site.error());
+    const auto actor = secrets.empty() ? core::Result<database::Actor>(database::Actor::simulated())
+                                       : database::AccountService(*site->database).login(arguments.value(QStringLiteral("as")).toStdString(), secrets[0]);
+    if (!actor)
+        return tl::unexpected(actor.error());
+    const auto study = studyToRun(*site->database, *actor, arguments.operand(0));
+    if (!study)
+        return tl::unexpected(study.error());
+    if (auto allowed = refuseChoosing(*study, *request); !allowed)
+        return tl::unexpected(allowed.error());
+    const auto participant = participantToRun(*site->database, *actor, study->summary.id, request->participantCode, request->observer);
+    if (!participant)
+        return tl::unexpected(participant.error());
+    request->study = study->summary.id;
+    request->participantCode = participant->code;
+    std::signal(SIGINT, onSignal);
+    std::signal(SIGTERM, onSignal);
+    auto report = session::runStudyHeadless(*site->database, *actor, *request);
+    if (!report)
+        return tl::unexpected(report.error());
+    return told(*site->database, *actor, *study, *participant);
+}
+
+core::Result<CommandOutput> rerunStudy(const Arguments& arguments) {
+    auto study = openStudy(arguments, Opening::forReading);
+    if (!study)
+        return tl::unexpected(study.error());
+    database::StudyReader reader = study->reader();
+    const auto data = session::gatherStudy(reader, study->number());
+    if (!data)
+        return tl::unexpected(data.error());
+    QJsonArray runs;
+    bool identical = true;
+    TextTable table({"participant", "condition", ">trials", ">same", ">ties", "first difference"});
+    for (const session::ExportedParticipant& each : data->participants) {
+        for (const session::ExportedRun& run : each.runs) {
+            const auto again = session::rerunChoices(*data->design, run.run, run.trials);
+            if (!again)
+                return tl::unexpected(again.error());
+            const bool same = again->same + again->ties == again->trials && again->sameProcedures;
+            identical = identical && same;
+            runs.append(QJsonObject{{"participant", text(each.participant.code)}, {"condition", run.label}, {"trials", again->trials}, {"same", again->same}, {"ties", again->ties},
+                                    {"first_difference", again->firstDifference}, {"same_procedures", again->sameProcedures}, {"identical", same}});
+            table.add({text(each.participant.code), run.label, QString::number(again->trials), QString::number(again->same), QString::number(again->ties),
+                       again->firstDifference < 0 ? QString() : QString::number(again->firstDifference)});
+        }
+    }
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"identical", identical}, {"runs", runs}}), table.toText(), identical ? 0 : 1};
+}
+
+} // namespace chiron::cli

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/study_catalogue.h"
+#include "catalogue/study_reader.h"
+#include "cli/messages.h"
+#include "cli/study/study_access.h"
+#include "cli/text_table.h"
+#include "psychophysics/planning/study_plan.h"
+#include "session/study_export.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <cmath>
+
+namespace chiron::cli {
+
+namespace {
+
+using namespace psychophysics;
+
+QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
+
+QString english(const StudyText& words) {
+    const auto found = words.find("en");
+    return found == words.end() ? QString() : QString::fromStdString(found->second);
+}
+
+QJsonArray strings(const std::vector<std::string>& list) {
+    QJsonArray array;
+    for (const std::string& each : list)
+        array.append(QString::fromStdString(each));
+    return array;
+}
+
+/// Of the database, or else of the content that comes with the program.
+core::Result<StudyDesign> designOf(const Arguments& arguments) {
+    if (QFileInfo::exists(databasePath(arguments))) {
+        auto study = openStudy(arguments, Opening::forReading);
+        if (study)
+            return catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), study->record.summary.key);
+        if (study.error().code != core::ErrorCode::notFound)
+            return tl::unexpected(study.error());
+    }
+    const auto content = catalogue::StudyCatalogue::load();
+    if (!content)
+        return tl::unexpected(content.error());
+    const StudyDesign* design = content->find(arguments.operand(0).toStdString());
+    if (design)
+        return *design;
+    QStringList known;
+    for (const StudyDesign& each : content->studies())
+        known << QString::fromStdString(each.id);
+    return core::fail(core::ErrorCode::notFound, QStringLiteral("STUDY %1: no such study; expected one of %2, or one of the database")
+                                                     .arg(quoted(arguments.operand(0)), known.join(QStringLiteral(", "))).toStdString());
+}
+
+} // namespace
+
+core::Result<CommandOutput> listStudies(const Arguments& arguments) {
+    auto site = openAsAnybody(arguments, Opening::forReading);
+    if (!site)
+        return tl::unexpected(site.error());
+    auto connection = site->database->openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    auto studies = database::StudyReader(**connection, site->actor).listStudies(arguments.has(QStringLiteral("archived")));
+    if (!studies)
+        return tl::unexpected(studies.error());
+    QJsonArray array;
+    TextTable table({">id", "key", "title", "state", ">participants", ">completed", ">trials", "sha256"});
+    for (const database::StudySummary& study : *studies) {
+        array.append(studyJson(study));
+        table.add({QString::number(study.id), text(study.key), text(study.title), stateWord(study.state), QString::number(study.participants),
+                   QString::number(study.completed), QString::number(study.trials), text(study.sha256).left(12)});
+    }
+    return CommandOutput{QJsonDocument(QJsonObject{{"studies", array}}), table.toText(), 0};
+}
+
+core::Result<CommandOutput> showStudy(const Arguments& arguments) {
+    auto study = openStudy(arguments, Opening::forReading);
+    if (!study)
+        return tl::unexpected(study.error());
+    auto participants = study->reader().participants(study->number());
+    if (!participants)
+        return tl::unexpected(participants.error());
+    QJsonObject json = studyJson(study->record.summary);
+    QJsonArray list;
+    TextTable table({"code", ">order", "state", "observer"});
+    for (const database::Participant& each : *participants) {
+        const QJsonObject participant = participantJson(each);
+        list.append(participant);
+        table.add({participant["code"].toString(), QString::number(each.order), participant["state"].toString(), participant["observer"].toString()});
+    }
+    json.insert("participant_list", list);
+    json.insert("design", QJsonDocument::fromJson(QByteArray::fromStdString(study->record.designJson)).object());
+    const QString head = alignedPairs({{"study", json["key"].toString()}, {"title", json["title"].toString()}, {"state", json["state"].toString()}, {"sha256", json["sha256"].toString()}});
+    return CommandOutput{QJsonDocument(json), head + table.toText(), 0};
+}
+
+core::Result<CommandOutput> exportStudy(const Arguments& arguments) {
+    auto formats = arguments.list(QStringLiteral("format"));
+    if (!formats)
+        return tl::unexpected(formats.error());
+    if (formats->isEmpty())
+        *formats << QStringLiteral("csv");
+    for (const QString& format : *formats)
+        if (format != u"csv" && format != u"bids")
+            return wrongUse(QStringLiteral("--format: %1: unknown; expected csv, bids").arg(quoted(format)));
+    auto study = openStudy(arguments, Opening::forReading);
+    if (!study)
+        return tl::unexpected(study.error());
+    const QString out = QFileInfo(arguments.value(QStringLiteral("out"))).absoluteFilePath();
+    QJsonArray folders;
+    QString words;
+    for (const QString& format : *formats) {
+        const QString folder = formats->size() == 1 ? out : out + u'/' + format;
+        database::StudyReader reader = study->reader();
+        const std::filesystem::path path(folder.toStdString());
+        const auto written = format == u"csv" ? session::exportStudyCsv(reader, study->number(), path)
+                                              : session::exportStudyBids(reader, *study->connection, study->site.actor, study->number(), path);
+        if (!written)
+            return tl::unexpected(written.error());
+        folders.append(folder);
+        words += folder + u'\n';
+    }
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"sha256", text(study->record.summary.sha256)}, {"folders", folders}}), words, 0};
+}
+
+core::Result<CommandOutput> planStudy(const Arguments& arguments) {
+    const auto runs = arguments.integer(QStringLiteral("runs"), 0, 100'000, 100);
+    const auto seed = arguments.seed(QStringLiteral("seed"), 1);
+    if (!runs || !seed)
+        return tl::unexpected(runs ? seed.error() : runs.error());
+    const auto observer = parseObserver(arguments.value(QStringLiteral("observer")).toStdString());
+    if (!observer)
+        return badInput(QStringLiteral("--observer: %1").arg(text(observer.error().message)));
+    const auto design = designOf(arguments);
+    if (!design)
+        return tl::unexpected(design.error());
+    QJsonArray conditions;
+    TextTable table({"condition", ">bias (log10)", ">sd (log10)", ">coverage", ">trials", ">minutes", ">information"});
+    double minutes = 0.0;
+    for (const Condition& condition : design->conditions) {
+        const ConditionPlan plan = planCondition(condition, design->trial, *observer, static_cast<int>(*runs), *seed);
+        conditions.append(QJsonObject{{"condition", text(condition.id)}, {"title", english(condition.title)}, {"runs", plan.runs}, {"bias_log10", plan.biasLog10}, {"sd_log10", plan.sdLog10},
+                                      {"coverage", plan.coverage}, {"trials", plan.meanTrials}, {"minutes", plan.minutes}, {"information_per_trial", plan.fisherPerTrial},
+                                      {"best_spacing_sigma", plan.bestSpacing}, {"best_difference", plan.bestDifference}, {"without_estimate", plan.withoutEstimate}, {"warnings", strings(plan.warnings)}});
+        table.add({text(condition.id), shortNumber(plan.biasLog10), shortNumber(plan.sdLog10), shortNumber(plan.coverage), shortNumber(plan.meanTrials), shortNumber(plan.minutes), shortNumber(plan.fisherPerTrial)});
+        minutes += plan.minutes;
+    }
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(design->id)}, {"observer", text(observerText(*observer))}, {"conditions", conditions}, {"minutes", minutes}}), table.toText(), 0};
+}
+
+} // namespace chiron::cli

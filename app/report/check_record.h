@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "report/plot_theme.h"
+
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+namespace chiron::report {
+
+class PlotView;
+
+/// A table of a check: words and numbers as they are shown, the first line its heads.
+struct CheckTable {
+    QString title;
+    std::vector<QStringList> lines;
+};
+
+/// What a check of a station found, to be printed and kept: in words, tables and plots.
+struct CheckRecord {
+    QString title;
+    QString when; ///< and where, as it is shown
+    QString verdict;
+    QStringList facts; ///< a paragraph each
+    std::vector<CheckTable> tables;
+    std::vector<PlotView*> plots; ///< drawn as vectors; the caller's
+};
+
+/// Writes it as A4 pages (PDF/A-1b). GUI thread; replaces `path` only when the whole file is written. Fails with storage, naming
+/// the path.
+core::Result<void> writeCheckPdf(const QString& path, const CheckRecord& record, const PlotTheme& theme);
+
+} // namespace chiron::report

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/bids_motion.h"
+
+#include "session/study_export_table.h"
+
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <array>
+
+namespace chiron::session {
+
+namespace {
+
+constexpr double kTick_s = 1e-3; ///< nominal
+
+struct Channel {
+    const char* name;
+    const char* component;
+    const char* type;
+    const char* unit;
+    const char* description;
+};
+
+/// As BIDS 1.9 has it (motion, BEP029): LATENCY from the first sample, POS, ORNT; what is neither is MISC.
+constexpr std::array<Channel, 18> kChannels{{{"latency", "n/a", "LATENCY", "s", "since the first sample"},
+                                             {"tip_x", "x", "POS", "m", "tool tip"},
+                                             {"tip_y", "y", "POS", "m", "tool tip"},
+                                             {"tip_z", "z", "POS", "m", "tool tip"},
+                                             {"tip_quat_w", "quat_w", "ORNT", "n/a", "orientation of the tool"},
+                                             {"tip_quat_x", "quat_x", "ORNT", "n/a", "orientation of the tool"},
+                                             {"tip_quat_y", "quat_y", "ORNT", "n/a", "orientation of the tool"},
+                                             {"tip_quat_z", "quat_z", "ORNT", "n/a", "orientation of the tool"},
+                                             {"tissue_force_x", "x", "MISC", "N", "force that the scene answered"},
+                                             {"tissue_force_y", "y", "MISC", "N", "force that the scene answered"},
+                                             {"tissue_force_z", "z", "MISC", "N", "force that the scene answered"},
+                                             {"commanded_force_x", "x", "MISC", "N", "force asked of the device"},
+                                             {"commanded_force_y", "y", "MISC", "N", "force asked of the device"},
+                                             {"commanded_force_z", "z", "MISC", "N", "force asked of the device"},
+                                             {"measured_force_x", "x", "MISC", "N", "force measured by the device"},
+                                             {"measured_force_y", "y", "MISC", "N", "force measured by the device"},
+                                             {"measured_force_z", "z", "MISC", "N", "force measured by the device"},
+                                             {"buttons", "n/a", "MISC", "n/a", "buttons held, bit 0 the mark"}}};
+
+int count(const char* type) {
+    int number = 0;
+    for (const Channel& channel : kChannels)
+        number += QLatin1String(channel.type) == QLatin1String(type) ? 1 : 0;
+    return number;
+}
+
+QByteArray channelsTsv() {
+    ExportTable table{"channels", {}, {{"name", "", ""}, {"component", "", ""}, {"type", "", ""}, {"tracked_point", "", ""}, {"units", "", ""}, {"reference_frame", "", ""}, {"description", "", ""}}, {}};
+    for (const Channel& c : kChannels) {
+        const bool placed = QLatin1String(c.component) != QLatin1String("n/a");
+        table.rows.push_back({c.name, c.component, c.type, "tooltip", c.unit, placed ? "workspace" : "n/a", c.description});
+    }
+    return tsvOf(table);
+}
+
+QByteArray channelsJson() {
+    const QJsonObject frame{{"SpatialAxes", "RAS"}, {"RotationRule", "right-hand"}, {"Description", "of the exercise (W): x to the participant's right, y away, z up; origin in the middle of the workspace"}};
+    return QJsonDocument(QJsonObject{{"reference_frame", QJsonObject{{"Description", "frame that positions, orientations and forces are given in"}, {"Levels", QJsonObject{{"workspace", frame}}}}}}).toJson();
+}
+
+struct Written {
+    std::uint64_t samples = 0;
+    std::uint64_t firstTick = 0;
+    double duration_s = 0.0;
+    std::int64_t first_ns = 0;
+    std::vector<double> onset_s;    ///< of each event
+    std::vector<double> end_s;
+};
+
+void addCell(QByteArray& row, double value) {
+    row += '\t';
+    row += QByteArray::number(value, 'g', 9);
+}
+
+QByteArray rowOf(const core::HapticFrame& frame, const core::ToolState& pose, double t_s) {
+    const core::ToolFrame& tool = frame.tool[0];
+    QByteArray row = QByteArray::number(t_s, 'f', 6);
+    for (int i = 0; i < 3; ++i)
+        addCell(row, pose.p_WT[i]);
+    for (const double part : {pose.q_WT.w(), pose.q_WT.x(), pose.q_WT.y(), pose.q_WT.z()})
+        addCell(row, part);
+    const bool measured = (tool.status & core::sample_status::kMeasuredForce) != 0;
+    for (const auto* wrench : {&tool.tissue, &tool.commanded})
+        for (std::size_t i = 0; i < 3; ++i)
+            addCell(row, (*wrench)[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (measured)
+            addCell(row, tool.measured[i]);
+        else
+            row += "\tn/a";
+    }
+    row += '\t' + QByteArray::number(tool.buttons) + '\n';
+    return row;
+}
+
+core::Result<Written> writeSamples(QFile& file, StoredSession& session, const std::vector<BidsEvent>& events) {
+    Written written;
+    written.onset_s.assign(events.size(), -1.0);
+    written.end_s.assign(events.size(), -1.0);
+    auto done = session.eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
+        QByteArray text;
+        for (const core::HapticFrame& frame : frames) {
+            if (written.samples++ == 0) {
+                written.first_ns = frame.header.now_ns;
+                written.firstTick = frame.header.index;
+            }
+            const double t_s = 1e-9 * static_cast<double>(frame.header.now_ns - written.first_ns);
+            written.duration_s = t_s;
+            text += rowOf(frame, session.positions().pose(0, frame.tool[0]), t_s);
+            for (std::size_t i = 0; i < events.size(); ++i) {
+                if (frame.header.index >= events[i].firstTick && written.onset_s[i] < 0.0)
+                    written.onset_s[i] = t_s;
+                if (frame.header.index <= events[i].lastTick)
+                    written.end_s[i] = t_s;
+            }
+        }
+        if (file.write(text) != text.size())
+            return core::fail(core::ErrorCode::storage, (file.fileName() + ": cannot be written: " + file.errorString()).toStdString());
+        return {};
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    if (!file.flush())
+        return core::fail(core::ErrorCode::storage, (file.fileName() + ": cannot be written: " + file.errorString()).toStdString());
+    return written;
+}
+
+QByteArray sidecar(const StoredSession& session, const BidsRecording& recording, const Written& written) {
+    const double frequency = written.duration_s > 0.0 ? static_cast<double>(written.samples - 1) / written.duration_s : 1.0 / kTick_s;
+    QJsonObject json{{"TaskName", recording.task},
+                     {"TaskDescription", recording.taskDescription},
+                     {"SamplingFrequency", 1.0 / kTick_s},
+                     {"SamplingFrequencyEffective", frequency},
+                     {"TrackingSystemName", "haptic"},
+                     {"ManufacturersModelName", session.setup().devices.front().model.empty() ? kNotAvailable : QString::fromStdString(session.setup().devices.front().model)},
+                     {"SoftwareVersions", QString::fromStdString(session.record().setup.buildId)},
+                     {"MissingValues", "n/a"},
+                     {"TrackedPointsCount", 1},
+                     {"MotionChannelCount", static_cast<int>(kChannels.size())},
+                     {"POSChannelCount", count("POS")},
+                     {"ORNTChannelCount", count("ORNT")},
+                     {"MISCChannelCount", count("MISC")},
+                     {"LATENCYChannelCount", count("LATENCY")},
+                     {"RecordingDuration", written.duration_s}};
+    if (!recording.protocolSha256.isEmpty()) // the schema of this file allows no keys of our own
+        json.insert("TaskDescription", QStringLiteral("%1 (protocol SHA-256 %2)").arg(recording.taskDescription, recording.protocolSha256));
+    return QJsonDocument(json).toJson();
+}
+
+QByteArray eventsTsv(const std::vector<BidsEvent>& events, const Written& written) {
+    ExportTable table{"events", {}, {{"onset", "s", ""}, {"duration", "s", ""}, {"trial_type", "", ""}, {"ordinal", "1", ""}}, {}};
+    for (std::size_t i = 0; i < events.size(); ++i)
+        if (written.onset_s[i] >= 0.0)
+            table.rows.push_back({exportNumber(written.onset_s[i]), exportNumber(std::max(0.0, written.end_s[i] - written.onset_s[i])), events[i].type, events[i].value});
+    return tsvOf(table);
+}
+
+QByteArray eventsJson() {
+    const QJsonObject levels{{"trial", "scored presentation"}, {"practice", "practice, never scored"}, {"spoiled", "presentation that does not count"}};
+    return QJsonDocument(QJsonObject{{"onset", QJsonObject{{"Description", "begin, since the first sample of the motion file"}, {"Units", "s"}}},
+                                     {"duration", QJsonObject{{"Description", "until the answer"}, {"Units", "s"}}},
+                                     {"trial_type", QJsonObject{{"Description", "what was presented"}, {"Levels", levels}}},
+                                     {"ordinal", QJsonObject{{"Description", "presentation within the run, as in the beh file"}}}})
+        .toJson();
+}
+
+} // namespace
+
+QString BidsRecording::stem() const { return QStringLiteral("sub-%1_task-%2").arg(subject, task); }
+
+QString BidsRecording::tail() const {
+    return (acquisition.isEmpty() ? QString() : QStringLiteral("_acq-") + acquisition) + QStringLiteral("_run-%1").arg(run);
+}
+
+QString bidsLabel(const QString& words) {
+    QString label;
+    bool upper = false;
+    for (const QChar c : words) {
+        const bool kept = (c >= u'a' && c <= u'z') || (c >= u'A' && c <= u'Z') || (c >= u'0' && c <= u'9');
+        if (kept)
+            label += upper ? c.toUpper() : c;
+        upper = !kept && !label.isEmpty();
+    }
+    return label.isEmpty() ? QStringLiteral("x") : label;
+}
+
+core::Result<void> writeBidsMotion(NewFolder& folder, StoredSession& session, const BidsRecording& recording, const std::vector<BidsEvent>& events) {
+    const QString base = QStringLiteral("sub-%1/motion/%2").arg(recording.subject, recording.stem());
+    const QString tracked = base + QStringLiteral("_tracksys-haptic") + recording.tail();
+    const auto path = folder.place(tracked + "_motion.tsv");
+    if (!path)
+        return tl::unexpected(path.error());
+    QFile file(*path);
+    if (!file.open(QIODevice::WriteOnly))
+        return core::fail(core::ErrorCode::storage, (*path + ": cannot be written: " + file.errorString()).toStdString());
+    const auto written = writeSamples(file, session, events);
+    if (!written)
+        return tl::unexpected(written.error());
+    for (const auto& [name, bytes] : {std::pair{tracked + "_motion.json", sidecar(session, recording, *written)}, {tracked + "_channels.tsv", channelsTsv()},
+                                      {tracked + "_channels.json", channelsJson()}, {tracked + "_events.tsv", eventsTsv(events, *written)}, {tracked + "_events.json", eventsJson()}})
+        if (auto done = folder.write(name, bytes); !done)
+            return done;
+    return {};
+}
+
+} // namespace chiron::session

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+#include "core/tool_state.h"
+#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "simulation/palpation/surface_map.h"
+#include "simulation/palpation/tissue_surface.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace chiron::session {
+
+/// Recorded poses and forces of the fingers -> the map of what was pressed, at the nearest surface points: the scene's own contact
+/// points under the contact law `anchored`, not under `p3_recast` (the ray's). One trial each. W, m, N.
+class PalpationPresses {
+public:
+    explicit PalpationPresses(const simulation::PalpationParameters& level)
+        : m_surface(level.tissue.shape), m_map(level.areaHalf_m, level.tissue.contactRadius_m, level.coverForce_N) {}
+
+    void press(std::size_t finger, const core::Vec3& p_WT, const core::Vec3& tissue_N) {
+        if (finger >= m_guess_m.size() || !p_WT.allFinite() || !tissue_N.allFinite())
+            return;
+        if (tissue_N.squaredNorm() == 0.0) { // in the air: the next touch begins below it
+            m_guess_m[finger].reset();
+            return;
+        }
+        const auto foot = m_surface.nearest(p_WT, m_guess_m[finger].value_or(p_WT.head<2>()));
+        m_guess_m[finger] = foot.p_W.head<2>();
+        if (foot.depth_m > 0.0)
+            m_map.press(foot.p_W.head<2>(), tissue_N.dot(foot.normal));
+    }
+    const simulation::SurfaceMap& map() const noexcept { return m_map; }
+
+private:
+    simulation::TissueSurface m_surface;
+    simulation::SurfaceMap m_map;
+    std::array<std::optional<core::Vec2>, core::kMaxTools> m_guess_m; ///< where each finger touched last
+};
+
+} // namespace chiron::session

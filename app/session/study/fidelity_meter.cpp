@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study/fidelity_meter.h"
+
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::session {
+
+using simulation::ComparedAttribute;
+
+namespace {
+
+constexpr double kLate_ns = 0.5e6;          ///< a tick that comes so much after its time is late
+constexpr double kSliding_m_per_s = 0.010;
+constexpr double kSlid_m = 0.002; ///< since the last turn: what stuck has come along
+constexpr double kTaut_m = 0.0005;
+constexpr double kAir_m = 0.002;            ///< an object lifted by more lies on nothing
+constexpr double kShortest_s = 0.005, kLongest_s = 5.0;
+constexpr double kUsableError = 0.05;       ///< a fit with a larger relative standard error says nothing
+
+double norm(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
+
+/// Attributes whose fit is exact enough to be a limit.
+bool limited(ComparedAttribute attribute) {
+    return attribute == ComparedAttribute::stiffness || attribute == ComparedAttribute::mass || attribute == ComparedAttribute::viscosity;
+}
+
+} // namespace
+
+FidelityMeter::FidelityMeter(const simulation::ComparisonParameters& parameters, const psychophysics::FidelityLimits& limits,
+                             bool mustTouchAll)
+    : m_parameters(parameters), m_limits(limits), m_mustTouchAll(mustTouchAll) {
+    if (!m_parameters.adjusts)
+        m_parameters.values.clear();
+    for (std::size_t i = 0; i < kTimes; ++i) {
+        m_time_s[i] = kShortest_s * std::pow(kLongest_s / kShortest_s, static_cast<double>(i) / (kTimes - 1));
+        m_share[i] = 1.0 - std::exp(-core::kTickSeconds / m_time_s[i]);
+    }
+}
+
+void FidelityMeter::begin(const std::vector<double>& asked) {
+    m_asked = asked;
+    m_places = {};
+    m_ticks = m_late = m_contactTicks = m_saturated = 0;
+    m_last_ns = 0;
+    m_worst_us = m_sumError2 = m_peak_N = m_sumSpeed = 0.0;
+    m_touched = 0;
+    m_measured = false;
+}
+
+void FidelityMeter::add(const FidelitySample& sample) {
+    if (sample.phase != core::TrialPhase::running)
+        return;
+    if (m_last_ns != 0) {
+        const double late_ns = static_cast<double>(sample.now_ns - m_last_ns) - 1e6;
+        m_late += late_ns > kLate_ns ? 1 : 0;
+        m_worst_us = std::max(m_worst_us, late_ns * 1e-3);
+    }
+    m_last_ns = sample.now_ns;
+    ++m_ticks;
+    m_sumSpeed += norm(sample.velocity_m_per_s);
+    m_touched = static_cast<std::uint8_t>(m_touched | sample.touched);
+    m_measured = m_measured || sample.measures;
+    const std::array<double, 3>& force = sample.measures ? sample.measured_N : sample.commanded_N;
+    const auto at = static_cast<std::size_t>(sample.place);
+    const bool present = at >= 1 && at <= m_places.size() && sample.full && sample.paused == 0;
+    for (std::size_t i = 0; i < m_places.size(); ++i)
+        if (m_places[i].touching && !(present && i + 1 == at)) { // left: its contact is over
+            m_places[i].touching = false;
+            m_places[i].sumTerminal_N += m_places[i].contactPeak_N;
+        }
+    if (!present)
+        return;
+    if (m_parameters.adjusts && !m_places[at - 1].touching)
+        noticeChange(at - 1, sample);
+    addContact(m_places[at - 1], sample, force);
+}
+
+void FidelityMeter::Place::forget() {
+    line = {};
+    bank = {};
+}
+
+/// A contact begins: with another value than before, where the level was adjusted meanwhile.
+void FidelityMeter::noticeChange(std::size_t place, const FidelitySample& sample) {
+    const auto candidate = static_cast<std::size_t>(sample.candidate);     // both from 1
+    const auto arrangement = static_cast<std::size_t>(sample.arrangement);
+    if (place >= m_asked.size() || candidate < 1 || candidate > m_parameters.values.size() || arrangement < 1 ||
+        arrangement > m_parameters.arrangements.size())
+        return;
+    const int multiple = m_parameters.arrangements[arrangement - 1][place];
+    if (multiple < 0 || multiple > 2)
+        return;
+    const double value = m_parameters.values[candidate - 1][static_cast<std::size_t>(multiple)];
+    if (value == m_asked[place])
+        return;
+    m_asked[place] = value;
+    m_places[place].forget();
+}
+
+void FidelityMeter::addContact(Place& place, const FidelitySample& sample, const std::array<double, 3>& force) {
+    const double size_N = norm(force);
+    if (!place.touching) {
+        place.touching = true;
+        place.contactPeak_N = 0.0;
+        ++place.contacts;
+    }
+    ++place.ticks;
+    ++m_contactTicks;
+    m_saturated += sample.saturated ? 1 : 0;
+    place.peak_N = std::max(place.peak_N, size_N);
+    place.contactPeak_N = std::max(place.contactPeak_N, size_N);
+    place.sumSpeed += norm(sample.velocity_m_per_s);
+    m_peak_N = std::max(m_peak_N, size_N);
+    if (sample.measures)
+        for (std::size_t i = 0; i < 3; ++i)
+            m_sumError2 += (sample.measured_N[i] - sample.commanded_N[i]) * (sample.measured_N[i] - sample.commanded_N[i]);
+    fit(place, sample, force);
+}
+
+void FidelityMeter::fit(Place& place, const FidelitySample& sample, const std::array<double, 3>& f) {
+    const auto& v = sample.velocity_m_per_s;
+    const double speed = std::hypot(v[0], v[1]);
+    const double along = speed > 0.0 ? -(f[0] * v[0] + f[1] * v[1]) / speed : 0.0;
+    const bool goesOn = v[0] * place.way[0] + v[1] * place.way[1] > 0.0;
+    place.slid_m = goesOn ? place.slid_m + speed * core::kTickSeconds : 0.0;
+    place.way = {v[0], v[1]};
+    switch (m_parameters.attribute) {
+    case ComparedAttribute::stiffness:
+        if (sample.displacement_m > kTaut_m)
+            place.line.add({sample.displacement_m, 1.0, v[2]}, norm(f));
+        break;
+    case ComparedAttribute::mass:
+        if (sample.displacement_m > kAir_m + m_parameters.hookReach_m)
+            place.line.add({1.0, 0.0, 0.0}, -f[2]);
+        break;
+    case ComparedAttribute::roughness:
+        if (speed > kSliding_m_per_s)
+            place.line.add({sample.depth_m, 1.0, v[2]}, f[2]);
+        break;
+    case ComparedAttribute::friction:
+        if (place.slid_m > kSlid_m)
+            place.line.add({f[2], 0.0, 0.0}, along); // pressed evenly, a speed of its own would take part of μ
+        break;
+    case ComparedAttribute::viscosity:
+        if (speed > kSliding_m_per_s && sample.depth_m > 0.0005)
+            place.line.add({speed, 1.0, 0.0}, along);
+        break;
+    case ComparedAttribute::deformation:
+        for (std::size_t i = 0; i < kTimes; ++i) {
+            place.bank[i].add({sample.depth_m, sample.depth_m - place.dent[i], 1.0}, f[2]);
+            place.dent[i] += (sample.depth_m - place.dent[i]) * m_share[i];
+        }
+        break;
+    }
+}
+
+PlaceFidelity FidelityMeter::summary(std::size_t index) const {
+    const Place& place = m_places[index];
+    PlaceFidelity out;
+    out.place = static_cast<int>(index);
+    out.asked = index < m_asked.size() ? m_asked[index] : 0.0;
+    out.contacts = place.contacts;
+    out.contact_s = static_cast<double>(place.ticks) * core::kTickSeconds;
+    out.peakForce_N = place.peak_N;
+    if (place.ticks > 0)
+        out.meanSpeed_m_per_s = place.sumSpeed / static_cast<double>(place.ticks);
+    if (place.contacts > 0)
+        out.terminalForce_N = (place.sumTerminal_N + (place.touching ? place.contactPeak_N : 0.0)) / place.contacts;
+    if (m_parameters.attribute == ComparedAttribute::deformation) {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < kTimes; ++i)
+            if (const auto line = place.bank[i].solve(); line.good && line.residual < least) {
+                least = line.residual;
+                out.rendered = m_time_s[i];
+            }
+        return out;
+    }
+    const auto line = place.line.solve();
+    if (!line.good)
+        return out;
+    double scale = 1.0;
+    if (m_parameters.attribute == ComparedAttribute::mass)
+        scale = 1.0 / core::kStandardGravity;
+    out.rendered = line.slope[0] * scale;
+    out.standardError = line.firstSd * scale;
+    if (m_parameters.attribute == ComparedAttribute::roughness) {
+        out.rendered = std::sqrt(line.residual / line.n) / m_parameters.object.stiffness_N_per_m;
+        out.standardError = std::numeric_limits<double>::quiet_NaN();
+    }
+    return out;
+}
+
+TrialFidelity FidelityMeter::finish() const {
+    TrialFidelity out;
+    out.measured = m_measured;
+    const auto ticks = static_cast<double>(std::max<std::uint64_t>(1, m_ticks));
+    const auto contact = static_cast<double>(std::max<std::uint64_t>(1, m_contactTicks));
+    out.forceErrorRms_N = std::sqrt(m_sumError2 / contact);
+    out.lateTicks = static_cast<double>(m_late) / ticks;
+    out.worstLateness_us = m_worst_us;
+    out.saturated = static_cast<double>(m_saturated) / contact;
+    out.duration_s = static_cast<double>(m_ticks) * core::kTickSeconds;
+    out.peakForce_N = m_peak_N;
+    out.meanSpeed_m_per_s = m_sumSpeed / ticks;
+    for (std::size_t i = 0; i < std::min(m_asked.size(), m_places.size()); ++i) {
+        PlaceFidelity place = summary(i);
+        out.contacts += place.contacts;
+        if (limited(m_parameters.attribute) && place.asked > 0.0 && place.standardError < kUsableError * std::abs(place.rendered))
+            out.stiffnessError = std::max(out.stiffnessError, std::abs(place.rendered / place.asked - 1.0));
+        out.places.push_back(place);
+    }
+    out.outside = outsideOf(out);
+    return out;
+}
+
+std::string FidelityMeter::outsideOf(const TrialFidelity& f) const {
+    const auto every = static_cast<std::uint8_t>((1u << m_asked.size()) - 1u);
+    if (m_mustTouchAll && (m_touched & every) != every)
+        return "untouched";
+    if (f.lateTicks > m_limits.lateTicks)
+        return "late_ticks";
+    if (f.saturated > m_limits.saturated)
+        return "saturation";
+    if (f.measured && f.forceErrorRms_N > m_limits.forceErrorRms_N)
+        return "force_error";
+    if (f.stiffnessError > m_limits.stiffnessError)
+        return "stiffness_error";
+    if (f.peakForce_N > m_limits.peakForce_N)
+        return "peak_force";
+    return f.meanSpeed_m_per_s > m_limits.meanSpeed_m_per_s ? "speed" : "";
+}
+
+} // namespace chiron::session

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study/presentation_order.h"
+
+#include "core/random.h"
+#include "psychophysics/planning/run_simulator.h"
+
+#include <numeric>
+#include <string>
+
+namespace chiron::session {
+
+namespace {
+
+template <class Spec> int mostOf(const Spec& spec) { return spec.stop.trials; }
+int mostOf(const psychophysics::ConstantSpec& spec) { return static_cast<int>(spec.levels.size()) * spec.repeats; }
+int mostOf(const psychophysics::DescendingSpec& spec) { return static_cast<int>(spec.levels.size()) * spec.repeats; }
+
+} // namespace
+
+int balancedArrangement(psychophysics::Task task, std::uint64_t seed, const PresentationPlace& place) {
+    const int count = static_cast<int>(psychophysics::arrangements(task).size());
+    if (place.practice || place.repeat > 0) {
+        core::Random random = core::Random::stream(seed, "study.again " + std::to_string(place.ordinal));
+        return static_cast<int>(random.below(static_cast<std::uint64_t>(count)));
+    }
+    std::vector<int> block(static_cast<std::size_t>(count));
+    std::iota(block.begin(), block.end(), 0);
+    core::Random random = core::Random::stream(seed, "study.arrangement " + std::to_string(place.procedure) + " " +
+                                                         std::to_string(place.trial / count));
+    for (std::size_t i = block.size(); i > 1; --i) // Fisher & Yates
+        std::swap(block[i - 1], block[static_cast<std::size_t>(random.below(i))]);
+    return block[static_cast<std::size_t>(place.trial % count)];
+}
+
+int trialsAtMost(const psychophysics::Condition& condition) {
+    int sum = 0;
+    for (const psychophysics::ProcedureSpec& procedure : condition.procedures) {
+        const int most = std::visit([](const auto& spec) { return mostOf(spec); }, procedure);
+        if (most <= 0)
+            return 0;
+        sum += most;
+    }
+    // Procedures count what shows their difference; every block of arrangements holds others beside it.
+    const auto& all = psychophysics::arrangements(condition.task);
+    int showing = 0;
+    for (int i = 0; i < static_cast<int>(all.size()); ++i)
+        showing += psychophysics::showsDifference(condition.task, i) ? 1 : 0;
+    return sum * static_cast<int>(all.size()) / showing;
+}
+
+} // namespace chiron::session

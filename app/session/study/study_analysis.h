@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/repositories/study_reader.h"
+#include "psychophysics/study/group_estimate.h"
+#include "psychophysics/study/run_estimate.h"
+#include "session/study/study_progress.h"
+
+#include <string>
+#include <vector>
+
+namespace chiron::session {
+
+/// One run as it came out.
+struct AnalysedRun {
+    database::Participant participant;
+    database::StudyRun run;
+    std::vector<database::StudyTrial> trials; ///< all of them
+    int scored = 0, spoiled = 0, practice = 0;
+    psychophysics::RunEstimate estimate;
+    ReplayedChoices replayed;
+};
+
+struct AnalysedCondition {
+    std::string condition;
+    std::vector<AnalysedRun> runs; ///< by participant
+    /// Of the people who still take part; of simulated participants only where there are no people. Who was left out is among its
+    /// warnings (withdrawn, simulated_left_out, simulated); its members' `index` counts `runs`.
+    psychophysics::GroupEstimate group;
+};
+
+struct StudyAnalysis {
+    database::StudyRecord record;
+    psychophysics::StudyDesign design;
+    std::vector<AnalysedCondition> conditions; ///< in the design's order
+};
+
+/// Every run of a study with trials, analysed anew; `seed`: of bootstraps. Stopped runs of a withdrawn participant are left out.
+/// Failure: the reader's; badInput (a design or a trial that cannot be read).
+core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber study, std::uint64_t seed);
+
+} // namespace chiron::session

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study/study_runner.h"
+
+#include "core/random.h"
+#include "session/study/rendered_run.h"
+#include "session/study/study_director.h"
+#include "session/study/study_limits.h"
+#include "session/study/study_setup.h"
+#include "session/study/study_store.h"
+#include "session/training_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::session {
+
+namespace {
+
+/// One run at hand: what a sitting shares, rendered or quick.
+struct Sitting {
+    database::Database& database;
+    const database::Actor& actor;
+    const StudyRunRequest& request;
+    const psychophysics::Condition& condition;
+    StudyProgress& progress;
+    psychophysics::SimulatedObserver observer;
+    database::StudyRunNumber run = 0;
+    std::string sealedCode;
+    int presented = 0;
+    core::Result<void> stored;
+
+    bool store(database::StudyTrial trial) {
+        trial.run = run;
+        stored = storeTrial(database, actor, trial);
+        ++presented;
+        if (stored && request.progress)
+            request.progress(progress.scored(), trialsOfCondition());
+        return stored.has_value();
+    }
+    int trialsOfCondition() const { return progress.done() ? progress.scored() : progress.next().ofAtMost; }
+    bool interrupted() const {
+        return (request.trialsAtMost > 0 && presented >= request.trialsAtMost) ||
+               (request.cancel && request.cancel->load(std::memory_order_relaxed));
+    }
+};
+
+core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStudy& study, std::uint64_t seed) {
+    auto level = studyLevel(study.design, sitting.condition, sitting.request.control, sessionLabel(study, sitting.sealedCode));
+    if (!level)
+        return tl::unexpected(level.error());
+    auto participant = participantStation(*level, core::Random::mix(seed, "participant"));
+    if (!participant)
+        return tl::unexpected(participant.error());
+    FidelityMeter meter(std::get<simulation::ComparisonParameters>(level->parameters), study.design.fidelity,
+                        study.design.trial.mustTouchAll);
+    std::atomic<database::SessionId> session{0};
+    StudyDirector director({sitting.progress, sitting.condition, *participant->mind, sitting.observer, meter,
+                            [&](database::StudyTrial trial) {
+                                trial.session = session.load();
+                                return sitting.store(std::move(trial));
+                            },
+                            [&] { return sitting.interrupted(); },
+                            study.design.trial.exploreLimit_s});
+    TrainingRequest request;
+    request.level = *level;
+    request.seed = seed;
+    request.station = std::move(participant->station);
+    request.ringFolder = sitting.request.ringFolder;
+    request.director = &director;
+    request.onSession = [&](database::SessionId id) { session.store(id); };
+    auto result = runTrainingOn(sitting.database, sitting.actor, request);
+    if (!result)
+        return tl::unexpected(result.error());
+    if (!director.recorded())
+        return tl::unexpected(director.recorded().error());
+    return result->session;
+}
+
+/// The same trials without a rendering: the observer is told the values.
+void runQuick(Sitting& sitting) {
+    const double reference = sitting.condition.stimulus.reference;
+    while (!sitting.progress.done() && !sitting.interrupted()) {
+        if (sitting.progress.breakDue())
+            sitting.progress.breakTaken();
+        const StudyPresentation shown = sitting.progress.next();
+        std::vector<double> felt;
+        for (const double value : shown.values)
+            felt.push_back(std::log10(value / reference));
+        StudyAnswer answer;
+        if (sitting.condition.task == psychophysics::Task::magnitude)
+            answer.value = sitting.observer.magnitude(felt.front());
+        if (sitting.condition.task == psychophysics::Task::adjustment) {
+            const auto& d = sitting.condition.stimulus.differences;
+            answer.value = reference * std::pow(10.0, sitting.observer.adjust(d.front(), d.back()));
+        }
+        answer.answer = sitting.observer.answer(sitting.condition.task, felt);
+        auto trial = sitting.progress.record(answer);
+        if (!trial) {
+            sitting.stored = tl::unexpected(trial.error());
+            return;
+        }
+        if (!sitting.store(std::move(*trial)))
+            return;
+    }
+}
+
+struct BegunRun {
+    database::StudyRunNumber number = 0;
+    std::string sealedCode;
+    std::uint64_t seed = 0;
+    std::vector<database::StudyTrial> trials;
+    StudyProgress progress;
+};
+
+/// A run is rendered, or quick, from its first trial to its last.
+core::Result<void> sameKind(const database::StudyRun& run, const std::vector<database::StudyTrial>& trials, bool quick) {
+    const bool mixed = std::any_of(trials.begin(), trials.end(), [&](const auto& trial) { return (trial.session == 0) != quick; });
+    return mixed ? core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run.id) + " was begun " +
+                                                             (quick ? "through the rendering" : "without a rendering") + ": it goes on like that")
+                 : core::Result<void>();
+}
+
+core::Result<BegunRun> beginOrResume(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
+                                     const std::string& condition, const StudyRunRequest& request, double limit) {
+    if (const auto open = openRun(study, condition)) {
+        auto trials = trialsOf(database, actor, open->id);
+        if (!trials)
+            return tl::unexpected(trials.error());
+        auto alike = sameKind(*open, *trials, request.quick);
+        if (alike)
+            alike = sameTable(*open, limit);
+        if (!alike)
+            return tl::unexpected(alike.error());
+        auto progress = StudyProgress::resume(study.design, condition, open->seed, *trials, StudyProgress::limitOf(open->procedures));
+        if (!progress)
+            return tl::unexpected(progress.error());
+        return BegunRun{open->id, open->sealedCode, open->seed, std::move(*trials), std::move(*progress)};
+    }
+    const std::uint64_t seed = core::Random::mix(runSeed(study, condition), std::to_string(request.seed)) >> 1;
+    auto progress = StudyProgress::begin(study.design, condition, seed, limit);
+    if (!progress)
+        return tl::unexpected(progress.error());
+    const auto begun = beginRun(database, actor, study, condition, seed, progress->procedureIds());
+    if (!begun)
+        return tl::unexpected(begun.error());
+    return BegunRun{begun->id, begun->sealedCode, seed, {}, std::move(*progress)};
+}
+
+/// Largest difference that the simulated device renders; a quick run has no device.
+core::Result<double> limitOnStation(const OpenedStudy& study, const psychophysics::Condition& condition, bool quick) {
+    if (quick)
+        return StudyProgress::kNoLimit;
+    auto level = studyLevel(study.design, condition);
+    if (!level)
+        return tl::unexpected(level.error());
+    auto participant = participantStation(*level, 1);
+    if (!participant)
+        return tl::unexpected(participant.error());
+    return limitedTable(condition, renderingLimits(participant->station.devices.front()->descriptor())).limit;
+}
+
+core::Result<StudyRunSummary> runCondition(database::Database& database, const database::Actor& actor, const StudyRunRequest& request,
+                                           const OpenedStudy& study, const std::string& condition) {
+    const psychophysics::Condition* found = conditionOf(study.design, condition);
+    if (!found)
+        return core::fail(core::ErrorCode::notFound, "condition \"" + condition + "\" is not one of the study's");
+    const auto limit = limitOnStation(study, *found, request.quick);
+    if (!limit)
+        return tl::unexpected(limit.error());
+    auto run = beginOrResume(database, actor, study, condition, request, *limit);
+    if (!run)
+        return tl::unexpected(run.error());
+    // Each sitting has its own streams: what a first one has drawn already, a second one must not draw again.
+    const std::uint64_t seed = core::Random::mix(run->seed, "sitting " + std::to_string(run->trials.size()));
+    Sitting sitting{database, actor, request, *found, run->progress,
+                    psychophysics::SimulatedObserver(request.observer, core::Random::mix(seed, "observer")), run->number, run->sealedCode, 0, {}};
+    StudyRunSummary summary;
+    summary.condition = condition;
+    summary.run = run->number;
+    if (request.quick) {
+        runQuick(sitting);
+    } else if (!run->progress.done()) {
+        auto session = runRecorded(sitting, study, seed >> 1);
+        if (!session)
+            return tl::unexpected(session.error());
+        summary.session = *session;
+    }
+    if (!sitting.stored)
+        return tl::unexpected(sitting.stored.error());
+    summary.scored = run->progress.scored();
+    summary.spoiled = run->progress.spoiledTrials();
+    summary.completed = run->progress.done() && !run->progress.gaveUp();
+    summary.estimates = run->progress.estimates();
+    if (summary.completed)
+        if (auto ended = finishRun(database, actor, study, run->number); !ended)
+            return tl::unexpected(ended.error());
+    return summary;
+}
+
+/// A simulated participant, as it was enrolled.
+core::Result<void> mayBeSimulated(const OpenedStudy& study, const StudyRunRequest& request) {
+    const database::Participant& participant = study.participant;
+    if (!participant.simulated)
+        return core::fail(core::ErrorCode::wrongUse, "participant " + participant.code + " is a person: expected a simulated participant");
+    if (participant.observer.empty())
+        return {};
+    const auto enrolled = psychophysics::parseObserver(participant.observer);
+    if (!enrolled)
+        return tl::unexpected(enrolled.error());
+    if (psychophysics::observerText(*enrolled) != psychophysics::observerText(request.observer))
+        return core::fail(core::ErrorCode::wrongUse, "participant " + participant.code + " was enrolled as " + participant.observer + ", not as " +
+                                                         psychophysics::observerText(request.observer));
+    return {};
+}
+
+} // namespace
+
+core::Result<StudyRunReport> runStudyHeadless(database::Database& database, const database::Actor& actor,
+                                              const StudyRunRequest& request) {
+    auto study = openStudy(database, actor, request.study, request.participantCode);
+    if (!study)
+        return tl::unexpected(study.error());
+    if (auto may = mayBeSimulated(*study, request); !may)
+        return tl::unexpected(may.error());
+    std::vector<std::string> conditions = openConditions(*study);
+    if (!request.condition.empty())
+        conditions = {request.condition};
+    StudyRunReport report;
+    for (const std::string& condition : conditions) {
+        auto run = runCondition(database, actor, request, *study, condition);
+        if (!run)
+            return tl::unexpected(run.error());
+        report.runs.push_back(std::move(*run));
+        if (!report.runs.back().completed)
+            break;
+    }
+    auto now = openStudy(database, actor, request.study, request.participantCode);
+    if (!now)
+        return tl::unexpected(now.error());
+    report.completed = openConditions(*now).empty();
+    return report;
+}
+
+} // namespace chiron::session

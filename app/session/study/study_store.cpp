@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study/study_store.h"
+
+#include "catalogue/study_reader.h"
+#include "core/random.h"
+#include "database/repositories/study_reader.h"
+#include "database/repositories/study_repository.h"
+#include "psychophysics/designs/latin_square.h"
+#include "session/study/study_progress.h"
+
+#include <algorithm>
+
+namespace chiron::session {
+
+namespace {
+
+bool hasRun(const OpenedStudy& study, const std::string& condition, database::StudyRunState state) {
+    return std::any_of(study.runs.begin(), study.runs.end(),
+                       [&](const database::StudyRun& run) { return run.condition == condition && run.state == state; });
+}
+
+} // namespace
+
+core::Result<OpenedStudy> openStudy(database::Database& database, const database::Actor& actor, database::StudyNumber number,
+                                    const std::string& participantCode) {
+    auto connection = database.openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    database::StudyReader reader(**connection, actor);
+    OpenedStudy study;
+    auto record = reader.study(number);
+    if (!record)
+        return tl::unexpected(record.error());
+    study.record = std::move(*record);
+    if (study.record.summary.state == database::StudyState::draft)
+        return core::fail(core::ErrorCode::wrongUse, "study " + std::to_string(number) + " is a draft: it is frozen before anybody takes part");
+    auto design = catalogue::readStudy(QByteArray::fromStdString(study.record.designJson), "study " + std::to_string(number));
+    if (!design)
+        return tl::unexpected(design.error());
+    study.design = std::move(*design);
+    auto participant = reader.participantByCode(number, participantCode);
+    if (!participant)
+        return tl::unexpected(participant.error());
+    study.participant = std::move(*participant);
+    auto runs = reader.runs(study.participant.id);
+    if (!runs)
+        return tl::unexpected(runs.error());
+    study.runs = std::move(*runs);
+    for (const int index : psychophysics::orderFor(study.design.order, static_cast<int>(study.design.conditions.size()),
+                                                   study.participant.order, study.design.seed))
+        study.order.push_back(study.design.conditions[static_cast<std::size_t>(index)].id);
+    return study;
+}
+
+std::vector<std::string> openConditions(const OpenedStudy& study) {
+    std::vector<std::string> open;
+    for (const std::string& condition : study.order)
+        if (!hasRun(study, condition, database::StudyRunState::completed))
+            open.push_back(condition);
+    return open;
+}
+
+std::string sessionLabel(const OpenedStudy& study, const std::string& sealedCode) {
+    return study.design.blindExperimenter && !study.record.summary.unblinded ? sealedCode : std::string();
+}
+
+core::Result<void> sameTable(const database::StudyRun& run, double limit) {
+    if (limit < StudyProgress::limitOf(run.procedures))
+        return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run.id) +
+                                                         " was begun on a device that renders larger differences: it goes on with such a one alone");
+    return {};
+}
+
+std::optional<database::StudyRun> openRun(const OpenedStudy& study, const std::string& condition) {
+    for (const database::StudyRun& run : study.runs)
+        if (run.condition == condition && run.state == database::StudyRunState::open)
+            return run;
+    return std::nullopt;
+}
+
+core::Result<std::vector<database::StudyTrial>> trialsOf(database::Database& database, const database::Actor& actor,
+                                                         database::StudyRunNumber run) {
+    auto connection = database.openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    return database::StudyReader(**connection, actor).studyTrials(run);
+}
+
+core::Result<database::StudyRun> beginRun(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
+                                          const std::string& condition, std::uint64_t seed, const std::string& procedures) {
+    database::NewStudyRun run;
+    run.participant = study.participant.id;
+    run.condition = condition;
+    run.position = static_cast<int>(std::find(study.order.begin(), study.order.end(), condition) - study.order.begin());
+    run.seed = seed;
+    run.procedures = procedures;
+    auto number = database.write(
+        [&](database::WriteContext& context) { return database::StudyRepository(context.connection(), actor).beginRun(run); });
+    if (!number)
+        return tl::unexpected(number.error());
+    auto now = openStudy(database, actor, study.record.summary.id, study.participant.code);
+    if (!now)
+        return tl::unexpected(now.error());
+    auto begun = openRun(*now, condition);
+    if (!begun || begun->id != *number)
+        return core::fail(core::ErrorCode::storage, "run " + std::to_string(*number) + " was begun, but is not open");
+    return std::move(*begun);
+}
+
+core::Result<void> storeTrial(database::Database& database, const database::Actor& actor, const database::StudyTrial& trial) {
+    return database.write(
+        [&](database::WriteContext& context) { return database::StudyRepository(context.connection(), actor).storeStudyTrial(trial); });
+}
+
+core::Result<void> finishRun(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
+                             database::StudyRunNumber run) {
+    auto ended = database.write([&](database::WriteContext& context) {
+        return database::StudyRepository(context.connection(), actor).finishRun(run, database::StudyRunState::completed);
+    });
+    if (!ended)
+        return ended;
+    auto now = openStudy(database, actor, study.record.summary.id, study.participant.code);
+    if (!now || !openConditions(*now).empty())
+        return now ? core::Result<void>() : tl::unexpected(now.error());
+    return database.write([&](database::WriteContext& context) {
+        return database::StudyRepository(context.connection(), actor).completeParticipant(study.participant.id);
+    });
+}
+
+std::uint64_t runSeed(const OpenedStudy& study, const std::string& condition) {
+    return core::Random::mix(study.design.seed, "run " + study.participant.code + " " + condition) >> 1; // SQLite's integers have a sign
+}
+
+} // namespace chiron::session

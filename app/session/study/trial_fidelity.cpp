@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study/trial_fidelity.h"
+
+#include "session/study/fidelity_sample.h"
+#include "simulation/exercises/comparison/comparison_scene.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <cmath>
+
+namespace chiron::session {
+
+namespace {
+
+QJsonValue number(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(); }
+
+QJsonObject placeJson(const PlaceFidelity& p) {
+    return {{"place", p.place},
+            {"asked", number(p.asked)},
+            {"rendered", number(p.rendered)},
+            {"standard_error", number(p.standardError)},
+            {"contacts", p.contacts},
+            {"contact_s", number(p.contact_s)},
+            {"peak_force_N", number(p.peakForce_N)},
+            {"mean_speed_m_per_s", number(p.meanSpeed_m_per_s)},
+            {"terminal_force_N", number(p.terminalForce_N)}};
+}
+
+template <class Whole> Whole whole(double value) noexcept { return static_cast<Whole>(value + 0.5); }
+
+} // namespace
+
+std::string fidelityJson(const TrialFidelity& f) {
+    QJsonArray places;
+    for (const PlaceFidelity& place : f.places)
+        places.append(placeJson(place));
+    const QJsonObject json{{"force_error_rms_N", number(f.forceErrorRms_N)},
+                           {"measured", f.measured},
+                           {"late_ticks", number(f.lateTicks)},
+                           {"worst_lateness_us", number(f.worstLateness_us)},
+                           {"saturated", number(f.saturated)},
+                           {"duration_s", number(f.duration_s)},
+                           {"peak_force_N", number(f.peakForce_N)},
+                           {"mean_speed_m_per_s", number(f.meanSpeed_m_per_s)},
+                           {"contacts", f.contacts},
+                           {"stiffness_error", number(f.stiffnessError)},
+                           {"places", places},
+                           {"outside", QString::fromStdString(f.outside)}};
+    return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString(); // QJsonObject keeps its keys sorted
+}
+
+FidelitySample fidelitySampleOf(const core::HapticFrame& frame) noexcept {
+    namespace q = simulation::comparison_quantity;
+    const core::TickHeader& header = frame.header;
+    const core::ToolFrame& tool = frame.tool[0];
+    FidelitySample out;
+    out.tick = header.index;
+    out.now_ns = header.now_ns;
+    out.events = header.events;
+    out.guards = header.guards;
+    out.trial = header.trial;
+    out.phase = header.phase;
+    out.paused = header.paused;
+    out.full = header.force == core::ForceState::on;
+    out.measures = (tool.status & core::sample_status::kMeasuredForce) != 0;
+    out.saturated = (tool.status & core::sample_status::kSaturated) != 0 || (header.guards & core::guard_bits::kCap) != 0;
+    out.place = whole<std::uint8_t>(header.quantities[q::kPlace]);
+    out.touched = whole<std::uint8_t>(header.quantities[q::kTouched]);
+    out.candidate = whole<std::uint16_t>(header.quantities[q::kCandidate]);
+    out.arrangement = whole<std::uint16_t>(header.quantities[q::kArrangement]);
+    out.answer = whole<std::uint16_t>(header.quantities[q::kAnswer]);
+    out.displacement_m = header.quantities[q::kDisplacement];
+    out.depth_m = header.quantities[q::kDepth];
+    for (std::size_t i = 0; i < 3; ++i) {
+        out.velocity_m_per_s[i] = header.quantities[q::kVelocity + i];
+        out.commanded_N[i] = tool.commanded[i];
+        out.measured_N[i] = tool.measured[i];
+    }
+    return out;
+}
+
+} // namespace chiron::session

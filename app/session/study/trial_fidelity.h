@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace chiron::session {
+
+/// What a participant really felt at one place in one trial, from the stored frames.
+struct PlaceFidelity {
+    int place = 0;
+    double asked = 0.0; ///< the attribute's value there, SI
+    /// The same as rendered, by regression of measured force (commanded, where a device measures none) on displacement or velocity: N/m, kg,
+    /// N·s/m, μ; NaN where it was hardly touched.
+    double rendered = std::numeric_limits<double>::quiet_NaN();
+    double standardError = std::numeric_limits<double>::quiet_NaN();
+    int contacts = 0;
+    double contact_s = 0.0;
+    double peakForce_N = 0.0;
+    double meanSpeed_m_per_s = 0.0;
+    double terminalForce_N = 0.0; ///< largest, averaged over contacts (Fu et al. 2017: what stiffness is judged by)
+};
+
+/// Device fidelity and exploration of one trial (psychophysics.md §3.2).
+struct TrialFidelity {
+    double forceErrorRms_N = 0.0; ///< commanded against measured, in contact; 0 with `measured` false
+    bool measured = false;        ///< whether the device measures force
+    double lateTicks = 0.0;       ///< share
+    double worstLateness_us = 0.0;
+    double saturated = 0.0;       ///< share of contact ticks
+    double duration_s = 0.0;
+    double peakForce_N = 0.0;
+    double meanSpeed_m_per_s = 0.0;
+    int contacts = 0;
+    double stiffnessError = 0.0;  ///< largest |rendered/asked − 1| of places with a usable estimate
+    std::vector<PlaceFidelity> places;
+    std::string outside;          ///< empty, or the first limit that was passed: the word stored as `spoiled`
+};
+
+/// As canonical JSON: keys sorted, no spaces; what is not a number is null.
+std::string fidelityJson(const TrialFidelity& fidelity);
+
+} // namespace chiron::session

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/bids_motion.h"
+#include "session/study_export.h"
+#include "session/study_export_tables.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace chiron::session {
+
+namespace {
+
+using database::StudyTrial;
+
+QString english(const psychophysics::StudyText& words) {
+    const auto found = words.find("en");
+    return found == words.end() ? QString() : QString::fromStdString(found->second);
+}
+
+QString taskWords(psychophysics::Task task) {
+    const std::string_view word = psychophysics::token(task);
+    return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
+}
+
+/// The columns of a table without the first, which say whose it is: BIDS says that by names of files, and by participant_id.
+ExportTable asParticipants(const ExportTable& table) {
+    ExportTable result{table.name, table.description, {{"participant_id", "", "sub- and the participant's random code"}}, {}};
+    result.columns.insert(result.columns.end(), table.columns.begin() + 2, table.columns.end());
+    for (const QStringList& row : table.rows)
+        result.rows.push_back(QStringList{QStringLiteral("sub-") + bidsLabel(row[1])} + row.mid(2));
+    return result;
+}
+
+core::Result<void> writeTable(NewFolder& folder, const QString& stem, const ExportTable& table, const QJsonObject& head) {
+    QJsonObject json = sidecarOf(table);
+    for (auto it = head.begin(); it != head.end(); ++it)
+        json.insert(it.key(), it.value());
+    if (auto written = folder.write(stem + ".tsv", tsvOf(table)); !written)
+        return written;
+    return folder.write(stem + ".json", QJsonDocument(json).toJson());
+}
+
+core::Result<void> writeRun(NewFolder& folder, const StudyExportData& data, const ExportedRun& run, const BidsRecording& recording) {
+    ExportTable table{"beh", "every presentation of the run", trialColumns(), {}};
+    for (const StudyTrial& trial : run.trials)
+        table.rows.push_back(trialCells(data, run, trial));
+    const auto& e = run.estimate;
+    const bool sameWay = !data.blinded || data.oneTask;
+    const auto number = [](double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue("n/a"); };
+    const QJsonObject estimate{{"weber", number(e.weber)}, {"weber_low", number(e.weber95.low)}, {"weber_high", number(e.weber95.high)},
+                               {"sigma_log10", number(e.sigma_log10)}, {"criterion", sameWay ? QJsonValue(e.criterion) : QJsonValue("n/a")},
+                               {"method", sameWay ? QString::fromStdString(e.method) : kNotAvailable}};
+    QJsonObject head{{"TaskName", recording.task}, {"TaskDescription", recording.taskDescription}, {"ProtocolSHA256", data.sha256()},
+                     {"Instructions", english(data.design->instructions)}, {"Estimate", estimate}};
+    if (!data.blinded) {
+        const auto& stimulus = run.condition->stimulus;
+        const std::string_view attribute = psychophysics::token(stimulus.attribute), unit = psychophysics::unitOf(stimulus.attribute);
+        head.insert("Attribute", QString::fromUtf8(attribute.data(), static_cast<qsizetype>(attribute.size())));
+        head.insert("Reference", stimulus.reference);
+        head.insert("ReferenceUnits", QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())));
+    }
+    return writeTable(folder, QStringLiteral("sub-%1/beh/%2%3_beh").arg(recording.subject, recording.stem(), recording.tail()), table, head);
+}
+
+/// The recordings of a run, one a sitting. Erased ones, and those that the actor may not read, are left out.
+core::Result<void> writeSittings(NewFolder& folder, database::Connection& connection, const database::Actor& actor, const ExportedRun& run, BidsRecording recording) {
+    std::vector<database::SessionId> sessions;
+    for (const StudyTrial& trial : run.trials)
+        if (trial.session > 0 && std::find(sessions.begin(), sessions.end(), trial.session) == sessions.end())
+            sessions.push_back(trial.session);
+    for (std::size_t i = 0; i < sessions.size(); ++i) {
+        auto session = StoredSession::open(connection, actor, sessions[i]);
+        if (!session) {
+            if (session.error().code == core::ErrorCode::notFound || session.error().code == core::ErrorCode::notAllowed)
+                continue;
+            return tl::unexpected(session.error());
+        }
+        std::vector<BidsEvent> events;
+        for (const StudyTrial& trial : run.trials)
+            if (trial.session == sessions[i])
+                events.push_back({trial.firstTick, trial.lastTick, trial.practice ? "practice" : trial.spoiled.empty() ? "trial" : "spoiled", QString::number(trial.ordinal)});
+        recording.acquisition = QStringLiteral("sitting%1").arg(i + 1);
+        if (auto written = writeBidsMotion(folder, **session, recording, events); !written)
+            return written;
+    }
+    return {};
+}
+
+core::Result<void> writeParticipants(NewFolder& folder, const StudyExportData& data) {
+    ExportTable table = asParticipants(participantsTable(data));
+    // Of participants without data there is no folder, and BIDS wants one for each line.
+    std::set<QString> withData;
+    for (const ExportedParticipant& each : data.participants)
+        if (std::any_of(each.runs.begin(), each.runs.end(), [](const ExportedRun& run) { return !run.trials.empty(); }))
+            withData.insert(QStringLiteral("sub-") + bidsLabel(QString::fromStdString(each.participant.code)));
+    std::erase_if(table.rows, [&](const QStringList& row) { return withData.count(row[0]) == 0; });
+    return writeTable(folder, "participants", table, {});
+}
+
+/// phenotype/ID.tsv: a line a participant, a column a question.
+core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData& data) {
+    for (const psychophysics::Questionnaire& questionnaire : data.design->questionnaires) {
+        ExportTable table{QString::fromStdString(questionnaire.id), english(questionnaire.title), {{"participant_id", "", "sub- and the participant's random code"}}, {}};
+        for (const auto& item : questionnaire.items)
+            if (item.kind != psychophysics::QuestionnaireItem::Kind::text)
+                table.columns.push_back({QString::fromStdString(item.id), "", english(item.text)});
+        for (const ExportedParticipant& each : data.participants) {
+            std::map<QString, QString> given;
+            for (const auto& answer : data.answers)
+                if (answer.participant == each.participant.id && answer.questionnaire == questionnaire.id && answer.number)
+                    given[QString::fromStdString(answer.item)] = exportNumber(*answer.number);
+            if (given.empty() || each.runs.empty())
+                continue;
+            QStringList row{QStringLiteral("sub-") + bidsLabel(QString::fromStdString(each.participant.code))};
+            for (std::size_t i = 1; i < table.columns.size(); ++i)
+                row << (given.count(table.columns[i].name) > 0 ? given.at(table.columns[i].name) : kNotAvailable);
+            table.rows.push_back(row);
+        }
+        if (table.rows.empty())
+            continue;
+        if (auto written = writeTable(folder, QStringLiteral("phenotype/") + table.name, table, {{"MeasurementToolMetadata", QJsonObject{{"Description", table.description}}}}); !written)
+            return written;
+    }
+    return {};
+}
+
+core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data) {
+    const QString blinded = data.blinded ? QStringLiteral("The study is blinded: conditions go by sealed codes; what would tell them apart (values, orders, procedures, forces and motion, the protocol itself) is left out.\n")
+                                         : QStringLiteral("sourcedata/design.json is the frozen protocol.\n");
+    const QJsonObject description{{"Name", english(data.design->title)}, {"BIDSVersion", "1.9.0"}, {"DatasetType", "raw"}, {"ProtocolSHA256", data.sha256()},
+                                  {"Authors", QJsonArray{"n/a"}}, {"GeneratedBy", QJsonArray{QJsonObject{{"Name", "Chiron"}}}}};
+    if (!data.blinded) // orders and tables in it would tell which code is which
+        if (auto written = folder.write(QStringLiteral("sourcedata/design.json"), QByteArray::fromStdString(data.record.designJson)); !written)
+            return written;
+    for (const auto& [name, bytes] :
+         {std::pair{QStringLiteral("dataset_description.json"), QJsonDocument(description).toJson()},
+          {QStringLiteral("README"), QStringLiteral("%1\n\n%2\n\nFrozen protocol: SHA-256 %3.\nParticipants go by random codes; names, free text and clock times are not part of it.\n%4")
+                                         .arg(english(data.design->title), english(data.design->objective), data.sha256(), blinded).toUtf8()}})
+        if (auto written = folder.write(name, bytes); !written)
+            return written;
+    if (auto written = writeParticipants(folder, data); !written)
+        return written;
+    return writeQuestionnaires(folder, data);
+}
+
+} // namespace
+
+core::Result<void> exportStudyBids(database::StudyReader& reader, database::Connection& connection, const database::Actor& actor,
+                                   database::StudyNumber study, const std::filesystem::path& folder) {
+    auto made = NewFolder::begin(folder);
+    if (!made)
+        return tl::unexpected(made.error());
+    const auto data = gatherStudy(reader, study);
+    if (!data)
+        return tl::unexpected(data.error());
+    if (auto written = writeHead(*made, *data); !written)
+        return written;
+    for (const ExportedParticipant& each : data->participants) {
+        for (const ExportedRun& run : each.runs) {
+            if (run.trials.empty())
+                continue;
+            BidsRecording recording{bidsLabel(QString::fromStdString(each.participant.code)), bidsLabel(run.label), {}, run.index, {}, data->sha256()};
+            recording.taskDescription = data->blinded ? (data->oneTask ? taskWords(run.condition->task) : QStringLiteral("sealed")) : english(run.condition->title);
+            if (auto written = writeRun(*made, *data, run, recording); !written)
+                return written;
+            if (data->blinded)
+                continue;
+            if (auto written = writeSittings(*made, connection, actor, run, recording); !written)
+                return written;
+        }
+    }
+    return made->commit();
+}
+
+} // namespace chiron::session

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study_export_data.h"
+
+#include "catalogue/study_reader.h"
+
+#include <algorithm>
+#include <map>
+
+namespace chiron::session {
+
+namespace {
+
+using database::StudyTrial;
+
+/// What the conditions do not share would tell them apart.
+void compareConditions(StudyExportData& data) {
+    const auto& conditions = data.design->conditions;
+    for (const psychophysics::Condition& each : conditions) {
+        data.oneTask = data.oneTask && each.task == conditions.front().task;
+        data.oneTable = data.oneTable && each.stimulus.differences == conditions.front().stimulus.differences;
+    }
+}
+
+/// Codes are random, so that neither the order of enrolment nor that of the runs shows in a table.
+void sortByCodes(StudyExportData& data) {
+    std::sort(data.participants.begin(), data.participants.end(),
+              [](const auto& a, const auto& b) { return a.participant.code < b.participant.code; });
+    for (ExportedParticipant& each : data.participants)
+        std::stable_sort(each.runs.begin(), each.runs.end(), [](const auto& a, const auto& b) { return a.label < b.label; });
+}
+
+core::Result<void> addRuns(database::StudyReader& reader, const StudyExportData& data, ExportedParticipant& participant) {
+    auto runs = reader.runs(participant.participant.id);
+    if (!runs)
+        return tl::unexpected(runs.error());
+    std::map<std::string, int> counts;
+    for (database::StudyRun& run : *runs) {
+        const auto& conditions = data.design->conditions;
+        const auto found = std::find_if(conditions.begin(), conditions.end(), [&](const auto& c) { return c.id == run.condition; });
+        if (found == conditions.end())
+            return core::fail(core::ErrorCode::badInput, "run " + std::to_string(run.id) + ": its condition is not in the frozen design");
+        auto trials = reader.studyTrials(run.id);
+        if (!trials)
+            return tl::unexpected(trials.error());
+        ExportedRun exported;
+        exported.condition = &*found;
+        exported.label = QString::fromStdString(data.blinded ? run.sealedCode : run.condition);
+        exported.index = ++counts[run.condition];
+        exported.estimate = psychophysics::estimateRun(*found, scoredTrialsOf(*trials), run.seed);
+        exported.trials = std::move(*trials);
+        exported.run = std::move(run);
+        participant.runs.push_back(std::move(exported));
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<psychophysics::ScoredTrial> scoredTrialsOf(const std::vector<StudyTrial>& trials) {
+    std::vector<psychophysics::ScoredTrial> scored;
+    for (const StudyTrial& trial : trials) {
+        if (trial.practice || trial.undone || !trial.spoiled.empty() || (trial.answer < 0 && !trial.value))
+            continue;
+        scored.push_back({trial.procedure, trial.arrangement, trial.answer, trial.outcome, trial.difference, trial.value});
+    }
+    return scored;
+}
+
+core::Result<StudyExportData> gatherStudy(database::StudyReader& reader, database::StudyNumber study) {
+    StudyExportData data;
+    auto record = reader.study(study);
+    if (!record)
+        return tl::unexpected(record.error());
+    data.record = std::move(*record);
+    if (data.record.summary.state == database::StudyState::draft || data.record.summary.sha256.empty())
+        return core::fail(core::ErrorCode::wrongUse, "study \"" + data.record.summary.key + "\": a draft has no data; expected a frozen study");
+    auto design = catalogue::readStudy(QByteArray::fromStdString(data.record.designJson), data.record.summary.key);
+    if (!design)
+        return tl::unexpected(design.error());
+    data.design = std::make_unique<psychophysics::StudyDesign>(std::move(*design));
+    data.blinded = data.design->blindExperimenter && !data.record.summary.unblinded;
+    compareConditions(data);
+    auto participants = reader.participants(study);
+    auto answers = reader.questionnaireAnswers(study);
+    if (!participants || !answers)
+        return tl::unexpected(participants ? answers.error() : participants.error());
+    data.answers = std::move(*answers);
+    for (database::Participant& participant : *participants) {
+        ExportedParticipant exported{std::move(participant), {}};
+        if (auto added = addRuns(reader, data, exported); !added)
+            return tl::unexpected(added.error());
+        data.participants.push_back(std::move(exported));
+    }
+    if (data.blinded)
+        sortByCodes(data);
+    return data;
+}
+
+} // namespace chiron::session

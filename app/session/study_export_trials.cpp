@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study_export_tables.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <cmath>
+#include <limits>
+
+namespace chiron::session {
+
+namespace {
+
+using database::StudyTrial;
+
+const std::vector<std::pair<QString, QString>> kYesNo{{"1", "yes"}, {"0", "no"}};
+constexpr int kPlaces = 3;
+
+std::vector<ExportColumn> stimulusColumns() {
+    return {{"ordinal", "1", "presentation within the run, from 0, every one counted"},
+            {"practice", "", "at the largest difference, with feedback, never scored", kYesNo},
+            {"scored", "", "counts for the procedure and the estimate", kYesNo},
+            {"spoiled", "", "why it does not count; n/a where it does",
+             {{"force_error", "force was not what was asked"}, {"stiffness_error", "the attribute was rendered wrongly"}, {"late_ticks", "the loop was late too often"},
+              {"saturation", "force at its limit too long"}, {"speed", "explored too fast"}, {"peak_force", "pressed too hard"}, {"time", "time limit"},
+              {"untouched", "a place was not touched"}, {"experimenter", "by the experimenter"}, {"stopped", "the run was stopped"}}},
+            {"procedure", "1", "which of the condition's interleaved procedures, from 0; n/a while blinded"},
+            {"candidate", "1", "row of the design's table of differences, from 0; n/a while blinded"},
+            {"arrangement", "1", "how the multiples of the difference lay on the places, counted as the task's arrangements; n/a while blinded where conditions differ in the task"},
+            {"places", "", "multiples of the difference from left to right, separated by |: 0 the reference; n/a as arrangement"},
+            {"difference", "log10", "difference D presented: a place with multiple m held reference * 10^(m D); n/a while blinded where conditions differ in the table"},
+            {"value_1", "SI", "the attribute's value at the first place; n/a while blinded"},
+            {"value_2", "SI", "at the second place"},
+            {"value_3", "SI", "at the third place"},
+            {"entropy_margin", "nat", "by how much the second best stimulus was worse for the procedure; n/a where it weighs none, and while blinded"}};
+}
+
+std::vector<ExportColumn> answerColumns() {
+    return {{"response", "1", "answer: rank3 the order said (counted as arrangements), 2afc, 3afc, oddity the place from 0, same_different 0 same 1 different, yes_no 0 no 1 yes"},
+            {"correct", "", "the answer was right; n/a where none is", kYesNo},
+            {"outcome", "1", "what the procedure was told: rank3 0..5, 0 all correct; others 1 right (yes), 0 wrong (no)"},
+            {"value", "", "a number said (magnitude), or the value set in SI (adjustment; n/a while blinded)"},
+            {"exploration_time", "s", "until the answer"},
+            {"response_time", "s", "from the last contact to the answer"}};
+}
+
+std::vector<ExportColumn> fidelityColumns() {
+    std::vector<ExportColumn> columns{{"force_measured", "", "the device measures force", kYesNo},
+                                      {"force_error_rms", "N", "commanded against measured force in contact, RMS"},
+                                      {"late_ticks", "1", "share of ticks that were late"},
+                                      {"worst_lateness", "us", "of a tick"},
+                                      {"saturated", "1", "share of contact ticks with the force at its limit"},
+                                      {"duration", "s", "of the presentation"},
+                                      {"peak_force", "N", "largest force; n/a while blinded"},
+                                      {"mean_speed", "m/s", "of the tool in contact"},
+                                      {"contacts", "1", "number of contacts"},
+                                      {"rendering_error", "1", "largest |rendered/asked - 1| of places with a usable estimate"}};
+    for (int place = 1; place <= kPlaces; ++place) {
+        const QString end = QStringLiteral("_%1").arg(place);
+        columns.push_back({"rendered" + end, "SI", QStringLiteral("the attribute as rendered at place %1, by regression of force on motion; n/a while blinded").arg(place)});
+        columns.push_back({"contacts" + end, "1", QStringLiteral("contacts at place %1").arg(place)});
+        columns.push_back({"peak_force" + end, "N", QStringLiteral("largest force at place %1; n/a while blinded").arg(place)});
+        columns.push_back({"terminal_force" + end, "N", QStringLiteral("largest force of each contact at place %1, averaged; n/a while blinded").arg(place)});
+    }
+    return columns;
+}
+
+/// Whether what hangs on the task may be written: while blinded only if all conditions have the same.
+bool tellsTask(const StudyExportData& data) { return !data.blinded || data.oneTask; }
+
+bool isScored(const StudyTrial& trial) {
+    return !trial.practice && !trial.undone && trial.spoiled.empty() && (trial.answer >= 0 || trial.value);
+}
+
+void addStimulus(QStringList& cells, const StudyExportData& data, const ExportedRun& run, const StudyTrial& trial) {
+    const auto& all = psychophysics::arrangements(run.condition->task);
+    const bool known = trial.arrangement >= 0 && static_cast<std::size_t>(trial.arrangement) < all.size();
+    const psychophysics::Places places = known ? all[static_cast<std::size_t>(trial.arrangement)] : psychophysics::Places{};
+    QStringList multiples;
+    for (const int multiple : places)
+        multiples << QString::number(multiple);
+    cells << QString::number(trial.ordinal) << exportFlag(trial.practice) << exportFlag(isScored(trial))
+          << (trial.spoiled.empty() ? kNotAvailable : QString::fromStdString(trial.spoiled));
+    const bool tasks = tellsTask(data), tables = !data.blinded || data.oneTable;
+    cells << (data.blinded ? kNotAvailable : QString::number(trial.procedure)) << (data.blinded ? kNotAvailable : QString::number(trial.candidate))
+          << (tasks ? QString::number(trial.arrangement) : kNotAvailable) << (tasks && known ? multiples.join(u'|') : kNotAvailable)
+          << (tables ? exportNumber(trial.difference) : kNotAvailable);
+    for (std::size_t place = 0; place < kPlaces; ++place)
+        cells << (place < places.size() && !data.blinded
+                      ? exportNumber(run.condition->stimulus.reference * std::pow(10.0, places[place] * trial.difference))
+                      : kNotAvailable);
+    cells << (data.blinded ? kNotAvailable : exportNumber(trial.entropyMargin));
+}
+
+void addAnswer(QStringList& cells, const StudyExportData& data, const ExportedRun& run, const StudyTrial& trial) {
+    const int right = psychophysics::correctAnswer(run.condition->task, trial.arrangement);
+    const bool tells = tellsTask(data);
+    const auto index = [tells](int value) { return value < 0 || !tells ? kNotAvailable : QString::number(value); };
+    const bool physical = run.condition->task == psychophysics::Task::adjustment;
+    cells << index(trial.answer) << (right < 0 || trial.answer < 0 ? kNotAvailable : exportFlag(trial.answer == right)) << index(trial.outcome)
+          << (trial.value && tells && !(data.blinded && physical) ? exportNumber(*trial.value) : kNotAvailable) << exportNumber(trial.exploration_s) << exportNumber(trial.answer_s);
+}
+
+void addFidelity(QStringList& cells, const StudyExportData& data, const StudyTrial& trial) {
+    const QJsonObject fidelity = QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object();
+    const auto number = [](const QJsonObject& json, const char* key) {
+        return exportNumber(json.value(QLatin1String(key)).toDouble(std::numeric_limits<double>::quiet_NaN()));
+    };
+    cells << (fidelity.contains("measured") ? exportFlag(fidelity["measured"].toBool()) : kNotAvailable);
+    for (const char* key : {"force_error_rms_N", "late_ticks", "worst_lateness_us", "saturated", "duration_s", "peak_force_N", "mean_speed_m_per_s", "contacts", "stiffness_error"})
+        cells << (data.blinded && QLatin1String(key) == QLatin1String("peak_force_N") ? kNotAvailable : number(fidelity, key));
+    const QJsonArray places = fidelity["places"].toArray();
+    for (int place = 0; place < kPlaces; ++place) {
+        QJsonObject at;
+        for (const QJsonValue& each : places)
+            if (each["place"].toInt(-1) == place)
+                at = each.toObject();
+        cells << (data.blinded ? kNotAvailable : number(at, "rendered"));
+        cells << number(at, "contacts");
+        for (const char* key : {"peak_force_N", "terminal_force_N"})
+            cells << (data.blinded ? kNotAvailable : number(at, key)); // forces tell hard from soft
+    }
+}
+
+} // namespace
+
+std::vector<ExportColumn> trialColumns() {
+    std::vector<ExportColumn> columns = stimulusColumns();
+    for (auto part : {answerColumns(), fidelityColumns()})
+        columns.insert(columns.end(), part.begin(), part.end());
+    return columns;
+}
+
+QStringList trialCells(const StudyExportData& data, const ExportedRun& run, const StudyTrial& trial) {
+    QStringList cells;
+    addStimulus(cells, data, run, trial);
+    addAnswer(cells, data, run, trial);
+    addFidelity(cells, data, trial);
+    return cells;
+}
+
+} // namespace chiron::session

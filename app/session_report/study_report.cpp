@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session_report/study_report.h"
+
+#include "catalogue/study_reader.h"
+#include "report/page_writer.h"
+#include "session_report/study_report_blocks.h"
+#include "session_report/study_report_text.h"
+#include "session_report/study_report_words.h"
+
+namespace chiron::session_report {
+
+namespace {
+
+core::Result<StudyReportData> dataOf(database::StudyReader& reader, database::StudyNumber study, const std::string& language) {
+    auto record = reader.study(study);
+    if (!record)
+        return tl::unexpected(record.error());
+    if (record->summary.state == database::StudyState::draft)
+        return core::fail(core::ErrorCode::wrongUse, "study " + std::to_string(study) + ": is a draft; a report is of a frozen study");
+    auto design = catalogue::readStudy(QByteArray::fromStdString(record->designJson), "study " + std::to_string(study));
+    if (!design)
+        return tl::unexpected(design.error());
+    auto analysis = session::analyseStudy(reader, study, design->seed);
+    if (!analysis)
+        return tl::unexpected(analysis.error());
+    auto participants = reader.participants(study);
+    if (!participants)
+        return tl::unexpected(participants.error());
+    auto sealed = reader.sealedConditions(study);
+    if (!sealed)
+        return tl::unexpected(sealed.error());
+    auto answers = reader.questionnaireAnswers(study);
+    if (!answers)
+        return tl::unexpected(answers.error());
+    return StudyReportData{std::move(*analysis), std::move(*participants), std::move(*sealed), std::move(*answers), language};
+}
+
+} // namespace
+
+core::Result<void> writeStudyReport(const QString& path, database::StudyReader& reader, database::StudyNumber study,
+                                    const report::PlotTheme& theme, const std::string& language) {
+    const auto data = dataOf(reader, study, language);
+    if (!data)
+        return tl::unexpected(data.error());
+    const database::StudySummary& summary = data->analysis.record.summary;
+    const QString key = QString::fromStdString(summary.key);
+    const QString sha256 = QString::fromStdString(summary.sha256);
+    report::PageFrame frame;
+    frame.heading = Words::tr("Study report");
+    frame.who = QStringLiteral("%1 · %2").arg(key, study_report_words::state(summary.state));
+    frame.proof = sha256;
+    frame.title = QStringLiteral("Chiron study report: %1, design %2").arg(key, sha256);
+    frame.creator = QStringLiteral("Chiron");
+    const StudyReportBlocks content(*data, theme, report::kPageBodyWidth);
+    return report::writePages(path, frame, content.blocks(), theme);
+}
+
+} // namespace chiron::session_report

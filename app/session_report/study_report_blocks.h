@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/block_maker.h"
+#include "session/study/study_analysis.h"
+
+#include <string>
+#include <vector>
+
+namespace chiron::session_report {
+
+/// What a study's report is made of.
+struct StudyReportData {
+    session::StudyAnalysis analysis;
+    std::vector<database::Participant> participants;
+    std::vector<database::SealedCondition> sealed; ///< in the design's order
+    std::vector<database::QuestionnaireAnswer> answers;
+    std::string language = "en"; ///< of the design's texts
+
+    /// Whether conditions go by sealed codes: then neither their design nor the order in which it lists them is told.
+    bool blind() const { return analysis.design.blindExperimenter && !analysis.record.summary.unblinded; }
+    /// Title, or sealed code, of a condition by its place in the design.
+    QString conditionName(std::size_t condition) const;
+    /// Places in the design in the order they are told: the design's; while blind by sealed code.
+    std::vector<std::size_t> conditionsInOrder() const;
+};
+
+/// Makes the blocks of a study's report, in reading order. GUI thread.
+class StudyReportBlocks : public report::BlockMaker {
+public:
+    StudyReportBlocks(const StudyReportData& data, const report::PlotTheme& theme, double width);
+
+private:
+    void addBanner();
+    void addTitle();
+    void addDesign();
+    void addConditions();
+    void addParticipants();
+    void addCondition(std::size_t condition);
+    void addGroup(std::size_t condition);
+    void addWeberPlot(const session::AnalysedCondition& condition);
+    void addRuns(std::size_t condition);
+    void addCurves(const session::AnalysedCondition& condition);
+    void addFidelity();
+    void addQuestionnaires();
+    QString answersTo(const std::string& questionnaire, const psychophysics::QuestionnaireItem& item) const;
+    void addMuted(const QString& text);
+
+    const StudyReportData& m_data;
+};
+
+} // namespace chiron::session_report

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far the numbers can be trusted, and what participants said.
+#include "session_report/study_report_blocks.h"
+#include "session_report/study_report_text.h"
+#include "session_report/study_report_words.h"
+
+#include <algorithm>
+#include <map>
+#include <qcustomplot.h>
+
+namespace chiron::session_report {
+
+namespace words = study_report_words;
+using psychophysics::QuestionnaireItem;
+
+namespace {
+
+double quantileOf(const std::vector<double>& sorted, double q) {
+    const double at = q * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(at);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+/// What one condition's runs have together.
+struct Tally {
+    int scored = 0;
+    int spoiled = 0;
+    int practice = 0;
+    int chosen = 0; ///< choices of procedures, run again from the log
+    int same = 0;
+    std::map<std::string, int> why;
+};
+
+Tally tallyOf(const session::AnalysedCondition& condition) {
+    Tally tally;
+    for (const session::AnalysedRun& run : condition.runs) {
+        tally.scored += run.scored;
+        tally.spoiled += run.spoiled;
+        tally.practice += run.practice;
+        tally.chosen += run.replayed.trials;
+        tally.same += run.replayed.same + run.replayed.ties;
+        for (const database::StudyTrial& trial : run.trials)
+            if (!trial.practice && !trial.spoiled.empty())
+                ++tally.why[trial.spoiled];
+    }
+    return tally;
+}
+
+} // namespace
+
+void StudyReportBlocks::addFidelity() {
+    addHeading(Words::tr("Fidelity"));
+    const QLocale& locale = m_theme.locale;
+    std::vector<std::vector<QString>> rows;
+    for (const std::size_t at : m_data.conditionsInOrder()) {
+        const Tally tally = tallyOf(m_data.analysis.conditions[at]);
+        QStringList why;
+        for (const auto& [token, count] : tally.why)
+            why << QStringLiteral("%1: %2").arg(words::spoiled(token), locale.toString(count));
+        rows.push_back({m_data.conditionName(at), locale.toString(tally.scored), locale.toString(tally.spoiled), locale.toString(tally.practice),
+                        m_data.blind() ? QStringLiteral("–") : why.join(QStringLiteral(" · ")), // "stiffness_error" would tell
+                        tally.chosen > 0 ? Words::tr("%1 of %2").arg(locale.toString(tally.same), locale.toString(tally.chosen)) : QStringLiteral("–")});
+    }
+    addTable({Words::tr("Condition"), Words::tr("Scored"), Words::tr("Repeated"), Words::tr("Practice"), Words::tr("Why repeated"),
+              Words::tr("Same choices again")},
+             rows, {0.25, 0.1, 0.11, 0.1, 0.27, 0.17}, {false, true, true, true, false, true});
+    const psychophysics::FidelityLimits& limits = m_data.analysis.design.fidelity;
+    addMuted(Words::tr("A trial is repeated when the force is off by more than %1 N, the felt value by more than %2, more than %3 of the ticks are late, "
+                       "or the device is at its limit in more than %4 of the contact.")
+                 .arg(words::number(limits.forceErrorRms_N, locale), words::percent(limits.stiffnessError, locale),
+                      words::percent(limits.lateTicks, locale), words::percent(limits.saturated, locale)));
+    addMuted(Words::tr("Same choices again: run again from its log, the procedure chose the same presentations."));
+}
+
+QString StudyReportBlocks::answersTo(const std::string& questionnaire, const QuestionnaireItem& item) const {
+    const QLocale& locale = m_theme.locale;
+    std::vector<double> numbers;
+    int texts = 0;
+    for (const database::QuestionnaireAnswer& answer : m_data.answers) {
+        if (answer.questionnaire != questionnaire || answer.item != item.id)
+            continue;
+        if (answer.number)
+            numbers.push_back(*answer.number);
+        else
+            texts += answer.text.empty() ? 0 : 1;
+    }
+    if (numbers.empty())
+        return texts == 0 ? Words::tr("No answers") : Words::tr("%n free text(s), in the exported tables", nullptr, texts);
+    std::sort(numbers.begin(), numbers.end());
+    if (item.kind != QuestionnaireItem::Kind::choice)
+        return Words::tr("Median %1, middle half %2 to %3, of %4")
+            .arg(words::number(quantileOf(numbers, 0.5), locale), words::number(quantileOf(numbers, 0.25), locale),
+                 words::number(quantileOf(numbers, 0.75), locale), locale.toString(static_cast<int>(numbers.size())));
+    QStringList counts;
+    for (std::size_t i = 0; i < item.choices.size(); ++i)
+        counts << QStringLiteral("%1: %2").arg(words::text(item.choices[i], m_data.language),
+                                               locale.toString(static_cast<int>(std::count(numbers.begin(), numbers.end(), static_cast<double>(i)))));
+    return counts.join(QStringLiteral(" · "));
+}
+
+void StudyReportBlocks::addQuestionnaires() {
+    for (const psychophysics::Questionnaire& questionnaire : m_data.analysis.design.questionnaires) {
+        addHeading(words::text(questionnaire.title, m_data.language));
+        std::vector<std::vector<QString>> rows;
+        for (const QuestionnaireItem& item : questionnaire.items) {
+            QString question = words::text(item.text, m_data.language);
+            if (item.kind == QuestionnaireItem::Kind::likert)
+                question += QStringLiteral(" (1 %1 … %2 %3)").arg(words::text(item.low, m_data.language), m_theme.locale.toString(item.scale),
+                                                                  words::text(item.high, m_data.language));
+            rows.push_back({question, answersTo(questionnaire.id, item)});
+        }
+        addTable({Words::tr("Question"), Words::tr("Answers")}, rows, {0.55, 0.45}, {false, false});
+    }
+}
+
+} // namespace chiron::session_report

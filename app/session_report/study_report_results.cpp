@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What came out of each condition: group, persons, curves.
+#include "session_report/study_report_blocks.h"
+#include "session_report/study_report_text.h"
+#include "session_report/study_report_words.h"
+
+#include <cmath>
+#include <qcustomplot.h>
+
+namespace chiron::session_report {
+
+namespace words = study_report_words;
+using report::PlotStyle;
+using report::PlotView;
+
+namespace {
+
+constexpr double kPercent = 100.0;
+constexpr double kWeberPlotHeight = 200.0;
+constexpr double kCurveHeight = 220.0;
+constexpr std::size_t kCurvesInRow = 2;
+
+std::vector<double> percentOf(const std::vector<double>& differences) {
+    std::vector<double> percents;
+    for (const double difference : differences)
+        percents.push_back(kPercent * (std::pow(10.0, difference) - 1.0));
+    return percents;
+}
+
+/// Proportion right over the difference of one run: data, fit, its 95 % band and the criterion.
+std::unique_ptr<PlotView> curvePlot(const session::AnalysedRun& run, const report::PlotTheme& theme) {
+    const psychophysics::RunEstimate& estimate = run.estimate;
+    auto plot = std::make_unique<PlotView>(theme);
+    plot->setTitle(QString::fromStdString(run.participant.code));
+    plot->setXAxis({Words::tr("Difference from the reference (%)"), {}, {}});
+    plot->setYAxis({Words::tr("Proportion right"), 0.0, 1.02});
+    const std::vector<double> x = percentOf(estimate.curveDifference);
+    if (!x.empty() && estimate.curveLow.size() == x.size() && estimate.curveHigh.size() == x.size()) {
+        plot->addLine(Words::tr("95 % band"), x, estimate.curveLow, PlotStyle::dashDotD);
+        plot->addLine({}, x, estimate.curveHigh, PlotStyle::dashDotD);
+    }
+    if (!x.empty())
+        plot->addLine(Words::tr("fit"), x, estimate.curveProportion, PlotStyle::solidA);
+    std::vector<report::PlotPoint> points;
+    for (const psychophysics::CurvePoint& point : estimate.points)
+        if (point.of > 0)
+            points.push_back({kPercent * (std::pow(10.0, point.difference) - 1.0), static_cast<double>(point.right) / point.of});
+    if (!points.empty())
+        plot->addMarkers(Words::tr("data"), points, PlotStyle::dashedB);
+    plot->addReference(Words::tr("criterion"), estimate.criterion);
+    return plot;
+}
+
+} // namespace
+
+void StudyReportBlocks::addCondition(std::size_t at) {
+    const session::AnalysedCondition& condition = m_data.analysis.conditions[at];
+    addHeading(m_data.conditionName(at));
+    if (condition.runs.empty())
+        return addMuted(Words::tr("Nobody has done this condition yet."));
+    addGroup(at);
+    addWeberPlot(condition);
+    addRuns(at);
+    if (!m_data.blind()) // their differences would tell conditions apart
+        addCurves(condition);
+}
+
+void StudyReportBlocks::addGroup(std::size_t at) {
+    const psychophysics::GroupEstimate& group = m_data.analysis.conditions[at].group;
+    const psychophysics::Attribute attribute = m_data.analysis.design.conditions[at].stimulus.attribute;
+    const QLocale& locale = m_theme.locale;
+    std::vector<std::pair<QString, QString>> pairs{
+        {Words::tr("Weber fraction of the group"), words::percent(group.weber, locale)},
+        {Words::tr("95 % interval"), words::intervalPercent(group.weber95.low, group.weber95.high, locale)},
+        {Words::tr("A further participant, 95 %"), words::intervalPercent(group.prediction95.low, group.prediction95.high, locale)},
+        {Words::tr("Participants used, left out"), QStringLiteral("%1, %2").arg(locale.toString(group.participants), locale.toString(group.leftOut))}};
+    if (!m_data.blind())
+        pairs.emplace_back(Words::tr("JND at the reference"), words::value(group.jnd, attribute, locale));
+    if (!m_data.blind() && std::isfinite(group.pse))
+        pairs.emplace_back(Words::tr("Point of equality"), words::value(group.pse, attribute, locale));
+    if (std::isfinite(group.exponent))
+        pairs.emplace_back(Words::tr("Exponent of the power law"), words::number(group.exponent, locale));
+    addPairs(pairs, 3);
+    for (const std::string& warning : group.warnings)
+        addMuted(QStringLiteral("! ") + words::warning(warning));
+}
+
+void StudyReportBlocks::addWeberPlot(const session::AnalysedCondition& condition) {
+    std::vector<QString> names;
+    std::vector<report::PlotPoint> points;
+    std::vector<double> spreads;
+    for (const session::AnalysedRun& run : condition.runs) {
+        const psychophysics::RunEstimate& estimate = run.estimate;
+        const double place = static_cast<double>(names.size());
+        names.push_back(QString::fromStdString(run.participant.code));
+        if (!std::isfinite(estimate.weber))
+            continue;
+        points.push_back({place, kPercent * estimate.weber});
+        spreads.push_back(0.5 * kPercent * (estimate.weber95.high - estimate.weber95.low));
+    }
+    if (points.empty())
+        return;
+    auto plot = std::make_unique<PlotView>(m_theme);
+    plot->setYAxis({Words::tr("Weber fraction (%)"), 0.0, {}});
+    plot->addMeans(Words::tr("estimate, half of its 95 % interval up and down"), points, spreads);
+    if (std::isfinite(condition.group.weber))
+        plot->addReference(Words::tr("group"), kPercent * condition.group.weber);
+    plot->setXCategories(names);
+    std::vector<std::unique_ptr<PlotView>> row;
+    row.push_back(std::move(plot));
+    addPlotRow(std::move(row), kWeberPlotHeight);
+}
+
+void StudyReportBlocks::addRuns(std::size_t at) {
+    const session::AnalysedCondition& condition = m_data.analysis.conditions[at];
+    const psychophysics::Attribute attribute = m_data.analysis.design.conditions[at].stimulus.attribute;
+    const QLocale& locale = m_theme.locale;
+    std::vector<std::vector<QString>> rows;
+    for (const session::AnalysedRun& run : condition.runs)
+        rows.push_back({QString::fromStdString(run.participant.code), words::percent(run.estimate.weber, locale),
+                        words::intervalPercent(run.estimate.weber95.low, run.estimate.weber95.high, locale),
+                        m_data.blind() ? QStringLiteral("–") : words::value(run.estimate.jnd, attribute, locale),
+                        locale.toString(run.scored), locale.toString(run.spoiled), words::runState(run.run.state)});
+    addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"), Words::tr("Scored"),
+              Words::tr("Repeated"), Words::tr("Run")},
+             rows, {0.14, 0.16, 0.2, 0.14, 0.11, 0.11, 0.14}, {false, true, true, true, true, true, false});
+    for (const session::AnalysedRun& run : condition.runs)
+        for (const std::string& warning : run.estimate.warnings)
+            addMuted(QStringLiteral("! %1: %2").arg(QString::fromStdString(run.participant.code), words::warning(warning)));
+}
+
+void StudyReportBlocks::addCurves(const session::AnalysedCondition& condition) {
+    std::vector<std::unique_ptr<PlotView>> row;
+    for (const session::AnalysedRun& run : condition.runs) {
+        if (run.estimate.curveDifference.empty() && run.estimate.points.empty())
+            continue;
+        row.push_back(curvePlot(run, m_theme));
+        if (row.size() < kCurvesInRow)
+            continue;
+        addPlotRow(std::move(row), kCurveHeight);
+        row.clear();
+    }
+    addPlotRow(std::move(row), kCurveHeight);
+}
+
+} // namespace chiron::session_report

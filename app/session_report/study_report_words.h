@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/repositories/study_types.h"
+#include "psychophysics/study/study_design.h"
+
+#include <QLocale>
+#include <QString>
+#include <string>
+#include <string_view>
+
+namespace chiron::session_report {
+
+/// Stored tokens and SI numbers of a study in the words and units of its printed report.
+namespace study_report_words {
+
+QString attribute(psychophysics::Attribute attribute);
+QString task(psychophysics::Task task);
+QString procedure(std::string_view kind);
+QString order(psychophysics::OrderDesign order);
+QString state(database::StudyState state);
+QString participantState(database::ParticipantState state);
+QString runState(database::StudyRunState state);
+QString spoiled(const std::string& token); ///< why a trial was repeated
+QString warning(const std::string& warning); ///< "token: words" without the token
+
+/// A number in three significant digits; a dash where it is none.
+QString number(double value, const QLocale& locale);
+QString percent(double ratio, const QLocale& locale);
+QString intervalPercent(double low, double high, const QLocale& locale); ///< a dash where one end is missing
+QString value(double si, psychophysics::Attribute attribute, const QLocale& locale);
+QString day(const std::string& utc, const QLocale& locale);
+/// In this language, else in English, else in any.
+QString text(const psychophysics::StudyText& text, const std::string& language);
+
+} // namespace study_report_words
+
+} // namespace chiron::session_report
