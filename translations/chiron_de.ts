@@ -639,6 +639,62 @@ Einzelheiten: %2</translation>
         <source>Bed: a soft organ, which gives way</source>
         <translation>Unterlage: ein weiches Organ, das nachgibt</translation>
     </message>
+    <message>
+        <source>Hands: two, two fingers each</source>
+        <translation>Hände: zwei, je zwei Finger</translation>
+    </message>
+    <message>
+        <source>Hands: two, one finger each</source>
+        <translation>Hände: zwei, je ein Finger</translation>
+    </message>
+    <message>
+        <source>Hands: one, two fingers side by side</source>
+        <translation>Hände: eine, zwei Finger nebeneinander</translation>
+    </message>
+    <message>
+        <source>Hands: one, one finger</source>
+        <translation>Hände: eine, ein Finger</translation>
+    </message>
+    <message>
+        <source>Lumps in a trial: %1</source>
+        <translation>Knoten je Durchgang: %1</translation>
+    </message>
+    <message>
+        <source>Lumps in a trial: one or none</source>
+        <translation>Knoten je Durchgang: einer oder keiner</translation>
+    </message>
+    <message>
+        <source>Lumps in a trial: none to %1</source>
+        <translation>Knoten je Durchgang: keiner bis %1</translation>
+    </message>
+    <message>
+        <source>Lumps in a trial: %1 to %2</source>
+        <translation>Knoten je Durchgang: %1 bis %2</translation>
+    </message>
+    <message>
+        <source>where it is</source>
+        <translation>wo er ist</translation>
+    </message>
+    <message>
+        <source>how large</source>
+        <translation>wie groß</translation>
+    </message>
+    <message>
+        <source>how hard</source>
+        <translation>wie hart</translation>
+    </message>
+    <message>
+        <source>how sure you are</source>
+        <translation>wie sicher Sie sind</translation>
+    </message>
+    <message>
+        <source>To be told of each finding: %1</source>
+        <translation>Zu jedem Fund anzugeben: %1</translation>
+    </message>
+    <message>
+        <source>Press with %1 to %2 N</source>
+        <translation>Mit %1 bis %2 N drücken</translation>
+    </message>
 </context>
 <context>
     <name>Metrics</name>
@@ -1066,6 +1122,478 @@ Einzelheiten: %2</translation>
         <source>the tension was never held</source>
         <translation>die Spannung wurde nie gehalten</translation>
     </message>
+    <message>
+        <source>Lumps found</source>
+        <translation>Gefundene Knoten</translation>
+    </message>
+    <message>
+        <source>Lumps that one of the findings was near enough to.</source>
+        <translation>Knoten, denen ein Fund nahe genug kam.</translation>
+    </message>
+    <message>
+        <source>Lumps missed</source>
+        <translation>Übersehene Knoten</translation>
+    </message>
+    <message>
+        <source>Lumps that no finding was near enough to.</source>
+        <translation>Knoten, denen kein Fund nahe genug kam.</translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation>Falsche Alarme</translation>
+    </message>
+    <message>
+        <source>Findings where there was no lump; a second one of the same lump counts too.</source>
+        <translation>Funde, wo kein Knoten war; ein zweiter desselben Knotens zählt auch.</translation>
+    </message>
+    <message>
+        <source>Sensitivity (d′)</source>
+        <translation>Empfindlichkeit (d′)</translation>
+    </message>
+    <message>
+        <source>How well places with a lump were told from places without, whether one rather says yes or no. 0 is chance.</source>
+        <translation>Wie gut Stellen mit und ohne Knoten unterschieden wurden, gleich ob man eher ja oder nein sagt. 0 ist Zufall.</translation>
+    </message>
+    <message>
+        <source>Criterion (c)</source>
+        <translation>Kriterium (c)</translation>
+    </message>
+    <message>
+        <source>Whether a lump is rather reported (negative) or rather not (positive) when in doubt.</source>
+        <translation>Ob im Zweifel eher ein Knoten gemeldet wird (negativ) oder eher nicht (positiv).</translation>
+    </message>
+    <message>
+        <source>Area under the ROC</source>
+        <translation>Fläche unter der ROC-Kurve</translation>
+    </message>
+    <message>
+        <source>How well confidence tells places with a lump from places without: 0.5 says nothing, 1 is perfect.</source>
+        <translation>Wie gut die Sicherheit Stellen mit und ohne Knoten unterscheidet: 0,5 sagt nichts, 1 ist vollkommen.</translation>
+    </message>
+    <message>
+        <source>Localisation error</source>
+        <translation>Lagefehler</translation>
+    </message>
+    <message>
+        <source>How far the findings lay from the lumps that they found, on the surface; the mean over all found.</source>
+        <translation>Wie weit die Funde auf der Oberfläche von ihren Knoten lagen; Mittel über alle gefundenen.</translation>
+    </message>
+    <message>
+        <source>Size error</source>
+        <translation>Größenfehler</translation>
+    </message>
+    <message>
+        <source>How far the radius that was said was from the true one; the mean over all lumps found whose size was said.</source>
+        <translation>Wie weit der angegebene Radius vom wahren abwich; Mittel über alle gefundenen Knoten mit angegebener Größe.</translation>
+    </message>
+    <message>
+        <source>Hardness order</source>
+        <translation>Reihenfolge der Härte</translation>
+    </message>
+    <message>
+        <source>Of the pairs of lumps found in a trial, how many had the harder one called harder, in %.</source>
+        <translation>Bei wie vielen Paaren gefundener Knoten eines Durchgangs der härtere auch härter genannt wurde, in %.</translation>
+    </message>
+    <message>
+        <source>Area covered</source>
+        <translation>Abgetastete Fläche</translation>
+    </message>
+    <message>
+        <source>How much of the search area was pressed hard enough to find something; the mean over the trials.</source>
+        <translation>Wie viel des Suchfelds fest genug gedrückt wurde, um etwas zu finden; Mittel über die Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Time in the force band</source>
+        <translation>Zeit im Kraftband</translation>
+    </message>
+    <message>
+        <source>For how much of the time pressing the force was neither too light nor too hard.</source>
+        <translation>In welchem Teil der Druckzeit die Kraft weder zu leicht noch zu stark war.</translation>
+    </message>
+    <message>
+        <source>Time pressing</source>
+        <translation>Druckzeit</translation>
+    </message>
+    <message>
+        <source>How long a finger pressed the tissue, in all trials together.</source>
+        <translation>Wie lange ein Finger das Gewebe drückte, in allen Durchgängen zusammen.</translation>
+    </message>
+    <message>
+        <source>Time searching</source>
+        <translation>Suchzeit</translation>
+    </message>
+    <message>
+        <source>How long the trials took until done was said; pauses do not count.</source>
+        <translation>Wie lange die Durchgänge bis zur Fertigmeldung dauerten; Pausen zählen nicht.</translation>
+    </message>
+    <message>
+        <source>the trace has no lumps and search area</source>
+        <translation>die Aufzeichnung enthält weder Knoten noch Suchfeld</translation>
+    </message>
+    <message>
+        <source>the trace has no reports</source>
+        <translation>die Aufzeichnung enthält keine Meldungen</translation>
+    </message>
+    <message>
+        <source>the trace lost reports</source>
+        <translation>in der Aufzeichnung fehlen Meldungen</translation>
+    </message>
+    <message>
+        <source>no lump was there</source>
+        <translation>es gab keinen Knoten</translation>
+    </message>
+    <message>
+        <source>no lump was found</source>
+        <translation>es wurde kein Knoten gefunden</translation>
+    </message>
+    <message>
+        <source>nobody said how sure a finding is</source>
+        <translation>zu keinem Fund wurde die Sicherheit angegeben</translation>
+    </message>
+    <message>
+        <source>of no lump that was found the size was said</source>
+        <translation>zu keinem gefundenen Knoten wurde die Größe angegeben</translation>
+    </message>
+    <message>
+        <source>the level asks for no size</source>
+        <translation>die Stufe fragt nicht nach der Größe</translation>
+    </message>
+    <message>
+        <source>the level asks for no hardness</source>
+        <translation>die Stufe fragt nicht nach der Härte</translation>
+    </message>
+    <message>
+        <source>fewer than two lumps of a trial were found and their hardness said</source>
+        <translation>in keinem Durchgang wurden zwei Knoten gefunden und ihre Härte angegeben</translation>
+    </message>
+    <message>
+        <source>the lumps that were found are equally hard</source>
+        <translation>die gefundenen Knoten sind gleich hart</translation>
+    </message>
+    <message>
+        <source>the trace has no coverage</source>
+        <translation>die Aufzeichnung enthält keine abgetastete Fläche</translation>
+    </message>
+    <message>
+        <source>the trace has no force band</source>
+        <translation>die Aufzeichnung enthält kein Kraftband</translation>
+    </message>
+    <message>
+        <source>nothing was pressed</source>
+        <translation>es wurde nichts gedrückt</translation>
+    </message>
+    <message>
+        <source>only %1 regions with a lump and %2 without: %3 of each are needed</source>
+        <translation>nur %1 Felder mit Knoten und %2 ohne: je %3 sind nötig</translation>
+    </message>
+</context>
+<context>
+    <name>PalpationFindings</name>
+    <message>
+        <source>size said %1, was %2</source>
+        <translation>Größe angegeben %1, war %2</translation>
+    </message>
+    <message>
+        <source>hardness said %1, was %2</source>
+        <translation>Härte angegeben %1, war %2</translation>
+    </message>
+    <message>
+        <source>confidence: %1</source>
+        <translation>Sicherheit: %1</translation>
+    </message>
+    <message>
+        <source>Lump %1 (%2, %3 mm deep): missed</source>
+        <translation>Knoten %1 (%2, %3 mm tief): übersehen</translation>
+    </message>
+    <message>
+        <source>Lump %1: found, finding %2, %3 mm beside its middle</source>
+        <translation>Knoten %1: gefunden, Fund %2, %3 mm neben der Mitte</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>There was no lump, and none was reported.</source>
+        <translation>Es gab keinen Knoten, und keiner wurde gemeldet.</translation>
+    </message>
+    <message>
+        <source>There was no lump.</source>
+        <translation>Es gab keinen Knoten.</translation>
+    </message>
+    <message>
+        <source>Lumps found: %1 of %2.</source>
+        <translation>Gefundene Knoten: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Findings where no lump was: %1.</source>
+        <translation>Funde, wo kein Knoten war: %1.</translation>
+    </message>
+    <message>
+        <source>Searched: %1 %.</source>
+        <translation>Abgetastet: %1 %.</translation>
+    </message>
+    <message>
+        <source>Time was up before the end was reported.</source>
+        <translation>Die Zeit war um, bevor das Ende gemeldet wurde.</translation>
+    </message>
+    <message>
+        <source>Finding %1: no lump there; the nearest was %2 mm away</source>
+        <translation>Fund %1: dort war kein Knoten; der nächste lag %2 mm entfernt</translation>
+    </message>
+    <message>
+        <source>Finding %1: no lump there</source>
+        <translation>Fund %1: dort war kein Knoten</translation>
+    </message>
+</context>
+<context>
+    <name>PalpationWords</name>
+    <message>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>hardness</source>
+        <translation>Härte</translation>
+    </message>
+    <message>
+        <source>confidence</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>soft</source>
+        <translation>weich</translation>
+    </message>
+    <message>
+        <source>rather soft</source>
+        <translation>eher weich</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>mittel</translation>
+    </message>
+    <message>
+        <source>firm</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>stony</source>
+        <translation>steinhart</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>a guess</source>
+        <translation>geraten</translation>
+    </message>
+    <message>
+        <source>unsure</source>
+        <translation>unsicher</translation>
+    </message>
+    <message>
+        <source>fairly sure</source>
+        <translation>ziemlich sicher</translation>
+    </message>
+    <message>
+        <source>sure</source>
+        <translation>sicher</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>ganz sicher</translation>
+    </message>
+    <message>
+        <source>%1 mm across</source>
+        <translation>%1 mm Durchmesser</translation>
+    </message>
+    <message>
+        <source>size not said</source>
+        <translation>Größe nicht angegeben</translation>
+    </message>
+    <message>
+        <source>hardness not said</source>
+        <translation>Härte nicht angegeben</translation>
+    </message>
+    <message>
+        <source>confidence not said</source>
+        <translation>Sicherheit nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Finding %1</source>
+        <translation>Fund %1</translation>
+    </message>
+    <message>
+        <source>Finding %1: %2</source>
+        <translation>Fund %1: %2</translation>
+    </message>
+    <message>
+        <source>Finger</source>
+        <translation>Finger</translation>
+    </message>
+    <message>
+        <source>Middle finger</source>
+        <translation>Mittelfinger</translation>
+    </message>
+    <message>
+        <source>Index finger</source>
+        <translation>Zeigefinger</translation>
+    </message>
+    <message>
+        <source>Right middle finger</source>
+        <translation>Rechter Mittelfinger</translation>
+    </message>
+    <message>
+        <source>Right index finger</source>
+        <translation>Rechter Zeigefinger</translation>
+    </message>
+    <message>
+        <source>Left middle finger</source>
+        <translation>Linker Mittelfinger</translation>
+    </message>
+    <message>
+        <source>Left index finger</source>
+        <translation>Linker Zeigefinger</translation>
+    </message>
+</context>
+<context>
+    <name>PlatformCheck</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Noise, hysteresis and creep of the force sensors</source>
+        <translation>Rauschen, Hysterese und Kriechen der Kraftsensoren</translation>
+    </message>
+    <message>
+        <source>Steps of the converter</source>
+        <translation>Stufen des Wandlers</translation>
+    </message>
+    <message>
+        <source>Delay of the force sensors</source>
+        <translation>Verzögerung der Kraftsensoren</translation>
+    </message>
+    <message>
+        <source>Friction of the drives</source>
+        <translation>Reibung der Antriebe</translation>
+    </message>
+    <message>
+        <source>Backlash of the gears</source>
+        <translation>Spiel der Getriebe</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>× %1 as coarse</source>
+        <translation>× %1 so grob</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Passed: force follows within %1 and orientation within %2, both better than published.</source>
+        <translation>Bestanden: Kraft folgt auf %1 und Neigung auf %2 genau, beides besser als veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>Not passed: force follows within %1 and orientation within %2; published were %3 and %4.</source>
+        <translation>Nicht bestanden: Kraft folgt auf %1 und Neigung auf %2 genau; veröffentlicht waren %3 und %4.</translation>
+    </message>
+    <message>
+        <source>This is the simulated platform, with a plant that is as bad as such parts are: force noise of %1 mN and %2 bits of the converter, hysteresis of %3 %, a delay of %4 ms from sensor to controller, gear friction of %5 N a drive, backlash of %6 µm, an orientation sensor with %7° bias and %8° noise.</source>
+        <translation>Dies ist die simulierte Plattform, so unvollkommen wie solche Teile sind: %1 mN Rauschen der Kraft und %2 Bit des Wandlers, %3 % Hysterese, %4 ms Verzögerung vom Sensor zum Regler, %5 N Getriebereibung je Antrieb, %6 µm Spiel, ein Lagesensor mit %7° Versatz und %8° Rauschen.</translation>
+    </message>
+    <message>
+        <source>Friction as identified by moving the drives: %1 N, and %2 N·s/m with speed.</source>
+        <translation>Reibung, durch Bewegen der Antriebe bestimmt: %1 N, mit der Geschwindigkeit %2 N·s/m.</translation>
+    </message>
+    <message>
+        <source>A step of force is felt after %1 ms. With the damping of drives and pad alone, a wall is stable up to %2 N/mm.</source>
+        <translation>Ein Kraftsprung ist nach %1 ms zu spüren. Allein mit der Dämpfung von Antrieben und Fingerkuppe ist eine Wand bis %2 N/mm stabil.</translation>
+    </message>
+    <message>
+        <source>Noise and offset of the orientation sensor</source>
+        <translation>Rauschen und Versatz des Lagesensors</translation>
+    </message>
+</context>
+<context>
+    <name>PlatformPlots</name>
+    <message>
+        <source>Force over three cycles</source>
+        <translation>Kraft über drei Perioden</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>sensed</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>on the pad</source>
+        <translation>an der Fingerkuppe</translation>
+    </message>
+    <message>
+        <source>wanted</source>
+        <translation>Soll</translation>
+    </message>
+    <message>
+        <source>Orientations, sensed over wanted</source>
+        <translation>Neigungen, gemessen über Soll</translation>
+    </message>
+    <message>
+        <source>Wanted (°)</source>
+        <translation>Soll (°)</translation>
+    </message>
+    <message>
+        <source>Sensed (°)</source>
+        <translation>Gemessen (°)</translation>
+    </message>
+    <message>
+        <source>as wanted</source>
+        <translation>wie gewollt</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>How large the errors of orientation were</source>
+        <translation>Wie groß die Fehler der Neigung waren</translation>
+    </message>
+    <message>
+        <source>Error (°)</source>
+        <translation>Fehler (°)</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Stellungen</translation>
+    </message>
+    <message>
+        <source>poses</source>
+        <translation>Stellungen</translation>
+    </message>
 </context>
 <context>
     <name>PlaybackMarks</name>
@@ -1212,6 +1740,14 @@ Einzelheiten: %2</translation>
     <message>
         <source>Torn: the trial could not be done any more</source>
         <translation>Gerissen: Der Durchgang war nicht mehr zu schaffen</translation>
+    </message>
+    <message>
+        <source>Finding %1 marked</source>
+        <translation>Fund %1 markiert</translation>
+    </message>
+    <message>
+        <source>Finding %1 taken back</source>
+        <translation>Fund %1 zurückgenommen</translation>
     </message>
 </context>
 <context>
@@ -1478,6 +2014,41 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
 </context>
 <context>
+    <name>RocWords</name>
+    <message>
+        <source>Area under the curve: %1, where 0.5 is chance and 1 is perfect. Sessions: %2 (%3). Places with a lump: %4, without: %5.</source>
+        <translation>Fläche unter der Kurve: %1; 0,5 ist Zufall, 1 vollkommen. Sitzungen: %2 (%3). Stellen mit Knoten: %4, ohne: %5.</translation>
+    </message>
+    <message>
+        <source>force felt</source>
+        <translation>Kraft gefühlt</translation>
+    </message>
+    <message>
+        <source>force shown</source>
+        <translation>Kraft gezeigt</translation>
+    </message>
+    <message>
+        <source>Hits over false alarms, from certain to a guess</source>
+        <translation>Treffer über falschen Alarmen, von ganz sicher bis geraten</translation>
+    </message>
+    <message>
+        <source>False alarm rate</source>
+        <translation>Rate falscher Alarme</translation>
+    </message>
+    <message>
+        <source>Hit rate</source>
+        <translation>Trefferrate</translation>
+    </message>
+    <message>
+        <source>chance</source>
+        <translation>Zufall</translation>
+    </message>
+    <message>
+        <source>you</source>
+        <translation>Sie</translation>
+    </message>
+</context>
+<context>
     <name>RosterWords</name>
     <message>
         <source>a quotation mark is opened here and never closed</source>
@@ -1589,6 +2160,30 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>People</source>
         <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchführen</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Questionnaire</source>
+        <translation>Fragebogen</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
     </message>
 </context>
 <context>
@@ -1764,6 +2359,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Simulated five-bar mechanism</source>
         <translation>Simuliertes Fünfgelenk</translation>
+    </message>
+    <message>
+        <source>Simulated arm with fingertip platform</source>
+        <translation>Simulierter Arm mit Fingerkuppen-Plattform</translation>
     </message>
 </context>
 <context>
@@ -1986,6 +2585,801 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
 </context>
 <context>
+    <name>StudyData</name>
+    <message>
+        <source>Participant and condition</source>
+        <translation>Teilnehmende Person und Bedingung</translation>
+    </message>
+</context>
+<context>
+    <name>StudyReport</name>
+    <message>
+        <source>Study report</source>
+        <translation>Studienbericht</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION: invented people and results</source>
+        <translation>DEMONSTRATION: erfundene Personen und Ergebnisse</translation>
+    </message>
+    <message numerus="yes">
+        <source>SIMULATED: %n participant(s) are programs, not persons</source>
+        <translation>
+            <numerusform>SIMULIERT: %n Teilnehmer ist ein Programm, keine Person</numerusform>
+            <numerusform>SIMULIERT: %n Teilnehmer sind Programme, keine Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>BLIND: conditions go by sealed codes until the study is unblinded</source>
+        <translation>VERBLINDET: Bedingungen tragen versiegelte Codes, bis die Studie entblindet ist</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Frozen on</source>
+        <translation>Eingefroren am</translation>
+    </message>
+    <message>
+        <source>Participants, planned</source>
+        <translation>Teilnehmende, geplant</translation>
+    </message>
+    <message>
+        <source>Scored trials</source>
+        <translation>Gewertete Durchgänge</translation>
+    </message>
+    <message>
+        <source>Order of conditions</source>
+        <translation>Reihenfolge der Bedingungen</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Participants blind</source>
+        <translation>Teilnehmende verblindet</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Experimenters blind</source>
+        <translation>Versuchsleitung verblindet</translation>
+    </message>
+    <message>
+        <source>unblinded</source>
+        <translation>entblindet</translation>
+    </message>
+    <message>
+        <source>Frozen design (SHA-256)</source>
+        <translation>Eingefrorener Entwurf (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Attribute</source>
+        <translation>Eigenschaft</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Procedure</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Teilnehmende</translation>
+    </message>
+    <message>
+        <source>person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Nobody takes part yet.</source>
+        <translation>Noch nimmt niemand teil.</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Person or simulated</source>
+        <translation>Person oder simuliert</translation>
+    </message>
+    <message>
+        <source>Enrolled</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Einwilligung</translation>
+    </message>
+    <message>
+        <source>Conditions done</source>
+        <translation>Bedingungen erledigt</translation>
+    </message>
+    <message>
+        <source>Fidelity</source>
+        <translation>Wiedergabetreue</translation>
+    </message>
+    <message>
+        <source>Scored</source>
+        <translation>Gewertet</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Wiederholt</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Why repeated</source>
+        <translation>Warum wiederholt</translation>
+    </message>
+    <message>
+        <source>Same choices again</source>
+        <translation>Erneut gleiche Wahl</translation>
+    </message>
+    <message>
+        <source>A trial is repeated when the force is off by more than %1 N, the felt value by more than %2, more than %3 of the ticks are late, or the device is at its limit in more than %4 of the contact.</source>
+        <translation>Ein Durchgang wird wiederholt, wenn die Kraft um mehr als %1 N oder der gefühlte Wert um mehr als %2 abweicht, mehr als %3 der Takte verspätet sind oder das Gerät in mehr als %4 des Kontakts an seiner Grenze ist.</translation>
+    </message>
+    <message>
+        <source>Same choices again: run again from its log, the procedure chose the same presentations.</source>
+        <translation>Erneut gleiche Wahl: Aus dem Protokoll wiederholt, wählte das Verfahren dieselben Darbietungen.</translation>
+    </message>
+    <message>
+        <source>No answers</source>
+        <translation>Keine Antworten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n free text(s), in the exported tables</source>
+        <translation>
+            <numerusform>%n freier Text, in den exportierten Tabellen</numerusform>
+            <numerusform>%n freie Texte, in den exportierten Tabellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Median %1, middle half %2 to %3, of %4</source>
+        <translation>Median %1, mittlere Hälfte %2 bis %3, von %4</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Difference from the reference (%)</source>
+        <translation>Unterschied zur Referenz (%)</translation>
+    </message>
+    <message>
+        <source>Proportion right</source>
+        <translation>Anteil richtig</translation>
+    </message>
+    <message>
+        <source>95 % band</source>
+        <translation>95-%-Band</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>Nobody has done this condition yet.</source>
+        <translation>Diese Bedingung hat noch niemand gemacht.</translation>
+    </message>
+    <message>
+        <source>Weber fraction of the group</source>
+        <translation>Weber-Bruch der Gruppe</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>A further participant, 95 %</source>
+        <translation>Eine weitere Person, 95 %</translation>
+    </message>
+    <message>
+        <source>Participants used, left out</source>
+        <translation>Personen verwendet, ausgelassen</translation>
+    </message>
+    <message>
+        <source>JND at the reference</source>
+        <translation>JND an der Referenz</translation>
+    </message>
+    <message>
+        <source>Point of equality</source>
+        <translation>Punkt der Gleichheit</translation>
+    </message>
+    <message>
+        <source>Exponent of the power law</source>
+        <translation>Exponent des Potenzgesetzes</translation>
+    </message>
+    <message>
+        <source>Weber fraction (%)</source>
+        <translation>Weber-Bruch (%)</translation>
+    </message>
+    <message>
+        <source>estimate, half of its 95 % interval up and down</source>
+        <translation>Schätzung, halbes 95-%-Intervall nach oben und unten</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Weber fraction</source>
+        <translation>Weber-Bruch</translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation>JND</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchführen</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Deformation</source>
+        <translation>Verformung</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Viskosität</translation>
+    </message>
+    <message>
+        <source>Apex</source>
+        <translation>Scheitel</translation>
+    </message>
+    <message>
+        <source>Ranking of three</source>
+        <translation>Rangfolge von dreien</translation>
+    </message>
+    <message>
+        <source>Two intervals (2AFC)</source>
+        <translation>Zwei zur Wahl (2AFC)</translation>
+    </message>
+    <message>
+        <source>Three intervals (3AFC)</source>
+        <translation>Drei zur Wahl (3AFC)</translation>
+    </message>
+    <message>
+        <source>Odd one out of three</source>
+        <translation>Eines von dreien ist anders</translation>
+    </message>
+    <message>
+        <source>Same or different</source>
+        <translation>Gleich oder verschieden</translation>
+    </message>
+    <message>
+        <source>Yes or no</source>
+        <translation>Ja oder nein</translation>
+    </message>
+    <message>
+        <source>Adjustment</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Magnitude estimation</source>
+        <translation>Größenschätzung</translation>
+    </message>
+    <message>
+        <source>Staircase (up–down)</source>
+        <translation>Treppe (auf–ab)</translation>
+    </message>
+    <message>
+        <source>Constant stimuli</source>
+        <translation>Konstante Reize</translation>
+    </message>
+    <message>
+        <source>Descending ranking (legacy)</source>
+        <translation>Absteigende Rangfolge (alt)</translation>
+    </message>
+    <message>
+        <source>QUEST+ for rankings</source>
+        <translation>QUEST+ für Rangfolgen</translation>
+    </message>
+    <message>
+        <source>As listed</source>
+        <translation>Wie aufgeführt</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Zufällig</translation>
+    </message>
+    <message>
+        <source>Latin square</source>
+        <translation>Lateinisches Quadrat</translation>
+    </message>
+    <message>
+        <source>Williams design</source>
+        <translation>Williams-Plan</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Frozen</source>
+        <translation>Eingefroren</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Archived</source>
+        <translation>Archiviert</translation>
+    </message>
+    <message>
+        <source>Consent missing</source>
+        <translation>Einwilligung fehlt</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Nimmt teil</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Withdrawn</source>
+        <translation>Zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Force was not what was asked</source>
+        <translation>Kraft war nicht die verlangte</translation>
+    </message>
+    <message>
+        <source>Felt value off</source>
+        <translation>Gefühlter Wert weicht ab</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Verspätete Takte</translation>
+    </message>
+    <message>
+        <source>Device at its limit</source>
+        <translation>Gerät an seiner Grenze</translation>
+    </message>
+    <message>
+        <source>Moved too fast</source>
+        <translation>Zu schnell bewegt</translation>
+    </message>
+    <message>
+        <source>Pressed too hard</source>
+        <translation>Zu fest gedrückt</translation>
+    </message>
+    <message>
+        <source>Time was up</source>
+        <translation>Zeit abgelaufen</translation>
+    </message>
+    <message>
+        <source>Not all were touched</source>
+        <translation>Nicht alle berührt</translation>
+    </message>
+    <message>
+        <source>Spoiled by the experimenter</source>
+        <translation>Von der Versuchsleitung verworfen</translation>
+    </message>
+</context>
+<context>
+    <name>StudyWords</name>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Noise (log10 σ)</source>
+        <translation>Rauschen (log10 σ)</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Standardabweichung</translation>
+    </message>
+    <message>
+        <source>Lapses</source>
+        <translation>Aussetzer</translation>
+    </message>
+    <message>
+        <source>Guesses</source>
+        <translation>Ratewahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <source>Staircase (up–down)</source>
+        <translation>Treppe (auf–ab)</translation>
+    </message>
+    <message>
+        <source>PEST</source>
+        <translation>PEST</translation>
+    </message>
+    <message>
+        <source>Constant stimuli</source>
+        <translation>Konstante Reize</translation>
+    </message>
+    <message>
+        <source>Descending ranking (legacy)</source>
+        <translation>Absteigende Rangfolge (alt)</translation>
+    </message>
+    <message>
+        <source>QUEST</source>
+        <translation>QUEST</translation>
+    </message>
+    <message>
+        <source>QUEST+</source>
+        <translation>QUEST+</translation>
+    </message>
+    <message>
+        <source>QUEST+ for rankings</source>
+        <translation>QUEST+ für Rangfolgen</translation>
+    </message>
+    <message>
+        <source>limited by the device</source>
+        <translation>vom Gerät begrenzt</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Deformation</source>
+        <translation>Verformung</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Viskosität</translation>
+    </message>
+    <message>
+        <source>Apex</source>
+        <translation>Scheitel</translation>
+    </message>
+    <message>
+        <source>Ranking of three</source>
+        <translation>Rangfolge von dreien</translation>
+    </message>
+    <message>
+        <source>Two intervals (2AFC)</source>
+        <translation>Zwei zur Wahl (2AFC)</translation>
+    </message>
+    <message>
+        <source>Three intervals (3AFC)</source>
+        <translation>Drei zur Wahl (3AFC)</translation>
+    </message>
+    <message>
+        <source>Odd one out of three</source>
+        <translation>Eines von dreien ist anders</translation>
+    </message>
+    <message>
+        <source>Same or different</source>
+        <translation>Gleich oder verschieden</translation>
+    </message>
+    <message>
+        <source>Yes or no</source>
+        <translation>Ja oder nein</translation>
+    </message>
+    <message>
+        <source>Adjustment</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Magnitude estimation</source>
+        <translation>Größenschätzung</translation>
+    </message>
+    <message>
+        <source>Three objects that differ in equal steps are put in order.</source>
+        <translation>Drei Objekte, die sich in gleichen Schritten unterscheiden, werden geordnet.</translation>
+    </message>
+    <message>
+        <source>Which of two objects is more?</source>
+        <translation>Welches von zwei Objekten ist mehr?</translation>
+    </message>
+    <message>
+        <source>Which of three objects is more? Two are the reference.</source>
+        <translation>Welches von drei Objekten ist mehr? Zwei sind die Referenz.</translation>
+    </message>
+    <message>
+        <source>Which of three objects is unlike the other two?</source>
+        <translation>Welches von drei Objekten unterscheidet sich von den beiden anderen?</translation>
+    </message>
+    <message>
+        <source>Are two objects the same or different?</source>
+        <translation>Sind zwei Objekte gleich oder verschieden?</translation>
+    </message>
+    <message>
+        <source>Is one object more than the reference that was explored before?</source>
+        <translation>Ist ein Objekt mehr als die Referenz, die zuvor erkundet wurde?</translation>
+    </message>
+    <message>
+        <source>One object is changed until it equals the other.</source>
+        <translation>Ein Objekt wird verändert, bis es dem anderen gleicht.</translation>
+    </message>
+    <message>
+        <source>Each object is given a number.</source>
+        <translation>Jedes Objekt bekommt eine Zahl.</translation>
+    </message>
+    <message>
+        <source>firmer</source>
+        <translation>fester</translation>
+    </message>
+    <message>
+        <source>heavier</source>
+        <translation>schwerer</translation>
+    </message>
+    <message>
+        <source>slower to come back</source>
+        <translation>langsamer in der Rückkehr</translation>
+    </message>
+    <message>
+        <source>rougher</source>
+        <translation>rauer</translation>
+    </message>
+    <message>
+        <source>stickier</source>
+        <translation>haftender</translation>
+    </message>
+    <message>
+        <source>more viscous</source>
+        <translation>zäher</translation>
+    </message>
+    <message>
+        <source>higher</source>
+        <translation>höher</translation>
+    </message>
+    <message>
+        <source>Put the three in order; the one that is %1 comes last.</source>
+        <translation>Ordnen Sie die drei; was %1 ist, kommt zuletzt.</translation>
+    </message>
+    <message>
+        <source>Which one is %1?</source>
+        <translation>Welches ist %1?</translation>
+    </message>
+    <message>
+        <source>Which of the three is %1?</source>
+        <translation>Welches der drei ist %1?</translation>
+    </message>
+    <message>
+        <source>Which one is unlike the other two?</source>
+        <translation>Welches unterscheidet sich von den beiden anderen?</translation>
+    </message>
+    <message>
+        <source>Are the two the same or different?</source>
+        <translation>Sind die beiden gleich oder verschieden?</translation>
+    </message>
+    <message>
+        <source>Is it %1 than the reference?</source>
+        <translation>Ist es %1 als die Referenz?</translation>
+    </message>
+    <message>
+        <source>Change the right one until both feel the same.</source>
+        <translation>Verändern Sie das rechte, bis sich beide gleich anfühlen.</translation>
+    </message>
+    <message>
+        <source>Give what you feel a number. Any positive number is right.</source>
+        <translation>Geben Sie dem, was Sie fühlen, eine Zahl. Jede positive Zahl ist richtig.</translation>
+    </message>
+    <message>
+        <source>Harder after right answers, easier after wrong ones. Robust and easy to explain.</source>
+        <translation>Schwerer nach richtigen, leichter nach falschen Antworten. Robust und leicht zu erklären.</translation>
+    </message>
+    <message>
+        <source>Steps halve and double by a running test. For replications only.</source>
+        <translation>Schritte halbieren und verdoppeln sich nach einem laufenden Test. Nur für Wiederholungen früherer Arbeiten.</translation>
+    </message>
+    <message>
+        <source>Every difference equally often, in random order. The whole curve, with many trials.</source>
+        <translation>Jeder Unterschied gleich oft, in zufälliger Folge. Die ganze Kurve, mit vielen Durchgängen.</translation>
+    </message>
+    <message>
+        <source>The difference shrinks until an answer is wrong. Overestimates the JND by half to three times; for replications only.</source>
+        <translation>Der Unterschied schrumpft, bis eine Antwort falsch ist. Überschätzt den JND um die Hälfte bis auf das Dreifache; nur für Wiederholungen früherer Arbeiten.</translation>
+    </message>
+    <message>
+        <source>Bayesian; places each trial where the threshold probably is.</source>
+        <translation>Bayesianisch; legt jeden Durchgang dorthin, wo die Schwelle wahrscheinlich ist.</translation>
+    </message>
+    <message>
+        <source>Bayesian; chooses the trial that teaches most about threshold, slope and lapses.</source>
+        <translation>Bayesianisch; wählt den Durchgang, der am meisten über Schwelle, Steigung und Aussetzer lehrt.</translation>
+    </message>
+    <message>
+        <source>QUEST+ with an observer for rankings of three. Needs the fewest trials; the default.</source>
+        <translation>QUEST+ mit einem Modell für Rangfolgen von dreien. Braucht die wenigsten Durchgänge; die Vorgabe.</translation>
+    </message>
+    <message>
+        <source>Difference D</source>
+        <translation>Unterschied D</translation>
+    </message>
+    <message>
+        <source>Logarithm of D</source>
+        <translation>Logarithmus von D</translation>
+    </message>
+    <message>
+        <source>As listed</source>
+        <translation>Wie aufgeführt</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Zufällig</translation>
+    </message>
+    <message>
+        <source>Latin square</source>
+        <translation>Lateinisches Quadrat</translation>
+    </message>
+    <message>
+        <source>Williams design</source>
+        <translation>Williams-Plan</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Frozen</source>
+        <translation>Eingefroren</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Archived</source>
+        <translation>Archiviert</translation>
+    </message>
+    <message>
+        <source>Consent missing</source>
+        <translation>Einwilligung fehlt</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Nimmt teil</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Withdrawn</source>
+        <translation>Zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Force was not what was asked</source>
+        <translation>Kraft war nicht die verlangte</translation>
+    </message>
+    <message>
+        <source>Felt value off</source>
+        <translation>Gefühlter Wert weicht ab</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Verspätete Takte</translation>
+    </message>
+    <message>
+        <source>Device at its limit</source>
+        <translation>Gerät an seiner Grenze</translation>
+    </message>
+    <message>
+        <source>Moved too fast</source>
+        <translation>Zu schnell bewegt</translation>
+    </message>
+    <message>
+        <source>Pressed too hard</source>
+        <translation>Zu fest gedrückt</translation>
+    </message>
+    <message>
+        <source>Time was up</source>
+        <translation>Zeit abgelaufen</translation>
+    </message>
+    <message>
+        <source>Not all were touched</source>
+        <translation>Nicht alle berührt</translation>
+    </message>
+    <message>
+        <source>Spoiled by the experimenter</source>
+        <translation>Von der Versuchsleitung verworfen</translation>
+    </message>
+    <message>
+        <source>Change of a text</source>
+        <translation>Textänderung</translation>
+    </message>
+</context>
+<context>
     <name>TrainingWords</name>
     <message>
         <source>Expert</source>
@@ -2054,6 +3448,42 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>You move instrument %1 of %2</source>
         <translation>Sie bewegen Instrument %1 von %2</translation>
+    </message>
+    <message>
+        <source>Demonstration on the simulated arm with fingertip platform (%1): shown, not felt</source>
+        <translation>Vorführung am simulierten Arm mit Fingerkuppen-Plattform (%1): gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. Mark a finding: click or Enter.</source>
+        <translation>Bewegen: Maus oder Pfeiltasten. Drücken und heben: Rad, rechte Taste und ziehen oder Bild ab und Bild auf. Fund markieren: Klick oder Eingabe.</translation>
+    </message>
+    <message>
+        <source>Rate it: 1 to 5, V for the other rating, + and − for its size.</source>
+        <translation>Bewerten: 1 bis 5, V für die andere Bewertung, + und − für die Größe.</translation>
+    </message>
+    <message>
+        <source>Next finding: N. Take it back: Delete. Nothing more to report: D.</source>
+        <translation>Nächster Fund: N. Zurücknehmen: Entf. Nichts mehr zu melden: D.</translation>
+    </message>
+    <message>
+        <source>Use the mouse there: T; a click in the scene takes it back.</source>
+        <translation>Die Maus dort benutzen: T; ein Klick in die Szene holt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Other hand: H.</source>
+        <translation>Andere Hand: H.</translation>
+    </message>
+    <message>
+        <source>Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Leertaste: Pause, gibt den Zeiger frei. Esc: Kraft stoppen. F5: neu beginnen.</translation>
+    </message>
+    <message>
+        <source>You move the right hand (H for the left)</source>
+        <translation>Sie bewegen die rechte Hand (H für die linke)</translation>
+    </message>
+    <message>
+        <source>You move the left hand (H for the right)</source>
+        <translation>Sie bewegen die linke Hand (H für die rechte)</translation>
     </message>
 </context>
 <context>
@@ -2168,6 +3598,77 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     </message>
 </context>
 <context>
+    <name>Words</name>
+    <message>
+        <source>Beside the published figures</source>
+        <translation>Neben den veröffentlichten Werten</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>By its own sensors</source>
+        <translation>Nach den eigenen Sensoren</translation>
+    </message>
+    <message>
+        <source>What was really so</source>
+        <translation>Was wirklich war</translation>
+    </message>
+    <message>
+        <source>Published (P3)</source>
+        <translation>Veröffentlicht (P3)</translation>
+    </message>
+    <message>
+        <source>Force, cycle %1: root mean square error</source>
+        <translation>Kraft, Periode %1: quadratischer Mittelwert des Fehlers</translation>
+    </message>
+    <message>
+        <source>Force, mean of the cycles</source>
+        <translation>Kraft, Mittel der Perioden</translation>
+    </message>
+    <message>
+        <source>Orientation, mean error of %1 poses</source>
+        <translation>Neigung, mittlerer Fehler aus %1 Stellungen</translation>
+    </message>
+    <message>
+        <source>Orientation, standard deviation</source>
+        <translation>Neigung, Standardabweichung</translation>
+    </message>
+    <message>
+        <source>When one thing gets worse</source>
+        <translation>Wenn eines schlechter wird</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>Wie viel</translation>
+    </message>
+    <message>
+        <source>Force error</source>
+        <translation>Fehler der Kraft</translation>
+    </message>
+    <message>
+        <source>Orientation error</source>
+        <translation>Fehler der Neigung</translation>
+    </message>
+    <message>
+        <source>Better than published</source>
+        <translation>Besser als veröffentlicht</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AddPersonDialog</name>
     <message>
         <source>Add a person</source>
@@ -2248,6 +3749,89 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::AnswerPanel</name>
+    <message>
+        <source>here</source>
+        <translation>hier</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Same (1)</source>
+        <translation>Gleich (1)</translation>
+    </message>
+    <message>
+        <source>Different (2)</source>
+        <translation>Verschieden (2)</translation>
+    </message>
+    <message>
+        <source>No (N)</source>
+        <translation>Nein (N)</translation>
+    </message>
+    <message>
+        <source>Yes (Y)</source>
+        <translation>Ja (Y)</translation>
+    </message>
+    <message>
+        <source>Less (−)</source>
+        <translation>Weniger (−)</translation>
+    </message>
+    <message>
+        <source>More (+)</source>
+        <translation>Mehr (+)</translation>
+    </message>
+    <message>
+        <source>They are the same (Enter)</source>
+        <translation>Sie sind gleich (Enter)</translation>
+    </message>
+    <message>
+        <source>Your number</source>
+        <translation>Ihre Zahl</translation>
+    </message>
+    <message>
+        <source>Give it (Enter)</source>
+        <translation>Abgeben (Enter)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Back (⌫)</source>
+        <translation>Zurück (⌫)</translation>
+    </message>
+    <message>
+        <source>That is it (Enter)</source>
+        <translation>Das ist es (Enter)</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>am wenigsten</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>dazwischen</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>am meisten</translation>
+    </message>
+    <message>
+        <source>A number above nothing, please.</source>
+        <translation>Bitte eine Zahl über null.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AttemptsTable</name>
     <message>
         <source>My attempts</source>
@@ -2280,6 +3864,13 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     <message>
         <source>Level %1</source>
         <translation>Stufe %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::BreakPanel</name>
+    <message>
+        <source>Time of the break</source>
+        <translation>Dauer der Pause</translation>
     </message>
 </context>
 <context>
@@ -2357,6 +3948,142 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     <message>
         <source>(erased)</source>
         <translation>(gelöscht)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ConditionsPage</name>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>A condition more</source>
+        <translation>Eine Bedingung mehr</translation>
+    </message>
+    <message>
+        <source>A condition less</source>
+        <translation>Eine Bedingung weniger</translation>
+    </message>
+    <message>
+        <source>What is compared</source>
+        <translation>Was verglichen wird</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>Id of a condition</source>
+        <translation>Kennung einer Bedingung</translation>
+    </message>
+    <message>
+        <source>Attribute</source>
+        <translation>Eigenschaft</translation>
+    </message>
+    <message>
+        <source>Another attribute</source>
+        <translation>Andere Eigenschaft</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Another task</source>
+        <translation>Andere Aufgabe</translation>
+    </message>
+    <message>
+        <source>Threshold at (proportion right)</source>
+        <translation>Schwelle bei (Anteil richtig)</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>Table of differences</source>
+        <translation>Tabelle der Unterschiede</translation>
+    </message>
+    <message>
+        <source>Procedure</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Several are interleaved at random.</source>
+        <translation>Mehrere werden zufällig verschränkt.</translation>
+    </message>
+    <message>
+        <source>x is</source>
+        <translation>x ist</translation>
+    </message>
+    <message>
+        <source>Scale of the procedure</source>
+        <translation>Skala des Verfahrens</translation>
+    </message>
+    <message>
+        <source>Interleave one more</source>
+        <translation>Eines mehr verschränken</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>Letztes entfernen</translation>
+    </message>
+    <message>
+        <source>A procedure less</source>
+        <translation>Ein Verfahren weniger</translation>
+    </message>
+    <message>
+        <source>A procedure more</source>
+        <translation>Ein Verfahren mehr</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ConsentDialog</name>
+    <message>
+        <source>Consent of %1</source>
+        <translation>Einwilligung von %1</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>I have read this and I agree</source>
+        <translation>Ich habe dies gelesen und willige ein</translation>
+    </message>
+    <message>
+        <source>The moment and the text&apos;s SHA-256 are recorded. Whoever takes part may withdraw at any time.</source>
+        <translation>Festgehalten werden der Zeitpunkt und der SHA-256 des Textes. Wer teilnimmt, kann jederzeit zurücktreten.</translation>
+    </message>
+    <message>
+        <source>Record the consent</source>
+        <translation>Einwilligung festhalten</translation>
+    </message>
+    <message>
+        <source>This study has no consent text.</source>
+        <translation>Diese Studie hat keinen Einwilligungstext.</translation>
+    </message>
+    <message>
+        <source>The consent was not recorded.
+%1</source>
+        <translation>Die Einwilligung wurde nicht festgehalten.
+%1</translation>
+    </message>
+    <message>
+        <source>The consent of %1 is recorded.</source>
+        <translation>Die Einwilligung von %1 ist festgehalten.</translation>
     </message>
 </context>
 <context>
@@ -2536,6 +4263,14 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <source>%1 of %2 landmarks of the bladder were seen.</source>
         <translation>%1 von %2 Landmarken der Blase wurden gesehen.</translation>
     </message>
+    <message>
+        <source>What was searched and what was found</source>
+        <translation>Was abgetastet und was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Findings and maps could not be read from the recording. The scores above are as they were stored.</source>
+        <translation>Funde und Karten ließen sich aus der Aufzeichnung nicht lesen. Die Wertung oben ist wie gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DeviceChooser</name>
@@ -2631,6 +4366,82 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>By the formulas as published (up to 27 % off)</source>
         <translation>Nach den veröffentlichten Formeln (bis 27 % daneben)</translation>
+    </message>
+    <message>
+        <source>Ready. Watch a scripted operator on the simulated arm with fingertip platform.</source>
+        <translation>Bereit. Sehen Sie einem Skript am simulierten Arm mit Fingerkuppen-Plattform zu.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::DifferenceTable</name>
+    <message>
+        <source>Smallest</source>
+        <translation>Kleinster</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Wie viele</translation>
+    </message>
+    <message>
+        <source>On both sides of the reference</source>
+        <translation>Auf beiden Seiten der Referenz</translation>
+    </message>
+    <message>
+        <source>Or typed, in percent</source>
+        <translation>Oder getippt, in Prozent</translation>
+    </message>
+    <message>
+        <source>Make the table</source>
+        <translation>Tabelle erstellen</translation>
+    </message>
+    <message>
+        <source>Nothing to choose from yet.</source>
+        <translation>Noch nichts zur Wahl.</translation>
+    </message>
+    <message>
+        <source>%1 candidates, from %2 to %3 of the reference: %4 to %5.</source>
+        <translation>%1 Kandidaten, von %2 bis %3 der Referenz: %4 bis %5.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::EnrolDialog</name>
+    <message>
+        <source>Enrol a participant</source>
+        <translation>Teilnehmende Person aufnehmen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 planned participants are enrolled.</source>
+        <translation>%1 von %2 geplanten Personen sind aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Who it is (name, number in your own list …)</source>
+        <translation>Wer es ist (Name, Nummer Ihrer eigenen Liste …)</translation>
+    </message>
+    <message>
+        <source>Kept in the key table alone, which only the study&apos;s author and administrators can open. Data and exports carry the code.</source>
+        <translation>Steht nur in der Schlüsseltabelle, die allein Urheber der Studie und Administratoren öffnen können. Daten und Exporte tragen den Code.</translation>
+    </message>
+    <message>
+        <source>Enrol</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>The participant was not enrolled.
+%1</source>
+        <translation>Die Person wurde nicht aufgenommen.
+%1</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s code is</source>
+        <translation>Der Code der Person ist</translation>
+    </message>
+    <message>
+        <source>Write it down for the participant: it begins every sitting. Consent comes next.</source>
+        <translation>Schreiben Sie ihn für die Person auf: Mit ihm beginnt jede Sitzung. Als Nächstes kommt die Einwilligung.</translation>
     </message>
 </context>
 <context>
@@ -2839,6 +4650,170 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ExperimenterPanel</name>
+    <message>
+        <source>Experimenter</source>
+        <translation>Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>Spoil this trial</source>
+        <translation>Durchgang verwerfen</translation>
+    </message>
+    <message>
+        <source>It does not count and is presented again.</source>
+        <translation>Er zählt nicht und wird noch einmal dargeboten.</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Pause (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Stop …</source>
+        <translation>Anhalten …</translation>
+    </message>
+    <message>
+        <source>Condition %1 (sealed)</source>
+        <translation>Bedingung %1 (versiegelt)</translation>
+    </message>
+    <message>
+        <source>%1 of at most %2 trials</source>
+        <translation>%1 von höchstens %2 Durchgängen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n Durchgang</numerusform>
+            <numerusform>%n Durchgänge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Practice, not scored. %1</source>
+        <translation>Übung, zählt nicht. %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 repeated</source>
+        <translation>%1, %2 wiederholt</translation>
+    </message>
+    <message>
+        <source>Resume (Space)</source>
+        <translation>Weiter (Leertaste)</translation>
+    </message>
+    <message>
+        <source>The estimate stays sealed until the study is unblinded.</source>
+        <translation>Die Schätzung bleibt versiegelt, bis die Studie entblindet ist.</translation>
+    </message>
+    <message>
+        <source>The fidelity of each trial will be here.</source>
+        <translation>Die Wiedergabetreue jedes Durchgangs erscheint hier.</translation>
+    </message>
+    <message>
+        <source>Last trial: counted.</source>
+        <translation>Letzter Durchgang: zählt.</translation>
+    </message>
+    <message>
+        <source>Last trial: repeated. %1.</source>
+        <translation>Letzter Durchgang: wird wiederholt. %1.</translation>
+    </message>
+    <message>
+        <source>Peak force %1 N, mean speed %2 mm/s, %3 contacts, %4 s.</source>
+        <translation>Spitzenkraft %1 N, mittlere Geschwindigkeit %2 mm/s, %3 Kontakte, %4 s.</translation>
+    </message>
+    <message>
+        <source>Felt value off by %1, late ticks %2, at its limit %3.</source>
+        <translation>Gefühlter Wert weicht um %1 ab, verspätete Takte %2, an der Grenze %3.</translation>
+    </message>
+    <message>
+        <source>Force error %1 N.</source>
+        <translation>Kraftfehler %1 N.</translation>
+    </message>
+    <message>
+        <source>The device measures no force.</source>
+        <translation>Das Gerät misst keine Kraft.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The device cannot render all differences: %n are left.</source>
+        <translation>
+            <numerusform>Das Gerät kann nicht alle Unterschiede wiedergeben: %n bleibt.</numerusform>
+            <numerusform>Das Gerät kann nicht alle Unterschiede wiedergeben: %n bleiben.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The estimate will be here after the first scored trials.</source>
+        <translation>Die Schätzung erscheint hier nach den ersten gewerteten Durchgängen.</translation>
+    </message>
+    <message>
+        <source>Weber fraction %1</source>
+        <translation>Weber-Bruch %1</translation>
+    </message>
+    <message>
+        <source>Weber fraction %1 (95 %: %2)</source>
+        <translation>Weber-Bruch %1 (95 %: %2)</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>Weber fraction (%)</source>
+        <translation>Weber-Bruch (%)</translation>
+    </message>
+    <message>
+        <source>procedure %1</source>
+        <translation>Verfahren %1</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::FindingsBox</name>
+    <message>
+        <source>Findings</source>
+        <translation>Funde</translation>
+    </message>
+    <message>
+        <source>None yet. Press where something is, then click or press Enter.</source>
+        <translation>Noch keine. Drücken Sie, wo etwas ist, dann klicken oder Eingabe.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Take the selected finding back (Delete)</source>
+        <translation>Gewählten Fund zurücknehmen (Entf)</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Härte</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Nothing found: end the trial (D)</source>
+        <translation>Nichts gefunden: Ende (D)</translation>
+    </message>
+    <message>
+        <source>Nothing more to report (D)</source>
+        <translation>Nichts mehr (D)</translation>
+    </message>
+    <message>
+        <source>None is selected.</source>
+        <translation>Keiner ist gewählt.</translation>
+    </message>
+    <message>
+        <source>Not said yet:
+%1
+Press again to end the trial without it.</source>
+        <translation>Noch nicht angegeben:
+%1
+Noch einmal drücken, um ohne das zu beenden.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::FirstStartScreen</name>
     <message>
         <source>Welcome</source>
@@ -2950,6 +4925,76 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     </message>
 </context>
 <context>
+    <name>chiron::desktop::FreezeDialog</name>
+    <message>
+        <source>Freeze %1</source>
+        <translation>%1 einfrieren</translation>
+    </message>
+    <message>
+        <source>From now on the design can never be changed again, by nobody. Participants can be enrolled, each condition gets a sealed code, and every export carries this SHA-256 of the design:</source>
+        <translation>Von jetzt an kann niemand den Entwurf mehr ändern. Personen können aufgenommen werden, jede Bedingung bekommt einen versiegelten Code, und jeder Export trägt diesen SHA-256 des Entwurfs:</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n condition(s)</source>
+        <translation>
+            <numerusform>%n Bedingung</numerusform>
+            <numerusform>%n Bedingungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) planned</source>
+        <translation>
+            <numerusform>%n Person geplant</numerusform>
+            <numerusform>%n Personen geplant</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This cannot be undone. A study that has to be changed later is copied into a new one.</source>
+        <translation>Das lässt sich nicht rückgängig machen. Soll eine Studie später anders sein, wird sie in eine neue kopiert.</translation>
+    </message>
+    <message>
+        <source>Freeze the design</source>
+        <translation>Entwurf einfrieren</translation>
+    </message>
+    <message>
+        <source>The study was not frozen.
+%1</source>
+        <translation>Die Studie wurde nicht eingefroren.
+%1</translation>
+    </message>
+    <message>
+        <source>Frozen. Participants can be enrolled now.</source>
+        <translation>Eingefroren. Jetzt können Personen aufgenommen werden.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::GeneralPage</name>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Participants planned</source>
+        <translation>Geplante Personen</translation>
+    </message>
+    <message>
+        <source>Number of participants</source>
+        <translation>Zahl der Personen</translation>
+    </message>
+    <message>
+        <source>Objective</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Instructions, as participants read them</source>
+        <translation>Anleitung, wie Teilnehmende sie lesen</translation>
+    </message>
+    <message>
+        <source>Consent text</source>
+        <translation>Text der Einwilligung</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::GraspPanel</name>
     <message>
         <source>How much of the holding time is done</source>
@@ -3034,6 +5079,100 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     <message>
         <source>Pull of the load, downwards: %1 N</source>
         <translation>Zug der Last, nach unten: %1 N</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::GroupPage</name>
+    <message>
+        <source>Nobody has done this condition yet. Each participant&apos;s result will be here as soon as there is a run.</source>
+        <translation>Diese Bedingung hat noch niemand gemacht. Das Ergebnis jeder Person steht hier, sobald es einen Lauf gibt.</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message numerus="yes">
+        <source>Weber fraction of %n participant(s), as random effects</source>
+        <translation>
+            <numerusform>Weber-Bruch von %n Person, als Zufallseffekt</numerusform>
+            <numerusform>Weber-Bruch von %n Personen, als Zufallseffekte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>95 %: %1</source>
+        <translation>95 %: %1</translation>
+    </message>
+    <message>
+        <source>a further participant: %1</source>
+        <translation>eine weitere Person: %1</translation>
+    </message>
+    <message>
+        <source>JND %1</source>
+        <translation>JND %1</translation>
+    </message>
+    <message>
+        <source>Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 %)</source>
+        <translation>Rangfolgen ganz in der wahren Ordnung: %1 von %2 (%3; Raten ergibt 16,7 %)</translation>
+    </message>
+    <message>
+        <source>Weber fraction of each participant</source>
+        <translation>Weber-Bruch jeder Person</translation>
+    </message>
+    <message>
+        <source>Weber fraction (%)</source>
+        <translation>Weber-Bruch (%)</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>estimate, half of its 95 % interval up and down</source>
+        <translation>Schätzung, halbes 95-%-Intervall nach oben und unten</translation>
+    </message>
+    <message>
+        <source>No estimate yet</source>
+        <translation>Noch keine Schätzung</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Weber fraction</source>
+        <translation>Weber-Bruch</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation>JND</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchführen</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation>versiegelt</translation>
+    </message>
+    <message>
+        <source>%1 (%2 repeated)</source>
+        <translation>%1 (%2 wiederholt)</translation>
     </message>
 </context>
 <context>
@@ -3257,6 +5396,42 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
         <source>%1, level %2: %3</source>
         <translation>%1, Stufe %2: %3</translation>
     </message>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>Design a study or begin with a template, try it with simulated observers, freeze it, enrol participants.</source>
+        <translation>Eine Studie entwerfen oder mit einer Vorlage beginnen, mit simulierten Beobachtern erproben, einfrieren, Personen aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Open the studies</source>
+        <translation>Studien öffnen</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchführen</translation>
+    </message>
+    <message>
+        <source>Take a participant through a study, by code and in their own order. What was interrupted goes on where it stopped.</source>
+        <translation>Eine Person durch eine Studie führen, nach Code und in ihrer eigenen Reihenfolge. Unterbrochenes geht weiter, wo es aufhörte.</translation>
+    </message>
+    <message>
+        <source>Run a study</source>
+        <translation>Studie durchführen</translation>
+    </message>
+    <message>
+        <source>Curves, thresholds and intervals of each person and the group, every trial with its fidelity, exports.</source>
+        <translation>Kurven, Schwellen und Intervalle jeder Person und der Gruppe, jeder Durchgang mit seiner Wiedergabetreue, Exporte.</translation>
+    </message>
+    <message>
+        <source>Training sessions</source>
+        <translation>Trainingssitzungen</translation>
+    </message>
+    <message>
+        <source>Open the sessions</source>
+        <translation>Sitzungen öffnen</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
@@ -3435,6 +5610,45 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
     </message>
 </context>
 <context>
+    <name>chiron::desktop::KeyTableDialog</name>
+    <message>
+        <source>Who is who</source>
+        <translation>Wer ist wer</translation>
+    </message>
+    <message>
+        <source>That you looked is written into the audit trail.</source>
+        <translation>Dass Sie nachgesehen haben, steht im Prüfprotokoll.</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Who it is</source>
+        <translation>Wer es ist</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Reading the key table …</source>
+        <translation>Schlüsseltabelle wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The key table could not be read</source>
+        <translation>Die Schlüsseltabelle konnte nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>The key table is empty</source>
+        <translation>Die Schlüsseltabelle ist leer</translation>
+    </message>
+    <message>
+        <source>Simulated participants have no key.</source>
+        <translation>Simulierte Personen haben keinen Schlüssel.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::LatenessChart</name>
     <message>
         <source>Lateness of the force loop</source>
@@ -3459,6 +5673,29 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LeanDial</name>
+    <message>
+        <source>Lean of the fingertip&apos;s platform</source>
+        <translation>Neigung der Fingerkuppen-Plattform</translation>
+    </message>
+    <message>
+        <source>%1°, at its limit</source>
+        <translation>%1°, an der Grenze</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>Neigung</translation>
     </message>
 </context>
 <context>
@@ -3735,6 +5972,194 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
     </message>
 </context>
 <context>
+    <name>chiron::desktop::NewStudyDialog</name>
+    <message>
+        <source>New study</source>
+        <translation>Neue Studie</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Beginnen mit</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Key (in files and commands)</source>
+        <translation>Kennung (in Dateien und Befehlen)</translation>
+    </message>
+    <message>
+        <source>Lower-case letters, digits and _ only. It cannot be changed later.</source>
+        <translation>Nur Kleinbuchstaben, Ziffern und _. Sie kann später nicht geändert werden.</translation>
+    </message>
+    <message>
+        <source>Make the draft</source>
+        <translation>Entwurf anlegen</translation>
+    </message>
+    <message>
+        <source>The templates could not be read.
+%1</source>
+        <translation>Die Vorlagen konnten nicht gelesen werden.
+%1</translation>
+    </message>
+    <message>
+        <source>A plain study</source>
+        <translation>Eine schlichte Studie</translation>
+    </message>
+    <message>
+        <source>One condition, a ranking of three by stiffness.</source>
+        <translation>Eine Bedingung, eine Rangfolge von dreien nach Steifigkeit.</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>The study was not made: perhaps its key is taken.
+%1</source>
+        <translation>Die Studie wurde nicht angelegt: vielleicht ist ihre Kennung vergeben.
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PalpationBox</name>
+    <message>
+        <source>Trial</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Durchgang %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PalpationPanel</name>
+    <message>
+        <source>%1: force</source>
+        <translation>%1: Kraft</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Map: how hard (M)</source>
+        <translation>Karte: wie fest (M)</translation>
+    </message>
+    <message>
+        <source>On: the map on the tissue shows how hard was pressed. Off: where was searched.</source>
+        <translation>An: Die Karte zeigt, wie fest gedrückt wurde. Aus: wo gesucht wurde.</translation>
+    </message>
+    <message>
+        <source>displayed force (N)</source>
+        <translation>gezeigte Kraft (N)</translation>
+    </message>
+    <message>
+        <source>lean (°)</source>
+        <translation>Neigung (°)</translation>
+    </message>
+    <message>
+        <source>depth (mm)</source>
+        <translation>Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Force, first finger (N)</source>
+        <translation>Kraft, erster Finger (N)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>Lean, first finger (°)</source>
+        <translation>Neigung, erster Finger (°)</translation>
+    </message>
+    <message>
+        <source>Lean (°)</source>
+        <translation>Neigung (°)</translation>
+    </message>
+    <message>
+        <source>Searched: %1 %</source>
+        <translation>Abgetastet: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ParticipantsPage</name>
+    <message>
+        <source>Participants can be enrolled once the design is frozen.</source>
+        <translation>Personen können aufgenommen werden, sobald der Entwurf eingefroren ist.</translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled yet. Each participant gets a random code; who it is stays in a key table of its own.</source>
+        <translation>Noch ist niemand aufgenommen. Jede Person bekommt einen zufälligen Code; wer sie ist, bleibt in einer eigenen Schlüsseltabelle.</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Teilnehmende</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Folge</translation>
+    </message>
+    <message>
+        <source>Enrolled</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Einwilligung</translation>
+    </message>
+    <message>
+        <source>Enrol …</source>
+        <translation>Aufnehmen …</translation>
+    </message>
+    <message>
+        <source>Consent …</source>
+        <translation>Einwilligung …</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchführen</translation>
+    </message>
+    <message>
+        <source>Withdraw …</source>
+        <translation>Zurückziehen …</translation>
+    </message>
+    <message>
+        <source>Who is who …</source>
+        <translation>Wer ist wer …</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%1 von %2 fertig</translation>
+    </message>
+    <message>
+        <source>%1, one open</source>
+        <translation>%1, eine offen</translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation>%1 (simuliert)</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PasswordChoice</name>
     <message>
         <source>First password</source>
@@ -3975,6 +6400,126 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     </message>
 </context>
 <context>
+    <name>chiron::desktop::PersonPage</name>
+    <message>
+        <source>There are no runs yet.</source>
+        <translation>Es gibt noch keine Läufe.</translation>
+    </message>
+    <message>
+        <source>no interval</source>
+        <translation>kein Intervall</translation>
+    </message>
+    <message>
+        <source>95 %: %1</source>
+        <translation>95 %: %1</translation>
+    </message>
+    <message>
+        <source>Weber fraction</source>
+        <translation>Weber-Bruch</translation>
+    </message>
+    <message>
+        <source>JND at the reference</source>
+        <translation>JND an der Referenz</translation>
+    </message>
+    <message>
+        <source>Point of equality</source>
+        <translation>Punkt der Gleichheit</translation>
+    </message>
+    <message>
+        <source>Internal noise, log10</source>
+        <translation>Inneres Rauschen, log10</translation>
+    </message>
+    <message>
+        <source>%1. %2. %3 scored trials, %4 repeated. %5</source>
+        <translation>%1. %2. %3 gewertete Durchgänge, %4 wiederholt. %5</translation>
+    </message>
+    <message numerus="yes">
+        <source>Run again from its log, the procedure makes the same %n choice(s).</source>
+        <translation>
+            <numerusform>Aus dem Protokoll wiederholt, trifft das Verfahren dieselbe %n Wahl.</numerusform>
+            <numerusform>Aus dem Protokoll wiederholt, trifft das Verfahren dieselben %n Wahlen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Run again from its log, the procedure chooses differently: %1 of %2 are the same.</source>
+        <translation>Aus dem Protokoll wiederholt, wählt das Verfahren anders: %1 von %2 sind gleich.</translation>
+    </message>
+    <message>
+        <source>Right answers by difference</source>
+        <translation>Richtige Antworten nach Unterschied</translation>
+    </message>
+    <message>
+        <source>Difference from the reference (%)</source>
+        <translation>Unterschied zur Referenz (%)</translation>
+    </message>
+    <message>
+        <source>Proportion right</source>
+        <translation>Anteil richtig</translation>
+    </message>
+    <message>
+        <source>95 % band</source>
+        <translation>95-%-Band</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>This task has no curve of right answers</source>
+        <translation>Diese Aufgabe hat keine Kurve richtiger Antworten</translation>
+    </message>
+    <message>
+        <source>criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PlacesView</name>
+    <message>
+        <source>Objects to explore</source>
+        <translation>Objekte zum Erkunden</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PlatformCard</name>
+    <message>
+        <source>Fingertip platform</source>
+        <translation>Fingerkuppen-Plattform</translation>
+    </message>
+    <message>
+        <source>Force and position verification as published: a sine of 1 N over three cycles, then random orientations.</source>
+        <translation>Prüfung von Kraft und Lage wie veröffentlicht: ein Sinus von 1 N über drei Perioden, dann zufällige Neigungen.</translation>
+    </message>
+    <message>
+        <source>An administrator can run it here.</source>
+        <translation>Die Administration kann sie hier starten.</translation>
+    </message>
+    <message>
+        <source>Verify the platform</source>
+        <translation>Plattform prüfen</translation>
+    </message>
+    <message>
+        <source>Record (PDF) …</source>
+        <translation>Protokoll (PDF) …</translation>
+    </message>
+    <message>
+        <source>The verification was stopped before its end.</source>
+        <translation>Die Prüfung wurde vor dem Ende abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The verification could not be done: %1</source>
+        <translation>Die Prüfung war nicht möglich: %1</translation>
+    </message>
+    <message>
+        <source>Verification of the fingertip platform</source>
+        <translation>Prüfung der Fingerkuppen-Plattform</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PlaybackPlots</name>
     <message>
         <source>Time (s)</source>
@@ -4055,6 +6600,34 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Energy (mJ)</source>
         <translation>Energie (mJ)</translation>
+    </message>
+    <message>
+        <source>finger %1</source>
+        <translation>Finger %1</translation>
+    </message>
+    <message>
+        <source>finger</source>
+        <translation>Finger</translation>
+    </message>
+    <message>
+        <source>Lean of the force</source>
+        <translation>Neigung der Kraft</translation>
+    </message>
+    <message>
+        <source>farthest that the platform leans</source>
+        <translation>weiteste Neigung der Plattform</translation>
+    </message>
+    <message>
+        <source>Lean (°), line: as far as the platform leans</source>
+        <translation>Neigung (°), Linie: so weit neigt sich die Plattform</translation>
+    </message>
+    <message>
+        <source>Depth of the fingers</source>
+        <translation>Tiefe der Finger</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Tiefe (mm)</translation>
     </message>
 </context>
 <context>
@@ -4270,6 +6843,590 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>Trial %1 · %2 · force %3 · speed %4</source>
         <translation>Durchgang %1 · %2 · Kraft %3 · Tempo %4</translation>
+    </message>
+    <message>
+        <source>Show the lumps</source>
+        <translation>Knoten zeigen</translation>
+    </message>
+    <message>
+        <source>Where the lumps were, and what became of the findings</source>
+        <translation>Wo die Knoten waren und was aus den Funden wurde</translation>
+    </message>
+    <message>
+        <source>Map of the whole trial</source>
+        <translation>Karte des ganzen Durchgangs</translation>
+    </message>
+    <message>
+        <source>Off: the map as it was at this moment</source>
+        <translation>Aus: die Karte in diesem Augenblick</translation>
+    </message>
+    <message>
+        <source>Map: how hard</source>
+        <translation>Karte: wie fest</translation>
+    </message>
+    <message>
+        <source>On: how hard was pressed. Off: where was searched.</source>
+        <translation>An: wie fest gedrückt wurde. Aus: wo gesucht wurde.</translation>
+    </message>
+    <message>
+        <source>Trial %1 · paused · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
+        <translation>Durchgang %1 · Pause · Kraft %2 · Neigung %3° · Tiefe %4 · abgetastet %5 % · Funde %6</translation>
+    </message>
+    <message>
+        <source>Trial %1 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
+        <translation>Durchgang %1 · Kraft %2 · Neigung %3° · Tiefe %4 · abgetastet %5 % · Funde %6</translation>
+    </message>
+    <message>
+        <source>Findings and maps could not be read from the recording: %1</source>
+        <translation>Funde und Karten ließen sich aus der Aufzeichnung nicht lesen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PreviewPage</name>
+    <message>
+        <source>Simulated observers do the study, without rendering. What they are like is known, so that bias and precision can be told before the first participant.</source>
+        <translation>Simulierte Beobachter machen die Studie, ohne Wiedergabe. Wie sie sind, ist bekannt; so lassen sich Verzerrung und Genauigkeit vor der ersten Person angeben.</translation>
+    </message>
+    <message>
+        <source>Their Weber fraction</source>
+        <translation>Ihr Weber-Bruch</translation>
+    </message>
+    <message>
+        <source>Answers that are guessed</source>
+        <translation>Geratene Antworten</translation>
+    </message>
+    <message>
+        <source>Runs a condition</source>
+        <translation>Läufe je Bedingung</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress of the preview</source>
+        <translation>Fortschritt der Vorschau</translation>
+    </message>
+    <message>
+        <source>The preview could not be made. %1</source>
+        <translation>Die Vorschau gelang nicht. %1</translation>
+    </message>
+    <message>
+        <source>expected bias of the Weber fraction</source>
+        <translation>erwartete Verzerrung des Weber-Bruchs</translation>
+    </message>
+    <message>
+        <source>precision: SD of one run, as a factor</source>
+        <translation>Genauigkeit: SD eines Laufs, als Faktor</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>minutes, breaks included</source>
+        <translation>Minuten, mit Pausen</translation>
+    </message>
+    <message>
+        <source>95 % intervals that hold the truth</source>
+        <translation>95-%-Intervalle, die die Wahrheit enthalten</translation>
+    </message>
+    <message numerus="yes">
+        <source>smallest ratio found with 80 % power by %n participant(s)</source>
+        <translation>
+            <numerusform>kleinstes Verhältnis, das %n Person mit 80 % Teststärke findet</numerusform>
+            <numerusform>kleinstes Verhältnis, das %n Personen mit 80 % Teststärke finden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>How the estimate settles with more trials</source>
+        <translation>Wie sich die Schätzung mit mehr Durchgängen setzt</translation>
+    </message>
+    <message>
+        <source>Trials of a run</source>
+        <translation>Durchgänge eines Laufs</translation>
+    </message>
+    <message>
+        <source>Weber fraction (%)</source>
+        <translation>Weber-Bruch (%)</translation>
+    </message>
+    <message numerus="yes">
+        <source>middle of %n run(s)</source>
+        <translation>
+            <numerusform>%n Lauf</numerusform>
+            <numerusform>Mitte von %n Läufen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>middle 80 %</source>
+        <translation>mittlere 80 %</translation>
+    </message>
+    <message>
+        <source>true value</source>
+        <translation>wahrer Wert</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ProcedureForm</name>
+    <message>
+        <source>Procedure</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Another procedure</source>
+        <translation>Anderes Verfahren</translation>
+    </message>
+    <message>
+        <source>First x</source>
+        <translation>Erstes x</translation>
+    </message>
+    <message>
+        <source>Right answers for a step down</source>
+        <translation>Richtige Antworten bis zum Schritt nach unten</translation>
+    </message>
+    <message>
+        <source>Wrong answers for a step up</source>
+        <translation>Falsche Antworten bis zum Schritt nach oben</translation>
+    </message>
+    <message>
+        <source>Step down : step up (0: as listed)</source>
+        <translation>Schritt ab : Schritt auf (0: wie aufgeführt)</translation>
+    </message>
+    <message>
+        <source>Steps are</source>
+        <translation>Schritte werden</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>addiert</translation>
+    </message>
+    <message>
+        <source>in log10 units</source>
+        <translation>in log10-Einheiten</translation>
+    </message>
+    <message>
+        <source>in dB</source>
+        <translation>in dB</translation>
+    </message>
+    <message>
+        <source>Reversals averaged</source>
+        <translation>Gemittelte Umkehrungen</translation>
+    </message>
+    <message>
+        <source>Steps up, by number of reversals</source>
+        <translation>Schritte auf, nach Zahl der Umkehrungen</translation>
+    </message>
+    <message>
+        <source>Steps down (empty: as up)</source>
+        <translation>Schritte ab (leer: wie auf)</translation>
+    </message>
+    <message>
+        <source>1-up/1-down until the first reversal</source>
+        <translation>1-auf/1-ab bis zur ersten Umkehrung</translation>
+    </message>
+    <message>
+        <source>Counters start anew at each step</source>
+        <translation>Zähler beginnen nach jedem Schritt neu</translation>
+    </message>
+    <message>
+        <source>New step size at the reversal itself</source>
+        <translation>Neue Schrittweite schon bei der Umkehrung</translation>
+    </message>
+    <message>
+        <source>Stay within the range</source>
+        <translation>Im Bereich bleiben</translation>
+    </message>
+    <message>
+        <source>Proportion aimed at</source>
+        <translation>Angestrebter Anteil</translation>
+    </message>
+    <message>
+        <source>Wald deviation</source>
+        <translation>Wald-Abweichung</translation>
+    </message>
+    <message>
+        <source>First step</source>
+        <translation>Erster Schritt</translation>
+    </message>
+    <message>
+        <source>Smallest step</source>
+        <translation>Kleinster Schritt</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Größter Schritt</translation>
+    </message>
+    <message>
+        <source>Trials a level</source>
+        <translation>Durchgänge je Stufe</translation>
+    </message>
+    <message>
+        <source>In random order</source>
+        <translation>In zufälliger Folge</translation>
+    </message>
+    <message>
+        <source>Levels (x)</source>
+        <translation>Stufen (x)</translation>
+    </message>
+    <message>
+        <source>Presentations a level</source>
+        <translation>Darbietungen je Stufe</translation>
+    </message>
+    <message>
+        <source>Right ones to go on</source>
+        <translation>Richtige, um weiterzugehen</translation>
+    </message>
+    <message>
+        <source>Levels (x), falling</source>
+        <translation>Stufen (x), fallend</translation>
+    </message>
+    <message>
+        <source>Prior: mean threshold</source>
+        <translation>Prior: mittlere Schwelle</translation>
+    </message>
+    <message>
+        <source>Prior: SD</source>
+        <translation>Prior: SD</translation>
+    </message>
+    <message>
+        <source>Slope β</source>
+        <translation>Steigung β</translation>
+    </message>
+    <message>
+        <source>Lapses δ</source>
+        <translation>Aussetzer δ</translation>
+    </message>
+    <message>
+        <source>Guesses γ</source>
+        <translation>Raten γ</translation>
+    </message>
+    <message>
+        <source>Trials are placed at</source>
+        <translation>Durchgänge liegen bei</translation>
+    </message>
+    <message>
+        <source>Quantile</source>
+        <translation>Quantil</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Psychometric function</source>
+        <translation>Psychometrische Funktion</translation>
+    </message>
+    <message>
+        <source>Same stimulus in a row (0: any)</source>
+        <translation>Gleicher Reiz hintereinander (0: beliebig)</translation>
+    </message>
+    <message>
+        <source>Share of catch trials</source>
+        <translation>Anteil der Kontrolldurchgänge</translation>
+    </message>
+    <message>
+        <source>Grid of %1</source>
+        <translation>Raster von %1</translation>
+    </message>
+    <message>
+        <source>Grid of lapses</source>
+        <translation>Raster der Aussetzer</translation>
+    </message>
+    <message>
+        <source>Grid of noise (log10 σ)</source>
+        <translation>Raster des Rauschens (log10 σ)</translation>
+    </message>
+    <message>
+        <source>Change of the procedure</source>
+        <translation>Änderung des Verfahrens</translation>
+    </message>
+    <message>
+        <source>Trials at most</source>
+        <translation>Höchstens Durchgänge</translation>
+    </message>
+    <message>
+        <source>Trials at least</source>
+        <translation>Mindestens Durchgänge</translation>
+    </message>
+    <message>
+        <source>Stop after reversals (0: no)</source>
+        <translation>Ende nach Umkehrungen (0: nein)</translation>
+    </message>
+    <message>
+        <source>Stop at precision, SD (0: no)</source>
+        <translation>Ende bei Genauigkeit, SD (0: nein)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::QuestionnaireForm</name>
+    <message>
+        <source>%1 (may be left out)</source>
+        <translation>%1 (darf fehlen)</translation>
+    </message>
+    <message>
+        <source>Please answer this one.</source>
+        <translation>Bitte beantworten Sie diese Frage.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>Von %1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::QuestionnaireScreen</name>
+    <message>
+        <source>Questionnaire</source>
+        <translation>Fragebogen</translation>
+    </message>
+    <message>
+        <source>A participant answers these questions once.
+
+Tab goes from question to question, the arrow keys move within a scale, Space chooses. What must be answered is marked when it is missing. The answers are stored under the participant&apos;s code as soon as they are handed in.</source>
+        <translation>Eine teilnehmende Person beantwortet diese Fragen einmal.
+
+Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Leertaste wählt. Was beantwortet werden muss, wird gekennzeichnet, wenn es fehlt. Die Antworten werden unter dem Code der Person gespeichert, sobald sie abgegeben werden.</translation>
+    </message>
+    <message>
+        <source>Reading the questions …</source>
+        <translation>Fragen werden gelesen …</translation>
+    </message>
+    <message>
+        <source>The questionnaire could not be read</source>
+        <translation>Der Fragebogen konnte nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>Already answered</source>
+        <translation>Schon beantwortet</translation>
+    </message>
+    <message>
+        <source>Each participant answers a questionnaire once.</source>
+        <translation>Jede Person beantwortet einen Fragebogen einmal.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>There is no such questionnaire</source>
+        <translation>Diesen Fragebogen gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <translation>Person %1</translation>
+    </message>
+    <message>
+        <source>Hand in</source>
+        <translation>Abgeben</translation>
+    </message>
+    <message>
+        <source>The answers were not stored. They are still here.
+%1</source>
+        <translation>Die Antworten wurden nicht gespeichert. Sie stehen noch hier.
+%1</translation>
+    </message>
+    <message>
+        <source>Thank you. The answers are stored.</source>
+        <translation>Danke. Die Antworten sind gespeichert.</translation>
+    </message>
+    <message>
+        <source>Leave without handing in?</source>
+        <translation>Verlassen ohne abzugeben?</translation>
+    </message>
+    <message>
+        <source>The answers on this page are not stored yet.</source>
+        <translation>Die Antworten auf dieser Seite sind noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Bleiben</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::QuestionnaireSummary</name>
+    <message>
+        <source>This study has no questionnaires.</source>
+        <translation>Diese Studie hat keine Fragebögen.</translation>
+    </message>
+    <message>
+        <source>Nobody has answered it yet.</source>
+        <translation>Noch niemand hat ihn beantwortet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Answered by %n participant(s)</source>
+        <translation>
+            <numerusform>Beantwortet von %n Person</numerusform>
+            <numerusform>Beantwortet von %n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No answers</source>
+        <translation>Keine Antworten</translation>
+    </message>
+    <message>
+        <source>Median %1, middle half %2 to %3</source>
+        <translation>Median %1, mittlere Hälfte %2 bis %3</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>Antworten</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::QuestionnairesPage</name>
+    <message>
+        <source>Scale with words at its ends</source>
+        <translation>Skala mit Worten an den Enden</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Choice</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Free text</source>
+        <translation>Freier Text</translation>
+    </message>
+    <message>
+        <source>No questionnaires. They are answered once by each participant, before or after the runs, and kept beside the data.</source>
+        <translation>Keine Fragebögen. Jede Person beantwortet sie einmal, vor oder nach den Läufen; sie liegen neben den Daten.</translation>
+    </message>
+    <message>
+        <source>Add a questionnaire</source>
+        <translation>Fragebogen hinzufügen</translation>
+    </message>
+    <message>
+        <source>A questionnaire more</source>
+        <translation>Ein Fragebogen mehr</translation>
+    </message>
+    <message>
+        <source>Title of the questionnaire</source>
+        <translation>Titel des Fragebogens</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>Id of a questionnaire</source>
+        <translation>Kennung eines Fragebogens</translation>
+    </message>
+    <message>
+        <source>Answered</source>
+        <translation>Beantwortet</translation>
+    </message>
+    <message>
+        <source>before the runs</source>
+        <translation>vor den Läufen</translation>
+    </message>
+    <message>
+        <source>after the runs</source>
+        <translation>nach den Läufen</translation>
+    </message>
+    <message>
+        <source>When it is answered</source>
+        <translation>Wann er beantwortet wird</translation>
+    </message>
+    <message>
+        <source>Add a question</source>
+        <translation>Frage hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the questionnaire</source>
+        <translation>Fragebogen entfernen</translation>
+    </message>
+    <message>
+        <source>Change of a question</source>
+        <translation>Änderung einer Frage</translation>
+    </message>
+    <message>
+        <source>Question %1</source>
+        <translation>Frage %1</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Summarised under</source>
+        <translation>Zusammengefasst unter</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Lowest means</source>
+        <translation>Niedrigste bedeutet</translation>
+    </message>
+    <message>
+        <source>Highest means</source>
+        <translation>Höchste bedeutet</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Niedrigste</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Höchste</translation>
+    </message>
+    <message>
+        <source>Choices, one a line</source>
+        <translation>Auswahl, je Zeile eine</translation>
+    </message>
+    <message>
+        <source>Must be answered</source>
+        <translation>Muss beantwortet werden</translation>
+    </message>
+    <message>
+        <source>Remove question %1</source>
+        <translation>Frage %1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RatingRow</name>
+    <message>
+        <source>keys 1 to 5</source>
+        <translation>Tasten 1 bis 5</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 of 5</source>
+        <translation>%1: %2, %3 von 5</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -4518,6 +7675,29 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
     </message>
 </context>
 <context>
+    <name>chiron::desktop::RocBox</name>
+    <message>
+        <source>How sure, and how right</source>
+        <translation>Wie sicher und wie richtig</translation>
+    </message>
+    <message>
+        <source>Reading the recordings …</source>
+        <translation>Aufzeichnungen werden gelesen …</translation>
+    </message>
+    <message>
+        <source>The recordings could not be read</source>
+        <translation>Die Aufzeichnungen konnten nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>Not enough answers yet</source>
+        <translation>Noch nicht genug Antworten</translation>
+    </message>
+    <message>
+        <source>A curve needs at least %1 places with a lump and as many without. So far: %2 with, %3 without.</source>
+        <translation>Eine Kurve braucht mindestens %1 Stellen mit Knoten und ebenso viele ohne. Bisher: %2 mit, %3 ohne.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::RoleChoice</name>
     <message>
         <source>Trains, and sees own results</source>
@@ -4655,6 +7835,113 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
             <numerusform>%n Person wird hinzugefügt …</numerusform>
             <numerusform>%n Personen werden hinzugefügt …</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RunScreen</name>
+    <message>
+        <source>Run</source>
+        <translation>Durchführen</translation>
+    </message>
+    <message>
+        <source>Takes a participant through a study.
+
+Choose the study and the participant&apos;s code. The conditions come in the participant&apos;s own order; where the experimenter is blind they go by sealed codes. Questionnaires before and after are answered here, too.
+
+A run that was interrupted goes on at the trial where it stopped.</source>
+        <translation>Führt eine Person durch eine Studie.
+
+Wählen Sie die Studie und den Code der Person. Die Bedingungen kommen in ihrer eigenen Reihenfolge; wo die Versuchsleitung blind ist, unter versiegelten Codes. Auch die Fragebögen davor und danach werden hier beantwortet.
+
+Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</translation>
+    </message>
+    <message>
+        <source>Reading the studies …</source>
+        <translation>Studien werden gelesen …</translation>
+    </message>
+    <message>
+        <source>The studies could not be read</source>
+        <translation>Die Studien konnten nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>No study can be run yet</source>
+        <translation>Noch lässt sich keine Studie durchführen</translation>
+    </message>
+    <message>
+        <source>A study is run once its design is frozen and participants are enrolled.</source>
+        <translation>Eine Studie wird durchgeführt, sobald ihr Entwurf eingefroren ist und Personen aufgenommen sind.</translation>
+    </message>
+    <message>
+        <source>Open the studies</source>
+        <translation>Studien öffnen</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Participant, by code</source>
+        <translation>Person, nach Code</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled yet.</source>
+        <translation>Noch ist niemand aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Enrol somebody</source>
+        <translation>Jemanden aufnehmen</translation>
+    </message>
+    <message>
+        <source>Consent is missing. Record it under the study&apos;s participants first.</source>
+        <translation>Die Einwilligung fehlt. Halten Sie sie zuerst bei den Teilnehmenden der Studie fest.</translation>
+    </message>
+    <message>
+        <source>Open the participants</source>
+        <translation>Teilnehmende öffnen</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>to come</source>
+        <translation>kommt noch</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Begin or go on with %1</source>
+        <translation>Mit %1 beginnen oder weitermachen</translation>
+    </message>
+    <message>
+        <source>answered</source>
+        <translation>beantwortet</translation>
+    </message>
+    <message>
+        <source>not answered yet</source>
+        <translation>noch nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Answer %1</source>
+        <translation>%1 beantworten</translation>
+    </message>
+    <message>
+        <source>Trials in this window are not built in. The command line runs simulated participants.</source>
+        <translation>Durchgänge in diesem Fenster sind nicht eingebaut. Simulierte Personen laufen über die Befehlszeile.</translation>
     </message>
 </context>
 <context>
@@ -5017,8 +8304,24 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <translation>Töne beim Training</translation>
     </message>
     <message>
-        <source>Contact and limit can be heard. Everything that can be heard is also shown.</source>
-        <translation>Kontakt und Grenze sind zu hören. Alles Hörbare wird auch angezeigt.</translation>
+        <source>A click when contact begins</source>
+        <translation>Ein Klick, wenn die Berührung beginnt</translation>
+    </message>
+    <message>
+        <source>A tone that rises with force</source>
+        <translation>Ein Ton, der mit der Kraft steigt</translation>
+    </message>
+    <message>
+        <source>A warning over the limit</source>
+        <translation>Eine Warnung über der Grenze</translation>
+    </message>
+    <message>
+        <source>Brighter when force leans</source>
+        <translation>Heller bei geneigter Kraft</translation>
+    </message>
+    <message>
+        <source>What can be heard is shown too. The force behind it is recorded, heard or not.</source>
+        <translation>Was zu hören ist, ist auch zu sehen. Die Kraft dahinter wird aufgezeichnet, gehört oder nicht.</translation>
     </message>
 </context>
 <context>
@@ -5056,6 +8359,60 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
     </message>
 </context>
 <context>
+    <name>chiron::desktop::SizeRow</name>
+    <message>
+        <source>Size: one millimetre smaller</source>
+        <translation>Größe: einen Millimeter kleiner</translation>
+    </message>
+    <message>
+        <source>Size: one millimetre larger</source>
+        <translation>Größe: einen Millimeter größer</translation>
+    </message>
+    <message>
+        <source>Dashed: the pad of the finger. Keys + and −</source>
+        <translation>Gestrichelt: die Fingerkuppe. Tasten + und −</translation>
+    </message>
+    <message>
+        <source>Size: %1</source>
+        <translation>Größe: %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SoundSign</name>
+    <message>
+        <source>What sounds</source>
+        <translation>Was klingt</translation>
+    </message>
+    <message>
+        <source>What can be heard: contact begins, how high the tone is, the warning</source>
+        <translation>Was zu hören ist: beginnende Berührung, Höhe des Tons, die Warnung</translation>
+    </message>
+    <message>
+        <source>Warning: pressed too hard</source>
+        <translation>Warnung: zu fest gedrückt</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Berührung</translation>
+    </message>
+    <message>
+        <source>No tone</source>
+        <translation>Kein Ton</translation>
+    </message>
+    <message>
+        <source>Low tone</source>
+        <translation>Tiefer Ton</translation>
+    </message>
+    <message>
+        <source>Medium tone</source>
+        <translation>Mittlerer Ton</translation>
+    </message>
+    <message>
+        <source>High tone</source>
+        <translation>Hoher Ton</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::StatePanel</name>
     <message>
         <source>Progress</source>
@@ -5075,18 +8432,6 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
     <message>
         <source>Station</source>
         <translation>Arbeitsplatz</translation>
-    </message>
-    <message>
-        <source>Whether this computer is fit to make force felt.
-
-Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran against the clock, and in a self-test of ten seconds without any device.
-
-With real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it and how to permit it.</source>
-        <translation>Ob dieser Computer Kraft fühlbar machen kann.
-
-Die Kraft wird tausendmal in der Sekunde berechnet. Die Diagramme zeigen, wie spät diese tausend Schritte begannen: in der letzten Sitzung in Echtzeit und in einem Selbsttest von zehn Sekunden ohne Gerät.
-
-Mit Echtzeitpriorität hält die Regelung ihren Takt, was der Computer auch sonst tut. Diese Ansicht zeigt, ob sie sie hat und wie sie sich erlauben lässt.</translation>
     </message>
     <message>
         <source>Looking at the station …</source>
@@ -5151,6 +8496,54 @@ Mit Echtzeitpriorität hält die Regelung ihren Takt, was der Computer auch sons
     <message>
         <source>The self-test was stopped before its end.</source>
         <translation>Der Selbsttest wurde vorzeitig abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Verifying the fingertip platform.</source>
+        <translation>Die Fingerkuppen-Plattform wird geprüft.</translation>
+    </message>
+    <message>
+        <source>Write the record</source>
+        <translation>Protokoll schreiben</translation>
+    </message>
+    <message>
+        <source>Fingertip platform.pdf</source>
+        <translation>Fingerkuppen-Plattform.pdf</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF-Dokumente (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1, on %2</source>
+        <translation>%1, am %2</translation>
+    </message>
+    <message>
+        <source>The record was written to %1.</source>
+        <translation>Das Protokoll wurde in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>The record could not be written.</source>
+        <translation>Das Protokoll konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Whether this computer is fit to make force felt.
+
+Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran against the clock, and in a self-test of ten seconds without any device.
+
+The fingertip platform is verified as published: how closely it follows a force and an orientation. The record can be printed.
+
+With real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it and how to permit it.</source>
+        <translation>Ob dieser Rechner geeignet ist, Kraft fühlbar zu machen.
+
+Die Kraft wird tausendmal in der Sekunde berechnet. Die Diagramme zeigen, wie spät diese tausend Schritte begannen: in der letzten Sitzung, die gegen die Uhr lief, und in einem Selbsttest von zehn Sekunden ohne Gerät.
+
+Die Fingerkuppen-Plattform wird wie veröffentlicht geprüft: wie genau sie einer Kraft und einer Neigung folgt. Das Protokoll lässt sich drucken.
+
+Mit Echtzeitpriorität hält die Schleife ihre Zeit, was immer der Rechner sonst tut. Dieser Bildschirm sagt, ob sie sie hat und wie man sie erlaubt.</translation>
+    </message>
+    <message>
+        <source>Verify the fingertip platform</source>
+        <translation>Fingerkuppen-Plattform prüfen</translation>
     </message>
 </context>
 <context>
@@ -5384,6 +8777,549 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
     </message>
 </context>
 <context>
+    <name>chiron::desktop::StudiesScreen</name>
+    <message>
+        <source>Import a study</source>
+        <translation>Studie einlesen</translation>
+    </message>
+    <message>
+        <source>Studies (*.json)</source>
+        <translation>Studien (*.json)</translation>
+    </message>
+    <message>
+        <source>The file could not be read.</source>
+        <translation>Die Datei konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The study was not imported.</source>
+        <translation>Die Studie wurde nicht eingelesen.</translation>
+    </message>
+    <message>
+        <source>The study was not made.</source>
+        <translation>Die Studie wurde nicht angelegt.</translation>
+    </message>
+    <message>
+        <source>%1 is a new draft.</source>
+        <translation>%1 ist ein neuer Entwurf.</translation>
+    </message>
+    <message>
+        <source>%1 was not changed.</source>
+        <translation>%1 wurde nicht geändert.</translation>
+    </message>
+    <message>
+        <source>%1 is archived: nothing was deleted.</source>
+        <translation>%1 ist archiviert: nichts wurde gelöscht.</translation>
+    </message>
+    <message>
+        <source>%1 is back in the list.</source>
+        <translation>%1 ist wieder in der Liste.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Close %1?</source>
+        <translation>%1 schließen?</translation>
+    </message>
+    <message>
+        <source>No more participants can be enrolled and no more runs begun; open runs can still be finished. This cannot be undone.</source>
+        <translation>Es können keine Personen mehr aufgenommen und keine Läufe mehr begonnen werden; offene lassen sich noch beenden. Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Keep it open</source>
+        <translation>Offen lassen</translation>
+    </message>
+    <message>
+        <source>Close the study</source>
+        <translation>Studie schließen</translation>
+    </message>
+    <message>
+        <source>The study was not closed.</source>
+        <translation>Die Studie wurde nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>Every study of this site. A draft is designed and tried with simulated observers. Frozen, its design can never be changed again: its SHA-256 stands in every export, and participants are enrolled under random codes.
+
+New begins from a template or from nothing; Import reads a study from a JSON file. Return or a double click opens a study. Run takes a participant through it, Data shows what came of it.
+
+Close ends enrolment for good. Archive takes a study out of the list and can be undone.</source>
+        <translation>Alle Studien dieses Standorts. Ein Entwurf wird gestaltet und mit simulierten Beobachtern erprobt. Eingefroren ist er nie mehr zu ändern: sein SHA-256 steht in jedem Export, und Personen werden unter zufälligen Codes aufgenommen.
+
+Neu beginnt mit einer Vorlage oder mit nichts; Einlesen liest eine Studie aus einer JSON-Datei. Eingabetaste oder Doppelklick öffnet eine Studie. Durchführen führt eine Person hindurch, Daten zeigt, was herauskam.
+
+Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus der Liste und lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>New study …</source>
+        <translation>Neue Studie …</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Einlesen …</translation>
+    </message>
+    <message>
+        <source>Show archived ones</source>
+        <translation>Archivierte zeigen</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Teilnehmende</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchführen</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Close …</source>
+        <translation>Schließen …</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archivieren</translation>
+    </message>
+    <message>
+        <source>Reading the studies …</source>
+        <translation>Studien werden gelesen …</translation>
+    </message>
+    <message>
+        <source>The studies could not be read</source>
+        <translation>Die Studien konnten nicht gelesen werden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stud(y/ies)</source>
+        <translation>
+            <numerusform>%n Studie</numerusform>
+            <numerusform>%n Studien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No studies yet</source>
+        <translation>Noch keine Studien</translation>
+    </message>
+    <message>
+        <source>Begin with a template: a ranking of three, a staircase or constant stimuli, ready to be changed.</source>
+        <translation>Beginnen Sie mit einer Vorlage: einer Rangfolge von dreien, einer Treppe oder konstanten Reizen, bereit zum Ändern.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%1 von %2 fertig</translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Open the study</source>
+        <translation>Studie öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StudyDataScreen</name>
+    <message>
+        <source>CSV …</source>
+        <translation>CSV …</translation>
+    </message>
+    <message>
+        <source>BIDS …</source>
+        <translation>BIDS …</translation>
+    </message>
+    <message>
+        <source>PDF …</source>
+        <translation>PDF …</translation>
+    </message>
+    <message>
+        <source>Unblind …</source>
+        <translation>Entblinden …</translation>
+    </message>
+    <message>
+        <source>Export as CSV</source>
+        <translation>Als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Write a PDF</source>
+        <translation>PDF schreiben</translation>
+    </message>
+    <message>
+        <source>Export as BIDS</source>
+        <translation>Als BIDS exportieren</translation>
+    </message>
+    <message>
+        <source>Unblind this study?</source>
+        <translation>Diese Studie entblinden?</translation>
+    </message>
+    <message>
+        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it and when. This cannot be undone.</source>
+        <translation>Von jetzt an heißen die Bedingungen bei ihren Namen, für alle. Festgehalten wird, wer wann entblindet hat. Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Stay blind</source>
+        <translation>Blind bleiben</translation>
+    </message>
+    <message>
+        <source>Unblind</source>
+        <translation>Entblinden</translation>
+    </message>
+    <message>
+        <source>The study was not unblinded.</source>
+        <translation>Die Studie wurde nicht entblindet.</translation>
+    </message>
+    <message>
+        <source>Where should the folder go?</source>
+        <translation>Wohin soll der Ordner?</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>%1 wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>%1 is written to %2.</source>
+        <translation>%1 liegt jetzt in %2.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The tables</source>
+        <translation>Die Tabellen</translation>
+    </message>
+    <message>
+        <source>The BIDS dataset</source>
+        <translation>Der BIDS-Datensatz</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report is written to %1.</source>
+        <translation>Der Bericht liegt in %1.</translation>
+    </message>
+    <message>
+        <source>The report could not be written.</source>
+        <translation>Der Bericht konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>What came of a study.
+
+Group shows each participant&apos;s Weber fraction with its interval, condition by condition, and warnings in words. Person shows a run&apos;s curve with its data. Trials lists every presentation with its fidelity; what did not count says why. Questions sums up the questionnaires.
+
+Export writes tables (CSV), a BIDS dataset or a PDF; the design&apos;s SHA-256 is in each. While the experimenter is blind, conditions go by sealed codes; unblinding is recorded and cannot be undone.</source>
+        <translation>Was bei einer Studie herauskam.
+
+Gruppe zeigt den Weber-Bruch jeder Person mit seinem Intervall, Bedingung für Bedingung, und Warnungen in Worten. Person zeigt die Kurve eines Laufs mit ihren Daten. Durchgänge führt jede Darbietung mit ihrer Wiedergabetreue auf; was nicht zählte, sagt warum. Fragen fasst die Fragebögen zusammen.
+
+Exportiert werden Tabellen (CSV), ein BIDS-Datensatz oder ein PDF; in jedem steht der SHA-256 des Entwurfs. Solange die Versuchsleitung blind ist, stehen Bedingungen unter versiegelten Codes; das Entblinden wird festgehalten und lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Reading the studies …</source>
+        <translation>Studien werden gelesen …</translation>
+    </message>
+    <message>
+        <source>The studies could not be read</source>
+        <translation>Die Studien konnten nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>No data yet</source>
+        <translation>Noch keine Daten</translation>
+    </message>
+    <message>
+        <source>Data come from frozen studies that participants took part in.</source>
+        <translation>Daten kommen von eingefrorenen Studien, an denen Personen teilgenommen haben.</translation>
+    </message>
+    <message>
+        <source>Open the studies</source>
+        <translation>Studien öffnen</translation>
+    </message>
+    <message>
+        <source>Analysing the runs …</source>
+        <translation>Läufe werden ausgewertet …</translation>
+    </message>
+    <message>
+        <source>The study could not be analysed</source>
+        <translation>Die Studie konnte nicht ausgewertet werden</translation>
+    </message>
+    <message>
+        <source>Views of the data</source>
+        <translation>Ansichten der Daten</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>SHA-256 %1</source>
+        <translation>SHA-256 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s)</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scored trial(s)</source>
+        <translation>
+            <numerusform>%n gewerteter Durchgang</numerusform>
+            <numerusform>%n gewertete Durchgänge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>unblinded</source>
+        <translation>entblindet</translation>
+    </message>
+    <message>
+        <source>blind: conditions by sealed codes</source>
+        <translation>blind: Bedingungen unter versiegelten Codes</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StudyScreen</name>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>One study. As long as it is a draft everything can be changed; what is complete is kept at once, Ctrl+Z takes a step back, and what is wrong is said above the page.
+
+Conditions say what is compared, by which task and procedure. Preview lets simulated observers do the study and shows the precision to be expected, the trials and the time. Participants enrols people under random codes and records their consent.
+
+Freeze fixes the design for good under its SHA-256; participants can be enrolled from then on.</source>
+        <translation>Eine Studie. Solange sie Entwurf ist, lässt sich alles ändern; was vollständig ist, wird sofort behalten, Strg+Z nimmt einen Schritt zurück, und was nicht stimmt, steht über der Seite.
+
+Bedingungen sagen, was verglichen wird, mit welcher Aufgabe und welchem Verfahren. Vorschau lässt simulierte Beobachter die Studie machen und zeigt, welche Genauigkeit, wie viele Durchgänge und wie viel Zeit zu erwarten sind. Teilnehmende nimmt Personen unter zufälligen Codes auf und hält ihre Einwilligung fest.
+
+Einfrieren legt den Entwurf unter seinem SHA-256 endgültig fest; von da an können Personen aufgenommen werden.</translation>
+    </message>
+    <message>
+        <source>Reading the study …</source>
+        <translation>Studie wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The study could not be read</source>
+        <translation>Die Studie konnte nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>Parts of the study</source>
+        <translation>Teile der Studie</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Über</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Teilnehmende</translation>
+    </message>
+    <message>
+        <source>Freeze …</source>
+        <translation>Einfrieren …</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Einlesen …</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchführen</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Save as JSON …</source>
+        <translation>Als JSON speichern …</translation>
+    </message>
+    <message>
+        <source>Language of the texts</source>
+        <translation>Sprache der Texte</translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation>
+            <numerusform>… und %n weitere</numerusform>
+            <numerusform>… und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not kept yet, because this is not right:
+%1</source>
+        <translation>Noch nicht behalten, weil dies nicht stimmt:
+%1</translation>
+    </message>
+    <message>
+        <source>The draft could not be kept.
+%1</source>
+        <translation>Der Entwurf konnte nicht behalten werden.
+%1</translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation>Kennung %1</translation>
+    </message>
+    <message>
+        <source>SHA-256 %1</source>
+        <translation>SHA-256 %1</translation>
+    </message>
+    <message>
+        <source>frozen %1</source>
+        <translation>eingefroren %1</translation>
+    </message>
+    <message>
+        <source>unblinded</source>
+        <translation>entblindet</translation>
+    </message>
+    <message>
+        <source>blind</source>
+        <translation>blind</translation>
+    </message>
+    <message>
+        <source>everything is kept</source>
+        <translation>alles ist behalten</translation>
+    </message>
+    <message>
+        <source>keeping …</source>
+        <translation>wird behalten …</translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>nicht behalten</translation>
+    </message>
+    <message>
+        <source>The draft could not be kept.</source>
+        <translation>Der Entwurf konnte nicht behalten werden.</translation>
+    </message>
+    <message>
+        <source>Leave without the last changes?</source>
+        <translation>Ohne die letzten Änderungen gehen?</translation>
+    </message>
+    <message>
+        <source>The design is not right yet, so its last changes are not kept. What was right before is.</source>
+        <translation>Der Entwurf stimmt noch nicht, darum sind seine letzten Änderungen nicht behalten. Was vorher stimmte, ist es.</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Bleiben</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Take the design of a file</source>
+        <translation>Entwurf aus einer Datei übernehmen</translation>
+    </message>
+    <message>
+        <source>Studies (*.json)</source>
+        <translation>Studien (*.json)</translation>
+    </message>
+    <message>
+        <source>The file was not taken:
+%1</source>
+        <translation>Die Datei wurde nicht übernommen:
+%1</translation>
+    </message>
+    <message>
+        <source>Import of a file</source>
+        <translation>Einlesen einer Datei</translation>
+    </message>
+    <message>
+        <source>Save the design</source>
+        <translation>Entwurf speichern</translation>
+    </message>
+    <message>
+        <source>The design was not saved.</source>
+        <translation>Der Entwurf wurde nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>The design is saved in %1.</source>
+        <translation>Der Entwurf liegt in %1.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::TargetBar</name>
     <message>
         <source>below the band</source>
@@ -5555,6 +9491,26 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <source>Depth of field on or off</source>
         <translation>Schärfentiefe an oder aus</translation>
     </message>
+    <message>
+        <source>Select the next finding</source>
+        <translation>Nächsten Fund wählen</translation>
+    </message>
+    <message>
+        <source>Take the selected finding back</source>
+        <translation>Gewählten Fund zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Nothing more to report</source>
+        <translation>Nichts mehr zu melden</translation>
+    </message>
+    <message>
+        <source>Free the pointer to rate with the mouse</source>
+        <translation>Zeiger freigeben, um mit der Maus zu bewerten</translation>
+    </message>
+    <message>
+        <source>Map: where, or how hard</source>
+        <translation>Karte: wo oder wie fest</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TransportBar</name>
@@ -5593,6 +9549,366 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TrialsPage</name>
+    <message>
+        <source>Order and blinding</source>
+        <translation>Reihenfolge und Verblindung</translation>
+    </message>
+    <message>
+        <source>Order of conditions</source>
+        <translation>Reihenfolge der Bedingungen</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Blinding</source>
+        <translation>Verblindung</translation>
+    </message>
+    <message>
+        <source>Participants see no values or names</source>
+        <translation>Teilnehmende: ohne Werte, Namen</translation>
+    </message>
+    <message>
+        <source>Experimenters see sealed codes</source>
+        <translation>Versuchsleitung: nur Codes</translation>
+    </message>
+    <message>
+        <source>Trials and breaks</source>
+        <translation>Durchgänge und Pausen</translation>
+    </message>
+    <message>
+        <source>Rules of a trial</source>
+        <translation>Regeln eines Durchgangs</translation>
+    </message>
+    <message>
+        <source>Time to explore (0: any)</source>
+        <translation>Zeit zum Erkunden (0: beliebig)</translation>
+    </message>
+    <message>
+        <source>Time to answer (0: any)</source>
+        <translation>Zeit zum Antworten (0: beliebig)</translation>
+    </message>
+    <message>
+        <source>Between trials</source>
+        <translation>Zwischen Durchgängen</translation>
+    </message>
+    <message>
+        <source>Practice trials</source>
+        <translation>Übungsdurchgänge</translation>
+    </message>
+    <message>
+        <source>Break every (trials; 0: none)</source>
+        <translation>Pause nach (Durchgängen; 0: keine)</translation>
+    </message>
+    <message>
+        <source>Break of at least</source>
+        <translation>Pause mindestens</translation>
+    </message>
+    <message>
+        <source>Say whether an answer was right</source>
+        <translation>Antwort bewerten</translation>
+    </message>
+    <message>
+        <source>Masking sound</source>
+        <translation>Maskierendes Geräusch</translation>
+    </message>
+    <message>
+        <source>Show the objects, all alike</source>
+        <translation>Objekte zeigen, alle gleich</translation>
+    </message>
+    <message>
+        <source>Every object must be touched</source>
+        <translation>Jedes Objekt berühren</translation>
+    </message>
+    <message>
+        <source>Fidelity of a trial</source>
+        <translation>Wiedergabetreue eines Durchgangs</translation>
+    </message>
+    <message>
+        <source>A trial beyond these is not scored and presented again.</source>
+        <translation>Ein Durchgang jenseits davon zählt nicht und wird noch einmal dargeboten.</translation>
+    </message>
+    <message>
+        <source>Limits of fidelity</source>
+        <translation>Grenzen der Wiedergabetreue</translation>
+    </message>
+    <message>
+        <source>Force error, RMS</source>
+        <translation>Kraftfehler, RMS</translation>
+    </message>
+    <message>
+        <source>Error of the felt value (share)</source>
+        <translation>Fehler des gefühlten Werts (Anteil)</translation>
+    </message>
+    <message>
+        <source>Late ticks (share)</source>
+        <translation>Verspätete Takte (Anteil)</translation>
+    </message>
+    <message>
+        <source>Force at its limit (share)</source>
+        <translation>Kraft an der Grenze (Anteil)</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>Mittlere Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Repeats of one trial at most</source>
+        <translation>Höchstens Wiederholungen eines Durchgangs</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TrialsPageOfRun</name>
+    <message>
+        <source>There are no runs yet.</source>
+        <translation>Es gibt noch keine Läufe.</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>Zählt</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Peak force (N)</source>
+        <translation>Spitzenkraft (N)</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Geschwindigkeit (mm/s)</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Verspätete Takte</translation>
+    </message>
+    <message>
+        <source>Felt value off by</source>
+        <translation>Gefühlter Wert weicht ab um</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>gegeben</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>falsch</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Übung</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TrialsScreen</name>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Here a participant explores objects and answers.
+
+The mouse moves the tool; the wheel or PageUp and PageDown raise and lower it. T frees the pointer, a click in the scene takes it again. Answers are given by the buttons, or by the keys that stand on them.
+
+Space pauses, Esc asks whether to stop. F2 shows the experimenter&apos;s side: progress, estimate, fidelity of the last trial, and the button that spoils a trial. Every answered trial is kept; what is stopped goes on later at the same trial.</source>
+        <translation>Hier erkundet eine Person Objekte und antwortet.
+
+Die Maus bewegt das Instrument; Rad oder Bild auf und Bild ab heben und senken es. T gibt den Zeiger frei, ein Klick in die Szene nimmt ihn wieder. Geantwortet wird mit den Knöpfen oder den Tasten, die darauf stehen.
+
+Die Leertaste macht Pause, Esc fragt, ob angehalten werden soll. F2 zeigt die Seite der Versuchsleitung: Fortschritt, Schätzung, Wiedergabetreue des letzten Durchgangs und den Knopf, der einen Durchgang verwirft. Jeder beantwortete Durchgang wird behalten; Angehaltenes geht später bei demselben Durchgang weiter.</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <translation>Person %1</translation>
+    </message>
+    <message>
+        <source>Reading the study …</source>
+        <translation>Studie wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Before you begin</source>
+        <translation>Bevor Sie beginnen</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Participant %1 · practice</source>
+        <translation>Person %1 · Übung</translation>
+    </message>
+    <message>
+        <source>The next objects are coming. Lift the tool off.</source>
+        <translation>Die nächsten Objekte kommen. Heben Sie das Instrument ab.</translation>
+    </message>
+    <message>
+        <source>Force is coming. Hold still for a moment.</source>
+        <translation>Die Kraft setzt ein. Halten Sie einen Moment still.</translation>
+    </message>
+    <message>
+        <source>Right.</source>
+        <translation>Richtig.</translation>
+    </message>
+    <message>
+        <source>Not this time.</source>
+        <translation>Diesmal nicht.</translation>
+    </message>
+    <message>
+        <source>Touch every object first.</source>
+        <translation>Berühren Sie zuerst jedes Objekt.</translation>
+    </message>
+    <message>
+        <source>The time to explore is over. Answer now.</source>
+        <translation>Die Zeit zum Erkunden ist um. Antworten Sie jetzt.</translation>
+    </message>
+    <message>
+        <source>One moment …</source>
+        <translation>Einen Moment …</translation>
+    </message>
+    <message>
+        <source>A break</source>
+        <translation>Eine Pause</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rest your hand. It can go on in %n second(s).</source>
+        <translation>
+            <numerusform>Ruhen Sie Ihre Hand aus. In %n Sekunde kann es weitergehen.</numerusform>
+            <numerusform>Ruhen Sie Ihre Hand aus. In %n Sekunden kann es weitergehen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Whenever you are ready.</source>
+        <translation>Wenn Sie bereit sind.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Please ask the experimenter</source>
+        <translation>Bitte fragen Sie die Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>The last trial could not be shown well enough, several times.</source>
+        <translation>Der letzte Durchgang konnte mehrmals nicht gut genug dargeboten werden.</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Everything so far is kept.</source>
+        <translation>Alles bisher ist behalten.</translation>
+    </message>
+    <message>
+        <source>Thank you</source>
+        <translation>Danke</translation>
+    </message>
+    <message>
+        <source>This part is done.</source>
+        <translation>Dieser Teil ist fertig.</translation>
+    </message>
+    <message>
+        <source>The answer was not taken.</source>
+        <translation>Die Antwort wurde nicht angenommen.</translation>
+    </message>
+    <message>
+        <source>Stop this sitting?</source>
+        <translation>Diese Sitzung anhalten?</translation>
+    </message>
+    <message>
+        <source>Every answered trial is kept. It goes on later at the same trial.</source>
+        <translation>Jeder beantwortete Durchgang ist behalten. Es geht später bei demselben Durchgang weiter.</translation>
+    </message>
+    <message>
+        <source>Keep going</source>
+        <translation>Weitermachen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>This condition is completed.</source>
+        <translation>Diese Bedingung ist abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Every answered trial is kept. The run goes on at the same trial.</source>
+        <translation>Jeder beantwortete Durchgang ist behalten. Der Lauf geht bei demselben Durchgang weiter.</translation>
+    </message>
+    <message>
+        <source>The sitting could not be run</source>
+        <translation>Die Sitzung konnte nicht durchgeführt werden</translation>
+    </message>
+    <message>
+        <source>Experimenter&apos;s view</source>
+        <translation>Ansicht der Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>Pause or go on</source>
+        <translation>Pause oder weiter</translation>
+    </message>
+    <message>
+        <source>Stop the sitting</source>
+        <translation>Sitzung anhalten</translation>
+    </message>
+    <message>
+        <source>How far this part is</source>
+        <translation>Wie weit dieser Teil ist</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Masking sound on or off</source>
+        <translation>Maskierendes Geräusch an oder aus</translation>
+    </message>
+    <message>
+        <source>Experimenter (F2)</source>
+        <translation>Versuchsleitung (F2)</translation>
+    </message>
+    <message>
+        <source>Stop …</source>
+        <translation>Anhalten …</translation>
+    </message>
+    <message>
+        <source>Time to explore</source>
+        <translation>Zeit zum Erkunden</translation>
     </message>
 </context>
 <context>
@@ -5651,6 +9967,43 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>Void the session</source>
         <translation>Für ungültig erklären</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::WithdrawDialog</name>
+    <message>
+        <source>Withdraw %1</source>
+        <translation>%1 zurückziehen</translation>
+    </message>
+    <message>
+        <source>The participant takes no further part; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
+        <translation>Die Person nimmt nicht weiter teil; offene Läufe werden angehalten. Aufgezeichnetes bleibt unter dem Code, und der Platz in der Reihenfolge wird wieder frei.</translation>
+    </message>
+    <message>
+        <source>The participant wants the recordings erased</source>
+        <translation>Die Person möchte, dass Aufzeichnungen gelöscht werden</translation>
+    </message>
+    <message>
+        <source>The wish is kept; an administrator erases.</source>
+        <translation>Der Wunsch wird festgehalten; ein Administrator löscht.</translation>
+    </message>
+    <message>
+        <source>This cannot be undone.</source>
+        <translation>Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>Zurückziehen</translation>
+    </message>
+    <message>
+        <source>The participant was not withdrawn.
+%1</source>
+        <translation>Die Person wurde nicht zurückgezogen.
+%1</translation>
+    </message>
+    <message>
+        <source>%1 takes no further part.</source>
+        <translation>%1 nimmt nicht weiter teil.</translation>
     </message>
 </context>
 <context>
@@ -5716,10 +10069,39 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
 </context>
 <context>
+    <name>chiron::scene3d::FlatComparison</name>
+    <message>
+        <source>Objects side by side and instrument, from above and from the side</source>
+        <translation>Objekte nebeneinander und Instrument, von oben und von der Seite</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::FlatFingers</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>chiron::scene3d::FlatHandling</name>
     <message>
         <source>Objects, target and instrument, from above and from the side</source>
         <translation>Objekte, Ziel und Instrument, von oben und von der Seite</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::FlatPalpation</name>
+    <message>
+        <source>Height lines every %1 mm</source>
+        <translation>Höhenlinien alle %1 mm</translation>
+    </message>
+    <message>
+        <source>Tissue, fingers and findings, from above and from the side</source>
+        <translation>Gewebe, Finger und Funde, von oben und von der Seite</translation>
     </message>
 </context>
 <context>
@@ -5749,6 +10131,41 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>Squeeze (N)</source>
         <translation>Quetschkraft (N)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::MapLegend</name>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>Searched</source>
+        <translation>Abgetastet</translation>
+    </message>
+    <message>
+        <source>%1 – %2 N</source>
+        <translation>%1 – %2 N</translation>
+    </message>
+    <message>
+        <source>≥ %1 N</source>
+        <translation>≥ %1 N</translation>
+    </message>
+    <message>
+        <source>under %1 N</source>
+        <translation>unter %1 N</translation>
+    </message>
+    <message>
+        <source>over %1 N</source>
+        <translation>über %1 N</translation>
+    </message>
+    <message>
+        <source>%1 (band)</source>
+        <translation>%1 (Band)</translation>
+    </message>
+    <message>
+        <source>not touched</source>
+        <translation>nicht berührt</translation>
     </message>
 </context>
 <context>
@@ -6205,6 +10622,170 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>Alignment, largest in each millimetre</source>
         <translation>Ausrichtung, größter Winkel je Millimeter</translation>
+    </message>
+    <message>
+        <source>Largest force on each place</source>
+        <translation>Größte Kraft an jeder Stelle</translation>
+    </message>
+    <message>
+        <source>Coverage: %1 % searched</source>
+        <translation>Abdeckung: %1 % abgetastet</translation>
+    </message>
+    <message>
+        <source>Lumps found: %1 of %2</source>
+        <translation>Gefundene Knoten: %1 von %2</translation>
+    </message>
+    <message>
+        <source>Findings reported: %1</source>
+        <translation>Gemeldete Funde: %1</translation>
+    </message>
+    <message>
+        <source>False alarms: %1</source>
+        <translation>Falsche Alarme: %1</translation>
+    </message>
+    <message>
+        <source>not touched</source>
+        <translation>nicht berührt</translation>
+    </message>
+    <message>
+        <source>under %1 N: not searched</source>
+        <translation>unter %1 N: nicht abgetastet</translation>
+    </message>
+    <message>
+        <source>%1 N or more: searched</source>
+        <translation>ab %1 N: abgetastet</translation>
+    </message>
+    <message>
+        <source>%1 to %2 N: below the band</source>
+        <translation>%1 bis %2 N: unter dem Band</translation>
+    </message>
+    <message>
+        <source>%1 to %2 N: in the band</source>
+        <translation>%1 bis %2 N: im Band</translation>
+    </message>
+    <message>
+        <source>%1 to %2 N: above the band</source>
+        <translation>%1 bis %2 N: über dem Band</translation>
+    </message>
+    <message>
+        <source>over %1 N: too hard</source>
+        <translation>über %1 N: zu fest</translation>
+    </message>
+    <message>
+        <source>lump, found (to scale)</source>
+        <translation>Knoten, gefunden (maßstäblich)</translation>
+    </message>
+    <message>
+        <source>lump, missed (to scale)</source>
+        <translation>Knoten, übersehen (maßstäblich)</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>Fund</translation>
+    </message>
+    <message>
+        <source>finding: hit</source>
+        <translation>Fund: Treffer</translation>
+    </message>
+    <message>
+        <source>finding: false alarm</source>
+        <translation>Fund: falscher Alarm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>near side</source>
+        <translation>vordere Seite</translation>
+    </message>
+    <message>
+        <source>✓ hit</source>
+        <translation>✓ Treffer</translation>
+    </message>
+    <message>
+        <source>✗ false alarm</source>
+        <translation>✗ falscher Alarm</translation>
+    </message>
+    <message>
+        <source>✗ missed lump</source>
+        <translation>✗ übersehener Knoten</translation>
+    </message>
+    <message>
+        <source>too few regions: %1 with a lump, %2 without</source>
+        <translation>zu wenige Felder: %1 mit Knoten, %2 ohne</translation>
+    </message>
+    <message>
+        <source>%1 (95 %: %2 to %3)</source>
+        <translation>%1 (95 %: %2 bis %3)</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Lumps found</source>
+        <translation>Gefundene Knoten</translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation>Falsche Alarme</translation>
+    </message>
+    <message>
+        <source>Regions: hits, false alarms</source>
+        <translation>Felder: Treffer, falsche Alarme</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 of %4</source>
+        <translation>%1 von %2, %3 von %4</translation>
+    </message>
+    <message>
+        <source>Sensitivity d′</source>
+        <translation>Empfindlichkeit d′</translation>
+    </message>
+    <message>
+        <source>Criterion c</source>
+        <translation>Kriterium c</translation>
+    </message>
+    <message>
+        <source>Nothing was reported, and nothing was there</source>
+        <translation>Nichts wurde gemeldet, und nichts war da</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>x, y (mm)</source>
+        <translation>x, y (mm)</translation>
+    </message>
+    <message>
+        <source>Radius (mm)</source>
+        <translation>Radius (mm)</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Härte</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Error (mm)</source>
+        <translation>Fehler (mm)</translation>
+    </message>
+    <message>
+        <source>Trial %1, ended by time</source>
+        <translation>Durchgang %1, Zeit abgelaufen</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Durchgang %1</translation>
     </message>
 </context>
 </TS>

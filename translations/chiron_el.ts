@@ -639,6 +639,62 @@ Details: %2</source>
         <source>Bed: a soft organ, which gives way</source>
         <translation>Βάση: ένα μαλακό όργανο που υποχωρεί</translation>
     </message>
+    <message>
+        <source>Hands: two, two fingers each</source>
+        <translation>Χέρια: δύο, από δύο δάκτυλα</translation>
+    </message>
+    <message>
+        <source>Hands: two, one finger each</source>
+        <translation>Χέρια: δύο, από ένα δάκτυλο</translation>
+    </message>
+    <message>
+        <source>Hands: one, two fingers side by side</source>
+        <translation>Χέρια: ένα, δύο δάκτυλα δίπλα δίπλα</translation>
+    </message>
+    <message>
+        <source>Hands: one, one finger</source>
+        <translation>Χέρια: ένα, ένα δάκτυλο</translation>
+    </message>
+    <message>
+        <source>Lumps in a trial: %1</source>
+        <translation>Όζοι ανά δοκιμή: %1</translation>
+    </message>
+    <message>
+        <source>Lumps in a trial: one or none</source>
+        <translation>Όζοι ανά δοκιμή: ένας ή κανένας</translation>
+    </message>
+    <message>
+        <source>Lumps in a trial: none to %1</source>
+        <translation>Όζοι ανά δοκιμή: κανένας έως %1</translation>
+    </message>
+    <message>
+        <source>Lumps in a trial: %1 to %2</source>
+        <translation>Όζοι ανά δοκιμή: %1 έως %2</translation>
+    </message>
+    <message>
+        <source>where it is</source>
+        <translation>πού βρίσκεται</translation>
+    </message>
+    <message>
+        <source>how large</source>
+        <translation>πόσο μεγάλος</translation>
+    </message>
+    <message>
+        <source>how hard</source>
+        <translation>πόσο σκληρός</translation>
+    </message>
+    <message>
+        <source>how sure you are</source>
+        <translation>πόσο βέβαιοι είστε</translation>
+    </message>
+    <message>
+        <source>To be told of each finding: %1</source>
+        <translation>Για κάθε εύρημα δηλώνεται: %1</translation>
+    </message>
+    <message>
+        <source>Press with %1 to %2 N</source>
+        <translation>Πιέστε με %1 έως %2 N</translation>
+    </message>
 </context>
 <context>
     <name>Metrics</name>
@@ -1066,6 +1122,478 @@ Details: %2</source>
         <source>the tension was never held</source>
         <translation>η τάση δεν κρατήθηκε ποτέ</translation>
     </message>
+    <message>
+        <source>Lumps found</source>
+        <translation>Όζοι που βρέθηκαν</translation>
+    </message>
+    <message>
+        <source>Lumps that one of the findings was near enough to.</source>
+        <translation>Όζοι στους οποίους κάποιο εύρημα ήταν αρκετά κοντά.</translation>
+    </message>
+    <message>
+        <source>Lumps missed</source>
+        <translation>Όζοι που διέφυγαν</translation>
+    </message>
+    <message>
+        <source>Lumps that no finding was near enough to.</source>
+        <translation>Όζοι στους οποίους κανένα εύρημα δεν ήταν αρκετά κοντά.</translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation>Ψευδείς συναγερμοί</translation>
+    </message>
+    <message>
+        <source>Findings where there was no lump; a second one of the same lump counts too.</source>
+        <translation>Ευρήματα όπου δεν υπήρχε όζος· μετρά και δεύτερο εύρημα του ίδιου όζου.</translation>
+    </message>
+    <message>
+        <source>Sensitivity (d′)</source>
+        <translation>Ευαισθησία (d′)</translation>
+    </message>
+    <message>
+        <source>How well places with a lump were told from places without, whether one rather says yes or no. 0 is chance.</source>
+        <translation>Πόσο καλά διακρίθηκαν θέσεις με και χωρίς όζο, ανεξάρτητα από την τάση για ναι ή όχι. Το 0 είναι τύχη.</translation>
+    </message>
+    <message>
+        <source>Criterion (c)</source>
+        <translation>Κριτήριο (c)</translation>
+    </message>
+    <message>
+        <source>Whether a lump is rather reported (negative) or rather not (positive) when in doubt.</source>
+        <translation>Αν σε αμφιβολία ο όζος μάλλον αναφέρεται (αρνητικό) ή μάλλον όχι (θετικό).</translation>
+    </message>
+    <message>
+        <source>Area under the ROC</source>
+        <translation>Εμβαδόν κάτω από την ROC</translation>
+    </message>
+    <message>
+        <source>How well confidence tells places with a lump from places without: 0.5 says nothing, 1 is perfect.</source>
+        <translation>Πόσο καλά η βεβαιότητα διακρίνει θέσεις με και χωρίς όζο: το 0,5 δεν λέει τίποτα, το 1 είναι τέλειο.</translation>
+    </message>
+    <message>
+        <source>Localisation error</source>
+        <translation>Σφάλμα εντοπισμού</translation>
+    </message>
+    <message>
+        <source>How far the findings lay from the lumps that they found, on the surface; the mean over all found.</source>
+        <translation>Πόσο απείχαν τα ευρήματα από τους όζους τους στην επιφάνεια· μέσος όρος όλων όσων βρέθηκαν.</translation>
+    </message>
+    <message>
+        <source>Size error</source>
+        <translation>Σφάλμα μεγέθους</translation>
+    </message>
+    <message>
+        <source>How far the radius that was said was from the true one; the mean over all lumps found whose size was said.</source>
+        <translation>Πόσο απείχε η δηλωμένη ακτίνα από την πραγματική· μέσος όρος των όζων που βρέθηκαν και δηλώθηκε το μέγεθός τους.</translation>
+    </message>
+    <message>
+        <source>Hardness order</source>
+        <translation>Σειρά σκληρότητας</translation>
+    </message>
+    <message>
+        <source>Of the pairs of lumps found in a trial, how many had the harder one called harder, in %.</source>
+        <translation>Σε πόσα ζεύγη όζων που βρέθηκαν σε μια δοκιμή ο σκληρότερος δηλώθηκε σκληρότερος, σε %.</translation>
+    </message>
+    <message>
+        <source>Area covered</source>
+        <translation>Καλυμμένη περιοχή</translation>
+    </message>
+    <message>
+        <source>How much of the search area was pressed hard enough to find something; the mean over the trials.</source>
+        <translation>Πόσο από την περιοχή αναζήτησης πιέστηκε αρκετά δυνατά για να βρεθεί κάτι· μέσος όρος των δοκιμών.</translation>
+    </message>
+    <message>
+        <source>Time in the force band</source>
+        <translation>Χρόνος στη ζώνη δύναμης</translation>
+    </message>
+    <message>
+        <source>For how much of the time pressing the force was neither too light nor too hard.</source>
+        <translation>Σε πόσο από τον χρόνο πίεσης η δύναμη δεν ήταν ούτε πολύ μικρή ούτε πολύ μεγάλη.</translation>
+    </message>
+    <message>
+        <source>Time pressing</source>
+        <translation>Χρόνος πίεσης</translation>
+    </message>
+    <message>
+        <source>How long a finger pressed the tissue, in all trials together.</source>
+        <translation>Πόση ώρα κάποιο δάκτυλο πίεζε τον ιστό, σε όλες τις δοκιμές μαζί.</translation>
+    </message>
+    <message>
+        <source>Time searching</source>
+        <translation>Χρόνος αναζήτησης</translation>
+    </message>
+    <message>
+        <source>How long the trials took until done was said; pauses do not count.</source>
+        <translation>Πόσο διήρκεσαν οι δοκιμές μέχρι να δηλωθεί το τέλος· οι παύσεις δεν μετρούν.</translation>
+    </message>
+    <message>
+        <source>the trace has no lumps and search area</source>
+        <translation>το ίχνος δεν έχει όζους και περιοχή αναζήτησης</translation>
+    </message>
+    <message>
+        <source>the trace has no reports</source>
+        <translation>το ίχνος δεν έχει αναφορές</translation>
+    </message>
+    <message>
+        <source>the trace lost reports</source>
+        <translation>στο ίχνος λείπουν αναφορές</translation>
+    </message>
+    <message>
+        <source>no lump was there</source>
+        <translation>δεν υπήρχε όζος</translation>
+    </message>
+    <message>
+        <source>no lump was found</source>
+        <translation>δεν βρέθηκε όζος</translation>
+    </message>
+    <message>
+        <source>nobody said how sure a finding is</source>
+        <translation>για κανένα εύρημα δεν δηλώθηκε βεβαιότητα</translation>
+    </message>
+    <message>
+        <source>of no lump that was found the size was said</source>
+        <translation>για κανέναν όζο που βρέθηκε δεν δηλώθηκε μέγεθος</translation>
+    </message>
+    <message>
+        <source>the level asks for no size</source>
+        <translation>το επίπεδο δεν ζητά μέγεθος</translation>
+    </message>
+    <message>
+        <source>the level asks for no hardness</source>
+        <translation>το επίπεδο δεν ζητά σκληρότητα</translation>
+    </message>
+    <message>
+        <source>fewer than two lumps of a trial were found and their hardness said</source>
+        <translation>σε καμία δοκιμή δεν βρέθηκαν δύο όζοι με δηλωμένη σκληρότητα</translation>
+    </message>
+    <message>
+        <source>the lumps that were found are equally hard</source>
+        <translation>οι όζοι που βρέθηκαν είναι εξίσου σκληροί</translation>
+    </message>
+    <message>
+        <source>the trace has no coverage</source>
+        <translation>το ίχνος δεν έχει κάλυψη</translation>
+    </message>
+    <message>
+        <source>the trace has no force band</source>
+        <translation>το ίχνος δεν έχει ζώνη δύναμης</translation>
+    </message>
+    <message>
+        <source>nothing was pressed</source>
+        <translation>δεν πιέστηκε τίποτα</translation>
+    </message>
+    <message>
+        <source>only %1 regions with a lump and %2 without: %3 of each are needed</source>
+        <translation>μόνο %1 περιοχές με όζο και %2 χωρίς: χρειάζονται %3 από καθεμία</translation>
+    </message>
+</context>
+<context>
+    <name>PalpationFindings</name>
+    <message>
+        <source>size said %1, was %2</source>
+        <translation>δηλωμένο μέγεθος %1, πραγματικό %2</translation>
+    </message>
+    <message>
+        <source>hardness said %1, was %2</source>
+        <translation>δηλωμένη σκληρότητα %1, πραγματική %2</translation>
+    </message>
+    <message>
+        <source>confidence: %1</source>
+        <translation>βεβαιότητα: %1</translation>
+    </message>
+    <message>
+        <source>Lump %1 (%2, %3 mm deep): missed</source>
+        <translation>Όζος %1 (%2, βάθος %3 mm): διέφυγε</translation>
+    </message>
+    <message>
+        <source>Lump %1: found, finding %2, %3 mm beside its middle</source>
+        <translation>Όζος %1: βρέθηκε, εύρημα %2, %3 mm από το κέντρο του</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1· %2</translation>
+    </message>
+    <message>
+        <source>There was no lump, and none was reported.</source>
+        <translation>Δεν υπήρχε όζος και δεν αναφέρθηκε κανένας.</translation>
+    </message>
+    <message>
+        <source>There was no lump.</source>
+        <translation>Δεν υπήρχε όζος.</translation>
+    </message>
+    <message>
+        <source>Lumps found: %1 of %2.</source>
+        <translation>Όζοι που βρέθηκαν: %1 από %2.</translation>
+    </message>
+    <message>
+        <source>Findings where no lump was: %1.</source>
+        <translation>Ευρήματα όπου δεν υπήρχε όζος: %1.</translation>
+    </message>
+    <message>
+        <source>Searched: %1 %.</source>
+        <translation>Ερευνήθηκε: %1 %.</translation>
+    </message>
+    <message>
+        <source>Time was up before the end was reported.</source>
+        <translation>Ο χρόνος τελείωσε πριν δηλωθεί το τέλος.</translation>
+    </message>
+    <message>
+        <source>Finding %1: no lump there; the nearest was %2 mm away</source>
+        <translation>Εύρημα %1: εκεί δεν υπήρχε όζος· ο πλησιέστερος απείχε %2 mm</translation>
+    </message>
+    <message>
+        <source>Finding %1: no lump there</source>
+        <translation>Εύρημα %1: εκεί δεν υπήρχε όζος</translation>
+    </message>
+</context>
+<context>
+    <name>PalpationWords</name>
+    <message>
+        <source>size</source>
+        <translation>μέγεθος</translation>
+    </message>
+    <message>
+        <source>hardness</source>
+        <translation>σκληρότητα</translation>
+    </message>
+    <message>
+        <source>confidence</source>
+        <translation>βεβαιότητα</translation>
+    </message>
+    <message>
+        <source>soft</source>
+        <translation>μαλακός</translation>
+    </message>
+    <message>
+        <source>rather soft</source>
+        <translation>μάλλον μαλακός</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>μέτριος</translation>
+    </message>
+    <message>
+        <source>firm</source>
+        <translation>συμπαγής</translation>
+    </message>
+    <message>
+        <source>stony</source>
+        <translation>σαν πέτρα</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>δεν δηλώθηκε</translation>
+    </message>
+    <message>
+        <source>a guess</source>
+        <translation>εικασία</translation>
+    </message>
+    <message>
+        <source>unsure</source>
+        <translation>αβέβαιο</translation>
+    </message>
+    <message>
+        <source>fairly sure</source>
+        <translation>αρκετά βέβαιο</translation>
+    </message>
+    <message>
+        <source>sure</source>
+        <translation>βέβαιο</translation>
+    </message>
+    <message>
+        <source>certain</source>
+        <translation>απολύτως βέβαιο</translation>
+    </message>
+    <message>
+        <source>%1 mm across</source>
+        <translation>διάμετρος %1 mm</translation>
+    </message>
+    <message>
+        <source>size not said</source>
+        <translation>δεν δηλώθηκε μέγεθος</translation>
+    </message>
+    <message>
+        <source>hardness not said</source>
+        <translation>δεν δηλώθηκε σκληρότητα</translation>
+    </message>
+    <message>
+        <source>confidence not said</source>
+        <translation>δεν δηλώθηκε βεβαιότητα</translation>
+    </message>
+    <message>
+        <source>Finding %1</source>
+        <translation>Εύρημα %1</translation>
+    </message>
+    <message>
+        <source>Finding %1: %2</source>
+        <translation>Εύρημα %1: %2</translation>
+    </message>
+    <message>
+        <source>Finger</source>
+        <translation>Δάκτυλο</translation>
+    </message>
+    <message>
+        <source>Middle finger</source>
+        <translation>Μέσος</translation>
+    </message>
+    <message>
+        <source>Index finger</source>
+        <translation>Δείκτης</translation>
+    </message>
+    <message>
+        <source>Right middle finger</source>
+        <translation>Δεξιός μέσος</translation>
+    </message>
+    <message>
+        <source>Right index finger</source>
+        <translation>Δεξιός δείκτης</translation>
+    </message>
+    <message>
+        <source>Left middle finger</source>
+        <translation>Αριστερός μέσος</translation>
+    </message>
+    <message>
+        <source>Left index finger</source>
+        <translation>Αριστερός δείκτης</translation>
+    </message>
+</context>
+<context>
+    <name>PlatformCheck</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Noise, hysteresis and creep of the force sensors</source>
+        <translation>Θόρυβος, υστέρηση και ερπυσμός των αισθητήρων δύναμης</translation>
+    </message>
+    <message>
+        <source>Steps of the converter</source>
+        <translation>Βήματα του μετατροπέα</translation>
+    </message>
+    <message>
+        <source>Delay of the force sensors</source>
+        <translation>Καθυστέρηση των αισθητήρων δύναμης</translation>
+    </message>
+    <message>
+        <source>Friction of the drives</source>
+        <translation>Τριβή των κινητήρων</translation>
+    </message>
+    <message>
+        <source>Backlash of the gears</source>
+        <translation>Τζόγος των γραναζιών</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 bit</translation>
+    </message>
+    <message>
+        <source>× %1 as coarse</source>
+        <translation>× %1 πιο αδρά</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>κανένα</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Passed: force follows within %1 and orientation within %2, both better than published.</source>
+        <translation>Επιτυχία: η δύναμη ακολουθεί εντός %1 και ο προσανατολισμός εντός %2, και τα δύο καλύτερα από τα δημοσιευμένα.</translation>
+    </message>
+    <message>
+        <source>Not passed: force follows within %1 and orientation within %2; published were %3 and %4.</source>
+        <translation>Αποτυχία: η δύναμη ακολουθεί εντός %1 και ο προσανατολισμός εντός %2· τα δημοσιευμένα ήταν %3 και %4.</translation>
+    </message>
+    <message>
+        <source>This is the simulated platform, with a plant that is as bad as such parts are: force noise of %1 mN and %2 bits of the converter, hysteresis of %3 %, a delay of %4 ms from sensor to controller, gear friction of %5 N a drive, backlash of %6 µm, an orientation sensor with %7° bias and %8° noise.</source>
+        <translation>Αυτή είναι η προσομοιωμένη πλατφόρμα, τόσο ατελής όσο τέτοια εξαρτήματα: θόρυβος δύναμης %1 mN και %2 bit του μετατροπέα, υστέρηση %3 %, καθυστέρηση %4 ms από αισθητήρα σε ελεγκτή, τριβή γραναζιών %5 N ανά κινητήρα, τζόγος %6 µm, αισθητήρας προσανατολισμού με απόκλιση %7° και θόρυβο %8°.</translation>
+    </message>
+    <message>
+        <source>Friction as identified by moving the drives: %1 N, and %2 N·s/m with speed.</source>
+        <translation>Τριβή όπως προσδιορίστηκε κινώντας τους κινητήρες: %1 N και %2 N·s/m με την ταχύτητα.</translation>
+    </message>
+    <message>
+        <source>A step of force is felt after %1 ms. With the damping of drives and pad alone, a wall is stable up to %2 N/mm.</source>
+        <translation>Ένα βήμα δύναμης γίνεται αισθητό μετά από %1 ms. Μόνο με την απόσβεση κινητήρων και δακτύλου, ένας τοίχος είναι ευσταθής έως %2 N/mm.</translation>
+    </message>
+    <message>
+        <source>Noise and offset of the orientation sensor</source>
+        <translation>Θόρυβος και απόκλιση του αισθητήρα προσανατολισμού</translation>
+    </message>
+</context>
+<context>
+    <name>PlatformPlots</name>
+    <message>
+        <source>Force over three cycles</source>
+        <translation>Δύναμη σε τρεις κύκλους</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Χρόνος (s)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Δύναμη (N)</translation>
+    </message>
+    <message>
+        <source>sensed</source>
+        <translation>μετρημένη</translation>
+    </message>
+    <message>
+        <source>on the pad</source>
+        <translation>στο δάκτυλο</translation>
+    </message>
+    <message>
+        <source>wanted</source>
+        <translation>ζητούμενη</translation>
+    </message>
+    <message>
+        <source>Orientations, sensed over wanted</source>
+        <translation>Προσανατολισμοί, μετρημένοι προς ζητούμενους</translation>
+    </message>
+    <message>
+        <source>Wanted (°)</source>
+        <translation>Ζητούμενη (°)</translation>
+    </message>
+    <message>
+        <source>Sensed (°)</source>
+        <translation>Μετρημένη (°)</translation>
+    </message>
+    <message>
+        <source>as wanted</source>
+        <translation>όπως ζητήθηκε</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>πρόνευση</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>κύλιση</translation>
+    </message>
+    <message>
+        <source>How large the errors of orientation were</source>
+        <translation>Πόσο μεγάλα ήταν τα σφάλματα προσανατολισμού</translation>
+    </message>
+    <message>
+        <source>Error (°)</source>
+        <translation>Σφάλμα (°)</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Στάσεις</translation>
+    </message>
+    <message>
+        <source>poses</source>
+        <translation>στάσεις</translation>
+    </message>
 </context>
 <context>
     <name>PlaybackMarks</name>
@@ -1212,6 +1740,14 @@ Details: %2</source>
     <message>
         <source>Torn: the trial could not be done any more</source>
         <translation>Σχίσιμο: η δοκιμή δεν μπορούσε πια να ολοκληρωθεί</translation>
+    </message>
+    <message>
+        <source>Finding %1 marked</source>
+        <translation>Σημειώθηκε το εύρημα %1</translation>
+    </message>
+    <message>
+        <source>Finding %1 taken back</source>
+        <translation>Αποσύρθηκε το εύρημα %1</translation>
     </message>
 </context>
 <context>
@@ -1478,6 +2014,41 @@ Do you want to replace it?</source>
     </message>
 </context>
 <context>
+    <name>RocWords</name>
+    <message>
+        <source>Area under the curve: %1, where 0.5 is chance and 1 is perfect. Sessions: %2 (%3). Places with a lump: %4, without: %5.</source>
+        <translation>Εμβαδόν κάτω από την καμπύλη: %1· το 0,5 είναι τύχη, το 1 τέλειο. Συνεδρίες: %2 (%3). Θέσεις με όζο: %4, χωρίς: %5.</translation>
+    </message>
+    <message>
+        <source>force felt</source>
+        <translation>δύναμη αισθητή</translation>
+    </message>
+    <message>
+        <source>force shown</source>
+        <translation>δύναμη προβαλλόμενη</translation>
+    </message>
+    <message>
+        <source>Hits over false alarms, from certain to a guess</source>
+        <translation>Επιτυχίες προς ψευδείς συναγερμούς, από βεβαιότητα έως εικασία</translation>
+    </message>
+    <message>
+        <source>False alarm rate</source>
+        <translation>Ποσοστό ψευδών συναγερμών</translation>
+    </message>
+    <message>
+        <source>Hit rate</source>
+        <translation>Ποσοστό επιτυχιών</translation>
+    </message>
+    <message>
+        <source>chance</source>
+        <translation>τύχη</translation>
+    </message>
+    <message>
+        <source>you</source>
+        <translation>εσείς</translation>
+    </message>
+</context>
+<context>
     <name>RosterWords</name>
     <message>
         <source>a quotation mark is opened here and never closed</source>
@@ -1589,6 +2160,30 @@ Do you want to replace it?</source>
     <message>
         <source>People</source>
         <translation>Άτομα</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Μελέτες</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Μελέτη</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Διεξαγωγή</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Δεδομένα</translation>
+    </message>
+    <message>
+        <source>Questionnaire</source>
+        <translation>Ερωτηματολόγιο</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Δοκιμές</translation>
     </message>
 </context>
 <context>
@@ -1764,6 +2359,10 @@ Do you want to replace it?</source>
     <message>
         <source>Simulated five-bar mechanism</source>
         <translation>Προσομοιωμένος μηχανισμός πέντε ράβδων</translation>
+    </message>
+    <message>
+        <source>Simulated arm with fingertip platform</source>
+        <translation>Προσομοιωμένος βραχίονας με πλατφόρμα δακτύλου</translation>
     </message>
 </context>
 <context>
@@ -1986,6 +2585,801 @@ Do you want to replace it?</source>
     </message>
 </context>
 <context>
+    <name>StudyData</name>
+    <message>
+        <source>Participant and condition</source>
+        <translation>Συμμετέχων και συνθήκη</translation>
+    </message>
+</context>
+<context>
+    <name>StudyReport</name>
+    <message>
+        <source>Study report</source>
+        <translation>Αναφορά μελέτης</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION: invented people and results</source>
+        <translation>ΕΠΙΔΕΙΞΗ: επινοημένα πρόσωπα και αποτελέσματα</translation>
+    </message>
+    <message numerus="yes">
+        <source>SIMULATED: %n participant(s) are programs, not persons</source>
+        <translation>
+            <numerusform>ΠΡΟΣΟΜΟΙΩΣΗ: %n συμμετέχων είναι πρόγραμμα, όχι πρόσωπο</numerusform>
+            <numerusform>ΠΡΟΣΟΜΟΙΩΣΗ: %n συμμετέχοντες είναι προγράμματα, όχι πρόσωπα</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>BLIND: conditions go by sealed codes until the study is unblinded</source>
+        <translation>ΤΥΦΛΗ: οι συνθήκες φέρουν σφραγισμένους κωδικούς έως την άρση της τυφλότητας</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Μελέτη</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Κατάσταση</translation>
+    </message>
+    <message>
+        <source>Frozen on</source>
+        <translation>Οριστικοποιήθηκε</translation>
+    </message>
+    <message>
+        <source>Participants, planned</source>
+        <translation>Συμμετέχοντες, προβλεπόμενοι</translation>
+    </message>
+    <message>
+        <source>Scored trials</source>
+        <translation>Βαθμολογημένες δοκιμές</translation>
+    </message>
+    <message>
+        <source>Order of conditions</source>
+        <translation>Σειρά των συνθηκών</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Σπόρος</translation>
+    </message>
+    <message>
+        <source>Participants blind</source>
+        <translation>Τυφλοί συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ναι</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>όχι</translation>
+    </message>
+    <message>
+        <source>Experimenters blind</source>
+        <translation>Τυφλοί πειραματιστές</translation>
+    </message>
+    <message>
+        <source>unblinded</source>
+        <translation>χωρίς τυφλότητα</translation>
+    </message>
+    <message>
+        <source>Frozen design (SHA-256)</source>
+        <translation>Οριστικό σχέδιο (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Συνθήκες</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Συνθήκη</translation>
+    </message>
+    <message>
+        <source>Attribute</source>
+        <translation>Ιδιότητα</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Αναφορά</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Έργο</translation>
+    </message>
+    <message>
+        <source>Procedure</source>
+        <translation>Διαδικασία</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Διαφορές</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>person</source>
+        <translation>πρόσωπο</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 από %2</translation>
+    </message>
+    <message>
+        <source>Nobody takes part yet.</source>
+        <translation>Κανείς δεν συμμετέχει ακόμη.</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Κωδικός</translation>
+    </message>
+    <message>
+        <source>Person or simulated</source>
+        <translation>Πρόσωπο ή προσομοίωση</translation>
+    </message>
+    <message>
+        <source>Enrolled</source>
+        <translation>Εγγραφή</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Συγκατάθεση</translation>
+    </message>
+    <message>
+        <source>Conditions done</source>
+        <translation>Ολοκληρωμένες συνθήκες</translation>
+    </message>
+    <message>
+        <source>Fidelity</source>
+        <translation>Πιστότητα</translation>
+    </message>
+    <message>
+        <source>Scored</source>
+        <translation>Βαθμολογημένες</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Επαναλήψεις</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Εξάσκηση</translation>
+    </message>
+    <message>
+        <source>Why repeated</source>
+        <translation>Λόγος επανάληψης</translation>
+    </message>
+    <message>
+        <source>Same choices again</source>
+        <translation>Ίδιες επιλογές ξανά</translation>
+    </message>
+    <message>
+        <source>A trial is repeated when the force is off by more than %1 N, the felt value by more than %2, more than %3 of the ticks are late, or the device is at its limit in more than %4 of the contact.</source>
+        <translation>Μια δοκιμή επαναλαμβάνεται όταν η δύναμη αποκλίνει πάνω από %1 N ή η αίσθηση πάνω από %2, όταν καθυστερεί πάνω από %3 των κύκλων ή όταν η συσκευή είναι στο όριό της σε πάνω από %4 της επαφής.</translation>
+    </message>
+    <message>
+        <source>Same choices again: run again from its log, the procedure chose the same presentations.</source>
+        <translation>Ίδιες επιλογές ξανά: όταν επαναλήφθηκε από το αρχείο της, η διαδικασία επέλεξε τις ίδιες παρουσιάσεις.</translation>
+    </message>
+    <message>
+        <source>No answers</source>
+        <translation>Καμία απάντηση</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n free text(s), in the exported tables</source>
+        <translation>
+            <numerusform>%n ελεύθερο κείμενο, στους εξαγόμενους πίνακες</numerusform>
+            <numerusform>%n ελεύθερα κείμενα, στους εξαγόμενους πίνακες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Median %1, middle half %2 to %3, of %4</source>
+        <translation>Διάμεσος %1, μεσαίο μισό %2 έως %3, από %4</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Ερώτηση</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Απαντήσεις</translation>
+    </message>
+    <message>
+        <source>Difference from the reference (%)</source>
+        <translation>Διαφορά από την αναφορά (%)</translation>
+    </message>
+    <message>
+        <source>Proportion right</source>
+        <translation>Ποσοστό σωστών</translation>
+    </message>
+    <message>
+        <source>95 % band</source>
+        <translation>ζώνη 95 %</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>προσαρμογή</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>δεδομένα</translation>
+    </message>
+    <message>
+        <source>criterion</source>
+        <translation>κριτήριο</translation>
+    </message>
+    <message>
+        <source>Nobody has done this condition yet.</source>
+        <translation>Κανείς δεν έκανε ακόμη αυτή τη συνθήκη.</translation>
+    </message>
+    <message>
+        <source>Weber fraction of the group</source>
+        <translation>Κλάσμα Weber της ομάδας</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>Διάστημα 95 %</translation>
+    </message>
+    <message>
+        <source>A further participant, 95 %</source>
+        <translation>Ένας ακόμη συμμετέχων, 95 %</translation>
+    </message>
+    <message>
+        <source>Participants used, left out</source>
+        <translation>Συμμετέχοντες: λήφθηκαν, εξαιρέθηκαν</translation>
+    </message>
+    <message>
+        <source>JND at the reference</source>
+        <translation>JND στην αναφορά</translation>
+    </message>
+    <message>
+        <source>Point of equality</source>
+        <translation>Σημείο ισότητας</translation>
+    </message>
+    <message>
+        <source>Exponent of the power law</source>
+        <translation>Εκθέτης του νόμου δύναμης</translation>
+    </message>
+    <message>
+        <source>Weber fraction (%)</source>
+        <translation>Κλάσμα Weber (%)</translation>
+    </message>
+    <message>
+        <source>estimate, half of its 95 % interval up and down</source>
+        <translation>εκτίμηση, μισό του διαστήματος 95 % πάνω και κάτω</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>ομάδα</translation>
+    </message>
+    <message>
+        <source>Weber fraction</source>
+        <translation>Κλάσμα Weber</translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation>JND</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Διεξαγωγή</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Δυσκαμψία</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Μάζα</translation>
+    </message>
+    <message>
+        <source>Deformation</source>
+        <translation>Παραμόρφωση</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Τραχύτητα</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Τριβή</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Ιξώδες</translation>
+    </message>
+    <message>
+        <source>Apex</source>
+        <translation>Κορυφή</translation>
+    </message>
+    <message>
+        <source>Ranking of three</source>
+        <translation>Κατάταξη τριών</translation>
+    </message>
+    <message>
+        <source>Two intervals (2AFC)</source>
+        <translation>Επιλογή από δύο (2AFC)</translation>
+    </message>
+    <message>
+        <source>Three intervals (3AFC)</source>
+        <translation>Επιλογή από τρία (3AFC)</translation>
+    </message>
+    <message>
+        <source>Odd one out of three</source>
+        <translation>Το διαφορετικό από τρία</translation>
+    </message>
+    <message>
+        <source>Same or different</source>
+        <translation>Ίδιο ή διαφορετικό</translation>
+    </message>
+    <message>
+        <source>Yes or no</source>
+        <translation>Ναι ή όχι</translation>
+    </message>
+    <message>
+        <source>Adjustment</source>
+        <translation>Ρύθμιση</translation>
+    </message>
+    <message>
+        <source>Magnitude estimation</source>
+        <translation>Εκτίμηση μεγέθους</translation>
+    </message>
+    <message>
+        <source>Staircase (up–down)</source>
+        <translation>Σκάλα (πάνω–κάτω)</translation>
+    </message>
+    <message>
+        <source>Constant stimuli</source>
+        <translation>Σταθερά ερεθίσματα</translation>
+    </message>
+    <message>
+        <source>Descending ranking (legacy)</source>
+        <translation>Φθίνουσα κατάταξη (παλαιά)</translation>
+    </message>
+    <message>
+        <source>QUEST+ for rankings</source>
+        <translation>QUEST+ για κατατάξεις</translation>
+    </message>
+    <message>
+        <source>As listed</source>
+        <translation>Όπως αναγράφεται</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Τυχαία</translation>
+    </message>
+    <message>
+        <source>Latin square</source>
+        <translation>Λατινικό τετράγωνο</translation>
+    </message>
+    <message>
+        <source>Williams design</source>
+        <translation>Σχέδιο Williams</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Πρόχειρο</translation>
+    </message>
+    <message>
+        <source>Frozen</source>
+        <translation>Οριστικοποιημένη</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Κλειστή</translation>
+    </message>
+    <message>
+        <source>Archived</source>
+        <translation>Αρχειοθετημένη</translation>
+    </message>
+    <message>
+        <source>Consent missing</source>
+        <translation>Λείπει συγκατάθεση</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Συμμετέχει</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Ολοκληρωμένο</translation>
+    </message>
+    <message>
+        <source>Withdrawn</source>
+        <translation>Αποσύρθηκε</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ανοικτό</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Σταμάτησε</translation>
+    </message>
+    <message>
+        <source>Force was not what was asked</source>
+        <translation>Η δύναμη δεν ήταν η ζητούμενη</translation>
+    </message>
+    <message>
+        <source>Felt value off</source>
+        <translation>Η αίσθηση αποκλίνει</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Καθυστερημένοι κύκλοι</translation>
+    </message>
+    <message>
+        <source>Device at its limit</source>
+        <translation>Συσκευή στο όριό της</translation>
+    </message>
+    <message>
+        <source>Moved too fast</source>
+        <translation>Πολύ γρήγορη κίνηση</translation>
+    </message>
+    <message>
+        <source>Pressed too hard</source>
+        <translation>Πολύ δυνατή πίεση</translation>
+    </message>
+    <message>
+        <source>Time was up</source>
+        <translation>Τέλος χρόνου</translation>
+    </message>
+    <message>
+        <source>Not all were touched</source>
+        <translation>Δεν αγγίχτηκαν όλα</translation>
+    </message>
+    <message>
+        <source>Spoiled by the experimenter</source>
+        <translation>Ακυρώθηκε από τον πειραματιστή</translation>
+    </message>
+</context>
+<context>
+    <name>StudyWords</name>
+    <message>
+        <source>Threshold</source>
+        <translation>Κατώφλι</translation>
+    </message>
+    <message>
+        <source>Noise (log10 σ)</source>
+        <translation>Θόρυβος (log10 σ)</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Κλίση</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Μέσος</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Τυπική απόκλιση</translation>
+    </message>
+    <message>
+        <source>Lapses</source>
+        <translation>Αβλεψίες</translation>
+    </message>
+    <message>
+        <source>Guesses</source>
+        <translation>Τυχαίες απαντήσεις</translation>
+    </message>
+    <message>
+        <source>Staircase (up–down)</source>
+        <translation>Σκάλα (πάνω–κάτω)</translation>
+    </message>
+    <message>
+        <source>PEST</source>
+        <translation>PEST</translation>
+    </message>
+    <message>
+        <source>Constant stimuli</source>
+        <translation>Σταθερά ερεθίσματα</translation>
+    </message>
+    <message>
+        <source>Descending ranking (legacy)</source>
+        <translation>Φθίνουσα κατάταξη (παλαιά)</translation>
+    </message>
+    <message>
+        <source>QUEST</source>
+        <translation>QUEST</translation>
+    </message>
+    <message>
+        <source>QUEST+</source>
+        <translation>QUEST+</translation>
+    </message>
+    <message>
+        <source>QUEST+ for rankings</source>
+        <translation>QUEST+ για κατατάξεις</translation>
+    </message>
+    <message>
+        <source>limited by the device</source>
+        <translation>περιορίζεται από τη συσκευή</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Δυσκαμψία</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Μάζα</translation>
+    </message>
+    <message>
+        <source>Deformation</source>
+        <translation>Παραμόρφωση</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Τραχύτητα</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Τριβή</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Ιξώδες</translation>
+    </message>
+    <message>
+        <source>Apex</source>
+        <translation>Κορυφή</translation>
+    </message>
+    <message>
+        <source>Ranking of three</source>
+        <translation>Κατάταξη τριών</translation>
+    </message>
+    <message>
+        <source>Two intervals (2AFC)</source>
+        <translation>Επιλογή από δύο (2AFC)</translation>
+    </message>
+    <message>
+        <source>Three intervals (3AFC)</source>
+        <translation>Επιλογή από τρία (3AFC)</translation>
+    </message>
+    <message>
+        <source>Odd one out of three</source>
+        <translation>Το διαφορετικό από τρία</translation>
+    </message>
+    <message>
+        <source>Same or different</source>
+        <translation>Ίδιο ή διαφορετικό</translation>
+    </message>
+    <message>
+        <source>Yes or no</source>
+        <translation>Ναι ή όχι</translation>
+    </message>
+    <message>
+        <source>Adjustment</source>
+        <translation>Ρύθμιση</translation>
+    </message>
+    <message>
+        <source>Magnitude estimation</source>
+        <translation>Εκτίμηση μεγέθους</translation>
+    </message>
+    <message>
+        <source>Three objects that differ in equal steps are put in order.</source>
+        <translation>Τρία αντικείμενα που διαφέρουν κατά ίσα βήματα μπαίνουν σε σειρά.</translation>
+    </message>
+    <message>
+        <source>Which of two objects is more?</source>
+        <translation>Ποιο από δύο αντικείμενα είναι περισσότερο;</translation>
+    </message>
+    <message>
+        <source>Which of three objects is more? Two are the reference.</source>
+        <translation>Ποιο από τρία αντικείμενα είναι περισσότερο; Τα δύο είναι η αναφορά.</translation>
+    </message>
+    <message>
+        <source>Which of three objects is unlike the other two?</source>
+        <translation>Ποιο από τρία αντικείμενα διαφέρει από τα άλλα δύο;</translation>
+    </message>
+    <message>
+        <source>Are two objects the same or different?</source>
+        <translation>Είναι δύο αντικείμενα ίδια ή διαφορετικά;</translation>
+    </message>
+    <message>
+        <source>Is one object more than the reference that was explored before?</source>
+        <translation>Είναι ένα αντικείμενο περισσότερο από την αναφορά που εξερευνήθηκε πριν;</translation>
+    </message>
+    <message>
+        <source>One object is changed until it equals the other.</source>
+        <translation>Ένα αντικείμενο αλλάζει ώσπου να γίνει ίσο με το άλλο.</translation>
+    </message>
+    <message>
+        <source>Each object is given a number.</source>
+        <translation>Κάθε αντικείμενο παίρνει έναν αριθμό.</translation>
+    </message>
+    <message>
+        <source>firmer</source>
+        <translation>πιο σκληρό</translation>
+    </message>
+    <message>
+        <source>heavier</source>
+        <translation>βαρύτερο</translation>
+    </message>
+    <message>
+        <source>slower to come back</source>
+        <translation>πιο αργό στην επαναφορά</translation>
+    </message>
+    <message>
+        <source>rougher</source>
+        <translation>πιο τραχύ</translation>
+    </message>
+    <message>
+        <source>stickier</source>
+        <translation>με περισσότερη τριβή</translation>
+    </message>
+    <message>
+        <source>more viscous</source>
+        <translation>πιο παχύρρευστο</translation>
+    </message>
+    <message>
+        <source>higher</source>
+        <translation>ψηλότερο</translation>
+    </message>
+    <message>
+        <source>Put the three in order; the one that is %1 comes last.</source>
+        <translation>Βάλτε τα τρία σε σειρά· το %1 τελευταίο.</translation>
+    </message>
+    <message>
+        <source>Which one is %1?</source>
+        <translation>Ποιο είναι %1;</translation>
+    </message>
+    <message>
+        <source>Which of the three is %1?</source>
+        <translation>Ποιο από τα τρία είναι %1;</translation>
+    </message>
+    <message>
+        <source>Which one is unlike the other two?</source>
+        <translation>Ποιο διαφέρει από τα άλλα δύο;</translation>
+    </message>
+    <message>
+        <source>Are the two the same or different?</source>
+        <translation>Τα δύο είναι ίδια ή διαφορετικά;</translation>
+    </message>
+    <message>
+        <source>Is it %1 than the reference?</source>
+        <translation>Είναι %1 από την αναφορά;</translation>
+    </message>
+    <message>
+        <source>Change the right one until both feel the same.</source>
+        <translation>Αλλάξτε το δεξί ώσπου τα δύο να μοιάζουν ίδια στην αφή.</translation>
+    </message>
+    <message>
+        <source>Give what you feel a number. Any positive number is right.</source>
+        <translation>Δώστε έναν αριθμό σε αυτό που νιώθετε. Κάθε θετικός αριθμός είναι σωστός.</translation>
+    </message>
+    <message>
+        <source>Harder after right answers, easier after wrong ones. Robust and easy to explain.</source>
+        <translation>Δυσκολότερο μετά από σωστές, ευκολότερο μετά από λάθος απαντήσεις. Ανθεκτικό και εύκολο να εξηγηθεί.</translation>
+    </message>
+    <message>
+        <source>Steps halve and double by a running test. For replications only.</source>
+        <translation>Τα βήματα μισούνται και διπλασιάζονται με έναν τρέχοντα έλεγχο. Μόνο για επαναλήψεις παλαιότερων εργασιών.</translation>
+    </message>
+    <message>
+        <source>Every difference equally often, in random order. The whole curve, with many trials.</source>
+        <translation>Κάθε διαφορά εξίσου συχνά, με τυχαία σειρά. Όλη η καμπύλη, με πολλές δοκιμές.</translation>
+    </message>
+    <message>
+        <source>The difference shrinks until an answer is wrong. Overestimates the JND by half to three times; for replications only.</source>
+        <translation>Η διαφορά μικραίνει ώσπου μια απάντηση να είναι λάθος. Υπερεκτιμά το JND από το μισό έως τρεις φορές· μόνο για επαναλήψεις παλαιότερων εργασιών.</translation>
+    </message>
+    <message>
+        <source>Bayesian; places each trial where the threshold probably is.</source>
+        <translation>Μπεϋζιανή· τοποθετεί κάθε δοκιμή εκεί όπου πιθανώς βρίσκεται το κατώφλι.</translation>
+    </message>
+    <message>
+        <source>Bayesian; chooses the trial that teaches most about threshold, slope and lapses.</source>
+        <translation>Μπεϋζιανή· επιλέγει τη δοκιμή που διδάσκει τα περισσότερα για κατώφλι, κλίση και αβλεψίες.</translation>
+    </message>
+    <message>
+        <source>QUEST+ with an observer for rankings of three. Needs the fewest trials; the default.</source>
+        <translation>QUEST+ με παρατηρητή για κατατάξεις τριών. Χρειάζεται τις λιγότερες δοκιμές· η προεπιλογή.</translation>
+    </message>
+    <message>
+        <source>Difference D</source>
+        <translation>Διαφορά D</translation>
+    </message>
+    <message>
+        <source>Logarithm of D</source>
+        <translation>Λογάριθμος του D</translation>
+    </message>
+    <message>
+        <source>As listed</source>
+        <translation>Όπως αναγράφεται</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Τυχαία</translation>
+    </message>
+    <message>
+        <source>Latin square</source>
+        <translation>Λατινικό τετράγωνο</translation>
+    </message>
+    <message>
+        <source>Williams design</source>
+        <translation>Σχέδιο Williams</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Πρόχειρο</translation>
+    </message>
+    <message>
+        <source>Frozen</source>
+        <translation>Οριστικοποιημένη</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Κλειστή</translation>
+    </message>
+    <message>
+        <source>Archived</source>
+        <translation>Αρχειοθετημένη</translation>
+    </message>
+    <message>
+        <source>Consent missing</source>
+        <translation>Λείπει συγκατάθεση</translation>
+    </message>
+    <message>
+        <source>Takes part</source>
+        <translation>Συμμετέχει</translation>
+    </message>
+    <message>
+        <source>Completed</source>
+        <translation>Ολοκληρωμένο</translation>
+    </message>
+    <message>
+        <source>Withdrawn</source>
+        <translation>Αποσύρθηκε</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ανοικτό</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Σταμάτησε</translation>
+    </message>
+    <message>
+        <source>Force was not what was asked</source>
+        <translation>Η δύναμη δεν ήταν η ζητούμενη</translation>
+    </message>
+    <message>
+        <source>Felt value off</source>
+        <translation>Η αίσθηση αποκλίνει</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Καθυστερημένοι κύκλοι</translation>
+    </message>
+    <message>
+        <source>Device at its limit</source>
+        <translation>Συσκευή στο όριό της</translation>
+    </message>
+    <message>
+        <source>Moved too fast</source>
+        <translation>Πολύ γρήγορη κίνηση</translation>
+    </message>
+    <message>
+        <source>Pressed too hard</source>
+        <translation>Πολύ δυνατή πίεση</translation>
+    </message>
+    <message>
+        <source>Time was up</source>
+        <translation>Τέλος χρόνου</translation>
+    </message>
+    <message>
+        <source>Not all were touched</source>
+        <translation>Δεν αγγίχτηκαν όλα</translation>
+    </message>
+    <message>
+        <source>Spoiled by the experimenter</source>
+        <translation>Ακυρώθηκε από τον πειραματιστή</translation>
+    </message>
+    <message>
+        <source>Change of a text</source>
+        <translation>Αλλαγή κειμένου</translation>
+    </message>
+</context>
+<context>
     <name>TrainingWords</name>
     <message>
         <source>Expert</source>
@@ -2054,6 +3448,42 @@ Do you want to replace it?</source>
     <message>
         <source>You move instrument %1 of %2</source>
         <translation>Κινείτε το εργαλείο %1 από %2</translation>
+    </message>
+    <message>
+        <source>Demonstration on the simulated arm with fingertip platform (%1): shown, not felt</source>
+        <translation>Επίδειξη στον προσομοιωμένο βραχίονα με πλατφόρμα δακτύλου (%1): προβάλλεται, δεν γίνεται αισθητή</translation>
+    </message>
+    <message>
+        <source>Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. Mark a finding: click or Enter.</source>
+        <translation>Κίνηση: ποντίκι ή βέλη. Πίεση και ανύψωση: ροδέλα, δεξί κουμπί και σύρσιμο ή Page Down και Page Up. Σήμανση ευρήματος: κλικ ή Enter.</translation>
+    </message>
+    <message>
+        <source>Rate it: 1 to 5, V for the other rating, + and − for its size.</source>
+        <translation>Βαθμολόγηση: 1 έως 5, V για την άλλη βαθμολογία, + και − για το μέγεθος.</translation>
+    </message>
+    <message>
+        <source>Next finding: N. Take it back: Delete. Nothing more to report: D.</source>
+        <translation>Επόμενο εύρημα: N. Απόσυρση: Delete. Τίποτε άλλο για αναφορά: D.</translation>
+    </message>
+    <message>
+        <source>Use the mouse there: T; a click in the scene takes it back.</source>
+        <translation>Χρήση του ποντικιού εκεί: T· ένα κλικ στη σκηνή το επαναφέρει.</translation>
+    </message>
+    <message>
+        <source>Other hand: H.</source>
+        <translation>Άλλο χέρι: H.</translation>
+    </message>
+    <message>
+        <source>Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
+        <translation>Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: ξανά από την αρχή.</translation>
+    </message>
+    <message>
+        <source>You move the right hand (H for the left)</source>
+        <translation>Κινείτε το δεξί χέρι (H για το αριστερό)</translation>
+    </message>
+    <message>
+        <source>You move the left hand (H for the right)</source>
+        <translation>Κινείτε το αριστερό χέρι (H για το δεξί)</translation>
     </message>
 </context>
 <context>
@@ -2168,6 +3598,77 @@ Recording and scores are kept; they count for nothing.</source>
     </message>
 </context>
 <context>
+    <name>Words</name>
+    <message>
+        <source>Beside the published figures</source>
+        <translation>Δίπλα στις δημοσιευμένες τιμές</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Μέγεθος</translation>
+    </message>
+    <message>
+        <source>By its own sensors</source>
+        <translation>Με τους δικούς της αισθητήρες</translation>
+    </message>
+    <message>
+        <source>What was really so</source>
+        <translation>Τι ίσχυε πραγματικά</translation>
+    </message>
+    <message>
+        <source>Published (P3)</source>
+        <translation>Δημοσιευμένο (P3)</translation>
+    </message>
+    <message>
+        <source>Force, cycle %1: root mean square error</source>
+        <translation>Δύναμη, κύκλος %1: μέσο τετραγωνικό σφάλμα</translation>
+    </message>
+    <message>
+        <source>Force, mean of the cycles</source>
+        <translation>Δύναμη, μέσος όρος των κύκλων</translation>
+    </message>
+    <message>
+        <source>Orientation, mean error of %1 poses</source>
+        <translation>Προσανατολισμός, μέσο σφάλμα %1 στάσεων</translation>
+    </message>
+    <message>
+        <source>Orientation, standard deviation</source>
+        <translation>Προσανατολισμός, τυπική απόκλιση</translation>
+    </message>
+    <message>
+        <source>When one thing gets worse</source>
+        <translation>Όταν κάτι χειροτερεύει</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Τι</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>Πόσο</translation>
+    </message>
+    <message>
+        <source>Force error</source>
+        <translation>Σφάλμα δύναμης</translation>
+    </message>
+    <message>
+        <source>Orientation error</source>
+        <translation>Σφάλμα προσανατολισμού</translation>
+    </message>
+    <message>
+        <source>Better than published</source>
+        <translation>Καλύτερα από τα δημοσιευμένα</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ναι</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>όχι</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AddPersonDialog</name>
     <message>
         <source>Add a person</source>
@@ -2248,6 +3749,89 @@ Recording and scores are kept; they count for nothing.</source>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::AnswerPanel</name>
+    <message>
+        <source>here</source>
+        <translation>εδώ</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>αριστερά</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>δεξιά</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>μέση</translation>
+    </message>
+    <message>
+        <source>Same (1)</source>
+        <translation>Ίδια (1)</translation>
+    </message>
+    <message>
+        <source>Different (2)</source>
+        <translation>Διαφορετικά (2)</translation>
+    </message>
+    <message>
+        <source>No (N)</source>
+        <translation>Όχι (N)</translation>
+    </message>
+    <message>
+        <source>Yes (Y)</source>
+        <translation>Ναι (Y)</translation>
+    </message>
+    <message>
+        <source>Less (−)</source>
+        <translation>Λιγότερο (−)</translation>
+    </message>
+    <message>
+        <source>More (+)</source>
+        <translation>Περισσότερο (+)</translation>
+    </message>
+    <message>
+        <source>They are the same (Enter)</source>
+        <translation>Είναι ίδια (Enter)</translation>
+    </message>
+    <message>
+        <source>Your number</source>
+        <translation>Ο αριθμός σας</translation>
+    </message>
+    <message>
+        <source>Give it (Enter)</source>
+        <translation>Καταχώριση (Enter)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Back (⌫)</source>
+        <translation>Πίσω (⌫)</translation>
+    </message>
+    <message>
+        <source>That is it (Enter)</source>
+        <translation>Αυτό είναι (Enter)</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>λιγότερο</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>ανάμεσα</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>περισσότερο</translation>
+    </message>
+    <message>
+        <source>A number above nothing, please.</source>
+        <translation>Παρακαλώ, αριθμό πάνω από το μηδέν.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AttemptsTable</name>
     <message>
         <source>My attempts</source>
@@ -2280,6 +3864,13 @@ Recording and scores are kept; they count for nothing.</source>
     <message>
         <source>Level %1</source>
         <translation>Επίπεδο %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::BreakPanel</name>
+    <message>
+        <source>Time of the break</source>
+        <translation>Χρόνος του διαλείμματος</translation>
     </message>
 </context>
 <context>
@@ -2357,6 +3948,142 @@ Recording and scores are kept; they count for nothing.</source>
     <message>
         <source>(erased)</source>
         <translation>(διαγράφηκε)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ConditionsPage</name>
+    <message>
+        <source>Copy</source>
+        <translation>Αντιγραφή</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Αφαίρεση</translation>
+    </message>
+    <message>
+        <source>A condition more</source>
+        <translation>Μία συνθήκη επιπλέον</translation>
+    </message>
+    <message>
+        <source>A condition less</source>
+        <translation>Μία συνθήκη λιγότερη</translation>
+    </message>
+    <message>
+        <source>What is compared</source>
+        <translation>Τι συγκρίνεται</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Τίτλος</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Αναγνωριστικό</translation>
+    </message>
+    <message>
+        <source>Id of a condition</source>
+        <translation>Αναγνωριστικό συνθήκης</translation>
+    </message>
+    <message>
+        <source>Attribute</source>
+        <translation>Ιδιότητα</translation>
+    </message>
+    <message>
+        <source>Another attribute</source>
+        <translation>Άλλη ιδιότητα</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Αναφορά</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Έργο</translation>
+    </message>
+    <message>
+        <source>Another task</source>
+        <translation>Άλλο έργο</translation>
+    </message>
+    <message>
+        <source>Threshold at (proportion right)</source>
+        <translation>Κατώφλι στο (ποσοστό σωστών)</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>Κριτήριο</translation>
+    </message>
+    <message>
+        <source>Table of differences</source>
+        <translation>Πίνακας διαφορών</translation>
+    </message>
+    <message>
+        <source>Procedure</source>
+        <translation>Διαδικασία</translation>
+    </message>
+    <message>
+        <source>Several are interleaved at random.</source>
+        <translation>Περισσότερες εναλλάσσονται τυχαία.</translation>
+    </message>
+    <message>
+        <source>x is</source>
+        <translation>το x είναι</translation>
+    </message>
+    <message>
+        <source>Scale of the procedure</source>
+        <translation>Κλίμακα της διαδικασίας</translation>
+    </message>
+    <message>
+        <source>Interleave one more</source>
+        <translation>Μία ακόμη, εναλλάξ</translation>
+    </message>
+    <message>
+        <source>Remove the last</source>
+        <translation>Αφαίρεση τελευταίας</translation>
+    </message>
+    <message>
+        <source>A procedure less</source>
+        <translation>Μία διαδικασία λιγότερη</translation>
+    </message>
+    <message>
+        <source>A procedure more</source>
+        <translation>Μία διαδικασία επιπλέον</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ConsentDialog</name>
+    <message>
+        <source>Consent of %1</source>
+        <translation>Συγκατάθεση: %1</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Γλώσσα</translation>
+    </message>
+    <message>
+        <source>I have read this and I agree</source>
+        <translation>Το διάβασα και συμφωνώ</translation>
+    </message>
+    <message>
+        <source>The moment and the text&apos;s SHA-256 are recorded. Whoever takes part may withdraw at any time.</source>
+        <translation>Καταγράφονται η στιγμή και το SHA-256 του κειμένου. Όποιος συμμετέχει μπορεί να αποσυρθεί οποτεδήποτε.</translation>
+    </message>
+    <message>
+        <source>Record the consent</source>
+        <translation>Καταγραφή</translation>
+    </message>
+    <message>
+        <source>This study has no consent text.</source>
+        <translation>Η μελέτη δεν έχει κείμενο συγκατάθεσης.</translation>
+    </message>
+    <message>
+        <source>The consent was not recorded.
+%1</source>
+        <translation>Η συγκατάθεση δεν καταγράφηκε.
+%1</translation>
+    </message>
+    <message>
+        <source>The consent of %1 is recorded.</source>
+        <translation>Η συγκατάθεση του %1 καταγράφηκε.</translation>
     </message>
 </context>
 <context>
@@ -2536,6 +4263,14 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <source>%1 of %2 landmarks of the bladder were seen.</source>
         <translation>Φάνηκαν %1 από %2 οδηγά σημεία της κύστης.</translation>
     </message>
+    <message>
+        <source>What was searched and what was found</source>
+        <translation>Τι ερευνήθηκε και τι βρέθηκε</translation>
+    </message>
+    <message>
+        <source>Findings and maps could not be read from the recording. The scores above are as they were stored.</source>
+        <translation>Τα ευρήματα και οι χάρτες δεν διαβάστηκαν από την καταγραφή. Οι βαθμολογίες παραπάνω είναι όπως αποθηκεύτηκαν.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DeviceChooser</name>
@@ -2631,6 +4366,82 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>By the formulas as published (up to 27 % off)</source>
         <translation>Με τους δημοσιευμένους τύπους (απόκλιση έως 27 %)</translation>
+    </message>
+    <message>
+        <source>Ready. Watch a scripted operator on the simulated arm with fingertip platform.</source>
+        <translation>Έτοιμο. Παρακολουθήστε έναν προγραμματισμένο χειριστή στον προσομοιωμένο βραχίονα με πλατφόρμα δακτύλου.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::DifferenceTable</name>
+    <message>
+        <source>Smallest</source>
+        <translation>Μικρότερη</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Μεγαλύτερη</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Πόσες</translation>
+    </message>
+    <message>
+        <source>On both sides of the reference</source>
+        <translation>Και από τις δύο πλευρές της αναφοράς</translation>
+    </message>
+    <message>
+        <source>Or typed, in percent</source>
+        <translation>Ή γραμμένες, σε ποσοστά</translation>
+    </message>
+    <message>
+        <source>Make the table</source>
+        <translation>Δημιουργία πίνακα</translation>
+    </message>
+    <message>
+        <source>Nothing to choose from yet.</source>
+        <translation>Τίποτα προς επιλογή ακόμη.</translation>
+    </message>
+    <message>
+        <source>%1 candidates, from %2 to %3 of the reference: %4 to %5.</source>
+        <translation>%1 υποψήφιες, από %2 έως %3 της αναφοράς: %4 έως %5.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::EnrolDialog</name>
+    <message>
+        <source>Enrol a participant</source>
+        <translation>Εγγραφή συμμετέχοντα</translation>
+    </message>
+    <message>
+        <source>%1 of %2 planned participants are enrolled.</source>
+        <translation>Έχουν εγγραφεί %1 από %2 προγραμματισμένους.</translation>
+    </message>
+    <message>
+        <source>Who it is (name, number in your own list …)</source>
+        <translation>Ποιος είναι (όνομα, αριθμός στη λίστα σας …)</translation>
+    </message>
+    <message>
+        <source>Kept in the key table alone, which only the study&apos;s author and administrators can open. Data and exports carry the code.</source>
+        <translation>Βρίσκεται μόνο στον πίνακα κλειδιών, τον οποίο ανοίγουν μόνο ο συντάκτης της μελέτης και διαχειριστές. Δεδομένα και εξαγωγές φέρουν τον κωδικό.</translation>
+    </message>
+    <message>
+        <source>Enrol</source>
+        <translation>Εγγραφή</translation>
+    </message>
+    <message>
+        <source>The participant was not enrolled.
+%1</source>
+        <translation>Ο συμμετέχων δεν εγγράφηκε.
+%1</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s code is</source>
+        <translation>Ο κωδικός του συμμετέχοντα είναι</translation>
+    </message>
+    <message>
+        <source>Write it down for the participant: it begins every sitting. Consent comes next.</source>
+        <translation>Γράψτε τον για τον συμμετέχοντα: με αυτόν αρχίζει κάθε συνεδρία. Ακολουθεί η συγκατάθεση.</translation>
     </message>
 </context>
 <context>
@@ -2839,6 +4650,170 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ExperimenterPanel</name>
+    <message>
+        <source>Experimenter</source>
+        <translation>Πειραματιστής</translation>
+    </message>
+    <message>
+        <source>Spoil this trial</source>
+        <translation>Ακύρωση δοκιμής</translation>
+    </message>
+    <message>
+        <source>It does not count and is presented again.</source>
+        <translation>Δεν μετρά και παρουσιάζεται ξανά.</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Παύση (Διάστημα)</translation>
+    </message>
+    <message>
+        <source>Stop …</source>
+        <translation>Διακοπή …</translation>
+    </message>
+    <message>
+        <source>Condition %1 (sealed)</source>
+        <translation>Συνθήκη %1 (σφραγισμένη)</translation>
+    </message>
+    <message>
+        <source>%1 of at most %2 trials</source>
+        <translation>%1 από το πολύ %2 δοκιμές</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n δοκιμή</numerusform>
+            <numerusform>%n δοκιμές</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Practice, not scored. %1</source>
+        <translation>Εξάσκηση, δεν βαθμολογείται. %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 repeated</source>
+        <translation>%1, %2 επαναλήφθηκαν</translation>
+    </message>
+    <message>
+        <source>Resume (Space)</source>
+        <translation>Συνέχεια (Διάστημα)</translation>
+    </message>
+    <message>
+        <source>The estimate stays sealed until the study is unblinded.</source>
+        <translation>Η εκτίμηση μένει σφραγισμένη ώσπου να αρθεί η τυφλότητα.</translation>
+    </message>
+    <message>
+        <source>The fidelity of each trial will be here.</source>
+        <translation>Η πιστότητα κάθε δοκιμής θα εμφανίζεται εδώ.</translation>
+    </message>
+    <message>
+        <source>Last trial: counted.</source>
+        <translation>Τελευταία δοκιμή: μέτρησε.</translation>
+    </message>
+    <message>
+        <source>Last trial: repeated. %1.</source>
+        <translation>Τελευταία δοκιμή: επαναλαμβάνεται. %1.</translation>
+    </message>
+    <message>
+        <source>Peak force %1 N, mean speed %2 mm/s, %3 contacts, %4 s.</source>
+        <translation>Μέγιστη δύναμη %1 N, μέση ταχύτητα %2 mm/s, %3 επαφές, %4 s.</translation>
+    </message>
+    <message>
+        <source>Felt value off by %1, late ticks %2, at its limit %3.</source>
+        <translation>Η αίσθηση αποκλίνει κατά %1, καθυστερημένοι κύκλοι %2, στο όριο %3.</translation>
+    </message>
+    <message>
+        <source>Force error %1 N.</source>
+        <translation>Σφάλμα δύναμης %1 N.</translation>
+    </message>
+    <message>
+        <source>The device measures no force.</source>
+        <translation>Η συσκευή δεν μετρά δύναμη.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The device cannot render all differences: %n are left.</source>
+        <translation>
+            <numerusform>Η συσκευή δεν αποδίδει όλες τις διαφορές: μένει %n.</numerusform>
+            <numerusform>Η συσκευή δεν αποδίδει όλες τις διαφορές: μένουν %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The estimate will be here after the first scored trials.</source>
+        <translation>Η εκτίμηση θα εμφανιστεί εδώ μετά τις πρώτες βαθμολογημένες δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Weber fraction %1</source>
+        <translation>Κλάσμα Weber %1</translation>
+    </message>
+    <message>
+        <source>Weber fraction %1 (95 %: %2)</source>
+        <translation>Κλάσμα Weber %1 (95 %: %2)</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Δοκιμή</translation>
+    </message>
+    <message>
+        <source>Weber fraction (%)</source>
+        <translation>Κλάσμα Weber (%)</translation>
+    </message>
+    <message>
+        <source>procedure %1</source>
+        <translation>διαδικασία %1</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::FindingsBox</name>
+    <message>
+        <source>Findings</source>
+        <translation>Ευρήματα</translation>
+    </message>
+    <message>
+        <source>None yet. Press where something is, then click or press Enter.</source>
+        <translation>Κανένα ακόμη. Πιέστε όπου υπάρχει κάτι και κάντε κλικ ή πατήστε Enter.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Απόσυρση</translation>
+    </message>
+    <message>
+        <source>Take the selected finding back (Delete)</source>
+        <translation>Απόσυρση του επιλεγμένου ευρήματος (Delete)</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Σκληρότητα</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Βεβαιότητα</translation>
+    </message>
+    <message>
+        <source>Nothing found: end the trial (D)</source>
+        <translation>Δεν βρέθηκε τίποτα (D)</translation>
+    </message>
+    <message>
+        <source>Nothing more to report (D)</source>
+        <translation>Τίποτε άλλο (D)</translation>
+    </message>
+    <message>
+        <source>None is selected.</source>
+        <translation>Κανένα δεν είναι επιλεγμένο.</translation>
+    </message>
+    <message>
+        <source>Not said yet:
+%1
+Press again to end the trial without it.</source>
+        <translation>Δεν δηλώθηκαν ακόμη:
+%1
+Πατήστε ξανά για τέλος χωρίς αυτά.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::FirstStartScreen</name>
     <message>
         <source>Welcome</source>
@@ -2950,6 +4925,76 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
 </context>
 <context>
+    <name>chiron::desktop::FreezeDialog</name>
+    <message>
+        <source>Freeze %1</source>
+        <translation>Οριστικοποίηση: %1</translation>
+    </message>
+    <message>
+        <source>From now on the design can never be changed again, by nobody. Participants can be enrolled, each condition gets a sealed code, and every export carries this SHA-256 of the design:</source>
+        <translation>Από εδώ και πέρα κανείς δεν μπορεί να αλλάξει το σχέδιο. Μπορούν να εγγραφούν συμμετέχοντες, κάθε συνθήκη παίρνει σφραγισμένο κωδικό, και κάθε εξαγωγή φέρει αυτό το SHA-256 του σχεδίου:</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n condition(s)</source>
+        <translation>
+            <numerusform>%n συνθήκη</numerusform>
+            <numerusform>%n συνθήκες</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) planned</source>
+        <translation>
+            <numerusform>%n συμμετέχων προγραμματισμένος</numerusform>
+            <numerusform>%n συμμετέχοντες προγραμματισμένοι</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This cannot be undone. A study that has to be changed later is copied into a new one.</source>
+        <translation>Δεν αναιρείται. Μια μελέτη που πρέπει να αλλάξει αργότερα αντιγράφεται σε νέα.</translation>
+    </message>
+    <message>
+        <source>Freeze the design</source>
+        <translation>Οριστικοποίηση</translation>
+    </message>
+    <message>
+        <source>The study was not frozen.
+%1</source>
+        <translation>Η μελέτη δεν οριστικοποιήθηκε.
+%1</translation>
+    </message>
+    <message>
+        <source>Frozen. Participants can be enrolled now.</source>
+        <translation>Οριστικοποιήθηκε. Τώρα μπορούν να εγγραφούν συμμετέχοντες.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::GeneralPage</name>
+    <message>
+        <source>Title</source>
+        <translation>Τίτλος</translation>
+    </message>
+    <message>
+        <source>Participants planned</source>
+        <translation>Προγραμματισμένοι συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>Number of participants</source>
+        <translation>Αριθμός συμμετεχόντων</translation>
+    </message>
+    <message>
+        <source>Objective</source>
+        <translation>Σκοπός</translation>
+    </message>
+    <message>
+        <source>Instructions, as participants read them</source>
+        <translation>Οδηγίες, όπως τις διαβάζουν οι συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>Consent text</source>
+        <translation>Κείμενο συγκατάθεσης</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::GraspPanel</name>
     <message>
         <source>How much of the holding time is done</source>
@@ -3034,6 +5079,100 @@ Each level says whether you have passed it. Choose one to see what is measured a
     <message>
         <source>Pull of the load, downwards: %1 N</source>
         <translation>Έλξη του φορτίου, προς τα κάτω: %1 N</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::GroupPage</name>
+    <message>
+        <source>Nobody has done this condition yet. Each participant&apos;s result will be here as soon as there is a run.</source>
+        <translation>Κανείς δεν έχει κάνει ακόμη αυτή τη συνθήκη. Το αποτέλεσμα κάθε συμμετέχοντα θα είναι εδώ μόλις υπάρξει εκτέλεση.</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Ομάδα</translation>
+    </message>
+    <message numerus="yes">
+        <source>Weber fraction of %n participant(s), as random effects</source>
+        <translation>
+            <numerusform>Κλάσμα Weber %n συμμετέχοντα, ως τυχαίο αποτέλεσμα</numerusform>
+            <numerusform>Κλάσμα Weber %n συμμετεχόντων, ως τυχαία αποτελέσματα</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>95 %: %1</source>
+        <translation>95 %: %1</translation>
+    </message>
+    <message>
+        <source>a further participant: %1</source>
+        <translation>ένας επιπλέον συμμετέχων: %1</translation>
+    </message>
+    <message>
+        <source>JND %1</source>
+        <translation>JND %1</translation>
+    </message>
+    <message>
+        <source>Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 %)</source>
+        <translation>Κατατάξεις στην αληθινή σειρά: %1 από %2 (%3· η τύχη δίνει 16,7 %)</translation>
+    </message>
+    <message>
+        <source>Weber fraction of each participant</source>
+        <translation>Κλάσμα Weber κάθε συμμετέχοντα</translation>
+    </message>
+    <message>
+        <source>Weber fraction (%)</source>
+        <translation>Κλάσμα Weber (%)</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Συμμετέχων</translation>
+    </message>
+    <message>
+        <source>estimate, half of its 95 % interval up and down</source>
+        <translation>εκτίμηση, μισό του διαστήματος 95 % πάνω και κάτω</translation>
+    </message>
+    <message>
+        <source>No estimate yet</source>
+        <translation>Καμία εκτίμηση ακόμη</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Εκτελέσεις</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Κωδικός</translation>
+    </message>
+    <message>
+        <source>Weber fraction</source>
+        <translation>Κλάσμα Weber</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>Διάστημα 95 %</translation>
+    </message>
+    <message>
+        <source>JND</source>
+        <translation>JND</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Δοκιμές</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Διεξαγωγή</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Προειδοποιήσεις</translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation>σφραγισμένο</translation>
+    </message>
+    <message>
+        <source>%1 (%2 repeated)</source>
+        <translation>%1 (%2 επαναλήφθηκαν)</translation>
     </message>
 </context>
 <context>
@@ -3257,6 +5396,42 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
         <source>%1, level %2: %3</source>
         <translation>%1, επίπεδο %2: %3</translation>
     </message>
+    <message>
+        <source>Studies</source>
+        <translation>Μελέτες</translation>
+    </message>
+    <message>
+        <source>Design a study or begin with a template, try it with simulated observers, freeze it, enrol participants.</source>
+        <translation>Σχεδιάστε μια μελέτη ή αρχίστε από πρότυπο, δοκιμάστε τη με προσομοιωμένους παρατηρητές, οριστικοποιήστε τη, εγγράψτε συμμετέχοντες.</translation>
+    </message>
+    <message>
+        <source>Open the studies</source>
+        <translation>Άνοιγμα μελετών</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Διεξαγωγή</translation>
+    </message>
+    <message>
+        <source>Take a participant through a study, by code and in their own order. What was interrupted goes on where it stopped.</source>
+        <translation>Οδηγήστε έναν συμμετέχοντα σε μια μελέτη, με κωδικό και στη δική του σειρά. Ό,τι διακόπηκε συνεχίζεται από εκεί που σταμάτησε.</translation>
+    </message>
+    <message>
+        <source>Run a study</source>
+        <translation>Διεξαγωγή μελέτης</translation>
+    </message>
+    <message>
+        <source>Curves, thresholds and intervals of each person and the group, every trial with its fidelity, exports.</source>
+        <translation>Καμπύλες, κατώφλια και διαστήματα κάθε ατόμου και της ομάδας, κάθε δοκιμή με την πιστότητά της, εξαγωγές.</translation>
+    </message>
+    <message>
+        <source>Training sessions</source>
+        <translation>Συνεδρίες εκπαίδευσης</translation>
+    </message>
+    <message>
+        <source>Open the sessions</source>
+        <translation>Άνοιγμα συνεδριών</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
@@ -3435,6 +5610,45 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
     </message>
 </context>
 <context>
+    <name>chiron::desktop::KeyTableDialog</name>
+    <message>
+        <source>Who is who</source>
+        <translation>Ποιος είναι ποιος</translation>
+    </message>
+    <message>
+        <source>That you looked is written into the audit trail.</source>
+        <translation>Ότι το κοιτάξατε καταγράφεται στο ίχνος ελέγχου.</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Κωδικός</translation>
+    </message>
+    <message>
+        <source>Who it is</source>
+        <translation>Ποιος είναι</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Κλείσιμο</translation>
+    </message>
+    <message>
+        <source>Reading the key table …</source>
+        <translation>Ανάγνωση του πίνακα κλειδιών …</translation>
+    </message>
+    <message>
+        <source>The key table could not be read</source>
+        <translation>Ο πίνακας κλειδιών δεν διαβάστηκε</translation>
+    </message>
+    <message>
+        <source>The key table is empty</source>
+        <translation>Ο πίνακας κλειδιών είναι άδειος</translation>
+    </message>
+    <message>
+        <source>Simulated participants have no key.</source>
+        <translation>Οι προσομοιωμένοι συμμετέχοντες δεν έχουν κλειδί.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::LatenessChart</name>
     <message>
         <source>Lateness of the force loop</source>
@@ -3459,6 +5673,29 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::LeanDial</name>
+    <message>
+        <source>Lean of the fingertip&apos;s platform</source>
+        <translation>Κλίση της πλατφόρμας δακτύλου</translation>
+    </message>
+    <message>
+        <source>%1°, at its limit</source>
+        <translation>%1°, στο όριο</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>Κλίση</translation>
     </message>
 </context>
 <context>
@@ -3735,6 +5972,194 @@ Forgot your password? An administrator can give you a new one. The first adminis
     </message>
 </context>
 <context>
+    <name>chiron::desktop::NewStudyDialog</name>
+    <message>
+        <source>New study</source>
+        <translation>Νέα μελέτη</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Αρχή από</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Τίτλος</translation>
+    </message>
+    <message>
+        <source>Key (in files and commands)</source>
+        <translation>Κλειδί (σε αρχεία και εντολές)</translation>
+    </message>
+    <message>
+        <source>Lower-case letters, digits and _ only. It cannot be changed later.</source>
+        <translation>Μόνο πεζά λατινικά, ψηφία και _. Δεν αλλάζει αργότερα.</translation>
+    </message>
+    <message>
+        <source>Make the draft</source>
+        <translation>Δημιουργία πρόχειρου</translation>
+    </message>
+    <message>
+        <source>The templates could not be read.
+%1</source>
+        <translation>Τα πρότυπα δεν διαβάστηκαν.
+%1</translation>
+    </message>
+    <message>
+        <source>A plain study</source>
+        <translation>Μια απλή μελέτη</translation>
+    </message>
+    <message>
+        <source>One condition, a ranking of three by stiffness.</source>
+        <translation>Μία συνθήκη, κατάταξη τριών κατά δυσκαμψία.</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>The study was not made: perhaps its key is taken.
+%1</source>
+        <translation>Η μελέτη δεν δημιουργήθηκε: ίσως το κλειδί υπάρχει ήδη.
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PalpationBox</name>
+    <message>
+        <source>Trial</source>
+        <translation>Δοκιμή</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Δοκιμή %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PalpationPanel</name>
+    <message>
+        <source>%1: force</source>
+        <translation>%1: δύναμη</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Map: how hard (M)</source>
+        <translation>Χάρτης: πόσο δυνατά (M)</translation>
+    </message>
+    <message>
+        <source>On: the map on the tissue shows how hard was pressed. Off: where was searched.</source>
+        <translation>Ναι: ο χάρτης δείχνει πόσο δυνατά πιέστηκε ο ιστός. Όχι: πού έγινε αναζήτηση.</translation>
+    </message>
+    <message>
+        <source>displayed force (N)</source>
+        <translation>αποδιδόμενη δύναμη (N)</translation>
+    </message>
+    <message>
+        <source>lean (°)</source>
+        <translation>κλίση (°)</translation>
+    </message>
+    <message>
+        <source>depth (mm)</source>
+        <translation>βάθος (mm)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Force, first finger (N)</source>
+        <translation>Δύναμη, πρώτο δάκτυλο (N)</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Δύναμη (N)</translation>
+    </message>
+    <message>
+        <source>Lean, first finger (°)</source>
+        <translation>Κλίση, πρώτο δάκτυλο (°)</translation>
+    </message>
+    <message>
+        <source>Lean (°)</source>
+        <translation>Κλίση (°)</translation>
+    </message>
+    <message>
+        <source>Searched: %1 %</source>
+        <translation>Ερευνήθηκε: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ParticipantsPage</name>
+    <message>
+        <source>Participants can be enrolled once the design is frozen.</source>
+        <translation>Συμμετέχοντες εγγράφονται αφού οριστικοποιηθεί το σχέδιο.</translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled yet. Each participant gets a random code; who it is stays in a key table of its own.</source>
+        <translation>Κανείς δεν έχει εγγραφεί ακόμη. Κάθε συμμετέχων παίρνει τυχαίο κωδικό· το ποιος είναι μένει σε ξεχωριστό πίνακα κλειδιών.</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Κωδικός</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Κατάσταση</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Συνθήκες</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Σειρά</translation>
+    </message>
+    <message>
+        <source>Enrolled</source>
+        <translation>Εγγραφή</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Συγκατάθεση</translation>
+    </message>
+    <message>
+        <source>Enrol …</source>
+        <translation>Εγγραφή …</translation>
+    </message>
+    <message>
+        <source>Consent …</source>
+        <translation>Συγκατάθεση …</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Διεξαγωγή</translation>
+    </message>
+    <message>
+        <source>Withdraw …</source>
+        <translation>Απόσυρση …</translation>
+    </message>
+    <message>
+        <source>Who is who …</source>
+        <translation>Ποιος είναι ποιος …</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%1 από %2 έτοιμες</translation>
+    </message>
+    <message>
+        <source>%1, one open</source>
+        <translation>%1, μία ανοικτή</translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation>%1 (προσομοιωμένος)</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PasswordChoice</name>
     <message>
         <source>First password</source>
@@ -3975,6 +6400,126 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     </message>
 </context>
 <context>
+    <name>chiron::desktop::PersonPage</name>
+    <message>
+        <source>There are no runs yet.</source>
+        <translation>Δεν υπάρχουν εκτελέσεις ακόμη.</translation>
+    </message>
+    <message>
+        <source>no interval</source>
+        <translation>χωρίς διάστημα</translation>
+    </message>
+    <message>
+        <source>95 %: %1</source>
+        <translation>95 %: %1</translation>
+    </message>
+    <message>
+        <source>Weber fraction</source>
+        <translation>Κλάσμα Weber</translation>
+    </message>
+    <message>
+        <source>JND at the reference</source>
+        <translation>JND στην αναφορά</translation>
+    </message>
+    <message>
+        <source>Point of equality</source>
+        <translation>Σημείο ισότητας</translation>
+    </message>
+    <message>
+        <source>Internal noise, log10</source>
+        <translation>Εσωτερικός θόρυβος, log10</translation>
+    </message>
+    <message>
+        <source>%1. %2. %3 scored trials, %4 repeated. %5</source>
+        <translation>%1. %2. %3 βαθμολογημένες δοκιμές, %4 επαναλήφθηκαν. %5</translation>
+    </message>
+    <message numerus="yes">
+        <source>Run again from its log, the procedure makes the same %n choice(s).</source>
+        <translation>
+            <numerusform>Από το αρχείο της ξανά, η διαδικασία κάνει την ίδια %n επιλογή.</numerusform>
+            <numerusform>Από το αρχείο της ξανά, η διαδικασία κάνει τις ίδιες %n επιλογές.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Run again from its log, the procedure chooses differently: %1 of %2 are the same.</source>
+        <translation>Από το αρχείο της ξανά, η διαδικασία επιλέγει διαφορετικά: %1 από %2 είναι ίδιες.</translation>
+    </message>
+    <message>
+        <source>Right answers by difference</source>
+        <translation>Σωστές απαντήσεις ανά διαφορά</translation>
+    </message>
+    <message>
+        <source>Difference from the reference (%)</source>
+        <translation>Διαφορά από την αναφορά (%)</translation>
+    </message>
+    <message>
+        <source>Proportion right</source>
+        <translation>Ποσοστό σωστών</translation>
+    </message>
+    <message>
+        <source>95 % band</source>
+        <translation>ζώνη 95 %</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>προσαρμογή</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>δεδομένα</translation>
+    </message>
+    <message>
+        <source>This task has no curve of right answers</source>
+        <translation>Το έργο αυτό δεν έχει καμπύλη σωστών απαντήσεων</translation>
+    </message>
+    <message>
+        <source>criterion</source>
+        <translation>κριτήριο</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PlacesView</name>
+    <message>
+        <source>Objects to explore</source>
+        <translation>Αντικείμενα προς εξερεύνηση</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PlatformCard</name>
+    <message>
+        <source>Fingertip platform</source>
+        <translation>Πλατφόρμα δακτύλου</translation>
+    </message>
+    <message>
+        <source>Force and position verification as published: a sine of 1 N over three cycles, then random orientations.</source>
+        <translation>Έλεγχος δύναμης και θέσης όπως δημοσιεύθηκε: ημίτονο 1 N σε τρεις κύκλους και έπειτα τυχαίοι προσανατολισμοί.</translation>
+    </message>
+    <message>
+        <source>An administrator can run it here.</source>
+        <translation>Ένας διαχειριστής μπορεί να τον εκτελέσει εδώ.</translation>
+    </message>
+    <message>
+        <source>Verify the platform</source>
+        <translation>Έλεγχος</translation>
+    </message>
+    <message>
+        <source>Record (PDF) …</source>
+        <translation>Πρακτικό (PDF) …</translation>
+    </message>
+    <message>
+        <source>The verification was stopped before its end.</source>
+        <translation>Ο έλεγχος διακόπηκε πριν το τέλος του.</translation>
+    </message>
+    <message>
+        <source>The verification could not be done: %1</source>
+        <translation>Ο έλεγχος δεν ήταν δυνατός: %1</translation>
+    </message>
+    <message>
+        <source>Verification of the fingertip platform</source>
+        <translation>Έλεγχος της πλατφόρμας δακτύλου</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PlaybackPlots</name>
     <message>
         <source>Time (s)</source>
@@ -4055,6 +6600,34 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Energy (mJ)</source>
         <translation>Ενέργεια (mJ)</translation>
+    </message>
+    <message>
+        <source>finger %1</source>
+        <translation>δάκτυλο %1</translation>
+    </message>
+    <message>
+        <source>finger</source>
+        <translation>δάκτυλο</translation>
+    </message>
+    <message>
+        <source>Lean of the force</source>
+        <translation>Κλίση της δύναμης</translation>
+    </message>
+    <message>
+        <source>farthest that the platform leans</source>
+        <translation>μέγιστη κλίση της πλατφόρμας</translation>
+    </message>
+    <message>
+        <source>Lean (°), line: as far as the platform leans</source>
+        <translation>Κλίση (°), γραμμή: όσο κλίνει η πλατφόρμα</translation>
+    </message>
+    <message>
+        <source>Depth of the fingers</source>
+        <translation>Βάθος των δακτύλων</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Βάθος (mm)</translation>
     </message>
 </context>
 <context>
@@ -4270,6 +6843,590 @@ Choose a second session to see it beside this one: each of its trials starts whe
     <message>
         <source>Trial %1 · %2 · force %3 · speed %4</source>
         <translation>Δοκιμή %1 · %2 · δύναμη %3 · ταχύτητα %4</translation>
+    </message>
+    <message>
+        <source>Show the lumps</source>
+        <translation>Εμφάνιση των όζων</translation>
+    </message>
+    <message>
+        <source>Where the lumps were, and what became of the findings</source>
+        <translation>Πού ήταν οι όζοι και τι απέγιναν τα ευρήματα</translation>
+    </message>
+    <message>
+        <source>Map of the whole trial</source>
+        <translation>Χάρτης όλης της δοκιμής</translation>
+    </message>
+    <message>
+        <source>Off: the map as it was at this moment</source>
+        <translation>Όχι: ο χάρτης όπως ήταν εκείνη τη στιγμή</translation>
+    </message>
+    <message>
+        <source>Map: how hard</source>
+        <translation>Χάρτης: πόσο δυνατά</translation>
+    </message>
+    <message>
+        <source>On: how hard was pressed. Off: where was searched.</source>
+        <translation>Ναι: πόσο δυνατά πιέστηκε. Όχι: πού έγινε αναζήτηση.</translation>
+    </message>
+    <message>
+        <source>Trial %1 · paused · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
+        <translation>Δοκιμή %1 · παύση · δύναμη %2 · κλίση %3° · βάθος %4 · ερευνήθηκε %5 % · ευρήματα %6</translation>
+    </message>
+    <message>
+        <source>Trial %1 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
+        <translation>Δοκιμή %1 · δύναμη %2 · κλίση %3° · βάθος %4 · ερευνήθηκε %5 % · ευρήματα %6</translation>
+    </message>
+    <message>
+        <source>Findings and maps could not be read from the recording: %1</source>
+        <translation>Τα ευρήματα και οι χάρτες δεν διαβάστηκαν από την καταγραφή: %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PreviewPage</name>
+    <message>
+        <source>Simulated observers do the study, without rendering. What they are like is known, so that bias and precision can be told before the first participant.</source>
+        <translation>Προσομοιωμένοι παρατηρητές κάνουν τη μελέτη, χωρίς απόδοση. Τα χαρακτηριστικά τους είναι γνωστά, ώστε μεροληψία και ακρίβεια να φανούν πριν από τον πρώτο συμμετέχοντα.</translation>
+    </message>
+    <message>
+        <source>Their Weber fraction</source>
+        <translation>Το κλάσμα Weber τους</translation>
+    </message>
+    <message>
+        <source>Answers that are guessed</source>
+        <translation>Απαντήσεις στην τύχη</translation>
+    </message>
+    <message>
+        <source>Runs a condition</source>
+        <translation>Εκτελέσεις ανά συνθήκη</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Προεπισκόπηση</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Άκυρο</translation>
+    </message>
+    <message>
+        <source>Progress of the preview</source>
+        <translation>Πρόοδος της προεπισκόπησης</translation>
+    </message>
+    <message>
+        <source>The preview could not be made. %1</source>
+        <translation>Η προεπισκόπηση δεν έγινε. %1</translation>
+    </message>
+    <message>
+        <source>expected bias of the Weber fraction</source>
+        <translation>αναμενόμενη μεροληψία του κλάσματος Weber</translation>
+    </message>
+    <message>
+        <source>precision: SD of one run, as a factor</source>
+        <translation>ακρίβεια: SD μίας εκτέλεσης, ως παράγοντας</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>δοκιμές</translation>
+    </message>
+    <message>
+        <source>minutes, breaks included</source>
+        <translation>λεπτά, με διαλείμματα</translation>
+    </message>
+    <message>
+        <source>95 % intervals that hold the truth</source>
+        <translation>διαστήματα 95 % που περιέχουν την αλήθεια</translation>
+    </message>
+    <message numerus="yes">
+        <source>smallest ratio found with 80 % power by %n participant(s)</source>
+        <translation>
+            <numerusform>μικρότερος λόγος με ισχύ 80 % από %n συμμετέχοντα</numerusform>
+            <numerusform>μικρότερος λόγος με ισχύ 80 % από %n συμμετέχοντες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>How the estimate settles with more trials</source>
+        <translation>Πώς σταθεροποιείται η εκτίμηση με περισσότερες δοκιμές</translation>
+    </message>
+    <message>
+        <source>Trials of a run</source>
+        <translation>Δοκιμές μίας εκτέλεσης</translation>
+    </message>
+    <message>
+        <source>Weber fraction (%)</source>
+        <translation>Κλάσμα Weber (%)</translation>
+    </message>
+    <message numerus="yes">
+        <source>middle of %n run(s)</source>
+        <translation>
+            <numerusform>%n εκτέλεση</numerusform>
+            <numerusform>μέσο %n εκτελέσεων</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>middle 80 %</source>
+        <translation>μεσαίο 80 %</translation>
+    </message>
+    <message>
+        <source>true value</source>
+        <translation>αληθινή τιμή</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ProcedureForm</name>
+    <message>
+        <source>Procedure</source>
+        <translation>Διαδικασία</translation>
+    </message>
+    <message>
+        <source>Another procedure</source>
+        <translation>Άλλη διαδικασία</translation>
+    </message>
+    <message>
+        <source>First x</source>
+        <translation>Πρώτο x</translation>
+    </message>
+    <message>
+        <source>Right answers for a step down</source>
+        <translation>Σωστές απαντήσεις για βήμα κάτω</translation>
+    </message>
+    <message>
+        <source>Wrong answers for a step up</source>
+        <translation>Λάθος απαντήσεις για βήμα πάνω</translation>
+    </message>
+    <message>
+        <source>Step down : step up (0: as listed)</source>
+        <translation>Βήμα κάτω : βήμα πάνω (0: όπως αναγράφεται)</translation>
+    </message>
+    <message>
+        <source>Steps are</source>
+        <translation>Τα βήματα</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>προστίθενται</translation>
+    </message>
+    <message>
+        <source>in log10 units</source>
+        <translation>σε μονάδες log10</translation>
+    </message>
+    <message>
+        <source>in dB</source>
+        <translation>σε dB</translation>
+    </message>
+    <message>
+        <source>Reversals averaged</source>
+        <translation>Αναστροφές στον μέσο όρο</translation>
+    </message>
+    <message>
+        <source>Steps up, by number of reversals</source>
+        <translation>Βήματα πάνω, ανά αριθμό αναστροφών</translation>
+    </message>
+    <message>
+        <source>Steps down (empty: as up)</source>
+        <translation>Βήματα κάτω (κενό: όπως πάνω)</translation>
+    </message>
+    <message>
+        <source>1-up/1-down until the first reversal</source>
+        <translation>1-πάνω/1-κάτω ώς την πρώτη αναστροφή</translation>
+    </message>
+    <message>
+        <source>Counters start anew at each step</source>
+        <translation>Οι μετρητές μηδενίζονται σε κάθε βήμα</translation>
+    </message>
+    <message>
+        <source>New step size at the reversal itself</source>
+        <translation>Νέο μέγεθος βήματος ήδη στην αναστροφή</translation>
+    </message>
+    <message>
+        <source>Stay within the range</source>
+        <translation>Παραμονή στο εύρος</translation>
+    </message>
+    <message>
+        <source>Proportion aimed at</source>
+        <translation>Επιδιωκόμενο ποσοστό</translation>
+    </message>
+    <message>
+        <source>Wald deviation</source>
+        <translation>Απόκλιση Wald</translation>
+    </message>
+    <message>
+        <source>First step</source>
+        <translation>Πρώτο βήμα</translation>
+    </message>
+    <message>
+        <source>Smallest step</source>
+        <translation>Μικρότερο βήμα</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Μεγαλύτερο βήμα</translation>
+    </message>
+    <message>
+        <source>Trials a level</source>
+        <translation>Δοκιμές ανά επίπεδο</translation>
+    </message>
+    <message>
+        <source>In random order</source>
+        <translation>Με τυχαία σειρά</translation>
+    </message>
+    <message>
+        <source>Levels (x)</source>
+        <translation>Επίπεδα (x)</translation>
+    </message>
+    <message>
+        <source>Presentations a level</source>
+        <translation>Παρουσιάσεις ανά επίπεδο</translation>
+    </message>
+    <message>
+        <source>Right ones to go on</source>
+        <translation>Σωστές για να συνεχιστεί</translation>
+    </message>
+    <message>
+        <source>Levels (x), falling</source>
+        <translation>Επίπεδα (x), φθίνοντα</translation>
+    </message>
+    <message>
+        <source>Prior: mean threshold</source>
+        <translation>Εκ των προτέρων: μέσο κατώφλι</translation>
+    </message>
+    <message>
+        <source>Prior: SD</source>
+        <translation>Εκ των προτέρων: SD</translation>
+    </message>
+    <message>
+        <source>Slope β</source>
+        <translation>Κλίση β</translation>
+    </message>
+    <message>
+        <source>Lapses δ</source>
+        <translation>Αβλεψίες δ</translation>
+    </message>
+    <message>
+        <source>Guesses γ</source>
+        <translation>Τύχη γ</translation>
+    </message>
+    <message>
+        <source>Trials are placed at</source>
+        <translation>Οι δοκιμές τοποθετούνται στο</translation>
+    </message>
+    <message>
+        <source>Quantile</source>
+        <translation>Ποσοστημόριο</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Μέσος</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Κορυφή</translation>
+    </message>
+    <message>
+        <source>Psychometric function</source>
+        <translation>Ψυχομετρική συνάρτηση</translation>
+    </message>
+    <message>
+        <source>Same stimulus in a row (0: any)</source>
+        <translation>Ίδιο ερέθισμα στη σειρά (0: όσο να ’ναι)</translation>
+    </message>
+    <message>
+        <source>Share of catch trials</source>
+        <translation>Ποσοστό δοκιμών ελέγχου</translation>
+    </message>
+    <message>
+        <source>Grid of %1</source>
+        <translation>Πλέγμα: %1</translation>
+    </message>
+    <message>
+        <source>Grid of lapses</source>
+        <translation>Πλέγμα αβλεψιών</translation>
+    </message>
+    <message>
+        <source>Grid of noise (log10 σ)</source>
+        <translation>Πλέγμα θορύβου (log10 σ)</translation>
+    </message>
+    <message>
+        <source>Change of the procedure</source>
+        <translation>Αλλαγή της διαδικασίας</translation>
+    </message>
+    <message>
+        <source>Trials at most</source>
+        <translation>Δοκιμές το πολύ</translation>
+    </message>
+    <message>
+        <source>Trials at least</source>
+        <translation>Δοκιμές το λιγότερο</translation>
+    </message>
+    <message>
+        <source>Stop after reversals (0: no)</source>
+        <translation>Τέλος μετά από αναστροφές (0: όχι)</translation>
+    </message>
+    <message>
+        <source>Stop at precision, SD (0: no)</source>
+        <translation>Τέλος στην ακρίβεια, SD (0: όχι)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::QuestionnaireForm</name>
+    <message>
+        <source>%1 (may be left out)</source>
+        <translation>%1 (προαιρετικό)</translation>
+    </message>
+    <message>
+        <source>Please answer this one.</source>
+        <translation>Παρακαλώ απαντήστε σε αυτό.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 από %2</translation>
+    </message>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>Από %1 έως %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::QuestionnaireScreen</name>
+    <message>
+        <source>Questionnaire</source>
+        <translation>Ερωτηματολόγιο</translation>
+    </message>
+    <message>
+        <source>A participant answers these questions once.
+
+Tab goes from question to question, the arrow keys move within a scale, Space chooses. What must be answered is marked when it is missing. The answers are stored under the participant&apos;s code as soon as they are handed in.</source>
+        <translation>Ο συμμετέχων απαντά σε αυτές τις ερωτήσεις μία φορά.
+
+Το Tab πηγαίνει από ερώτηση σε ερώτηση, τα βέλη κινούνται μέσα στην κλίμακα, το Διάστημα επιλέγει. Ό,τι πρέπει να απαντηθεί σημειώνεται όταν λείπει. Οι απαντήσεις αποθηκεύονται με τον κωδικό του συμμετέχοντα μόλις παραδοθούν.</translation>
+    </message>
+    <message>
+        <source>Reading the questions …</source>
+        <translation>Ανάγνωση των ερωτήσεων …</translation>
+    </message>
+    <message>
+        <source>The questionnaire could not be read</source>
+        <translation>Το ερωτηματολόγιο δεν διαβάστηκε</translation>
+    </message>
+    <message>
+        <source>Already answered</source>
+        <translation>Έχει ήδη απαντηθεί</translation>
+    </message>
+    <message>
+        <source>Each participant answers a questionnaire once.</source>
+        <translation>Κάθε συμμετέχων απαντά ένα ερωτηματολόγιο μία φορά.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Πίσω</translation>
+    </message>
+    <message>
+        <source>There is no such questionnaire</source>
+        <translation>Δεν υπάρχει τέτοιο ερωτηματολόγιο</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <translation>Συμμετέχων %1</translation>
+    </message>
+    <message>
+        <source>Hand in</source>
+        <translation>Παράδοση</translation>
+    </message>
+    <message>
+        <source>The answers were not stored. They are still here.
+%1</source>
+        <translation>Οι απαντήσεις δεν αποθηκεύτηκαν. Βρίσκονται ακόμη εδώ.
+%1</translation>
+    </message>
+    <message>
+        <source>Thank you. The answers are stored.</source>
+        <translation>Ευχαριστούμε. Οι απαντήσεις αποθηκεύτηκαν.</translation>
+    </message>
+    <message>
+        <source>Leave without handing in?</source>
+        <translation>Έξοδος χωρίς παράδοση;</translation>
+    </message>
+    <message>
+        <source>The answers on this page are not stored yet.</source>
+        <translation>Οι απαντήσεις της σελίδας δεν έχουν αποθηκευτεί ακόμη.</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Παραμονή</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Έξοδος</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::QuestionnaireSummary</name>
+    <message>
+        <source>This study has no questionnaires.</source>
+        <translation>Η μελέτη δεν έχει ερωτηματολόγια.</translation>
+    </message>
+    <message>
+        <source>Nobody has answered it yet.</source>
+        <translation>Κανείς δεν το έχει απαντήσει ακόμη.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Answered by %n participant(s)</source>
+        <translation>
+            <numerusform>Απαντήθηκε από %n συμμετέχοντα</numerusform>
+            <numerusform>Απαντήθηκε από %n συμμετέχοντες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No answers</source>
+        <translation>Καμία απάντηση</translation>
+    </message>
+    <message>
+        <source>Median %1, middle half %2 to %3</source>
+        <translation>Διάμεσος %1, μεσαίο μισό %2 έως %3</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>«%1»</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Απαντήσεις</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>απαντήσεις</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::QuestionnairesPage</name>
+    <message>
+        <source>Scale with words at its ends</source>
+        <translation>Κλίμακα με λέξεις στα άκρα</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Αριθμός</translation>
+    </message>
+    <message>
+        <source>Choice</source>
+        <translation>Επιλογή</translation>
+    </message>
+    <message>
+        <source>Free text</source>
+        <translation>Ελεύθερο κείμενο</translation>
+    </message>
+    <message>
+        <source>No questionnaires. They are answered once by each participant, before or after the runs, and kept beside the data.</source>
+        <translation>Χωρίς ερωτηματολόγια. Απαντώνται μία φορά από κάθε συμμετέχοντα, πριν ή μετά τις εκτελέσεις, και φυλάσσονται δίπλα στα δεδομένα.</translation>
+    </message>
+    <message>
+        <source>Add a questionnaire</source>
+        <translation>Νέο ερωτηματολόγιο</translation>
+    </message>
+    <message>
+        <source>A questionnaire more</source>
+        <translation>Ένα ερωτηματολόγιο επιπλέον</translation>
+    </message>
+    <message>
+        <source>Title of the questionnaire</source>
+        <translation>Τίτλος ερωτηματολογίου</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Αναγνωριστικό</translation>
+    </message>
+    <message>
+        <source>Id of a questionnaire</source>
+        <translation>Αναγνωριστικό ερωτηματολογίου</translation>
+    </message>
+    <message>
+        <source>Answered</source>
+        <translation>Απαντάται</translation>
+    </message>
+    <message>
+        <source>before the runs</source>
+        <translation>πριν από τις εκτελέσεις</translation>
+    </message>
+    <message>
+        <source>after the runs</source>
+        <translation>μετά τις εκτελέσεις</translation>
+    </message>
+    <message>
+        <source>When it is answered</source>
+        <translation>Πότε απαντάται</translation>
+    </message>
+    <message>
+        <source>Add a question</source>
+        <translation>Νέα ερώτηση</translation>
+    </message>
+    <message>
+        <source>Remove the questionnaire</source>
+        <translation>Αφαίρεση όλου</translation>
+    </message>
+    <message>
+        <source>Change of a question</source>
+        <translation>Αλλαγή ερώτησης</translation>
+    </message>
+    <message>
+        <source>Question %1</source>
+        <translation>Ερώτηση %1</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Απάντηση</translation>
+    </message>
+    <message>
+        <source>Summarised under</source>
+        <translation>Συνοψίζεται ως</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Βαθμίδες</translation>
+    </message>
+    <message>
+        <source>Lowest means</source>
+        <translation>Η χαμηλότερη σημαίνει</translation>
+    </message>
+    <message>
+        <source>Highest means</source>
+        <translation>Η υψηλότερη σημαίνει</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Χαμηλότερη</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Υψηλότερη</translation>
+    </message>
+    <message>
+        <source>Choices, one a line</source>
+        <translation>Επιλογές, μία ανά γραμμή</translation>
+    </message>
+    <message>
+        <source>Must be answered</source>
+        <translation>Υποχρεωτική</translation>
+    </message>
+    <message>
+        <source>Remove question %1</source>
+        <translation>Αφαίρεση ερώτησης %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RatingRow</name>
+    <message>
+        <source>keys 1 to 5</source>
+        <translation>πλήκτρα 1 έως 5</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 of 5</source>
+        <translation>%1: %2, %3 από 5</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -4518,6 +7675,29 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
     </message>
 </context>
 <context>
+    <name>chiron::desktop::RocBox</name>
+    <message>
+        <source>How sure, and how right</source>
+        <translation>Πόσο βέβαιοι και πόσο σωστοί</translation>
+    </message>
+    <message>
+        <source>Reading the recordings …</source>
+        <translation>Ανάγνωση των καταγραφών …</translation>
+    </message>
+    <message>
+        <source>The recordings could not be read</source>
+        <translation>Οι καταγραφές δεν ήταν δυνατό να διαβαστούν</translation>
+    </message>
+    <message>
+        <source>Not enough answers yet</source>
+        <translation>Δεν υπάρχουν ακόμη αρκετές απαντήσεις</translation>
+    </message>
+    <message>
+        <source>A curve needs at least %1 places with a lump and as many without. So far: %2 with, %3 without.</source>
+        <translation>Μια καμπύλη χρειάζεται τουλάχιστον %1 θέσεις με όζο και άλλες τόσες χωρίς. Μέχρι τώρα: %2 με, %3 χωρίς.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::RoleChoice</name>
     <message>
         <source>Trains, and sees own results</source>
@@ -4655,6 +7835,113 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
             <numerusform>Προσθήκη %n ατόμου …</numerusform>
             <numerusform>Προσθήκη %n ατόμων …</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RunScreen</name>
+    <message>
+        <source>Run</source>
+        <translation>Διεξαγωγή</translation>
+    </message>
+    <message>
+        <source>Takes a participant through a study.
+
+Choose the study and the participant&apos;s code. The conditions come in the participant&apos;s own order; where the experimenter is blind they go by sealed codes. Questionnaires before and after are answered here, too.
+
+A run that was interrupted goes on at the trial where it stopped.</source>
+        <translation>Οδηγεί έναν συμμετέχοντα σε μια μελέτη.
+
+Διαλέξτε τη μελέτη και τον κωδικό του συμμετέχοντα. Οι συνθήκες έρχονται στη δική του σειρά· όπου ο πειραματιστής είναι τυφλός, με σφραγισμένους κωδικούς. Και τα ερωτηματολόγια πριν και μετά απαντώνται εδώ.
+
+Μια εκτέλεση που διακόπηκε συνεχίζεται στη δοκιμή όπου σταμάτησε.</translation>
+    </message>
+    <message>
+        <source>Reading the studies …</source>
+        <translation>Ανάγνωση των μελετών …</translation>
+    </message>
+    <message>
+        <source>The studies could not be read</source>
+        <translation>Οι μελέτες δεν διαβάστηκαν</translation>
+    </message>
+    <message>
+        <source>No study can be run yet</source>
+        <translation>Καμία μελέτη δεν μπορεί να διεξαχθεί ακόμη</translation>
+    </message>
+    <message>
+        <source>A study is run once its design is frozen and participants are enrolled.</source>
+        <translation>Μια μελέτη διεξάγεται αφού οριστικοποιηθεί το σχέδιό της και εγγραφούν συμμετέχοντες.</translation>
+    </message>
+    <message>
+        <source>Open the studies</source>
+        <translation>Άνοιγμα μελετών</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Μελέτη</translation>
+    </message>
+    <message>
+        <source>Participant, by code</source>
+        <translation>Συμμετέχων, με κωδικό</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled yet.</source>
+        <translation>Κανείς δεν έχει εγγραφεί ακόμη.</translation>
+    </message>
+    <message>
+        <source>Enrol somebody</source>
+        <translation>Εγγραφή κάποιου</translation>
+    </message>
+    <message>
+        <source>Consent is missing. Record it under the study&apos;s participants first.</source>
+        <translation>Λείπει η συγκατάθεση. Καταγράψτε την πρώτα στους συμμετέχοντες της μελέτης.</translation>
+    </message>
+    <message>
+        <source>Open the participants</source>
+        <translation>Στους συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>to come</source>
+        <translation>ακολουθεί</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Συνέχεια</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Αρχή</translation>
+    </message>
+    <message>
+        <source>Begin or go on with %1</source>
+        <translation>Αρχή ή συνέχεια: %1</translation>
+    </message>
+    <message>
+        <source>answered</source>
+        <translation>απαντήθηκε</translation>
+    </message>
+    <message>
+        <source>not answered yet</source>
+        <translation>δεν απαντήθηκε ακόμη</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Απάντηση</translation>
+    </message>
+    <message>
+        <source>Answer %1</source>
+        <translation>Απάντηση: %1</translation>
+    </message>
+    <message>
+        <source>Trials in this window are not built in. The command line runs simulated participants.</source>
+        <translation>Δοκιμές σε αυτό το παράθυρο δεν περιλαμβάνονται. Προσομοιωμένοι συμμετέχοντες τρέχουν από τη γραμμή εντολών.</translation>
     </message>
 </context>
 <context>
@@ -5017,8 +8304,24 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <translation>Ήχοι κατά την εκπαίδευση</translation>
     </message>
     <message>
-        <source>Contact and limit can be heard. Everything that can be heard is also shown.</source>
-        <translation>Ακούγονται η επαφή και το όριο. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
+        <source>A click when contact begins</source>
+        <translation>Ένα κλικ όταν αρχίζει η επαφή</translation>
+    </message>
+    <message>
+        <source>A tone that rises with force</source>
+        <translation>Ένας τόνος που ανεβαίνει με τη δύναμη</translation>
+    </message>
+    <message>
+        <source>A warning over the limit</source>
+        <translation>Μια προειδοποίηση πάνω από το όριο</translation>
+    </message>
+    <message>
+        <source>Brighter when force leans</source>
+        <translation>Λαμπρότερος όταν η δύναμη γέρνει</translation>
+    </message>
+    <message>
+        <source>What can be heard is shown too. The force behind it is recorded, heard or not.</source>
+        <translation>Ό,τι ακούγεται εμφανίζεται επίσης. Η δύναμη πίσω του καταγράφεται, είτε ακούγεται είτε όχι.</translation>
     </message>
 </context>
 <context>
@@ -5056,6 +8359,60 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
     </message>
 </context>
 <context>
+    <name>chiron::desktop::SizeRow</name>
+    <message>
+        <source>Size: one millimetre smaller</source>
+        <translation>Μέγεθος: ένα χιλιοστό μικρότερο</translation>
+    </message>
+    <message>
+        <source>Size: one millimetre larger</source>
+        <translation>Μέγεθος: ένα χιλιοστό μεγαλύτερο</translation>
+    </message>
+    <message>
+        <source>Dashed: the pad of the finger. Keys + and −</source>
+        <translation>Διακεκομμένα: η ρώγα του δακτύλου. Πλήκτρα + και −</translation>
+    </message>
+    <message>
+        <source>Size: %1</source>
+        <translation>Μέγεθος: %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SoundSign</name>
+    <message>
+        <source>What sounds</source>
+        <translation>Τι ηχεί</translation>
+    </message>
+    <message>
+        <source>What can be heard: contact begins, how high the tone is, the warning</source>
+        <translation>Τι ακούγεται: έναρξη επαφής, ύψος του τόνου, η προειδοποίηση</translation>
+    </message>
+    <message>
+        <source>Warning: pressed too hard</source>
+        <translation>Προειδοποίηση: πολύ δυνατή πίεση</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Επαφή</translation>
+    </message>
+    <message>
+        <source>No tone</source>
+        <translation>Χωρίς τόνο</translation>
+    </message>
+    <message>
+        <source>Low tone</source>
+        <translation>Χαμηλός τόνος</translation>
+    </message>
+    <message>
+        <source>Medium tone</source>
+        <translation>Μεσαίος τόνος</translation>
+    </message>
+    <message>
+        <source>High tone</source>
+        <translation>Υψηλός τόνος</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::StatePanel</name>
     <message>
         <source>Progress</source>
@@ -5075,18 +8432,6 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
     <message>
         <source>Station</source>
         <translation>Σταθμός</translation>
-    </message>
-    <message>
-        <source>Whether this computer is fit to make force felt.
-
-Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran against the clock, and in a self-test of ten seconds without any device.
-
-With real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it and how to permit it.</source>
-        <translation>Αν αυτός ο υπολογιστής είναι κατάλληλος ώστε η δύναμη να γίνεται αισθητή.
-
-Η δύναμη υπολογίζεται χίλιες φορές το δευτερόλεπτο. Τα διαγράμματα δείχνουν πόσο αργοπορημένα άρχισαν αυτά τα χίλια βήματα: στην τελευταία συνεδρία σε πραγματικό χρόνο και σε έναν αυτοέλεγχο δέκα δευτερολέπτων χωρίς συσκευή.
-
-Με προτεραιότητα πραγματικού χρόνου ο βρόχος τηρεί τον χρόνο του ό,τι άλλο κι αν κάνει ο υπολογιστής. Αυτή η οθόνη λέει αν την έχει και πώς επιτρέπεται.</translation>
     </message>
     <message>
         <source>Looking at the station …</source>
@@ -5151,6 +8496,54 @@ With real-time priority the loop keeps its time whatever else the computer does.
     <message>
         <source>The self-test was stopped before its end.</source>
         <translation>Ο αυτοέλεγχος σταμάτησε πριν τελειώσει.</translation>
+    </message>
+    <message>
+        <source>Verifying the fingertip platform.</source>
+        <translation>Έλεγχος της πλατφόρμας δακτύλου.</translation>
+    </message>
+    <message>
+        <source>Write the record</source>
+        <translation>Εγγραφή του πρακτικού</translation>
+    </message>
+    <message>
+        <source>Fingertip platform.pdf</source>
+        <translation>Πλατφόρμα δακτύλου.pdf</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Έγγραφα PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1, on %2</source>
+        <translation>%1, στις %2</translation>
+    </message>
+    <message>
+        <source>The record was written to %1.</source>
+        <translation>Το πρακτικό γράφτηκε στο %1.</translation>
+    </message>
+    <message>
+        <source>The record could not be written.</source>
+        <translation>Το πρακτικό δεν ήταν δυνατό να γραφτεί.</translation>
+    </message>
+    <message>
+        <source>Whether this computer is fit to make force felt.
+
+Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran against the clock, and in a self-test of ten seconds without any device.
+
+The fingertip platform is verified as published: how closely it follows a force and an orientation. The record can be printed.
+
+With real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it and how to permit it.</source>
+        <translation>Αν αυτός ο υπολογιστής είναι κατάλληλος για αισθητή δύναμη.
+
+Η δύναμη υπολογίζεται χίλιες φορές το δευτερόλεπτο. Τα διαγράμματα δείχνουν πόσο αργά άρχισαν αυτά τα χίλια βήματα: στην τελευταία συνεδρία που έτρεξε σε πραγματικό χρόνο και σε έναν αυτοέλεγχο δέκα δευτερολέπτων χωρίς συσκευή.
+
+Η πλατφόρμα δακτύλου ελέγχεται όπως δημοσιεύθηκε: πόσο πιστά ακολουθεί μια δύναμη και έναν προσανατολισμό. Το πρακτικό μπορεί να εκτυπωθεί.
+
+Με προτεραιότητα πραγματικού χρόνου ο βρόχος τηρεί τον χρόνο του ό,τι άλλο κι αν κάνει ο υπολογιστής. Αυτή η οθόνη λέει αν την έχει και πώς επιτρέπεται.</translation>
+    </message>
+    <message>
+        <source>Verify the fingertip platform</source>
+        <translation>Έλεγχος της πλατφόρμας δακτύλου</translation>
     </message>
 </context>
 <context>
@@ -5384,6 +8777,549 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
     </message>
 </context>
 <context>
+    <name>chiron::desktop::StudiesScreen</name>
+    <message>
+        <source>Import a study</source>
+        <translation>Εισαγωγή μελέτης</translation>
+    </message>
+    <message>
+        <source>Studies (*.json)</source>
+        <translation>Μελέτες (*.json)</translation>
+    </message>
+    <message>
+        <source>The file could not be read.</source>
+        <translation>Το αρχείο δεν διαβάστηκε.</translation>
+    </message>
+    <message>
+        <source>The study was not imported.</source>
+        <translation>Η μελέτη δεν εισήχθη.</translation>
+    </message>
+    <message>
+        <source>The study was not made.</source>
+        <translation>Η μελέτη δεν δημιουργήθηκε.</translation>
+    </message>
+    <message>
+        <source>%1 is a new draft.</source>
+        <translation>%1: νέο πρόχειρο.</translation>
+    </message>
+    <message>
+        <source>%1 was not changed.</source>
+        <translation>%1: δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>%1 is archived: nothing was deleted.</source>
+        <translation>%1: αρχειοθετήθηκε, τίποτα δεν διαγράφηκε.</translation>
+    </message>
+    <message>
+        <source>%1 is back in the list.</source>
+        <translation>%1: ξανά στη λίστα.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Αναίρεση</translation>
+    </message>
+    <message>
+        <source>Close %1?</source>
+        <translation>Κλείσιμο: %1;</translation>
+    </message>
+    <message>
+        <source>No more participants can be enrolled and no more runs begun; open runs can still be finished. This cannot be undone.</source>
+        <translation>Δεν εγγράφονται άλλοι συμμετέχοντες και δεν αρχίζουν άλλες εκτελέσεις· οι ανοικτές μπορούν να τελειώσουν. Δεν αναιρείται.</translation>
+    </message>
+    <message>
+        <source>Keep it open</source>
+        <translation>Να μείνει ανοικτή</translation>
+    </message>
+    <message>
+        <source>Close the study</source>
+        <translation>Κλείσιμο μελέτης</translation>
+    </message>
+    <message>
+        <source>The study was not closed.</source>
+        <translation>Η μελέτη δεν έκλεισε.</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Μελέτες</translation>
+    </message>
+    <message>
+        <source>Every study of this site. A draft is designed and tried with simulated observers. Frozen, its design can never be changed again: its SHA-256 stands in every export, and participants are enrolled under random codes.
+
+New begins from a template or from nothing; Import reads a study from a JSON file. Return or a double click opens a study. Run takes a participant through it, Data shows what came of it.
+
+Close ends enrolment for good. Archive takes a study out of the list and can be undone.</source>
+        <translation>Όλες οι μελέτες αυτού του χώρου. Ένα πρόχειρο σχεδιάζεται και δοκιμάζεται με προσομοιωμένους παρατηρητές. Οριστικοποιημένο δεν αλλάζει ποτέ: το SHA-256 του βρίσκεται σε κάθε εξαγωγή, και οι συμμετέχοντες εγγράφονται με τυχαίους κωδικούς.
+
+Το Νέα αρχίζει από πρότυπο ή από το μηδέν· η Εισαγωγή διαβάζει μελέτη από αρχείο JSON. Enter ή διπλό κλικ ανοίγει μια μελέτη. Η Διεξαγωγή οδηγεί έναν συμμετέχοντα, τα Δεδομένα δείχνουν τι προέκυψε.
+
+Το Κλείσιμο τερματίζει οριστικά την εγγραφή. Η Αρχειοθέτηση βγάζει μια μελέτη από τη λίστα και αναιρείται.</translation>
+    </message>
+    <message>
+        <source>New study …</source>
+        <translation>Νέα μελέτη …</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Εισαγωγή …</translation>
+    </message>
+    <message>
+        <source>Show archived ones</source>
+        <translation>Και αρχειοθετημένες</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Μελέτη</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Κατάσταση</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Δοκιμές</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Από</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ανοικτό</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Διεξαγωγή</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Δεδομένα</translation>
+    </message>
+    <message>
+        <source>Close …</source>
+        <translation>Κλείσιμο …</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Αρχειοθέτηση</translation>
+    </message>
+    <message>
+        <source>Reading the studies …</source>
+        <translation>Ανάγνωση των μελετών …</translation>
+    </message>
+    <message>
+        <source>The studies could not be read</source>
+        <translation>Οι μελέτες δεν διαβάστηκαν</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stud(y/ies)</source>
+        <translation>
+            <numerusform>%n μελέτη</numerusform>
+            <numerusform>%n μελέτες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No studies yet</source>
+        <translation>Δεν υπάρχουν μελέτες</translation>
+    </message>
+    <message>
+        <source>Begin with a template: a ranking of three, a staircase or constant stimuli, ready to be changed.</source>
+        <translation>Αρχίστε από ένα πρότυπο: κατάταξη τριών, σκάλα ή σταθερά ερεθίσματα, έτοιμο για αλλαγές.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>καμία</translation>
+    </message>
+    <message>
+        <source>%1 of %2 done</source>
+        <translation>%1 από %2 έτοιμες</translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>Επαναφορά</translation>
+    </message>
+    <message>
+        <source>Open the study</source>
+        <translation>Άνοιγμα μελέτης</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StudyDataScreen</name>
+    <message>
+        <source>CSV …</source>
+        <translation>CSV …</translation>
+    </message>
+    <message>
+        <source>BIDS …</source>
+        <translation>BIDS …</translation>
+    </message>
+    <message>
+        <source>PDF …</source>
+        <translation>PDF …</translation>
+    </message>
+    <message>
+        <source>Unblind …</source>
+        <translation>Άρση τυφλότητας …</translation>
+    </message>
+    <message>
+        <source>Export as CSV</source>
+        <translation>Εξαγωγή σε CSV</translation>
+    </message>
+    <message>
+        <source>Write a PDF</source>
+        <translation>Εγγραφή PDF</translation>
+    </message>
+    <message>
+        <source>Export as BIDS</source>
+        <translation>Εξαγωγή σε BIDS</translation>
+    </message>
+    <message>
+        <source>Unblind this study?</source>
+        <translation>Άρση τυφλότητας της μελέτης;</translation>
+    </message>
+    <message>
+        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it and when. This cannot be undone.</source>
+        <translation>Από εδώ και πέρα οι συνθήκες φαίνονται με τα ονόματά τους, για όλους. Καταγράφεται ποιος και πότε. Δεν αναιρείται.</translation>
+    </message>
+    <message>
+        <source>Stay blind</source>
+        <translation>Παραμονή τυφλή</translation>
+    </message>
+    <message>
+        <source>Unblind</source>
+        <translation>Άρση</translation>
+    </message>
+    <message>
+        <source>The study was not unblinded.</source>
+        <translation>Η τυφλότητα δεν άρθηκε.</translation>
+    </message>
+    <message>
+        <source>Where should the folder go?</source>
+        <translation>Πού να μπει ο φάκελος;</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Εγγραφή: %1 …</translation>
+    </message>
+    <message>
+        <source>%1 is written to %2.</source>
+        <translation>%1: γράφτηκε στο %2.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1: δεν γράφτηκε.</translation>
+    </message>
+    <message>
+        <source>The tables</source>
+        <translation>Οι πίνακες</translation>
+    </message>
+    <message>
+        <source>The BIDS dataset</source>
+        <translation>Το σύνολο δεδομένων BIDS</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report is written to %1.</source>
+        <translation>Η αναφορά γράφτηκε στο %1.</translation>
+    </message>
+    <message>
+        <source>The report could not be written.</source>
+        <translation>Η αναφορά δεν γράφτηκε.</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Δεδομένα</translation>
+    </message>
+    <message>
+        <source>What came of a study.
+
+Group shows each participant&apos;s Weber fraction with its interval, condition by condition, and warnings in words. Person shows a run&apos;s curve with its data. Trials lists every presentation with its fidelity; what did not count says why. Questions sums up the questionnaires.
+
+Export writes tables (CSV), a BIDS dataset or a PDF; the design&apos;s SHA-256 is in each. While the experimenter is blind, conditions go by sealed codes; unblinding is recorded and cannot be undone.</source>
+        <translation>Τι προέκυψε από μια μελέτη.
+
+Η Ομάδα δείχνει το κλάσμα Weber κάθε συμμετέχοντα με το διάστημά του, συνθήκη προς συνθήκη, και προειδοποιήσεις με λόγια. Το Άτομο δείχνει την καμπύλη μίας εκτέλεσης με τα δεδομένα της. Οι Δοκιμές αναγράφουν κάθε παρουσίαση με την πιστότητά της· ό,τι δεν μέτρησε λέει γιατί. Οι Ερωτήσεις συνοψίζουν τα ερωτηματολόγια.
+
+Εξάγονται πίνακες (CSV), σύνολο BIDS ή PDF· σε όλα βρίσκεται το SHA-256 του σχεδίου. Όσο ο πειραματιστής είναι τυφλός, οι συνθήκες φαίνονται με σφραγισμένους κωδικούς· η άρση καταγράφεται και δεν αναιρείται.</translation>
+    </message>
+    <message>
+        <source>Reading the studies …</source>
+        <translation>Ανάγνωση των μελετών …</translation>
+    </message>
+    <message>
+        <source>The studies could not be read</source>
+        <translation>Οι μελέτες δεν διαβάστηκαν</translation>
+    </message>
+    <message>
+        <source>No data yet</source>
+        <translation>Δεν υπάρχουν δεδομένα</translation>
+    </message>
+    <message>
+        <source>Data come from frozen studies that participants took part in.</source>
+        <translation>Δεδομένα προέρχονται από οριστικοποιημένες μελέτες με συμμετέχοντες.</translation>
+    </message>
+    <message>
+        <source>Open the studies</source>
+        <translation>Άνοιγμα μελετών</translation>
+    </message>
+    <message>
+        <source>Analysing the runs …</source>
+        <translation>Ανάλυση των εκτελέσεων …</translation>
+    </message>
+    <message>
+        <source>The study could not be analysed</source>
+        <translation>Η μελέτη δεν αναλύθηκε</translation>
+    </message>
+    <message>
+        <source>Views of the data</source>
+        <translation>Προβολές των δεδομένων</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Ομάδα</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Άτομο</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Δοκιμές</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Ερωτήσεις</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Μελέτη</translation>
+    </message>
+    <message>
+        <source>SHA-256 %1</source>
+        <translation>SHA-256 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s)</source>
+        <translation>
+            <numerusform>%n συμμετέχων</numerusform>
+            <numerusform>%n συμμετέχοντες</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scored trial(s)</source>
+        <translation>
+            <numerusform>%n βαθμολογημένη δοκιμή</numerusform>
+            <numerusform>%n βαθμολογημένες δοκιμές</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>unblinded</source>
+        <translation>χωρίς τυφλότητα</translation>
+    </message>
+    <message>
+        <source>blind: conditions by sealed codes</source>
+        <translation>τυφλή: συνθήκες με σφραγισμένους κωδικούς</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StudyScreen</name>
+    <message>
+        <source>Study</source>
+        <translation>Μελέτη</translation>
+    </message>
+    <message>
+        <source>One study. As long as it is a draft everything can be changed; what is complete is kept at once, Ctrl+Z takes a step back, and what is wrong is said above the page.
+
+Conditions say what is compared, by which task and procedure. Preview lets simulated observers do the study and shows the precision to be expected, the trials and the time. Participants enrols people under random codes and records their consent.
+
+Freeze fixes the design for good under its SHA-256; participants can be enrolled from then on.</source>
+        <translation>Μία μελέτη. Όσο είναι πρόχειρο, όλα αλλάζουν· ό,τι είναι πλήρες κρατιέται αμέσως, το Ctrl+Z πηγαίνει ένα βήμα πίσω, και ό,τι δεν είναι σωστό λέγεται πάνω από τη σελίδα.
+
+Οι Συνθήκες λένε τι συγκρίνεται, με ποιο έργο και ποια διαδικασία. Η Προεπισκόπηση βάζει προσομοιωμένους παρατηρητές να κάνουν τη μελέτη και δείχνει την αναμενόμενη ακρίβεια, τις δοκιμές και τον χρόνο. Οι Συμμετέχοντες εγγράφουν άτομα με τυχαίους κωδικούς και καταγράφουν τη συγκατάθεσή τους.
+
+Η Οριστικοποίηση παγιώνει το σχέδιο με το SHA-256 του· από τότε εγγράφονται συμμετέχοντες.</translation>
+    </message>
+    <message>
+        <source>Reading the study …</source>
+        <translation>Ανάγνωση της μελέτης …</translation>
+    </message>
+    <message>
+        <source>The study could not be read</source>
+        <translation>Η μελέτη δεν διαβάστηκε</translation>
+    </message>
+    <message>
+        <source>Parts of the study</source>
+        <translation>Μέρη της μελέτης</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Γενικά</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Συνθήκες</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Δοκιμές</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Ερωτήσεις</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Προεπισκόπηση</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>Freeze …</source>
+        <translation>Οριστικοποίηση …</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Αναίρεση</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Επανάληψη</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Εισαγωγή …</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Διεξαγωγή</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Δεδομένα</translation>
+    </message>
+    <message>
+        <source>Save as JSON …</source>
+        <translation>Αποθήκευση JSON …</translation>
+    </message>
+    <message>
+        <source>Language of the texts</source>
+        <translation>Γλώσσα των κειμένων</translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation>
+            <numerusform>… και %n ακόμη</numerusform>
+            <numerusform>… και %n ακόμη</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not kept yet, because this is not right:
+%1</source>
+        <translation>Δεν κρατήθηκε ακόμη, επειδή αυτό δεν είναι σωστό:
+%1</translation>
+    </message>
+    <message>
+        <source>The draft could not be kept.
+%1</source>
+        <translation>Το πρόχειρο δεν κρατήθηκε.
+%1</translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation>κλειδί %1</translation>
+    </message>
+    <message>
+        <source>SHA-256 %1</source>
+        <translation>SHA-256 %1</translation>
+    </message>
+    <message>
+        <source>frozen %1</source>
+        <translation>οριστικοποιήθηκε %1</translation>
+    </message>
+    <message>
+        <source>unblinded</source>
+        <translation>χωρίς τυφλότητα</translation>
+    </message>
+    <message>
+        <source>blind</source>
+        <translation>τυφλή</translation>
+    </message>
+    <message>
+        <source>everything is kept</source>
+        <translation>όλα κρατήθηκαν</translation>
+    </message>
+    <message>
+        <source>keeping …</source>
+        <translation>αποθήκευση …</translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>δεν κρατήθηκε</translation>
+    </message>
+    <message>
+        <source>The draft could not be kept.</source>
+        <translation>Το πρόχειρο δεν κρατήθηκε.</translation>
+    </message>
+    <message>
+        <source>Leave without the last changes?</source>
+        <translation>Έξοδος χωρίς τις τελευταίες αλλαγές;</translation>
+    </message>
+    <message>
+        <source>The design is not right yet, so its last changes are not kept. What was right before is.</source>
+        <translation>Το σχέδιο δεν είναι ακόμη σωστό, γι’ αυτό οι τελευταίες αλλαγές δεν κρατήθηκαν. Ό,τι ήταν σωστό πριν, κρατήθηκε.</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Παραμονή</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Έξοδος</translation>
+    </message>
+    <message>
+        <source>Take the design of a file</source>
+        <translation>Σχέδιο από αρχείο</translation>
+    </message>
+    <message>
+        <source>Studies (*.json)</source>
+        <translation>Μελέτες (*.json)</translation>
+    </message>
+    <message>
+        <source>The file was not taken:
+%1</source>
+        <translation>Το αρχείο δεν χρησιμοποιήθηκε:
+%1</translation>
+    </message>
+    <message>
+        <source>Import of a file</source>
+        <translation>Εισαγωγή αρχείου</translation>
+    </message>
+    <message>
+        <source>Save the design</source>
+        <translation>Αποθήκευση σχεδίου</translation>
+    </message>
+    <message>
+        <source>The design was not saved.</source>
+        <translation>Το σχέδιο δεν αποθηκεύτηκε.</translation>
+    </message>
+    <message>
+        <source>The design is saved in %1.</source>
+        <translation>Το σχέδιο αποθηκεύτηκε στο %1.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::TargetBar</name>
     <message>
         <source>below the band</source>
@@ -5555,6 +9491,26 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <source>Depth of field on or off</source>
         <translation>Βάθος πεδίου ναι ή όχι</translation>
     </message>
+    <message>
+        <source>Select the next finding</source>
+        <translation>Επιλογή του επόμενου ευρήματος</translation>
+    </message>
+    <message>
+        <source>Take the selected finding back</source>
+        <translation>Απόσυρση του επιλεγμένου ευρήματος</translation>
+    </message>
+    <message>
+        <source>Nothing more to report</source>
+        <translation>Τίποτε άλλο για αναφορά</translation>
+    </message>
+    <message>
+        <source>Free the pointer to rate with the mouse</source>
+        <translation>Ελευθέρωση του δείκτη για βαθμολόγηση με το ποντίκι</translation>
+    </message>
+    <message>
+        <source>Map: where, or how hard</source>
+        <translation>Χάρτης: πού ή πόσο δυνατά</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TransportBar</name>
@@ -5593,6 +9549,366 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>%1 of %2</source>
         <translation>%1 από %2</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TrialsPage</name>
+    <message>
+        <source>Order and blinding</source>
+        <translation>Σειρά και τυφλότητα</translation>
+    </message>
+    <message>
+        <source>Order of conditions</source>
+        <translation>Σειρά των συνθηκών</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Σπόρος</translation>
+    </message>
+    <message>
+        <source>Blinding</source>
+        <translation>Τυφλότητα</translation>
+    </message>
+    <message>
+        <source>Participants see no values or names</source>
+        <translation>Συμμετέχοντες: χωρίς τιμές, ονόματα</translation>
+    </message>
+    <message>
+        <source>Experimenters see sealed codes</source>
+        <translation>Πειραματιστές: μόνο κωδικοί</translation>
+    </message>
+    <message>
+        <source>Trials and breaks</source>
+        <translation>Δοκιμές και διαλείμματα</translation>
+    </message>
+    <message>
+        <source>Rules of a trial</source>
+        <translation>Κανόνες μίας δοκιμής</translation>
+    </message>
+    <message>
+        <source>Time to explore (0: any)</source>
+        <translation>Χρόνος εξερεύνησης (0: ελεύθερος)</translation>
+    </message>
+    <message>
+        <source>Time to answer (0: any)</source>
+        <translation>Χρόνος απάντησης (0: ελεύθερος)</translation>
+    </message>
+    <message>
+        <source>Between trials</source>
+        <translation>Ανάμεσα σε δοκιμές</translation>
+    </message>
+    <message>
+        <source>Practice trials</source>
+        <translation>Δοκιμές εξάσκησης</translation>
+    </message>
+    <message>
+        <source>Break every (trials; 0: none)</source>
+        <translation>Διάλειμμα κάθε (δοκιμές· 0: κανένα)</translation>
+    </message>
+    <message>
+        <source>Break of at least</source>
+        <translation>Διάλειμμα τουλάχιστον</translation>
+    </message>
+    <message>
+        <source>Say whether an answer was right</source>
+        <translation>Να λέγεται αν ήταν σωστό</translation>
+    </message>
+    <message>
+        <source>Masking sound</source>
+        <translation>Ήχος κάλυψης</translation>
+    </message>
+    <message>
+        <source>Show the objects, all alike</source>
+        <translation>Εμφάνιση αντικειμένων, όλα όμοια</translation>
+    </message>
+    <message>
+        <source>Every object must be touched</source>
+        <translation>Κάθε αντικείμενο αγγίζεται</translation>
+    </message>
+    <message>
+        <source>Fidelity of a trial</source>
+        <translation>Πιστότητα μίας δοκιμής</translation>
+    </message>
+    <message>
+        <source>A trial beyond these is not scored and presented again.</source>
+        <translation>Μια δοκιμή πέρα από αυτά δεν βαθμολογείται και παρουσιάζεται ξανά.</translation>
+    </message>
+    <message>
+        <source>Limits of fidelity</source>
+        <translation>Όρια πιστότητας</translation>
+    </message>
+    <message>
+        <source>Force error, RMS</source>
+        <translation>Σφάλμα δύναμης, RMS</translation>
+    </message>
+    <message>
+        <source>Error of the felt value (share)</source>
+        <translation>Σφάλμα αίσθησης (ποσοστό)</translation>
+    </message>
+    <message>
+        <source>Late ticks (share)</source>
+        <translation>Καθυστερημένοι κύκλοι (ποσοστό)</translation>
+    </message>
+    <message>
+        <source>Force at its limit (share)</source>
+        <translation>Δύναμη στο όριο (ποσοστό)</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Μέγιστη δύναμη</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>Μέση ταχύτητα</translation>
+    </message>
+    <message>
+        <source>Repeats of one trial at most</source>
+        <translation>Επαναλήψεις μίας δοκιμής το πολύ</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TrialsPageOfRun</name>
+    <message>
+        <source>There are no runs yet.</source>
+        <translation>Δεν υπάρχουν εκτελέσεις ακόμη.</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Δοκιμές</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Αρ.</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Διαφορά</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Απάντηση</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>Μετρά</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Χρόνος (s)</translation>
+    </message>
+    <message>
+        <source>Peak force (N)</source>
+        <translation>Μέγιστη δύναμη (N)</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Ταχύτητα (mm/s)</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Καθυστερημένοι κύκλοι</translation>
+    </message>
+    <message>
+        <source>Felt value off by</source>
+        <translation>Απόκλιση αίσθησης</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>καμία</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>δόθηκε</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>δεξιά</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>λάθος</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Εξάσκηση</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TrialsScreen</name>
+    <message>
+        <source>Study</source>
+        <translation>Μελέτη</translation>
+    </message>
+    <message>
+        <source>Here a participant explores objects and answers.
+
+The mouse moves the tool; the wheel or PageUp and PageDown raise and lower it. T frees the pointer, a click in the scene takes it again. Answers are given by the buttons, or by the keys that stand on them.
+
+Space pauses, Esc asks whether to stop. F2 shows the experimenter&apos;s side: progress, estimate, fidelity of the last trial, and the button that spoils a trial. Every answered trial is kept; what is stopped goes on later at the same trial.</source>
+        <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.
+
+Το ποντίκι κινεί το εργαλείο· ο τροχός ή Page Up και Page Down το σηκώνουν και το κατεβάζουν. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον παίρνει ξανά. Οι απαντήσεις δίνονται με τα κουμπιά ή με τα πλήκτρα που γράφονται πάνω τους.
+
+Το Διάστημα κάνει παύση, το Esc ρωτά για διακοπή. Το F2 δείχνει την πλευρά του πειραματιστή: πρόοδο, εκτίμηση, πιστότητα της τελευταίας δοκιμής και το κουμπί που ακυρώνει μια δοκιμή. Κάθε απαντημένη δοκιμή κρατιέται· ό,τι διακόπηκε συνεχίζεται αργότερα στην ίδια δοκιμή.</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <translation>Συμμετέχων %1</translation>
+    </message>
+    <message>
+        <source>Reading the study …</source>
+        <translation>Ανάγνωση της μελέτης …</translation>
+    </message>
+    <message>
+        <source>Before you begin</source>
+        <translation>Πριν αρχίσετε</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Αρχή</translation>
+    </message>
+    <message>
+        <source>Participant %1 · practice</source>
+        <translation>Συμμετέχων %1 · εξάσκηση</translation>
+    </message>
+    <message>
+        <source>The next objects are coming. Lift the tool off.</source>
+        <translation>Έρχονται τα επόμενα αντικείμενα. Σηκώστε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>Force is coming. Hold still for a moment.</source>
+        <translation>Η δύναμη έρχεται. Μείνετε ακίνητοι μια στιγμή.</translation>
+    </message>
+    <message>
+        <source>Right.</source>
+        <translation>Σωστά.</translation>
+    </message>
+    <message>
+        <source>Not this time.</source>
+        <translation>Όχι αυτή τη φορά.</translation>
+    </message>
+    <message>
+        <source>Touch every object first.</source>
+        <translation>Αγγίξτε πρώτα κάθε αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>The time to explore is over. Answer now.</source>
+        <translation>Ο χρόνος εξερεύνησης τελείωσε. Απαντήστε τώρα.</translation>
+    </message>
+    <message>
+        <source>One moment …</source>
+        <translation>Μια στιγμή …</translation>
+    </message>
+    <message>
+        <source>A break</source>
+        <translation>Ένα διάλειμμα</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rest your hand. It can go on in %n second(s).</source>
+        <translation>
+            <numerusform>Ξεκουράστε το χέρι σας. Συνεχίζεται σε %n δευτερόλεπτο.</numerusform>
+            <numerusform>Ξεκουράστε το χέρι σας. Συνεχίζεται σε %n δευτερόλεπτα.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Whenever you are ready.</source>
+        <translation>Όποτε είστε έτοιμοι.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Συνέχεια</translation>
+    </message>
+    <message>
+        <source>Please ask the experimenter</source>
+        <translation>Παρακαλώ ρωτήστε τον πειραματιστή</translation>
+    </message>
+    <message>
+        <source>The last trial could not be shown well enough, several times.</source>
+        <translation>Η τελευταία δοκιμή δεν παρουσιάστηκε αρκετά καλά, πολλές φορές.</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Παύση</translation>
+    </message>
+    <message>
+        <source>Everything so far is kept.</source>
+        <translation>Όλα ώς τώρα κρατήθηκαν.</translation>
+    </message>
+    <message>
+        <source>Thank you</source>
+        <translation>Ευχαριστούμε</translation>
+    </message>
+    <message>
+        <source>This part is done.</source>
+        <translation>Αυτό το μέρος τελείωσε.</translation>
+    </message>
+    <message>
+        <source>The answer was not taken.</source>
+        <translation>Η απάντηση δεν έγινε δεκτή.</translation>
+    </message>
+    <message>
+        <source>Stop this sitting?</source>
+        <translation>Διακοπή της συνεδρίας;</translation>
+    </message>
+    <message>
+        <source>Every answered trial is kept. It goes on later at the same trial.</source>
+        <translation>Κάθε απαντημένη δοκιμή κρατήθηκε. Συνεχίζεται αργότερα στην ίδια δοκιμή.</translation>
+    </message>
+    <message>
+        <source>Keep going</source>
+        <translation>Συνέχεια</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Διακοπή</translation>
+    </message>
+    <message>
+        <source>This condition is completed.</source>
+        <translation>Η συνθήκη ολοκληρώθηκε.</translation>
+    </message>
+    <message>
+        <source>Every answered trial is kept. The run goes on at the same trial.</source>
+        <translation>Κάθε απαντημένη δοκιμή κρατήθηκε. Η εκτέλεση συνεχίζεται στην ίδια δοκιμή.</translation>
+    </message>
+    <message>
+        <source>The sitting could not be run</source>
+        <translation>Η συνεδρία δεν έγινε</translation>
+    </message>
+    <message>
+        <source>Experimenter&apos;s view</source>
+        <translation>Προβολή του πειραματιστή</translation>
+    </message>
+    <message>
+        <source>Pause or go on</source>
+        <translation>Παύση ή συνέχεια</translation>
+    </message>
+    <message>
+        <source>Stop the sitting</source>
+        <translation>Διακοπή της συνεδρίας</translation>
+    </message>
+    <message>
+        <source>How far this part is</source>
+        <translation>Πόσο προχώρησε αυτό το μέρος</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ήχος</translation>
+    </message>
+    <message>
+        <source>Masking sound on or off</source>
+        <translation>Ήχος κάλυψης ναι ή όχι</translation>
+    </message>
+    <message>
+        <source>Experimenter (F2)</source>
+        <translation>Πειραματιστής (F2)</translation>
+    </message>
+    <message>
+        <source>Stop …</source>
+        <translation>Διακοπή …</translation>
+    </message>
+    <message>
+        <source>Time to explore</source>
+        <translation>Χρόνος εξερεύνησης</translation>
     </message>
 </context>
 <context>
@@ -5651,6 +9967,43 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>Void the session</source>
         <translation>Ακύρωση συνεδρίας</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::WithdrawDialog</name>
+    <message>
+        <source>Withdraw %1</source>
+        <translation>Απόσυρση: %1</translation>
+    </message>
+    <message>
+        <source>The participant takes no further part; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
+        <translation>Ο συμμετέχων δεν συνεχίζει· οι ανοικτές εκτελέσεις σταματούν. Ό,τι καταγράφηκε μένει με τον κωδικό, και η θέση στη σειρά ελευθερώνεται.</translation>
+    </message>
+    <message>
+        <source>The participant wants the recordings erased</source>
+        <translation>Ο συμμετέχων θέλει να σβηστούν οι καταγραφές</translation>
+    </message>
+    <message>
+        <source>The wish is kept; an administrator erases.</source>
+        <translation>Η επιθυμία καταγράφεται· διαγράφει ένας διαχειριστής.</translation>
+    </message>
+    <message>
+        <source>This cannot be undone.</source>
+        <translation>Δεν αναιρείται.</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>Απόσυρση</translation>
+    </message>
+    <message>
+        <source>The participant was not withdrawn.
+%1</source>
+        <translation>Ο συμμετέχων δεν αποσύρθηκε.
+%1</translation>
+    </message>
+    <message>
+        <source>%1 takes no further part.</source>
+        <translation>%1: δεν συμμετέχει πλέον.</translation>
     </message>
 </context>
 <context>
@@ -5716,10 +10069,39 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
 </context>
 <context>
+    <name>chiron::scene3d::FlatComparison</name>
+    <message>
+        <source>Objects side by side and instrument, from above and from the side</source>
+        <translation>Αντικείμενα πλάι πλάι και εργαλείο, από πάνω και από το πλάι</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::FlatFingers</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>chiron::scene3d::FlatHandling</name>
     <message>
         <source>Objects, target and instrument, from above and from the side</source>
         <translation>Αντικείμενα, στόχος και εργαλείο, από πάνω και από το πλάι</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::FlatPalpation</name>
+    <message>
+        <source>Height lines every %1 mm</source>
+        <translation>Ισοϋψείς ανά %1 mm</translation>
+    </message>
+    <message>
+        <source>Tissue, fingers and findings, from above and from the side</source>
+        <translation>Ιστός, δάκτυλα και ευρήματα, από πάνω και από το πλάι</translation>
     </message>
 </context>
 <context>
@@ -5749,6 +10131,41 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>Squeeze (N)</source>
         <translation>Σύσφιξη (N)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::scene3d::MapLegend</name>
+    <message>
+        <source>Largest force</source>
+        <translation>Μέγιστη δύναμη</translation>
+    </message>
+    <message>
+        <source>Searched</source>
+        <translation>Ερευνήθηκε</translation>
+    </message>
+    <message>
+        <source>%1 – %2 N</source>
+        <translation>%1 – %2 N</translation>
+    </message>
+    <message>
+        <source>≥ %1 N</source>
+        <translation>≥ %1 N</translation>
+    </message>
+    <message>
+        <source>under %1 N</source>
+        <translation>κάτω από %1 N</translation>
+    </message>
+    <message>
+        <source>over %1 N</source>
+        <translation>πάνω από %1 N</translation>
+    </message>
+    <message>
+        <source>%1 (band)</source>
+        <translation>%1 (ζώνη)</translation>
+    </message>
+    <message>
+        <source>not touched</source>
+        <translation>χωρίς επαφή</translation>
     </message>
 </context>
 <context>
@@ -6205,6 +10622,170 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>Alignment, largest in each millimetre</source>
         <translation>Ευθυγράμμιση, μέγιστη γωνία ανά χιλιοστό</translation>
+    </message>
+    <message>
+        <source>Largest force on each place</source>
+        <translation>Μέγιστη δύναμη σε κάθε θέση</translation>
+    </message>
+    <message>
+        <source>Coverage: %1 % searched</source>
+        <translation>Κάλυψη: ερευνήθηκε %1 %</translation>
+    </message>
+    <message>
+        <source>Lumps found: %1 of %2</source>
+        <translation>Όζοι που βρέθηκαν: %1 από %2</translation>
+    </message>
+    <message>
+        <source>Findings reported: %1</source>
+        <translation>Αναφερθέντα ευρήματα: %1</translation>
+    </message>
+    <message>
+        <source>False alarms: %1</source>
+        <translation>Ψευδείς συναγερμοί: %1</translation>
+    </message>
+    <message>
+        <source>not touched</source>
+        <translation>χωρίς επαφή</translation>
+    </message>
+    <message>
+        <source>under %1 N: not searched</source>
+        <translation>κάτω από %1 N: δεν ερευνήθηκε</translation>
+    </message>
+    <message>
+        <source>%1 N or more: searched</source>
+        <translation>%1 N και πάνω: ερευνήθηκε</translation>
+    </message>
+    <message>
+        <source>%1 to %2 N: below the band</source>
+        <translation>%1 έως %2 N: κάτω από τη ζώνη</translation>
+    </message>
+    <message>
+        <source>%1 to %2 N: in the band</source>
+        <translation>%1 έως %2 N: μέσα στη ζώνη</translation>
+    </message>
+    <message>
+        <source>%1 to %2 N: above the band</source>
+        <translation>%1 έως %2 N: πάνω από τη ζώνη</translation>
+    </message>
+    <message>
+        <source>over %1 N: too hard</source>
+        <translation>πάνω από %1 N: πολύ δυνατά</translation>
+    </message>
+    <message>
+        <source>lump, found (to scale)</source>
+        <translation>όζος, βρέθηκε (υπό κλίμακα)</translation>
+    </message>
+    <message>
+        <source>lump, missed (to scale)</source>
+        <translation>όζος, διέφυγε (υπό κλίμακα)</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>εύρημα</translation>
+    </message>
+    <message>
+        <source>finding: hit</source>
+        <translation>εύρημα: επιτυχία</translation>
+    </message>
+    <message>
+        <source>finding: false alarm</source>
+        <translation>εύρημα: ψευδής συναγερμός</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>near side</source>
+        <translation>κοντινή πλευρά</translation>
+    </message>
+    <message>
+        <source>✓ hit</source>
+        <translation>✓ επιτυχία</translation>
+    </message>
+    <message>
+        <source>✗ false alarm</source>
+        <translation>✗ ψευδής συναγερμός</translation>
+    </message>
+    <message>
+        <source>✗ missed lump</source>
+        <translation>✗ όζος που διέφυγε</translation>
+    </message>
+    <message>
+        <source>too few regions: %1 with a lump, %2 without</source>
+        <translation>πολύ λίγες περιοχές: %1 με όζο, %2 χωρίς</translation>
+    </message>
+    <message>
+        <source>%1 (95 %: %2 to %3)</source>
+        <translation>%1 (95 %: %2 έως %3)</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Τι βρέθηκε</translation>
+    </message>
+    <message>
+        <source>Lumps found</source>
+        <translation>Όζοι που βρέθηκαν</translation>
+    </message>
+    <message>
+        <source>False alarms</source>
+        <translation>Ψευδείς συναγερμοί</translation>
+    </message>
+    <message>
+        <source>Regions: hits, false alarms</source>
+        <translation>Περιοχές: επιτυχίες, ψευδείς συναγερμοί</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 of %4</source>
+        <translation>%1 από %2, %3 από %4</translation>
+    </message>
+    <message>
+        <source>Sensitivity d′</source>
+        <translation>Ευαισθησία d′</translation>
+    </message>
+    <message>
+        <source>Criterion c</source>
+        <translation>Κριτήριο c</translation>
+    </message>
+    <message>
+        <source>Nothing was reported, and nothing was there</source>
+        <translation>Δεν αναφέρθηκε τίποτα και δεν υπήρχε τίποτα</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Αρ.</translation>
+    </message>
+    <message>
+        <source>x, y (mm)</source>
+        <translation>x, y (mm)</translation>
+    </message>
+    <message>
+        <source>Radius (mm)</source>
+        <translation>Ακτίνα (mm)</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Σκληρότητα</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Βεβαιότητα</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Έκβαση</translation>
+    </message>
+    <message>
+        <source>Error (mm)</source>
+        <translation>Σφάλμα (mm)</translation>
+    </message>
+    <message>
+        <source>Trial %1, ended by time</source>
+        <translation>Δοκιμή %1, έληξε ο χρόνος</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Δοκιμή %1</translation>
     </message>
 </context>
 </TS>

@@ -46,6 +46,23 @@
     </message>
 </context>
 <context>
+    <name>StudyReport</name>
+    <message numerus="yes">
+        <source>SIMULATED: %n participant(s) are programs, not persons</source>
+        <translation>
+            <numerusform>SIMULATED: %n participant is a program, not a person</numerusform>
+            <numerusform>SIMULATED: %n participants are programs, not persons</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n free text(s), in the exported tables</source>
+        <translation>
+            <numerusform>%n free text, in the exported tables</numerusform>
+            <numerusform>%n free texts, in the exported tables</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Verdict</name>
     <message numerus="yes">
         <source>%n pass mark(s) of this level were not met:</source>
@@ -79,6 +96,50 @@
         <translation>
             <numerusform>%n attempt, not passed yet</numerusform>
             <numerusform>%n attempts, not passed yet</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ExperimenterPanel</name>
+    <message numerus="yes">
+        <source>%n trial(s)</source>
+        <translation>
+            <numerusform>%n trial</numerusform>
+            <numerusform>%n trials</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The device cannot render all differences: %n are left.</source>
+        <translation>
+            <numerusform>The device cannot render all differences: %n is left.</numerusform>
+            <numerusform>The device cannot render all differences: %n are left.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::FreezeDialog</name>
+    <message numerus="yes">
+        <source>%n condition(s)</source>
+        <translation>
+            <numerusform>%n condition</numerusform>
+            <numerusform>%n conditions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) planned</source>
+        <translation>
+            <numerusform>%n participant planned</numerusform>
+            <numerusform>%n participants planned</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::GroupPage</name>
+    <message numerus="yes">
+        <source>Weber fraction of %n participant(s), as random effects</source>
+        <translation>
+            <numerusform>Weber fraction of %n participant, as a random effect</numerusform>
+            <numerusform>Weber fraction of %n participants, as random effects</numerusform>
         </translation>
     </message>
 </context>
@@ -130,6 +191,43 @@
         <translation>
             <numerusform>Tried %n time, not passed yet</numerusform>
             <numerusform>Tried %n times, not passed yet</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PersonPage</name>
+    <message numerus="yes">
+        <source>Run again from its log, the procedure makes the same %n choice(s).</source>
+        <translation>
+            <numerusform>Run again from its log, the procedure makes the same %n choice.</numerusform>
+            <numerusform>Run again from its log, the procedure makes the same %n choices.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PreviewPage</name>
+    <message numerus="yes">
+        <source>smallest ratio found with 80 % power by %n participant(s)</source>
+        <translation>
+            <numerusform>smallest ratio found with 80 % power by %n participant</numerusform>
+            <numerusform>smallest ratio found with 80 % power by %n participants</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>middle of %n run(s)</source>
+        <translation>
+            <numerusform>%n run</numerusform>
+            <numerusform>middle of %n runs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::QuestionnaireSummary</name>
+    <message numerus="yes">
+        <source>Answered by %n participant(s)</source>
+        <translation>
+            <numerusform>Answered by %n participant</numerusform>
+            <numerusform>Answered by %n participants</numerusform>
         </translation>
     </message>
 </context>
@@ -195,6 +293,53 @@
         <translation>
             <numerusform>%1 of %n session</numerusform>
             <numerusform>%1 of %n sessions</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StudiesScreen</name>
+    <message numerus="yes">
+        <source>%n stud(y/ies)</source>
+        <translation>
+            <numerusform>%n study</numerusform>
+            <numerusform>%n studies</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StudyDataScreen</name>
+    <message numerus="yes">
+        <source>%n participant(s)</source>
+        <translation>
+            <numerusform>%n participant</numerusform>
+            <numerusform>%n participants</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scored trial(s)</source>
+        <translation>
+            <numerusform>%n scored trial</numerusform>
+            <numerusform>%n scored trials</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::StudyScreen</name>
+    <message numerus="yes">
+        <source>… and %n more</source>
+        <translation>
+            <numerusform>… and %n more</numerusform>
+            <numerusform>… and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::TrialsScreen</name>
+    <message numerus="yes">
+        <source>Rest your hand. It can go on in %n second(s).</source>
+        <translation>
+            <numerusform>Rest your hand. It can go on in %n second.</numerusform>
+            <numerusform>Rest your hand. It can go on in %n seconds.</numerusform>
         </translation>
     </message>
 </context>

@@ -48,6 +48,12 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
     DebriefDetails details;
     details.answers = session_report::apexErrorsOf(*track);
     details.insertion = session_report::insertionProfileOf(*track);
+    if (std::holds_alternative<simulation::PalpationParameters>((*stored)->setup().level.parameters)) {
+        if (auto records = session::palpationRecord(**stored))
+            details.palpation = std::move(*records);
+        else
+            details.palpationLost = std::move(records.error());
+    }
     details.duration_s = track->duration_s;
     auto card = database::ScoreRepository(connection, actor).scores(session);
     if (!card && card.error().code != core::ErrorCode::notFound)

@@ -5,6 +5,7 @@
 #include "database/connection.h"
 #include "database/repositories/session_types.h"
 #include "report/report_data.h"
+#include "session/palpation_record.h"
 #include "session/session_setup.h"
 #include "session/worst_moment.h"
 
@@ -27,6 +28,8 @@ struct DebriefHead {
 struct DebriefDetails {
     std::vector<report::ApexError> answers;
     std::optional<report::InsertionProfile> insertion; ///< exercises through a canal
+    std::vector<session::PalpationTrialRecord> palpation; ///< palpations: one a trial that was begun
+    std::optional<core::Error> palpationLost; ///< why `palpation` is empty although trials were begun; the rest holds
     std::optional<session::WorstMoment> worst;
     double duration_s = 0.0;
 };

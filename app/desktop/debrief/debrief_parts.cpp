@@ -6,6 +6,7 @@
 #include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
 #include "desktop/training/endoscopy.h"
+#include "desktop/training/palpating.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 
@@ -124,7 +125,10 @@ QWidget* DebriefScreen::answersBox() {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     const bool endoscopy = endoscopyOf(m_head->setup.level) != nullptr;
-    box.layout->addWidget(kit::label(theme, endoscopy ? tr("How the endoscope kept to the urethra") : tr("The answers, seen from above"), TextStyle::title));
+    const QString what = endoscopy                          ? tr("How the endoscope kept to the urethra")
+                         : palpationOf(m_head->setup.level) ? tr("What was searched and what was found")
+                                                            : tr("The answers, seen from above");
+    box.layout->addWidget(kit::label(theme, what, TextStyle::title));
     m_answers = new StatePanel(theme);
     m_answers->setMinimumHeight(theme.px(290));
     box.layout->addWidget(m_answers);

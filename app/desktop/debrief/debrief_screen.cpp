@@ -2,6 +2,7 @@
 #include "desktop/debrief/debrief_screen.h"
 
 #include "desktop/debrief/metrics_table.h"
+#include "desktop/debrief/palpation_box.h"
 #include "desktop/debrief/report_words.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/plots/metric_words.h"
@@ -9,6 +10,7 @@
 #include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
 #include "desktop/training/endoscopy.h"
+#include "desktop/training/palpating.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
@@ -138,6 +140,10 @@ void DebriefScreen::showDetails(const DebriefDetails& details) {
         showWorst(*details.worst);
     if (details.insertion)
         showInsertion(*details.insertion);
+    else if (!details.palpation.empty())
+        showPalpation(details.palpation);
+    else if (details.palpationLost)
+        m_answers->showError(tr("Findings and maps could not be read from the recording. The scores above are as they were stored."), *details.palpationLost);
     else if (!details.answers.empty())
         showAnswers(details.answers);
     else
@@ -171,6 +177,12 @@ void DebriefScreen::showAnswers(const std::vector<report::ApexError>& answers) {
     row->add(scatter.release(), 2); // the row owns them from here on
     row->add(trials.release(), 3);
     m_answers->setContent(row);
+    m_answers->showContent();
+}
+
+void DebriefScreen::showPalpation(const std::vector<session::PalpationTrialRecord>& records) {
+    const auto* level = palpationOf(m_head->setup.level);
+    m_answers->setContent(new PalpationBox(context().theme(), context().locale(), *level, records));
     m_answers->showContent();
 }
 

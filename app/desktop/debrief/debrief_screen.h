@@ -40,6 +40,7 @@ private:
     void showDetails(const DebriefDetails& details);
     void showWorst(const session::WorstMoment& worst);
     void showAnswers(const std::vector<report::ApexError>& answers);
+    void showPalpation(const std::vector<session::PalpationTrialRecord>& records);
     void showInsertion(const report::InsertionProfile& profile);
     void showNoDetails(const core::Error& error);
     QWidget* headBox();

@@ -45,6 +45,7 @@ DeviceChooser::DeviceChooser(AppContext& context, const session::ExerciseKind* k
     : QWidget(parent), m_context(context), m_tool(kind ? kind->pointerTool() : session::PointerTool::point),
       m_group(new QButtonGroup(this)), m_pages(new QStackedWidget) {
     const bool fiveBar = kind && kind->mechanism() == "five_bar_spherical";
+    const bool fingertip = kind && kind->mechanism() == "fingertip_arm";
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(context.theme().px(8));
@@ -53,6 +54,7 @@ DeviceChooser::DeviceChooser(AppContext& context, const session::ExerciseKind* k
     QWidget* demonstrate = addTile(PlanDevice::demonstration, tr("Demonstrate"),
                                    operators.empty() ? tr("Nobody demonstrates this exercise on this station.")
                                    : fiveBar         ? tr("Ready. Watch a scripted operator on the simulated five-bar mechanism.")
+                                   : fingertip       ? tr("Ready. Watch a scripted operator on the simulated arm with fingertip platform.")
                                                      : tr("Ready. Watch a scripted operator on the simulated gimbal."));
     demonstrate->setEnabled(!operators.empty());
     column->addWidget(demonstrate);

@@ -4,6 +4,7 @@
 #include "desktop/training/endoscopy.h"
 #include "desktop/training/grasping.h"
 #include "desktop/training/insertion_values.h"
+#include "desktop/training/palpating.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -91,11 +92,46 @@ QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const Q
     return facts << trialsText(p.trials, p.trialLimit_s, locale);
 }
 
+QString handsText(const simulation::PalpationParameters& p) {
+    if (p.hands > 1)
+        return p.fingers > 1 ? Words::tr("Hands: two, two fingers each") : Words::tr("Hands: two, one finger each");
+    return p.fingers > 1 ? Words::tr("Hands: one, two fingers side by side") : Words::tr("Hands: one, one finger");
+}
+
+QString lumpsText(const simulation::PalpationParameters& p, const QLocale& locale) {
+    const int least = p.catchTrials > 0 ? 0 : p.lumpsLow;
+    if (least == p.lumpsHigh)
+        return Words::tr("Lumps in a trial: %1").arg(locale.toString(p.lumpsHigh));
+    if (least == 0 && p.lumpsHigh == 1)
+        return Words::tr("Lumps in a trial: one or none");
+    return least == 0 ? Words::tr("Lumps in a trial: none to %1").arg(locale.toString(p.lumpsHigh))
+                      : Words::tr("Lumps in a trial: %1 to %2").arg(locale.toString(least), locale.toString(p.lumpsHigh));
+}
+
+QString reportedText(const simulation::PalpationParameters& p) {
+    QStringList asked{Words::tr("where it is")};
+    if (p.asksSize)
+        asked << Words::tr("how large");
+    if (p.asksHardness)
+        asked << Words::tr("how hard");
+    if (p.asksConfidence)
+        asked << Words::tr("how sure you are");
+    return Words::tr("To be told of each finding: %1").arg(asked.join(QStringLiteral(", ")));
+}
+
+QStringList palpationFacts(const simulation::PalpationParameters& p, const QLocale& locale) {
+    QStringList facts{handsText(p), lumpsText(p, locale), reportedText(p)};
+    facts << Words::tr("Press with %1 to %2 N").arg(newtons(p.bandLow_N, locale), newtons(p.bandHigh_N, locale));
+    return facts << trialsText(p.trials, p.trialLimit_s, locale);
+}
+
 } // namespace
 
 QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) {
     if (const Grasping grasping = graspingOf(level))
         return grasping.tube ? tubeFacts(*grasping.tube, locale) : handlingFacts(*grasping.handling, locale);
+    if (const auto* palpation = palpationOf(level))
+        return palpationFacts(*palpation, locale);
     const auto* p = endoscopyOf(level);
     if (!p)
         return {};

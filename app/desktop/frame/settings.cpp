@@ -74,6 +74,14 @@ void Settings::setSound(bool on) {
     m_file.setValue(QStringLiteral("sound"), on);
 }
 
+bool Settings::soundCue(const QString& cue) const {
+    return m_file.value(QStringLiteral("sound_cues/") + cue, true).toBool();
+}
+
+void Settings::setSoundCue(const QString& cue, bool on) {
+    m_file.setValue(QStringLiteral("sound_cues/") + cue, on);
+}
+
 QString Settings::backupFolder() const {
     return m_file.value(QStringLiteral("backup_folder")).toString();
 }

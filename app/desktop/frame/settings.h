@@ -25,6 +25,8 @@ public:
     void setScale(double scale);
     bool sound() const;
     void setSound(bool on);
+    bool soundCue(const QString& cue) const; ///< "contact", "force", "lean", "warning": heard where sound is on
+    void setSoundCue(const QString& cue, bool on);
     QString backupFolder() const; ///< empty: beside the database
     void setBackupFolder(const QString& folder);
 

@@ -21,6 +21,8 @@ ExercisePicture::ExercisePicture(const Theme& theme, const catalogue::ExerciseLe
         m_tube = *tube;
     if (const auto* handling = std::get_if<simulation::ObjectHandlingParameters>(&level.parameters))
         m_handling = *handling;
+    if (const auto* palpation = std::get_if<simulation::PalpationParameters>(&level.parameters))
+        m_palpation = *palpation;
     m_visible = std::find(level.cues.begin(), level.cues.end(), "object") != level.cues.end();
     setFixedSize(m_size);
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -40,6 +42,8 @@ void ExercisePicture::paintEvent(QPaintEvent*) {
         paintTube(painter);
     else if (m_handling)
         paintHandling(painter);
+    else if (m_palpation)
+        paintPalpation(painter);
     else
         paintSphereApex(painter);
     painter.setClipping(false);

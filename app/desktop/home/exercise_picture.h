@@ -14,7 +14,8 @@ inline constexpr double kNoPictureScale = 1.5;
 
 /// A picture of a level, painted from its content: the ball in its true proportions, dashed where it is not shown, its dimple
 /// where it has one, and the instrument on its apex; or the urethra from the side with its narrow places, the bladder with its
-/// landmarks, and the endoscope before it; or the tube with what holds it; or the objects, their dish and a grasper. Decorative: what it shows is said in words beside it.
+/// landmarks, and the endoscope before it; or the tube with what holds it; or the objects, their dish and a grasper; or the tissue's
+/// true outline under a finger, its lump where it is shown. Decorative: what it shows is said in words beside it.
 class ExercisePicture final : public QWidget {
     Q_OBJECT
 public:
@@ -30,6 +31,8 @@ private:
     void paintUrethra(QPainter& painter) const;
     void paintTube(QPainter& painter) const;
     void paintHandling(QPainter& painter) const;
+    void paintPalpation(QPainter& painter) const;
+    void paintFinger(QPainter& painter, QPointF tip, bool fromLeft, double perMetre) const;
     void paintFloor(QPainter& painter, double y) const;
     void paintGrasper(QPainter& painter, QPointF tip, QPointF from, double opening) const;
     void paintTool(QPainter& painter, QPointF tip, double length) const;
@@ -40,6 +43,7 @@ private:
     std::optional<simulation::UrethraInsertionParameters> m_urethra;
     std::optional<simulation::ElasticTubeParameters> m_tube;
     std::optional<simulation::ObjectHandlingParameters> m_handling;
+    std::optional<simulation::PalpationParameters> m_palpation;
     bool m_visible = true;
 };
 

@@ -126,12 +126,23 @@ QWidget* HomeScreen::peopleCard(const HomeData& home) {
 }
 
 void HomeScreen::addResearcher(QVBoxLayout& column) {
+#ifdef CHIRON_STUDY_SCREENS
+    column.addWidget(stateCard(QStringLiteral("studies"), tr("Studies"),
+                               tr("Design a study or begin with a template, try it with simulated observers, freeze it, enrol participants."), "info", {},
+                               tr("Open the studies")));
+    column.addWidget(stateCard(QStringLiteral("study_run"), tr("Run"),
+                               tr("Take a participant through a study, by code and in their own order. What was interrupted goes on where it stopped."), "info", {},
+                               tr("Run a study")));
+    column.addWidget(stateCard(QStringLiteral("study_data"), tr("Data"),
+                               tr("Curves, thresholds and intervals of each person and the group, every trial with its fidelity, exports."), "info", {},
+                               tr("Open the data")));
+#endif
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("Data"), TextStyle::title));
+    box.layout->addWidget(kit::label(theme, tr("Training sessions"), TextStyle::title));
     box.layout->addWidget(kit::label(theme, tr("Every recorded session, by code instead of by name: filter the list, play sessions back, "
                                                "save the list as a table.")));
-    auto* open = opener(tr("Open the data"), QStringLiteral("sessions"));
+    auto* open = opener(tr("Open the sessions"), QStringLiteral("sessions"), {}, "quiet");
     open->setObjectName(QStringLiteral("home.data"));
     box.layout->addWidget(open, 0, Qt::AlignLeft);
     column.addWidget(box.frame);

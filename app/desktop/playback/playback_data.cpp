@@ -41,6 +41,28 @@ GhostCandidate* bestOf(std::vector<GhostCandidate>& own, database::Connection& c
 
 } // namespace
 
+namespace {
+
+/// What was found and what was true, and findings as marks among the others. Movement and force do not depend on it: where it
+/// cannot be told, the playback goes on without.
+void addPalpation(session::StoredSession& stored, PlaybackData& data) {
+    const auto* level = std::get_if<simulation::PalpationParameters>(&data.setup.level.parameters);
+    if (!level)
+        return;
+    auto records = session::palpationRecord(stored);
+    if (!records) {
+        data.palpationLost = std::move(records.error());
+        return;
+    }
+    data.palpation.emplace(*level, std::move(*records));
+    const std::vector<session::PlaybackMark> findings = data.palpation->marks(data.track);
+    auto& marks = data.track.marks;
+    marks.insert(marks.end(), findings.begin(), findings.end());
+    std::stable_sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
+}
+
+} // namespace
+
 core::Result<PlaybackData> loadPlayback(database::Connection& connection, const database::Actor& actor,
                                         database::SessionId session, const std::function<bool(double)>& progress) {
     PlaybackData data;
@@ -62,6 +84,7 @@ core::Result<PlaybackData> loadPlayback(database::Connection& connection, const 
     if (!track)
         return tl::unexpected(track.error());
     data.track = std::move(*track);
+    addPalpation(**stored, data);
     return data;
 }
 

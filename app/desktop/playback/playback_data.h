@@ -5,6 +5,7 @@
 #include "database/connection.h"
 #include "database/repositories/session_reader.h"
 #include "desktop/playback/grasp_replay.h"
+#include "desktop/playback/palpation_replay.h"
 #include "session/playback_track.h"
 #include "session/session_setup.h"
 
@@ -20,6 +21,8 @@ struct PlaybackData {
     database::SessionRecord record;
     session::SessionSetup setup;
     std::optional<GraspReplay> grasp; ///< exercises that grasp
+    std::optional<PalpationReplay> palpation; ///< palpations
+    std::optional<core::Error> palpationLost; ///< palpations: why there is none of it; the track holds
     session::PlaybackTrack track; ///< empty where nothing was recorded, or where the recording was erased
 };
 

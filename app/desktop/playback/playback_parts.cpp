@@ -97,6 +97,14 @@ QWidget* PlaybackScreen::stageColumn() {
     m_sceneHolder->setContentsMargins(theme.px(1), theme.px(1), theme.px(1), theme.px(1));
     column->addWidget(holder, 1);
     column->addWidget(readoutRow());
+    if (m_data->palpation)
+        column->addWidget(palpationRow());
+    if (m_data->palpationLost) {
+        auto* lost = kit::label(theme, tr("Findings and maps could not be read from the recording: %1").arg(QString::fromStdString(m_data->palpationLost->message)),
+                                TextStyle::small);
+        lost->setObjectName(QStringLiteral("playback.palpation_lost"));
+        column->addWidget(lost);
+    }
     m_scrubber = new Scrubber(theme);
     m_scrubber->setObjectName(QStringLiteral("playback.scrubber"));
     m_scrubber->setLocale(locale);
@@ -182,6 +190,8 @@ QString PlaybackScreen::readoutText(const session::PlaybackView& view) const {
         return view.moment.paused ? tr("%1 · paused · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed)
                                   : tr("%1 · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed);
     }
+    if (m_data->palpation)
+        return palpationReadout(view);
     const QString trial = locale.toString(view.moment.trial + 1);
     if (m_data->grasp) {
         const core::LaparoscopyCues cues = m_data->grasp->cuesAt(m_data->track, view);

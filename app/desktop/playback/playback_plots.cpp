@@ -62,6 +62,7 @@ void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, c
     }
     putGrasp();
     putEnergy();
+    putPalpation();
     auto speed = report::speedPlot(m_series, look);
     second(*speed, &session::GhostSeries::speed_m_per_s, 1e3);
     putLow(std::move(speed), m_speed, "playback.speed_plot", tr("Speed (mm/s)"), true);
@@ -87,7 +88,7 @@ void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotV
 
 void PlaybackPlots::showCursor(double t_s) {
     m_cursor_s = t_s;
-    for (report::PlotView* view : {m_force, m_offset, m_alignment, m_held, m_energy, m_speed})
+    for (report::PlotView* view : {m_force, m_offset, m_alignment, m_held, m_energy, m_lean, m_depth, m_speed})
         if (view)
             view->showCursor(t_s);
 }

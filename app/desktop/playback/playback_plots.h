@@ -16,7 +16,7 @@ class QVBoxLayout;
 namespace chiron::desktop {
 
 /// Force and speed over the whole recording, off-centre and alignment where there is a canal, tension with its band or squeeze with
-/// its limit and the books of energy where something is grasped, one above the other, under one
+/// its limit and the books of energy where something is grasped, lean and depth where something is palpated, one above the other, under one
 /// cursor; a click seeks. Pauses are hatched, the limit is a line, a second session is a dash-dotted line. GUI thread.
 class PlaybackPlots : public QWidget {
     Q_OBJECT
@@ -41,6 +41,9 @@ private:
     void slim(report::PlotView& view, const QString& time);
     void putGrasp();
     void putEnergy();
+    void putPalpation();
+    /// A line a finger of its recorded quantity "<before><finger><after>"; false where none was recorded.
+    bool addFingers(report::PlotView& view, const char* before, const char* after, double factor) const;
     std::unique_ptr<report::PlotView> empty(const QString& title) const;
 
     const Theme& m_theme;
@@ -57,6 +60,8 @@ private:
     report::PlotView* m_alignment = nullptr; ///< the same
     report::PlotView* m_held = nullptr;      ///< tension or squeeze; null where nothing is grasped
     report::PlotView* m_energy = nullptr;    ///< the same
+    report::PlotView* m_lean = nullptr;      ///< null where nothing is palpated
+    report::PlotView* m_depth = nullptr;     ///< the same
 };
 
 } // namespace chiron::desktop

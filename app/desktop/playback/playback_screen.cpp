@@ -121,8 +121,12 @@ void PlaybackScreen::showMoment(double t_s) {
     m_scrubber->setPosition(t_s);
     m_plots->showCursor(t_s);
     m_comments->setMoment(t_s);
-    if (m_scene)
-        m_scene->show(sceneStateAt(m_data->track, m_ghost ? &*m_ghost : nullptr, t_s, m_data->grasp ? &*m_data->grasp : nullptr));
+    if (m_scene) {
+        auto state = sceneStateAt(m_data->track, m_ghost ? &*m_ghost : nullptr, t_s, m_data->grasp ? &*m_data->grasp : nullptr);
+        if (m_data->palpation)
+            m_data->palpation->showIn(state, m_data->track, t_s, m_palpationLook);
+        m_scene->show(state);
+    }
     const session::PlaybackView view = m_data->track.at(t_s);
     m_readout->setText(readoutText(view));
     if (!m_clock.playing())

@@ -57,6 +57,8 @@ private:
     QWidget* sideColumn();
     QWidget* ghostBox();
     QWidget* readoutRow();
+    QWidget* palpationRow();
+    QString palpationReadout(const session::PlaybackView& view) const;
     QString readoutText(const session::PlaybackView& view) const;
     void setDepthOfField(bool on);
     void makeScene();
@@ -78,6 +80,7 @@ private:
     PlaybackClock m_clock;
     StatePanel* m_panel = nullptr;
     std::optional<PlaybackData> m_data;
+    PalpationLook m_palpationLook;
     std::optional<session::PlaybackTrack> m_ghost;
     std::shared_ptr<WorkToken> m_work;
     std::shared_ptr<WorkToken> m_ghostWork;

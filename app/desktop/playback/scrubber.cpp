@@ -154,7 +154,7 @@ void Scrubber::paintMarks(QPainter& painter) const {
         painter.setBrush(m_theme.color(markColour(mark.kind)));
         if (session::isPenalty(mark.kind)) {
             painter.drawPolygon(QPolygonF({QPointF(x, top), QPointF(x - size, top - 1.8 * size), QPointF(x + size, top - 1.8 * size)}));
-        } else if (mark.kind == PlaybackMarkKind::marked || mark.kind == PlaybackMarkKind::completed) {
+        } else if (mark.kind == PlaybackMarkKind::marked || mark.kind == PlaybackMarkKind::found || mark.kind == PlaybackMarkKind::completed) {
             painter.drawRect(QRectF(x - 0.15 * size, top - 2.2 * size, 0.3 * size, 2.2 * size));
             painter.drawRect(QRectF(x, top - 2.2 * size, 1.3 * size, 1.1 * size));
         } else {

@@ -2,6 +2,7 @@
 #include "desktop/plots/metric_words.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <array>
 
 namespace chiron::desktop {
@@ -15,7 +16,7 @@ struct MetricWords {
 };
 
 // clang-format off
-constexpr std::array<MetricWords, 38> kMetrics{{
+constexpr std::array<MetricWords, 51> kMetrics{{
     {"time", QT_TRANSLATE_NOOP("Metrics", "Time"),
      QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count.")},
     {"path_length", QT_TRANSLATE_NOOP("Metrics", "Path length"),
@@ -82,6 +83,32 @@ constexpr std::array<MetricWords, 38> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "How far from the middle of the target the object lay at the end of each trial; the mean over the trials.")},
     {"weighing_correct", QT_TRANSLATE_NOOP("Metrics", "Heaviest found"),
      QT_TRANSLATE_NOOP("Metrics", "How often the heaviest object was laid into the target, in % of the trials.")},
+    {"palpation_hits", QT_TRANSLATE_NOOP("Metrics", "Lumps found"),
+     QT_TRANSLATE_NOOP("Metrics", "Lumps that one of the findings was near enough to.")},
+    {"palpation_misses", QT_TRANSLATE_NOOP("Metrics", "Lumps missed"),
+     QT_TRANSLATE_NOOP("Metrics", "Lumps that no finding was near enough to.")},
+    {"palpation_false_alarms", QT_TRANSLATE_NOOP("Metrics", "False alarms"),
+     QT_TRANSLATE_NOOP("Metrics", "Findings where there was no lump; a second one of the same lump counts too.")},
+    {"palpation_d_prime", QT_TRANSLATE_NOOP("Metrics", "Sensitivity (d′)"),
+     QT_TRANSLATE_NOOP("Metrics", "How well places with a lump were told from places without, whether one rather says yes or no. 0 is chance.")},
+    {"palpation_criterion", QT_TRANSLATE_NOOP("Metrics", "Criterion (c)"),
+     QT_TRANSLATE_NOOP("Metrics", "Whether a lump is rather reported (negative) or rather not (positive) when in doubt.")},
+    {"palpation_roc_area", QT_TRANSLATE_NOOP("Metrics", "Area under the ROC"),
+     QT_TRANSLATE_NOOP("Metrics", "How well confidence tells places with a lump from places without: 0.5 says nothing, 1 is perfect.")},
+    {"localisation_error", QT_TRANSLATE_NOOP("Metrics", "Localisation error"),
+     QT_TRANSLATE_NOOP("Metrics", "How far the findings lay from the lumps that they found, on the surface; the mean over all found.")},
+    {"size_error", QT_TRANSLATE_NOOP("Metrics", "Size error"),
+     QT_TRANSLATE_NOOP("Metrics", "How far the radius that was said was from the true one; the mean over all lumps found whose size was said.")},
+    {"hardness_order", QT_TRANSLATE_NOOP("Metrics", "Hardness order"),
+     QT_TRANSLATE_NOOP("Metrics", "Of the pairs of lumps found in a trial, how many had the harder one called harder, in %.")},
+    {"coverage", QT_TRANSLATE_NOOP("Metrics", "Area covered"),
+     QT_TRANSLATE_NOOP("Metrics", "How much of the search area was pressed hard enough to find something; the mean over the trials.")},
+    {"force_band_time", QT_TRANSLATE_NOOP("Metrics", "Time in the force band"),
+     QT_TRANSLATE_NOOP("Metrics", "For how much of the time pressing the force was neither too light nor too hard.")},
+    {"pressing_time", QT_TRANSLATE_NOOP("Metrics", "Time pressing"),
+     QT_TRANSLATE_NOOP("Metrics", "How long a finger pressed the tissue, in all trials together.")},
+    {"searching_time", QT_TRANSLATE_NOOP("Metrics", "Time searching"),
+     QT_TRANSLATE_NOOP("Metrics", "How long the trials took until done was said; pauses do not count.")},
     {"apex_error_mean", QT_TRANSLATE_NOOP("Metrics", "Apex error, mean"),
      QT_TRANSLATE_NOOP("Metrics", "How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses included.")},
     {"apex_error_sd", QT_TRANSLATE_NOOP("Metrics", "Apex error, standard deviation"),
@@ -94,7 +121,7 @@ constexpr std::array<MetricWords, 38> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same.")},
 }};
 
-constexpr std::array<const char*, 28> kReasons{{
+constexpr std::array<const char*, 42> kReasons{{
     QT_TRANSLATE_NOOP("Metrics", "the trace has no forces"),
     QT_TRANSLATE_NOOP("Metrics", "no trials"),
     QT_TRANSLATE_NOOP("Metrics", "start and end are less than 5 mm apart"),
@@ -123,6 +150,20 @@ constexpr std::array<const char*, 28> kReasons{{
     QT_TRANSLATE_NOOP("Metrics", "the trace has no data of a tube"),
     QT_TRANSLATE_NOOP("Metrics", "the task has no such target"),
     QT_TRANSLATE_NOOP("Metrics", "the tension was never held"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no lumps and search area"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no reports"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace lost reports"),
+    QT_TRANSLATE_NOOP("Metrics", "no lump was there"),
+    QT_TRANSLATE_NOOP("Metrics", "no lump was found"),
+    QT_TRANSLATE_NOOP("Metrics", "nobody said how sure a finding is"),
+    QT_TRANSLATE_NOOP("Metrics", "of no lump that was found the size was said"),
+    QT_TRANSLATE_NOOP("Metrics", "the level asks for no size"),
+    QT_TRANSLATE_NOOP("Metrics", "the level asks for no hardness"),
+    QT_TRANSLATE_NOOP("Metrics", "fewer than two lumps of a trial were found and their hardness said"),
+    QT_TRANSLATE_NOOP("Metrics", "the lumps that were found are equally hard"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no coverage"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no force band"),
+    QT_TRANSLATE_NOOP("Metrics", "nothing was pressed"),
 }};
 
 constexpr std::array<const char*, 1> kBandSources{{
@@ -154,6 +195,10 @@ QString metricMeaning(const QString& id) {
 }
 
 QString metricReason(const QString& reason) {
+    static const QRegularExpression tooFew(QStringLiteral("^only (\\d+) regions with a lump and (\\d+) without: (\\d+) of each are needed$"));
+    if (const auto match = tooFew.match(reason); match.hasMatch())
+        return QCoreApplication::translate("Metrics", "only %1 regions with a lump and %2 without: %3 of each are needed")
+            .arg(match.captured(1), match.captured(2), match.captured(3));
     for (const char* known : kReasons)
         if (const QString text = inLanguage(reason, known); !text.isEmpty())
             return text;

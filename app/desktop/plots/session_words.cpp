@@ -75,6 +75,8 @@ QString whoText(const database::SessionSummary& session) {
 }
 
 QString deviceText(const devices::DeviceDescriptor& device) {
+    if (device.driver == "simulated" && device.kinematics == "fingertip_arm")
+        return words(QT_TRANSLATE_NOOP("Sessions", "Simulated arm with fingertip platform"));
     if (device.driver == "simulated" && device.kinematics == "five_bar_spherical")
         return words(QT_TRANSLATE_NOOP("Sessions", "Simulated five-bar mechanism"));
     if (device.driver == "simulated")

@@ -8,6 +8,7 @@
 #include "desktop/plots/session_words.h"
 #include "desktop/results/attempts_table.h"
 #include "desktop/results/learning_curve.h"
+#include "desktop/results/roc_box.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
@@ -28,7 +29,7 @@ ResultsScreen::ResultsScreen(AppContext& context, const Place& place) : Screen(c
 }
 
 ResultsScreen::~ResultsScreen() {
-    for (const auto& work : {m_work, m_export})
+    for (const auto& work : {m_work, m_export, m_detection})
         if (work)
             work->cancel();
 }
@@ -93,6 +94,10 @@ void ResultsScreen::build() {
     const kit::Box box = kit::box(theme);
     m_curveHolder = box.layout;
     page->column()->addWidget(box.frame);
+    m_roc = new RocBox(theme, context().locale());
+    m_roc->setObjectName(QStringLiteral("results.detection"));
+    m_roc->hide();
+    page->column()->addWidget(m_roc);
     page->column()->addWidget(kit::label(theme, tr("Attempts"), TextStyle::title));
     m_table = new AttemptsTable(theme, context().locale());
     connect(m_table, &AttemptsTable::openAsked, this, &ResultsScreen::openSession);
@@ -223,6 +228,7 @@ void ResultsScreen::showSelection() {
     m_curve->setMinimumHeight(context().theme().px(300));
     m_curveHolder->addWidget(m_curve);
     m_table->show(attempts, row.id);
+    showDetection(attempts);
     context().navigator().note({{QStringLiteral("exercise"), m_exercise->currentData()},
                                 {QStringLiteral("level"), m_level->currentData()},
                                 {QStringLiteral("metric"), row.id}});

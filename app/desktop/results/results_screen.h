@@ -19,6 +19,7 @@ namespace chiron::desktop {
 
 class AttemptsTable;
 class ResponsiveRow;
+class RocBox;
 class StatePanel;
 class WorkToken;
 
@@ -47,6 +48,7 @@ private:
     void fillLevels();
     void fillMetrics();
     void showSelection();
+    void showDetection(const std::vector<Attempt>& attempts); ///< palpations: how right at which confidence
     std::vector<Attempt> selected() const;
     report::MetricRow metricRow(const std::vector<Attempt>& attempts) const;
     void askExport();
@@ -59,9 +61,12 @@ private:
     QComboBox* m_metric = nullptr;
     QVBoxLayout* m_curveHolder = nullptr;
     report::PlotView* m_curve = nullptr;
+    RocBox* m_roc = nullptr;
     AttemptsTable* m_table = nullptr;
     std::shared_ptr<WorkToken> m_work;
     std::shared_ptr<WorkToken> m_export;
+    std::shared_ptr<WorkToken> m_detection;
+    QString m_detectionOf; ///< exercise and level that m_roc shows: another metric reads nothing anew
 };
 
 } // namespace chiron::desktop

@@ -4,6 +4,7 @@
 #include "desktop/scene2d/flat_tools.h"
 #include "desktop/scene3d/gauge_painter.h"
 #include "desktop/scene3d/laparoscopy_dial.h"
+#include "desktop/scene3d/palpation/palpation_dial.h"
 
 #include <QPainter>
 #include <QTimer>
@@ -94,7 +95,7 @@ QRectF FlatCanvas::paintBars(QPainter& painter, QRectF room) const {
         room.setRight(room.right() - (GaugePainter::kWidth * unit + kGap * m_setup.scale));
     };
     if (m_setup.cues.arrow)
-        paint(forceDial(m_setup), largestForce_N(m_state));
+        paint(forceDial(m_setup, m_state.palpation), largestForce_N(m_state));
     const auto second = laparoscopyDial(m_setup, m_state.laparoscopy);
     if (second && dialShown(m_state.laparoscopy))
         paint(*second, dialValue_N(m_state.laparoscopy));
@@ -147,7 +148,7 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel) {
         tools.paintPin(p);
     }
     const bool several = toolsOf(m_state) > 1;
-    if (m_state.ghost.present)
+    if (m_state.ghost.present && !m_content->drawsTools())
         tools.paintTool(m_state.ghost, m_ghostHeld.of(m_state.ghost, entersLeft(0, several, m_setup.leftHanded)), true);
     for (std::size_t i = 0; i < m_state.tool.size(); ++i) {
         const ToolView& tool = m_state.tool[i];
@@ -156,6 +157,8 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel) {
         if (m_setup.cues.tool) {
             const core::Vec3 tip = drawnTip(tool);
             tools.paintDropLine(tool, m_content->groundHeight_m(m_state, tip.x(), tip.y()));
+        }
+        if (m_setup.cues.tool && !m_content->drawsTools()) {
             const core::Quat held = m_held[i].of(tool, entersLeft(static_cast<int>(i), several, m_setup.leftHanded));
             tools.paintTool(tool, held, false);
             if (several)

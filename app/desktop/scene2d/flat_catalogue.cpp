@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene2d/comparison/flat_comparison.h"
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene2d/laparoscopy/flat_handling.h"
 #include "desktop/scene2d/laparoscopy/flat_tube.h"
+#include "desktop/scene2d/palpation/flat_palpation.h"
 #include "desktop/scene2d/sphere_apex/flat_apex.h"
 #include "desktop/scene2d/urethra_insertion/flat_urethra.h"
 
@@ -20,6 +22,12 @@ std::unique_ptr<IFlatContent> makeFlatContent(const SceneSetup& setup) {
         return std::make_unique<FlatTube>(*tube);
     if (setup.exercise == "object_handling" && handling)
         return std::make_unique<FlatHandling>(*handling);
+    const auto* palpation = std::get_if<simulation::PalpationParameters>(&setup.parameters);
+    if (setup.exercise == "palpation" && palpation)
+        return std::make_unique<FlatPalpation>(*palpation);
+    const auto* comparison = std::get_if<simulation::ComparisonParameters>(&setup.parameters);
+    if (setup.exercise == "comparison" && comparison)
+        return std::make_unique<FlatComparison>(*comparison);
     return nullptr;
 }
 

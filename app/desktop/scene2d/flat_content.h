@@ -21,6 +21,8 @@ public:
     }
     /// What a screen reader says of the picture; empty: from above and from the side.
     virtual QString name() const { return {}; }
+    /// Whether the tools (and the ghost) are its own; otherwise the canvas draws laparoscopic instruments.
+    virtual bool drawsTools() const { return false; }
     virtual QRectF rangeAbove_mm() const = 0; ///< x and y that must be seen
     virtual QRectF rangeSide_mm() const = 0;  ///< x and z
     virtual void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene3d/camera_fit.h"
 
-#include "core/units.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +8,6 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr double kElevation_rad = 44.0 * core::kPi / 180.0;
 constexpr double kEdge = 0.97; // of the half picture
 
 /// Tangents of the half-angles of the picture.
@@ -46,10 +43,11 @@ bool seesAll(const CameraFit& camera, const Opening& opening, double radius_m, d
 
 } // namespace
 
-CameraFit fitCamera(double radius_m, double planeHeight_m, double room_m, double aspect, double rightMargin) {
+CameraFit fitCamera(double radius_m, double planeHeight_m, double room_m, double aspect, double rightMargin,
+                    double elevation_rad) {
     CameraFit camera;
     camera.p_WTarget = core::Vec3(0.0, -0.04 * radius_m, planeHeight_m + 0.16 * room_m);
-    const core::Vec3 back(0.0, -std::cos(kElevation_rad), std::sin(kElevation_rad));
+    const core::Vec3 back(0.0, -std::cos(elevation_rad), std::sin(elevation_rad));
     const double up = std::tan(0.5 * camera.fieldOfView_deg * core::kPi / 180.0);
     const double side = up * std::max(0.2, aspect);
     const Opening opening{kEdge * side * (1.0 - rightMargin), kEdge * up};

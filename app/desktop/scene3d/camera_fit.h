@@ -2,10 +2,13 @@
 #pragma once
 
 #include "core/geometry.h"
+#include "core/units.h"
 
 namespace chiron::scene3d {
 
-/// The fixed look of a laparoscope held over the near edge of the field: 44° above the plane, from −y.
+inline constexpr double kCameraElevation_rad = 44.0 * core::kPi / 180.0; ///< above the plane, of a laparoscope
+
+/// The fixed look of a laparoscope held over the near edge of the field: from −y, so high above the plane.
 struct CameraFit {
     core::Vec3 p_WEye = core::Vec3::Zero();    ///< m
     core::Vec3 p_WTarget = core::Vec3::Zero(); ///< m
@@ -16,6 +19,7 @@ struct CameraFit {
 /// the plane and the room above it up to `room_m`. `aspect` = width/height of the picture > 0; `rightMargin`
 /// = share of the width that the force bar takes: whoever draws moves the picture's middle to the left by
 /// half of it. Pure.
-CameraFit fitCamera(double radius_m, double planeHeight_m, double room_m, double aspect, double rightMargin);
+CameraFit fitCamera(double radius_m, double planeHeight_m, double room_m, double aspect, double rightMargin,
+                    double elevation_rad = kCameraElevation_rad);
 
 } // namespace chiron::scene3d

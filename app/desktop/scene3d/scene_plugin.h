@@ -11,7 +11,7 @@ namespace chiron::scene3d {
 /// text says so: face number, Qt version, and the sizes of what is handed over. Another text means another
 /// build.
 inline QByteArray sceneAbi() {
-    return QByteArrayLiteral("chiron-scene 3 Qt " QT_VERSION_STR " ") +
+    return QByteArrayLiteral("chiron-scene 4 Qt " QT_VERSION_STR " ") +
            QByteArray::number(qulonglong(sizeof(SceneSetup))) + ' ' +
            QByteArray::number(qulonglong(sizeof(SceneState)));
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "simulation/exercises/comparison/comparison_parameters.h"
 #include "simulation/exercises/elastic_tube/elastic_tube_parameters.h"
 #include "simulation/exercises/object_handling/object_handling_parameters.h"
+#include "simulation/exercises/palpation/palpation_parameters.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_parameters.h"
 #include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
 
@@ -38,7 +40,7 @@ struct SceneColours {
 struct SceneSetup {
     std::string exercise; ///< id of the exercise: which geometry is drawn
     std::variant<simulation::SphereApexParameters, simulation::UrethraInsertionParameters, simulation::ElasticTubeParameters,
-                 simulation::ObjectHandlingParameters>
+                 simulation::ObjectHandlingParameters, simulation::PalpationParameters, simulation::ComparisonParameters>
         parameters;
     double forceLimit_N = 4.0; ///< of the arrow's limit line
     SceneCues cues;

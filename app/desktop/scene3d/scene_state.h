@@ -5,8 +5,14 @@
 #include "core/geometry.h"
 #include "core/haptic_frame.h"
 #include "core/laparoscopy_cues.h"
+#include "core/palpation_cues.h"
 
 #include <array>
+#include <cstdint>
+
+namespace chiron::simulation {
+class SurfaceMap;
+}
 
 namespace chiron::scene3d {
 
@@ -41,6 +47,12 @@ struct SceneState {
     core::EndoscopeCues endoscope; ///< endoscopic exercises: stage, landmarks, guidance; the pose is tool[0]'s
     int activeTool = -1; ///< which one mouse and keyboard move, where there are several; it wears a collar
     core::LaparoscopyCues laparoscopy; ///< exercises that grasp: tube, bodies, target, bands
+    core::PalpationCues palpation; ///< palpation: findings, shown lumps, bands (in playback the truth, as lumps)
+    const simulation::SurfaceMap* surfaceMap = nullptr; ///< palpation: where was pressed and how hard; owned by the caller, read during show()
+    std::uint32_t surfaceMapStep = 0; ///< changes whenever the map did
+    core::SurfaceMapKind mapKind = core::SurfaceMapKind::coverage;
+    std::array<core::FindingOutcome, core::kMaxFindings> outcome{}; ///< palpation, playback: of each finding
+    std::uint8_t lumpsMissed = 0; ///< palpation, playback: one bit a lump of the cues that nobody found
     double time_s = 0.0;
 };
 

@@ -98,9 +98,22 @@ QWidget* SettingsScreen::soundBox() {
     auto* check = new QCheckBox(tr("Play sounds while training"));
     check->setObjectName(QStringLiteral("settings.sound"));
     check->setChecked(context().settings().sound());
-    connect(check, &QCheckBox::toggled, this, [this](bool on) { context().settings().setSound(on); });
     box.layout->addWidget(check);
-    box.layout->addWidget(kit::label(context().theme(), tr("Contact and limit can be heard. Everything that can be heard is also shown."), TextStyle::small, "muted"));
+    const std::vector<Choice> cues{{QStringLiteral("contact"), tr("A click when contact begins")},
+                                   {QStringLiteral("force"), tr("A tone that rises with force")},
+                                   {QStringLiteral("lean"), tr("Brighter when force leans")},
+                                   {QStringLiteral("warning"), tr("A warning over the limit")}};
+    for (const Choice& cue : cues) {
+        auto* one = new QCheckBox(cue.text);
+        one->setObjectName(QStringLiteral("settings.sound.%1").arg(cue.id));
+        one->setChecked(context().settings().soundCue(cue.id));
+        one->setEnabled(check->isChecked());
+        connect(one, &QCheckBox::toggled, this, [this, id = cue.id](bool on) { context().settings().setSoundCue(id, on); });
+        connect(check, &QCheckBox::toggled, one, &QCheckBox::setEnabled);
+        box.layout->addWidget(one);
+    }
+    connect(check, &QCheckBox::toggled, this, [this](bool on) { context().settings().setSound(on); });
+    box.layout->addWidget(kit::label(context().theme(), tr("What can be heard is shown too. The force behind it is recorded, heard or not."), TextStyle::small, "muted"));
     return box.frame;
 }
 

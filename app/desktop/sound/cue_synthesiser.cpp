@@ -18,6 +18,9 @@ constexpr double kWarning_Hz = 988.0;    // far from the tone's octaves
 constexpr double kBeat_Hz = 5.0;
 constexpr double kFirstForce_N = 0.02;   // less is no touch
 constexpr double kLoudestShare = 3.0;    // pitch stops rising at three times the limit
+constexpr double kLowestNoise_Hz = 60.0; // corners of the one-poles, a ratio apart
+constexpr double kNoiseRatio = 2.83;
+constexpr double kBrightest = 0.4;       // share of the tone that its third harmonic takes at full lean
 
 /// One step from `level` towards `target`; what is left of a fading sound becomes exactly nothing.
 double followed(double level, double target, double share) noexcept {
@@ -29,13 +32,20 @@ double followed(double level, double target, double share) noexcept {
 
 CueSynthesiser::CueSynthesiser(double rate_Hz)
     : m_rate_Hz(std::max(rate_Hz, 8000.0)), m_follow(1.0 - std::exp(-1.0 / (kFollow_s * m_rate_Hz))),
-      m_clickDecay(std::exp(-1.0 / (kClickDecay_s * m_rate_Hz))) {}
+      m_clickDecay(std::exp(-1.0 / (kClickDecay_s * m_rate_Hz))) {
+    for (std::size_t i = 0; i < kNoisePoles; ++i)
+        m_noiseShare[i] = 1.0 - std::exp(-kTwoPi * kLowestNoise_Hz * std::pow(kNoiseRatio, static_cast<double>(i)) / m_rate_Hz);
+}
 
 void CueSynthesiser::set(const SoundCues& cues) noexcept {
     m_cues = cues;
     m_cues.limit_N = std::isfinite(cues.limit_N) && cues.limit_N > 0.0 ? cues.limit_N : 4.0;
     m_cues.force_N = std::isfinite(cues.force_N) ? std::max(cues.force_N, 0.0) : 0.0;
-    if (cues.contacts != m_heard && cues.audible && !m_first)
+    m_cues.masking = std::isfinite(cues.masking) ? std::clamp(cues.masking, 0.0, 1.0) : 0.0;
+    if (m_cues.masking > 0.0)
+        m_cues.on = {.contact = false, .force = false, .lean = false, .warning = false};
+    m_cues.lean = std::isfinite(cues.lean) ? std::clamp(cues.lean, 0.0, 1.0) : 0.0;
+    if (cues.contacts != m_heard && cues.audible && cues.on.contact && !m_first)
         m_clickTarget = kClickPeak;
     m_heard = cues.contacts;
     m_first = false;
@@ -46,7 +56,25 @@ void CueSynthesiser::render(std::span<float> samples) noexcept {
         sample = next();
 }
 
-float CueSynthesiser::next() noexcept { return static_cast<float>(tone() + click() + warning()); }
+float CueSynthesiser::next() noexcept { return static_cast<float>(tone() + click() + warning() + masking()); }
+
+double CueSynthesiser::masking() noexcept {
+    m_maskingLevel = followed(m_maskingLevel, m_cues.audible ? kMaskingPeak * m_cues.masking : 0.0, m_follow);
+    if (m_maskingLevel == 0.0)
+        return 0.0;
+    m_noise ^= m_noise << 13;
+    m_noise ^= m_noise >> 7;
+    m_noise ^= m_noise << 17;
+    const double white = 2.0 * static_cast<double>(m_noise >> 11) / 9007199254740992.0 - 1.0;
+    double pink = 0.0;
+    for (std::size_t i = 0; i < kNoisePoles; ++i) { // a one-pole of share a passes a / (2 - a) of the power
+        const double share = m_noiseShare[i];
+        m_noisePole[i] += share * (white - m_noisePole[i]);
+        pink += m_noisePole[i] * std::sqrt((2.0 - share) / share);
+    }
+    constexpr double kHeadroom = 0.06;
+    return m_maskingLevel * std::clamp(kHeadroom * pink, -1.0, 1.0);
+}
 
 double CueSynthesiser::sine(double& phase, double frequency_Hz) const noexcept {
     phase += frequency_Hz / m_rate_Hz;
@@ -56,16 +84,18 @@ double CueSynthesiser::sine(double& phase, double frequency_Hz) const noexcept {
 
 double CueSynthesiser::tone() noexcept {
     const double share = std::min(m_cues.force_N / m_cues.limit_N, kLoudestShare);
-    const bool sounds = m_cues.audible && m_cues.force_N > kFirstForce_N;
+    const bool sounds = m_cues.audible && m_cues.on.force && m_cues.force_N > kFirstForce_N;
     const double level = sounds ? kTonePeak * (0.35 + 0.65 * std::min(share, 1.0)) : 0.0;
     m_toneLevel = followed(m_toneLevel, level, m_follow);
     if (sounds)
         m_toneFrequency_Hz += m_follow * (kTouch_Hz * std::exp2(2.0 * share) - m_toneFrequency_Hz);
+    m_brightness = followed(m_brightness, sounds && m_cues.on.lean ? kBrightest * m_cues.lean : 0.0, m_follow);
     if (m_toneLevel == 0.0) {
         m_tonePhase = 0.0;
         return 0.0;
     }
-    return m_toneLevel * sine(m_tonePhase, m_toneFrequency_Hz);
+    const double ground = sine(m_tonePhase, m_toneFrequency_Hz);
+    return m_toneLevel * ((1.0 - m_brightness) * ground + m_brightness * std::sin(3.0 * kTwoPi * m_tonePhase));
 }
 
 double CueSynthesiser::click() noexcept {
@@ -81,7 +111,7 @@ double CueSynthesiser::click() noexcept {
 }
 
 double CueSynthesiser::warning() noexcept {
-    const bool sounds = m_cues.audible && m_cues.force_N > m_cues.limit_N;
+    const bool sounds = m_cues.audible && m_cues.on.warning && m_cues.force_N > m_cues.limit_N;
     const bool beat = m_beatPhase < 0.5;
     const double target = sounds && beat ? kWarningPeak : 0.0;
     m_warningLevel = followed(m_warningLevel, target, m_follow);

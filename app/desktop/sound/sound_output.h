@@ -3,6 +3,7 @@
 
 #include "desktop/sound/sound_cues.h"
 
+#include <QByteArray>
 #include <QtGlobal>
 
 namespace chiron::desktop {

@@ -48,6 +48,10 @@ QSize LatenessChart::sizeHint() const {
     return {widest(&Line::range) + widest(&Line::share) + m_theme.px(120), static_cast<int>(m_lines.size()) * m_theme.px(24)};
 }
 
+QSize LatenessChart::minimumSizeHint() const {
+    return {widest(&Line::range) + widest(&Line::share) + m_theme.px(60), sizeHint().height()};
+}
+
 void LatenessChart::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -4,6 +4,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/station/lateness_chart.h"
+#include "desktop/station/platform_card.h"
 #include "desktop/station/station_words.h"
 #include "desktop/storage/storage_words.h"
 #include "desktop/storage/task_strip.h"
@@ -57,14 +58,15 @@ QString StationScreen::title() const {
 QString StationScreen::help() const {
     return tr("Whether this computer is fit to make force felt.\n\nForce is computed a thousand times a second. The charts show how late those "
               "thousand steps began: in the last session that ran against the clock, and in a self-test of ten seconds without any "
-              "device.\n\nWith real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it "
+              "device.\n\nThe fingertip platform is verified as published: how closely it follows a force and an orientation. The record can be "
+              "printed.\n\nWith real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it "
               "and how to permit it.");
 }
 
 std::vector<ScreenCommand> StationScreen::commands() {
     if (!m_test)
         return {};
-    return {{m_test->text(), {}, [this] { startSelfTest(); }}};
+    return {{m_test->text(), {}, [this] { startSelfTest(); }}, {tr("Verify the fingertip platform"), {}, [this] { startVerification(); }}};
 }
 
 void StationScreen::enter() {
@@ -88,6 +90,7 @@ void StationScreen::show(const StationFacts& facts) {
     page->column()->addWidget(kit::label(context().theme(), title(), TextStyle::heading));
     page->column()->addWidget(loopCard(facts));
     page->column()->addWidget(devicesCard());
+    page->column()->addWidget(platformCard());
     page->column()->addWidget(roomCard(facts));
     page->column()->addStretch();
     delete m_panel->content();
@@ -186,6 +189,8 @@ QWidget* StationScreen::roomCard(const StationFacts& facts) const {
 void StationScreen::showButton() {
     if (m_test)
         m_test->setEnabled(!context().trialRuns() && !m_strip->isRunning());
+    if (m_platform)
+        m_platform->setReady(!context().trialRuns() && !m_strip->isRunning());
 }
 
 void StationScreen::startSelfTest() {

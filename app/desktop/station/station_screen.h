@@ -12,15 +12,17 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
+class PlatformCard;
 class StatePanel;
 class TaskStrip;
 
 /// How fit this station is: devices, punctuality of the force loop in the last session and in a self-test, real-time priority,
-/// room. Everybody may look; administrators run the self-test, never while a session runs.
+/// P3's verification of the fingertip platform, room. Everybody may look; administrators run self-test and verification, never while a session runs.
 class StationScreen final : public Screen {
     Q_OBJECT
 public:
-    /// Parameter "self_test_ms": length of the self-test, 10 s where it is absent.
+    /// Parameters "self_test_ms": length of the self-test, 10 s where it is absent; "verify_poses": poses of the platform's
+    /// verification, 100 and the table of what makes it worse where it is absent.
     StationScreen(AppContext& context, const Place& place);
     ~StationScreen() override; ///< ends a self-test
 
@@ -31,6 +33,7 @@ public:
 
 signals:
     void selfTestEnded();
+    void verificationEnded();
 
 private:
     void load();
@@ -43,10 +46,16 @@ private:
     void showSelfTest(const session::SelfTestResult& result);
     void showButton();
 
+    // station_platform.cpp
+    PlatformCard* platformCard();
+    void startVerification();
+    void askRecord();
+
     StatePanel* m_panel;
     TaskStrip* m_strip;
     QTimer* m_timer;
     QPushButton* m_test = nullptr;
+    PlatformCard* m_platform = nullptr;
     QVBoxLayout* m_testBox = nullptr;
     std::shared_ptr<session::SelfTestTask> m_task;
     std::shared_ptr<WorkToken> m_token;

@@ -39,7 +39,7 @@ void PointerControl::drag(QPointF pixels, bool lifting) noexcept {
 }
 
 void PointerControl::wheel(int eighthsOfDegree) noexcept {
-    m_mailbox.move(0.0, 0.0, kMetresPerWheelStep * eighthsOfDegree / 120.0);
+    m_mailbox.move(0.0, 0.0, m_lift.wheelStep_m * eighthsOfDegree / 120.0);
 }
 
 std::span<const int> PointerControl::keys() const noexcept { return kKeys; }
@@ -75,7 +75,7 @@ void PointerControl::sendRate() {
     std::array<double, 3> rate{};
     for (const KeyWay& way : kWays)
         if (m_held.count(way.key) != 0)
-            rate[static_cast<std::size_t>(way.axis)] += way.sign * kKeySpeed_m_per_s;
+            rate[static_cast<std::size_t>(way.axis)] += way.sign * (way.axis == 2 ? m_lift.keySpeed_m_per_s : kKeySpeed_m_per_s);
     m_mailbox.setRate(m_right * rate[0], rate[1], rate[2]);
 }
 

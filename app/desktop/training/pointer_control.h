@@ -16,10 +16,18 @@ public:
     static constexpr double kMetresPerWheelStep = 0.002; ///< one notch (120 eighths of a degree)
     static constexpr double kKeySpeed_m_per_s = 0.030;
 
+    /// How fast wheel and keys raise and lower; across the field it is kKeySpeed_m_per_s.
+    struct Lift {
+        double wheelStep_m = kMetresPerWheelStep;
+        double keySpeed_m_per_s = kKeySpeed_m_per_s;
+    };
+
     /// `scale`: of the screen, so that a hand's way across a larger picture is as long as across a small one. `mirrored`: the
     /// workspace is left-handed; to the right on the screen stays to the right in the scene.
     PointerControl(devices::PointerMailbox& mailbox, double scale, bool mirrored = false)
-        : m_mailbox(mailbox), m_scale(scale), m_right(mirrored ? -1.0 : 1.0) {}
+        : PointerControl(mailbox, scale, mirrored, Lift{}) {}
+    PointerControl(devices::PointerMailbox& mailbox, double scale, bool mirrored, Lift lift)
+        : m_mailbox(mailbox), m_scale(scale), m_right(mirrored ? -1.0 : 1.0), m_lift(lift) {}
 
     /// The pointer moved by this many pixels (y down): across the field, or up and down while `lifting`.
     void drag(QPointF pixels, bool lifting) noexcept override;
@@ -36,6 +44,7 @@ private:
     devices::PointerMailbox& m_mailbox;
     double m_scale;
     double m_right; ///< sign of x in D that is to the right in W
+    Lift m_lift;
     std::set<int> m_held;
 };
 

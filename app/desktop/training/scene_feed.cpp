@@ -55,6 +55,7 @@ scene3d::SceneState sceneStateOf(const haptics::DisplayState& shown, const sessi
     state.p_WObject = vectorOf(shown.p_WObject_m);
     state.endoscope = shown.endoscope;
     state.laparoscopy = shown.laparoscopy;
+    state.palpation = shown.palpation;
     state.time_s = static_cast<double>(shown.now_ns - startedAt_ns) * 1e-9;
     return state;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/palpation_cues.h"
 #include "haptics/display_state.h"
 #include "session/live_training.h"
 
@@ -21,6 +22,7 @@ public:
     void rearm(); ///< after a stop or a fault: explicit, and the trial goes on
     void resumeHere() { post(core::CommandKind::confirmHold); }
     void mark() { post(core::CommandKind::mark); }
+    void report(core::ReportField field, unsigned value) { m_training.post(core::CommandKind::report, core::reportWord(field, value)); }
     void end() { post(core::CommandKind::end); }
 
     bool paused() const noexcept { return m_paused; }

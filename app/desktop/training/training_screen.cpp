@@ -12,6 +12,7 @@
 #include "desktop/training/key_filter.h"
 #include "desktop/training/pointer_control.h"
 #include "desktop/training/scene_feed.h"
+#include "desktop/training/sound_sign.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/state_panel.h"
 
@@ -113,15 +114,17 @@ void TrainingScreen::begin() {
 void TrainingScreen::connectPointer() {
     session::LiveTraining& training = m_feed->training();
     const double scale = context().theme().scale();
-    if (training.pointer())
+    if (m_palpated)
+        takeFingers(scale);
+    else if (training.pointer())
         m_hand = std::make_unique<PointerControl>(*training.pointer(), scale, m_plan.workspace.leftHanded);
     else if (training.endoscope())
         m_hand = std::make_unique<EndoscopeControl>(*training.endoscope(), scale, m_plan.workspace.leftHanded);
     else if (!training.graspers().empty())
         takeGraspers(scale);
-    else
+    if (!m_hand)
         return; // somebody else's hand
-    m_keys->setToolKeys(m_hand->keys());
+    m_keys->setToolKeys(handKeys());
     m_pointer = std::make_unique<ScenePointer>(*m_hand, *m_scene->inputSource(), *m_scene->widget());
     connect(m_pointer.get(), &ScenePointer::marked, this, [this] { m_hand->click(); });
     connect(m_pointer.get(), &ScenePointer::captureAsked, this, [this] {
@@ -156,10 +159,13 @@ void TrainingScreen::onFrame() {
     scene3d::SceneState drawn = sceneStateOf(shown, m_cues, m_start_ns);
     if (m_hand && m_tools > 1)
         drawn.activeTool = m_hand->activeTool();
+    showMap(drawn);
     m_scene->show(drawn);
     m_header->show(shown);
     m_info->show(shown, stopped ? std::span<const session::LiveSample>() : m_feed->samples());
     m_sound.play(state, m_feed->contacts(), m_control->held());
+    if (m_soundSign)
+        m_soundSign->show(m_sound.cues(), m_sound.sounding(), state.now_ns);
     showControls();
     if (state.ended && !m_storing) {
         m_storing = true;

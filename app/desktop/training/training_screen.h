@@ -8,6 +8,7 @@
 #include "desktop/training/force_words.h"
 #include "desktop/training/live_feed.h"
 #include "desktop/training/hand_control.h"
+#include "desktop/training/palpation_map.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/session_control.h"
 #include "desktop/training/sound_cue_player.h"
@@ -26,6 +27,8 @@ class ForceNotice;
 class HeaderBar;
 class InfoView;
 class KeyFilter;
+class PalpationPanel;
+class SoundSign;
 class StatePanel;
 
 /// A running session: control, graphics, info. Its place is a TrainingPlan. It loads the scene after it has been painted
@@ -82,6 +85,16 @@ private:
     bool isEndoscope() const { return m_tool == session::PointerTool::endoscope; }
     bool isGrasper() const { return m_tool == session::PointerTool::grasper; }
 
+    // training_screen_palpation.cpp
+    InfoView* makePalpationInfo();
+    void takeFingers(double scale);
+    std::vector<int> handKeys() const; ///< of the hand, and of what is said beside it
+    bool panelKey(int key);
+    void freePointer(); ///< while the trial runs; a click in the scene takes it again
+    void showMap(scene3d::SceneState& drawn);
+    void addPalpationCommands(std::vector<ScreenCommand>& list);
+    QString keysText() const;
+
     // training_screen_actions.cpp
     void stopForce();
     void pauseOrResume();
@@ -105,7 +118,11 @@ private:
     StatePanel* m_stage = nullptr;
     HeaderBar* m_header = nullptr;
     InfoView* m_info = nullptr;
+    const simulation::PalpationParameters* m_palpated = nullptr; ///< the level's; null where nothing is palpated
+    PalpationPanel* m_palpation = nullptr; ///< m_info, where something is palpated
+    std::optional<PalpationMap> m_map;     ///< of the trial that runs, where the level shows it
     ForceNotice* m_notice = nullptr;
+    SoundSign* m_soundSign = nullptr; ///< levels with sound and without bars
     ControlBar* m_controls = nullptr;
     KeyFilter* m_keys = nullptr;
     QWidget* m_side = nullptr;

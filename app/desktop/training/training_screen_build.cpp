@@ -10,6 +10,8 @@
 #include "desktop/training/info_panel.h"
 #include "desktop/training/insertion_panel.h"
 #include "desktop/training/key_filter.h"
+#include "desktop/training/palpating.h"
+#include "desktop/training/sound_sign.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
@@ -25,7 +27,7 @@ namespace chiron::desktop {
 namespace {
 constexpr double kSideWidth_px = 290;
 constexpr double kEndoscopeSideWidth_px = 372; // more is measured, and the round picture is as large beside it
-constexpr double kLargestSideShare = 0.42; // of a small window: the scene stays the larger part
+constexpr double kLargestSideShare = 0.44; // of a small window: the scene stays the larger part
 } // namespace
 
 TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
@@ -42,8 +44,12 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
             m_tools = (*kind)->toolCount(*m_level);
         }
     }
+    if (m_level)
+        m_palpated = palpationOf(*m_level);
     m_sound = SoundCuePlayer(m_limit_N);
     m_sound.setMuted(!context.settings().sound());
+    const auto on = [&](const char* cue) { return context.settings().soundCue(QLatin1String(cue)); };
+    m_sound.setSwitches({on("contact"), on("force"), on("lean"), on("warning")});
     build();
     buildKeys();
 }
@@ -104,11 +110,16 @@ QWidget* TrainingScreen::buildFoot() {
     auto* row = new QHBoxLayout(foot);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.px(16));
-    m_keysText = kit::label(theme, keysInWords(m_plan.ownHand(), m_tool, m_tools), TextStyle::small, "muted");
+    m_keysText = kit::label(theme, keysText(), TextStyle::small, "muted");
     m_keysText->setObjectName(QStringLiteral("training.keys"));
     row->addWidget(m_keysText, 1);
     if (m_tools > 1 && m_plan.ownHand() && m_tool == session::PointerTool::grasper) {
         m_activeText = kit::label(theme, activeToolInWords(0, m_tools), TextStyle::strong);
+        m_activeText->setObjectName(QStringLiteral("training.active_tool"));
+        row->addWidget(m_activeText, 0, Qt::AlignTop);
+    }
+    if (m_palpated && m_palpated->hands > 1 && m_plan.ownHand()) {
+        m_activeText = kit::label(theme, activeHandInWords(0), TextStyle::strong);
         m_activeText->setObjectName(QStringLiteral("training.active_tool"));
         row->addWidget(m_activeText, 0, Qt::AlignTop);
     }
@@ -133,6 +144,8 @@ InfoView* TrainingScreen::makeInfo() {
         return new InsertionPanel(context().theme(), context().locale(), m_cues, *endoscopy);
     if (const Grasping grasping = m_level ? graspingOf(*m_level) : Grasping{})
         return new GraspPanel(context().theme(), context().locale(), m_cues, grasping);
+    if (m_palpated)
+        return makePalpationInfo();
     return new InfoPanel(context().theme(), context().locale(), m_cues, {.force_N = m_limit_N});
 }
 
@@ -150,6 +163,10 @@ QWidget* TrainingScreen::buildSide() {
     column->setSpacing(theme.px(10));
     m_notice = new ForceNotice(theme);
     column->addWidget(m_notice);
+    if (m_cues.sound && !m_cues.bars) { // what is heard and not shown already
+        m_soundSign = new SoundSign(theme);
+        column->addWidget(m_soundSign);
+    }
     if (m_level && m_level->needsForce && m_level->shownForce)
         column->addWidget(kit::label(theme, QString::fromStdString(catalogue::textIn(m_level->shownForce->note, context().language().toStdString())),
                                      TextStyle::small, "muted"));
@@ -177,7 +194,7 @@ void TrainingScreen::buildKeys() {
         m_controls->mainButton()->setFocus(Qt::TabFocusReason);
     });
     connect(m_keys, &KeyFilter::toolKey, this, [this](int key, bool down) {
-        if (!m_hand || (down && m_control->held()))
+        if (!m_hand || (down && panelKey(key)) || (down && m_control->held()))
             return;
         down ? m_hand->keyDown(key) : m_hand->keyUp(key);
     });
@@ -185,7 +202,11 @@ void TrainingScreen::buildKeys() {
 
 void TrainingScreen::resizeEvent(QResizeEvent* event) {
     Screen::resizeEvent(event);
-    const double wanted_px = isEndoscope() ? kEndoscopeSideWidth_px : kSideWidth_px;
+    const double wanted_px = isEndoscope() || m_palpated ? kEndoscopeSideWidth_px : kSideWidth_px;
+    if (m_palpated) { // more keys than elsewhere: large letters in a small window would leave no room for the scene; Help has them too
+        constexpr double kLargestKeysShare = 0.13;
+        m_keysText->setVisible(m_keysText->heightForWidth(static_cast<int>(0.7 * width())) <= kLargestKeysShare * height());
+    }
     m_side->setFixedWidth(std::min(context().theme().px(wanted_px), static_cast<int>(kLargestSideShare * width())));
 }
 
@@ -222,7 +243,7 @@ QString TrainingScreen::help() const {
               "%1\n\n"
               "Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it "
               "is. Start again keeps the attempt so far as stopped and begins a new one from the start.\n\n%2")
-        .arg(keysInWords(m_plan.ownHand(), m_tool, m_tools), end);
+        .arg(keysText(), end);
 }
 
 std::vector<ScreenCommand> TrainingScreen::commands() {
@@ -239,6 +260,8 @@ std::vector<ScreenCommand> TrainingScreen::commands() {
         list.push_back({tr("Depth of field on or off"), QKeySequence(Qt::Key_F), [this] { m_depthOfField->toggle(); }, false});
     if (m_plan.ownHand() && m_tool == session::PointerTool::point)
         list.push_back({tr("Mark this place"), QKeySequence(Qt::Key_Return), [this] { mark(); }, false});
+    if (m_palpation && m_plan.ownHand())
+        addPalpationCommands(list);
     if (m_cues.sound)
         list.push_back({tr("Sound on or off"), {}, [this] { toggleMute(); }, true});
     return list;

@@ -31,6 +31,8 @@ QString deviceTitle(const TrainingPlan& plan) {
         const auto kind = session::exerciseKind(plan.exercise.toStdString());
         if (kind && (*kind)->mechanism() == "five_bar_spherical")
             return Words::tr("Demonstration on the simulated five-bar mechanism (%1): shown, not felt").arg(who);
+        if (kind && (*kind)->mechanism() == "fingertip_arm")
+            return Words::tr("Demonstration on the simulated arm with fingertip platform (%1): shown, not felt").arg(who);
         return Words::tr("Demonstration on the simulated gimbal (%1): shown, not felt").arg(who);
     }
     case PlanDevice::trace:
@@ -74,6 +76,25 @@ QString keysInWords(bool ownHand, session::PointerTool tool, int tools) {
                          "Space: pause, frees the pointer. Esc: stop force. F5: start again.");
     return Words::tr("Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or "
                      "Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.");
+}
+
+QString palpationKeysInWords(bool ownHand, int hands, bool rates) {
+    if (!ownHand)
+        return keysInWords(false);
+    QStringList all{Words::tr("Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. "
+                              "Mark a finding: click or Enter.")};
+    if (rates)
+        all << Words::tr("Rate it: 1 to 5, V for the other rating, + and − for its size.");
+    all << Words::tr("Next finding: N. Take it back: Delete. Nothing more to report: D.");
+    all << Words::tr("Use the mouse there: T; a click in the scene takes it back.");
+    if (hands > 1)
+        all << Words::tr("Other hand: H.");
+    all << Words::tr("Space: pause, frees the pointer. Esc: stop force. F5: start again.");
+    return all.join(QLatin1Char(' '));
+}
+
+QString activeHandInWords(int hand) {
+    return hand == 0 ? Words::tr("You move the right hand (H for the left)") : Words::tr("You move the left hand (H for the right)");
 }
 
 QString activeToolInWords(int tool, int tools) {

@@ -85,9 +85,9 @@ QByteArray source(const char* name) {
 } // namespace
 
 Qt3DRender::QEffect* EffectShelf::effect(const char* vertexShader, const char* fragmentShader, Blend blend,
-                                         int tools) {
+                                         int tools, const QByteArray& defines) {
     return made(vertexShader, fragmentShader, blend,
-                tools >= 0 ? "#define TOOLS " + QByteArray::number(tools) + '\n' + source("shadow.glsl") : QByteArray());
+                tools >= 0 ? defines + "#define TOOLS " + QByteArray::number(tools) + '\n' + source("shadow.glsl") : defines);
 }
 
 void EffectShelf::addPass(Qt3DRender::QTechnique* technique, const char* vertexShader, const char* fragmentShader,

@@ -55,9 +55,9 @@ public:
                                     const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
                                     Qt3DCore::QNode* parent);
     /// The effect alone. `tools` ≥ 0: a fragment shader of the field, which gets shadowOf() for that many
-    /// tips.
+    /// tips, after the lines `defines` ("#define NAME\n").
     Qt3DRender::QEffect* effect(const char* vertexShader, const char* fragmentShader, Blend blend,
-                                int tools = -1);
+                                int tools = -1, const QByteArray& defines = {});
     /// With lines put into the fragment shader after #version ("#define NAME\n"), so that one file serves several looks.
     /// BOTH_SIDES among them: the triangles are drawn whichever way they face. LAMP: the vertex shader gets lamp.glsl,
     /// and there is a second pass, for what kLookFocus asks for, with FOCUS defined; every other pass serves both looks.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene3d/elastic_tube/tube_content.h"
 #include "desktop/scene3d/object_handling/handling_content.h"
+#include "desktop/scene3d/palpation/palpation_content.h"
 #include "desktop/scene3d/plugin/scene_content.h"
 #include "desktop/scene3d/plugin/scene_stage.h"
 #include "desktop/scene3d/sphere_apex/apex_content.h"
@@ -43,6 +44,8 @@ constexpr std::array kCatalogue{
          &fits<simulation::ElasticTubeParameters>},
     Line{"object_handling", &stage<SceneStage>, &content<HandlingContent>,
          &fits<simulation::ObjectHandlingParameters>},
+    Line{"palpation", &stage<SceneStage>, &content<PalpationContent>,
+         &fits<simulation::PalpationParameters>},
     Line{"urethra_insertion", &stage<EndoscopeStage>, nullptr,
          &fits<simulation::UrethraInsertionParameters>},
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/scene3d/camera_fit.h"
 #include "desktop/scene3d/plugin/shared_light.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
@@ -26,8 +27,16 @@ public:
     virtual double roomAbove_m() const = 0; ///< above the plane, that the camera must see
     /// Whether a drape with an opening lies round it; otherwise its own setting fills the picture.
     virtual bool isDraped() const { return true; }
+    /// Of the camera over the plane, rad.
+    virtual double elevation_rad() const { return kCameraElevation_rad; }
+    /// Whether the tools (and the ghost) are its own; otherwise the stage draws laparoscopic instruments.
+    virtual bool drawsTools() const { return false; }
+    /// The picture's size in device pixels, and device pixels a logical one: for what lies in the picture itself.
+    virtual void setPicture(const QSize& size_px, double ratio) { (void)size_px, (void)ratio; }
     /// Translucent parts go on this layer, which is drawn after the field.
     virtual void putTranslucent(Qt3DRender::QLayer* layer) { (void)layer; }
+    /// What lies over everything, as the arrow does.
+    virtual void putOver(Qt3DRender::QLayer* layer) { (void)layer; }
 };
 
 /// The content of an exercise; empty where this exercise has no drawn scene. One catalogue line each.

@@ -3,6 +3,7 @@
 
 #include "desktop/scene3d/camera_fit.h"
 #include "desktop/scene3d/laparoscopy_dial.h"
+#include "desktop/scene3d/palpation/palpation_dial.h"
 #include "desktop/scene3d/parts/drape_mesh.h"
 
 #include <QMatrix4x4>
@@ -36,6 +37,7 @@ SceneStage::SceneStage(const SceneSetup& setup, QObject* surface)
     makeFrameGraph(surface);
     m_content = makeSceneContent(setup, m_light, m_root);
     m_content->putTranslucent(m_ghostLayer);
+    m_content->putOver(m_overLayer);
     if (m_content->isDraped())
         makeDrape();
     m_marks = new PlaceMarks(m_light, m_root);
@@ -103,7 +105,8 @@ void SceneStage::change(const SceneSetup& setup) {
     m_ghost->setGhostColour(setup.colours.ghost);
     for (ForceArrow* arrow : m_arrows)
         arrow->change(setup);
-    m_gauge->change(setup, forceDial(setup), setup.cues.arrow);
+    m_forceDial = forceDial(setup);
+    m_gauge->change(setup, m_forceDial, setup.cues.arrow);
     placeSecond();
     aim();
 }
@@ -115,13 +118,24 @@ void SceneStage::show(const SceneState& state) {
     for (std::size_t i = 0; i < state.tool.size(); ++i) {
         ToolView tool = state.tool[i];
         m_arrows[i]->show(tool);
-        tool.present = tool.present && m_setup.cues.tool;
+        tool.present = tool.present && m_setup.cues.tool && !m_content->drawsTools();
         m_instruments[i]->wear(several ? static_cast<int>(i) + 1 : 0, several && state.activeTool == static_cast<int>(i));
         m_instruments[i]->show(tool, entersLeft(static_cast<int>(i), several, m_setup.leftHanded));
     }
-    m_ghost->show(state.ghost, entersLeft(0, several, m_setup.leftHanded));
-    m_gauge->show(largestForce_N(state));
+    ToolView ghost = state.ghost;
+    ghost.present = ghost.present && !m_content->drawsTools();
+    m_ghost->show(ghost, entersLeft(0, several, m_setup.leftHanded));
+    showForce(state);
     showSecond(state.laparoscopy);
+}
+
+void SceneStage::showForce(const SceneState& state) {
+    const GaugeDial dial = forceDial(m_setup, state.palpation);
+    if (!(dial == m_forceDial)) { // once a trial: the face is painted again
+        m_forceDial = dial;
+        m_gauge->change(m_setup, dial, m_setup.cues.arrow);
+    }
+    m_gauge->show(largestForce_N(state));
 }
 
 void SceneStage::showSecond(const core::LaparoscopyCues& cues) {
@@ -146,6 +160,7 @@ void SceneStage::setPicture(const QSize& size_px, double ratio) {
     m_light.setSize_px(size_px);
     m_gauge->setPicture(size_px, ratio);
     m_second->setPicture(size_px, ratio);
+    m_content->setPicture(size_px, ratio);
     aim();
 }
 
@@ -153,7 +168,7 @@ void SceneStage::aim() {
     const double aspect = double(std::max(1, m_size_px.width())) / std::max(1, m_size_px.height());
     const CameraFit fit =
         fitCamera(m_content->fieldRadius_m() + 1.2 * kOpeningBeyond_m, m_content->planeHeight_m(),
-                  m_content->roomAbove_m(), aspect, m_gauge->widthShare() + m_second->widthShare());
+                  m_content->roomAbove_m(), aspect, m_gauge->widthShare() + m_second->widthShare(), m_content->elevation_rad());
     QMatrix4x4 projection;
     projection.translate(float(m_second->widthShare() - m_gauge->widthShare()), 0.0F); // the middle of what the bars leave free
     projection.perspective(float(fit.fieldOfView_deg), float(aspect), 20.0F, 2500.0F);

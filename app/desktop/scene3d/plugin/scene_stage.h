@@ -34,6 +34,7 @@ private:
     void makeFrameGraph(QObject* surface);
     void makeDrape();
     void aim();
+    void showForce(const SceneState& state);
     void showSecond(const core::LaparoscopyCues& cues);
     void placeSecond();
 
@@ -53,6 +54,7 @@ private:
     PlaceMarks* m_marks = nullptr;
     ForceGauge* m_gauge = nullptr;
     ForceGauge* m_second = nullptr; ///< tension or squeeze
+    GaugeDial m_forceDial; ///< with its band, where there is one
     std::optional<GaugeDial> m_dial;
     bool m_dialShown = false;
 };

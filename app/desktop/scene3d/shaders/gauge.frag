@@ -1,7 +1,7 @@
 #version 150
 in vec2 at;
 
-uniform sampler2D face;  // frame, scale and words, premultiplied
+uniform sampler2D face;  // frame, scale and words, as painted: not premultiplied
 uniform vec4 column;     // left, bottom, width, height of the bar's hollow, 0..1
 uniform vec4 fill;       // rgb, a: filled share
 uniform vec3 hollow;     // the empty bar
@@ -13,6 +13,7 @@ out vec4 colour;
 void main()
 {
     vec4 drawn = texture(face, vec2(at.x, 1.0 - at.y));
+    drawn.rgb *= drawn.a;
     vec2 inside = (at - column.xy) / column.zw;
     float within = step(0.0, inside.x) * step(inside.x, 1.0) * step(0.0, inside.y) * step(inside.y, 1.0);
     float stripe = step(0.62, fract((at.x * size_px.x + at.y * size_px.y) / 11.0));

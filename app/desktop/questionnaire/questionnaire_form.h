@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/repositories/study_types.h"
+#include "desktop/theme/theme.h"
+#include "psychophysics/study/study_design.h"
+
+#include <QLocale>
+#include <QWidget>
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QLabel;
+
+namespace chiron::desktop {
+
+/// A questionnaire on one page, all of it by keyboard. GUI thread.
+class QuestionnaireForm final : public QWidget {
+    Q_OBJECT
+public:
+    QuestionnaireForm(const Theme& theme, const QLocale& locale, const psychophysics::Questionnaire& questionnaire, const QString& language, QWidget* parent = nullptr);
+
+    /// What was answered so far; items without an answer are left out.
+    std::vector<database::QuestionnaireAnswer> answers(database::ParticipantNumber participant) const;
+    /// Marks what must still be answered and leads there; false when nothing is missing.
+    bool showMissing();
+    int answered() const; ///< items that have an answer
+    int items() const { return static_cast<int>(m_items.size()); }
+
+signals:
+    void changed();
+
+private:
+    struct Item {
+        const psychophysics::QuestionnaireItem* asked;
+        QLabel* missing;
+        QWidget* first; ///< gets the focus
+        std::function<bool(database::QuestionnaireAnswer&)> read; ///< false: none
+    };
+    void addItem(const psychophysics::QuestionnaireItem& item);
+    void addLikert(QLayout& layout, Item& item, const QString& name);
+    void addChoice(QLayout& layout, Item& item, const QString& name);
+    void addNumber(QLayout& layout, Item& item, const QString& name);
+    void addText(QLayout& layout, Item& item, const QString& name);
+
+    const Theme& m_theme;
+    QLocale m_locale;
+    psychophysics::Questionnaire m_questionnaire;
+    QString m_language;
+    std::vector<Item> m_items;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/results/roc_box.h"
+
+#include "desktop/plots/plot_theme_of.h"
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/state_panel.h"
+#include "report/plot_view.h"
+#include "scoring/detection/roc_curve.h"
+
+#include <QCoreApplication>
+#include <array>
+
+namespace chiron::desktop {
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(RocWords)
+};
+
+constexpr int kHeight_px = 340;
+
+} // namespace
+
+QString rocSummary(const session::PooledDetection& pooled, bool felt, const scoring::RocCurve& curve, const QLocale& locale) {
+    const core::DetectionCounts counts = pooled.counts();
+    return Words::tr("Area under the curve: %1, where 0.5 is chance and 1 is perfect. Sessions: %2 (%3). Places with a lump: %4, without: %5.")
+        .arg(locale.toString(curve.area, 'f', 2), locale.toString(pooled.sessions), felt ? Words::tr("force felt") : Words::tr("force shown"),
+             locale.toString(counts.ofSignal), locale.toString(counts.ofNoise));
+}
+
+std::unique_ptr<report::PlotView> rocPlot(const scoring::RocCurve& curve, const Theme& theme, const QLocale& locale) {
+    auto view = std::make_unique<report::PlotView>(plotThemeOf(theme, locale));
+    view->setTitle(Words::tr("Hits over false alarms, from certain to a guess"));
+    view->setAccessibleName(Words::tr("Hits over false alarms, from certain to a guess"));
+    view->setXAxis({Words::tr("False alarm rate"), 0.0, 1.0});
+    view->setYAxis({Words::tr("Hit rate"), 0.0, 1.0});
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<report::PlotPoint> points;
+    for (const scoring::RocPoint& point : curve.points) {
+        x.push_back(point.falseAlarmRate);
+        y.push_back(point.hitRate);
+        points.push_back({point.falseAlarmRate, point.hitRate});
+    }
+    constexpr std::array<double, 2> kEnds{0.0, 1.0};
+    view->addLine(Words::tr("chance"), kEnds, kEnds, report::PlotStyle::dashedB);
+    view->addLine(Words::tr("you"), x, y, report::PlotStyle::solidA);
+    view->addMarkers({}, points, report::PlotStyle::solidA);
+    return view;
+}
+
+RocBox::RocBox(const Theme& theme, const QLocale& locale, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_panel(new StatePanel(theme)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(kit::label(theme, tr("How sure, and how right"), TextStyle::title));
+    m_panel->setMinimumHeight(theme.px(kHeight_px));
+    column->addWidget(m_panel);
+}
+
+void RocBox::showLoading(std::shared_ptr<WorkToken> work) { m_panel->showLoading(tr("Reading the recordings …"), std::move(work)); }
+
+void RocBox::showError(const core::Error& error) { m_panel->showError(tr("The recordings could not be read"), error); }
+
+void RocBox::show(const session::PooledDetection& pooled, bool felt) {
+    const core::DetectionCounts counts = pooled.counts();
+    const auto curve = core::isUsable(counts) ? scoring::rocOf(pooled.ratings) : std::nullopt;
+    if (!curve) {
+        m_panel->showEmpty(tr("Not enough answers yet"),
+                           tr("A curve needs at least %1 places with a lump and as many without. So far: %2 with, %3 without.")
+                               .arg(m_locale.toString(core::kUsableCounts), m_locale.toString(counts.ofSignal),
+                                    m_locale.toString(counts.ofNoise)));
+        return;
+    }
+    auto* holder = new QWidget;
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* words = kit::label(m_theme, rocSummary(pooled, felt, *curve, m_locale));
+    words->setObjectName(QStringLiteral("results.roc_words"));
+    column->addWidget(words);
+    auto plot = rocPlot(*curve, m_theme, m_locale);
+    plot->setObjectName(QStringLiteral("results.roc"));
+    plot->setMinimumHeight(m_theme.px(kHeight_px - 60));
+    column->addWidget(plot.release(), 1); // the layout's widget owns it from here on
+    delete m_panel->content();
+    m_panel->setContent(holder);
+    m_panel->showContent();
+}
+
+} // namespace chiron::desktop

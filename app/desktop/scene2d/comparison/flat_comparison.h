@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene2d/flat_content.h"
+#include "desktop/scene3d/scene_setup.h"
+
+#include <QCoreApplication>
+
+namespace chiron::scene3d {
+
+/// The places of a study from above and from the side, all alike: nothing that is drawn depends on what lies there.
+class FlatComparison final : public IFlatContent {
+    Q_DECLARE_TR_FUNCTIONS(chiron::scene3d::FlatComparison)
+
+public:
+    explicit FlatComparison(const simulation::ComparisonParameters& parameters) : m_parameters(parameters) {}
+
+    QString name() const override { return tr("Objects side by side and instrument, from above and from the side"); }
+    QRectF rangeAbove_mm() const override;
+    QRectF rangeSide_mm() const override;
+    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
+    double groundHeight_m(const SceneState&, double, double) const override { return 0.0; }
+
+private:
+    simulation::ComparisonParameters m_parameters;
+};
+
+} // namespace chiron::scene3d

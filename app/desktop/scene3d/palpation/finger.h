@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/palpation/finger_mesh.h"
+#include "desktop/scene3d/palpation/finger_pose.h"
+#include "desktop/scene3d/plugin/qt3d_parts.h"
+#include "desktop/scene3d/plugin/shared_light.h"
+
+#include <Qt3DRender/QLayer>
+
+namespace chiron::scene3d {
+
+/// A gloved finger with the ring of its platform, which leans; a cone on the ring says where to and how much. Right and left
+/// gloves differ in colour and come from their own side; several fingers wear bands. Draw calls: 6, with lean 7, bands 1, collar 1.
+class Finger final : public Qt3DCore::QEntity {
+public:
+    Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, Qt3DCore::QNode* parent);
+
+    void change(const SceneSetup& setup);
+    /// `bands`, `collar`: of several fingers; `normal`: of the surface under it.
+    void show(const ToolView& tool, const FingerLean& lean, int bands, bool collar);
+    void hide() { setEnabled(false); }
+    /// The cone and the stop's ring: never hidden by the finger.
+    void putOver(Qt3DRender::QLayer* layer) {
+        m_cone->addComponent(layer);
+        m_stop->addComponent(layer);
+    }
+    void putTranslucent(Qt3DRender::QLayer* layer) {
+        for (Part* end : m_end)
+            end->addComponent(layer);
+    }
+
+private:
+    void showPlatform(const ToolView& tool, const FingerLean& lean);
+
+    SceneSetup m_setup;
+    int m_index;
+    Qt3DCore::QTransform* m_pose;
+    Qt3DCore::QEntity* m_body;
+    Qt3DRender::QParameter* m_pale;
+    Qt3DRender::QParameter* m_deep;
+    Qt3DRender::QParameter* m_endTint[kFingerEnds];
+    Qt3DRender::QParameter* m_leanTint;
+    Part* m_end[kFingerEnds];
+    Part* m_bands[core::kMaxTools];
+    Part* m_collar;
+    Part* m_ring;
+    Part* m_stop;
+    Part* m_cone;
+};
+
+/// The second session's finger: one translucent colour.
+class GhostFinger final : public Qt3DCore::QEntity {
+public:
+    GhostFinger(SharedLight& light, Qt3DCore::QNode* parent);
+    void change(const SceneSetup& setup);
+    void show(const ToolView& tool);
+    void putTranslucent(Qt3DRender::QLayer* layer) { addComponent(layer); }
+
+private:
+    SceneSetup m_setup;
+    Qt3DCore::QTransform* m_pose;
+    Qt3DRender::QParameter* m_tint;
+};
+
+} // namespace chiron::scene3d

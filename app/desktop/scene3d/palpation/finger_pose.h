@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/units.h"
+#include "desktop/scene3d/scene_setup.h"
+#include "desktop/scene3d/scene_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::scene3d {
+
+/// How the platform under a finger leans as it is drawn. W.
+struct FingerLean {
+    core::Vec3 toward = core::Vec3::Zero(); ///< unit, in the contact plane, along the lateral tissue force; zero: upright
+    double angle_rad = 0.0;                 ///< of α, at most what the platform can (30° in all, 20° across the finger)
+    bool saturated = false;                 ///< the force leans more than the platform
+};
+
+inline constexpr double kMostLean_rad = 30.0 * core::kPi / 180.0; ///< P3
+inline constexpr double kMostRoll_rad = 20.0 * core::kPi / 180.0; ///< across the finger (P3)
+
+/// From the cues (they say how much, where the level shows it) and the tissue force (it says where to). `normal`: of the surface.
+inline FingerLean fingerLean(const SceneState& state, std::size_t tool, const core::Vec3& normal) {
+    FingerLean lean;
+    const core::Vec3& force_N = state.tool[tool].force_N;
+    const core::Vec3 lateral = force_N - force_N.dot(normal) * normal;
+    const double alpha_rad = state.palpation.lean_rad[tool];
+    if (!state.palpation.present || !(alpha_rad > 1e-3) || !(lateral.norm() > 1e-6))
+        return lean;
+    lean.toward = lateral.normalized();
+    lean.angle_rad = std::min(alpha_rad, kMostLean_rad);
+    const core::Vec3 x_T = state.tool[tool].q_WT * core::Vec3::UnitX();
+    const core::Vec3 across = x_T - x_T.dot(normal) * normal; // the finger's x in the contact plane: roll is l along it
+    if (across.norm() > 1e-6) {
+        const double roll_rad = lean.angle_rad * std::abs(lean.toward.dot(across.normalized()));
+        lean.angle_rad *= std::min(1.0, kMostRoll_rad / std::max(roll_rad, 1e-9));
+    }
+    lean.saturated = (state.palpation.leanSaturated >> tool & 1) != 0;
+    return lean;
+}
+
+/// Whether a finger belongs to a left hand: of two hands the second one, of one hand what the person is.
+inline bool isLeftHand(const SceneSetup& setup, std::size_t tool) {
+    const auto* palpation = std::get_if<simulation::PalpationParameters>(&setup.parameters);
+    if (!palpation || palpation->hands < 2)
+        return setup.leftHanded;
+    return static_cast<int>(tool) / std::max(1, palpation->fingers) % 2 == 1;
+}
+
+/// Fingers come from their hand's side: the drawn finger is turned about T's z by so much. The platform is not.
+inline double fingerYaw_rad(const SceneSetup& setup, std::size_t tool) {
+    return (isLeftHand(setup, tool) ? -1.0 : 1.0) * 24.0 * core::kPi / 180.0;
+}
+
+} // namespace chiron::scene3d

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/station/platform_check.h"
+
+#include "core/units.h"
+
+#include <algorithm>
+
+namespace chiron::desktop {
+
+core::Result<PlatformCheck> runPlatformCheck(const PlatformCheckLength& length, WorkToken& token) {
+    constexpr int kSteps = 3;
+    const auto stopped = [] { return core::fail(core::ErrorCode::cancelled, "stopped by the person"); };
+    PlatformCheck check;
+    mechanisms::FingertipVerificationSettings settings;
+    settings.poses = length.poses;
+    token.setProgress(0, kSteps);
+    auto verified = mechanisms::verifyFingertip(check.plant, length.seed, settings);
+    if (!verified)
+        return tl::unexpected(verified.error());
+    check.verified = std::move(*verified);
+    token.setProgress(1, kSteps);
+    if (token.cancelled())
+        return stopped();
+    check.friction = mechanisms::identifyFingertipFriction(check.plant);
+    check.stiffnessCap_N_per_m = mechanisms::stiffnessCap_N_per_m(mechanisms::fingertipDamping_Ns_per_m(check.friction, check.plant),
+                                                                  core::kTickSeconds, check.verified.latency_s);
+    token.setProgress(2, kSteps);
+    if (token.cancelled())
+        return stopped();
+    if (!length.degrade)
+        return check;
+    constexpr int kPosesEach = 20; // of twenty plants: enough to see what gets worse, in some seconds
+    settings.poses = std::min(settings.poses, kPosesEach);
+    auto worse = mechanisms::degradeFingertip(check.plant, length.seed, settings);
+    if (!worse)
+        return tl::unexpected(worse.error());
+    check.worse = std::move(*worse);
+    if (token.cancelled())
+        return stopped();
+    return check;
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/conditions_page.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/studies/difference_table.h"
+#include "desktop/studies/field_grid.h"
+#include "desktop/studies/procedure_form.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/flow_layout.h"
+#include "desktop/widgets/kit.h"
+
+#include <QLineEdit>
+#include <algorithm>
+
+namespace chiron::desktop {
+
+using namespace psychophysics;
+
+ConditionsPage::ConditionsPage(const DesignPage& page, int shown, QWidget* parent)
+    : QWidget(parent), m_page(page), m_shown(std::clamp(shown, 0, std::max(0, static_cast<int>(page.draft.design().conditions.size()) - 1))) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(page.app.theme().px(16));
+    column->addWidget(chooser());
+    if (!page.draft.design().conditions.empty()) {
+        column->addWidget(stimulusBox());
+        column->addWidget(tableBox());
+        column->addWidget(proceduresBox());
+    }
+    column->addStretch();
+}
+
+const Condition& ConditionsPage::condition() const { return m_page.draft.design().conditions[static_cast<std::size_t>(m_shown)]; }
+
+void ConditionsPage::edit(const QString& words, const QString& key, const std::function<void(Condition&)>& change, bool structure) {
+    m_page.draft.change(words, key.isEmpty() ? key : QStringLiteral("%1.%2").arg(m_shown).arg(key),
+                        [&](StudyDesign& design) { change(design.conditions[static_cast<std::size_t>(m_shown)]); }, structure);
+}
+
+QWidget* ConditionsPage::chooser() {
+    const Theme& theme = m_page.app.theme();
+    auto* bar = new QWidget;
+    auto* row = new FlowLayout(theme.px(8), bar);
+    const std::vector<Condition>& conditions = m_page.draft.design().conditions;
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+        const QString title = study_words::text(conditions[i].title, m_page.app.language());
+        auto* button = kit::button(theme, title.isEmpty() ? QString::fromStdString(conditions[i].id) : title);
+        button->setObjectName(QStringLiteral("conditions.%1").arg(i));
+        button->setCheckable(true);
+        button->setChecked(static_cast<int>(i) == m_shown);
+        connect(button, &QPushButton::clicked, this, [this, i] { emit showAsked(static_cast<int>(i)); });
+        row->addWidget(button);
+    }
+    if (m_page.readOnly)
+        return bar;
+    const auto add = [&](const QString& text, const char* icon, const char* name, const std::function<void()>& act) {
+        auto* button = kit::button(theme, text, "quiet", QLatin1String(icon));
+        button->setObjectName(QLatin1String(name));
+        connect(button, &QPushButton::clicked, this, act);
+        row->addWidget(button);
+        return button;
+    };
+    add(tr("Copy"), "edit-copy", "conditions.copy", [this] { addCondition(true); });
+    add(tr("Remove"), "edit-delete", "conditions.remove", [this] { removeCondition(); })->setEnabled(conditions.size() > 1);
+    return bar;
+}
+
+void ConditionsPage::addCondition(bool) {
+    m_page.draft.change(tr("A condition more"), {}, [this](StudyDesign& design) {
+        Condition copy = design.conditions[static_cast<std::size_t>(m_shown)];
+        const std::string base = copy.id;
+        for (int n = 2; std::any_of(design.conditions.begin(), design.conditions.end(), [&](const Condition& each) { return each.id == copy.id; }); ++n)
+            copy.id = base + "_" + std::to_string(n);
+        for (auto& [language, words] : copy.title)
+            words += " (2)";
+        design.conditions.push_back(std::move(copy));
+    }, true);
+    emit showAsked(static_cast<int>(m_page.draft.design().conditions.size()) - 1);
+}
+
+void ConditionsPage::removeCondition() {
+    m_page.draft.change(tr("A condition less"), {}, [this](StudyDesign& design) { design.conditions.erase(design.conditions.begin() + m_shown); }, true);
+}
+
+QWidget* ConditionsPage::stimulusBox() {
+    const Theme& theme = m_page.app.theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("What is compared"), TextStyle::title));
+    auto* grid = new FieldGrid(theme, m_page.app.locale(), m_page.readOnly);
+    addStudyText(*grid, m_page, tr("Title"), QStringLiteral("condition.title"), 1,
+                 [at = static_cast<std::size_t>(m_shown)](StudyDesign& design) -> StudyText& { return design.conditions[at].title; });
+    grid->text(tr("Id"), QStringLiteral("condition.id"), QString::fromStdString(condition().id), [this](const QString& now) {
+        edit(tr("Id of a condition"), QStringLiteral("id"), [&](Condition& changed) { changed.id = now.trimmed().toStdString(); });
+    });
+    std::vector<std::pair<QString, QVariant>> attributes;
+    for (int i = 0; i < kAttributes; ++i)
+        attributes.emplace_back(study_words::attribute(static_cast<Attribute>(i)), i);
+    grid->choice(tr("Attribute"), QStringLiteral("condition.attribute"), attributes, static_cast<int>(condition().stimulus.attribute), [this](const QVariant& now) {
+        edit(tr("Another attribute"), {}, [&](Condition& changed) {
+            changed.stimulus.attribute = static_cast<Attribute>(now.toInt());
+            changed.stimulus.reference = usualReference(changed.stimulus.attribute);
+            changed.stimulus.fixed.clear();
+        }, true);
+    });
+    const study_words::Unit unit = study_words::unitOf(condition().stimulus.attribute);
+    grid->number(tr("Reference"), QStringLiteral("condition.reference"), condition().stimulus.reference * unit.factor, {0, 1e9, 4, unit.text, 1},
+                 [this, factor = unit.factor](double now) {
+                     edit(tr("Reference"), QStringLiteral("reference"), [&](Condition& changed) { changed.stimulus.reference = now / factor; });
+                 });
+    std::vector<std::pair<QString, QVariant>> tasks;
+    for (int i = 0; i < kTasks; ++i)
+        tasks.emplace_back(study_words::task(static_cast<Task>(i)), i);
+    grid->choice(tr("Task"), QStringLiteral("condition.task"), tasks, static_cast<int>(condition().task), [this](const QVariant& now) {
+        edit(tr("Another task"), {}, [&](Condition& changed) { takeTask(changed, static_cast<Task>(now.toInt())); }, true);
+    });
+    grid->number(tr("Threshold at (proportion right)"), QStringLiteral("condition.criterion"), condition().criterion, {0.01, 0.99, 3, {}, 0.01}, [this](double now) {
+        edit(tr("Criterion"), QStringLiteral("criterion"), [&](Condition& changed) { changed.criterion = now; });
+    });
+    grid->wide(kit::label(theme, study_words::taskInWords(condition().task), TextStyle::small, "muted"));
+    box.layout->addWidget(grid);
+    return box.frame;
+}
+
+QWidget* ConditionsPage::tableBox() {
+    const Theme& theme = m_page.app.theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Table of differences"), TextStyle::title));
+    auto* table = new DifferenceTable(theme, m_page.app.locale(), m_page.readOnly, condition().stimulus);
+    connect(table, &DifferenceTable::changed, this, [this](const std::vector<double>& differences) {
+        edit(tr("Table of differences"), {}, [&](Condition& changed) {
+            changed.stimulus.differences = differences;
+            for (ProcedureSpec& procedure : changed.procedures) // levels and grids follow the table
+                procedure = usualProcedure(std::string(kindOf(procedure)), changed);
+        }, true);
+    });
+    box.layout->addWidget(table);
+    return box.frame;
+}
+
+QWidget* ConditionsPage::proceduresBox() {
+    const Theme& theme = m_page.app.theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Procedure"), TextStyle::title));
+    if (condition().procedures.size() > 1)
+        box.layout->addWidget(kit::label(theme, tr("Several are interleaved at random."), TextStyle::body, "muted"));
+    auto* scale = new FieldGrid(theme, m_page.app.locale(), m_page.readOnly);
+    scale->choice(tr("x is"), QStringLiteral("condition.scale"),
+                  {{study_words::scale(ProcedureScale::difference), static_cast<int>(ProcedureScale::difference)},
+                   {study_words::scale(ProcedureScale::logDifference), static_cast<int>(ProcedureScale::logDifference)}},
+                  static_cast<int>(condition().scale), [this](const QVariant& now) {
+                      edit(tr("Scale of the procedure"), {}, [&](Condition& changed) {
+                          changed.scale = static_cast<ProcedureScale>(now.toInt());
+                          for (ProcedureSpec& procedure : changed.procedures)
+                              procedure = usualProcedure(std::string(kindOf(procedure)), changed);
+                      }, true);
+                  });
+    box.layout->addWidget(scale);
+    for (std::size_t i = 0; i < condition().procedures.size(); ++i) {
+        box.layout->addWidget(kit::rule());
+        box.layout->addWidget(new ProcedureForm(theme, m_page.app.locale(), m_page.readOnly, m_page.draft, {static_cast<std::size_t>(m_shown), i}));
+    }
+    if (!m_page.readOnly) {
+        auto* more = kit::button(theme, tr("Interleave one more"), "quiet", QStringLiteral("list-add"));
+        more->setObjectName(QStringLiteral("conditions.more_procedures"));
+        connect(more, &QPushButton::clicked, this, &ConditionsPage::addProcedure);
+        auto* less = kit::button(theme, tr("Remove the last"), "quiet", QStringLiteral("list-remove"));
+        less->setObjectName(QStringLiteral("conditions.less_procedures"));
+        less->setEnabled(condition().procedures.size() > 1);
+        connect(less, &QPushButton::clicked, this, [this] { edit(tr("A procedure less"), {}, [](Condition& changed) { changed.procedures.pop_back(); }, true); });
+        auto* bar = new QWidget;
+        auto* row = new FlowLayout(theme.px(8), bar);
+        row->addWidget(more);
+        row->addWidget(less);
+        box.layout->addWidget(bar);
+    }
+    return box.frame;
+}
+
+void ConditionsPage::addProcedure() {
+    edit(tr("A procedure more"), {}, [](Condition& changed) { changed.procedures.push_back(changed.procedures.back()); }, true);
+}
+
+} // namespace chiron::desktop

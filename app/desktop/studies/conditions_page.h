@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/studies/study_page.h"
+
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+/// The conditions of a design, one at a time: what is compared, how it is asked, by which procedures. GUI thread.
+class ConditionsPage final : public QWidget {
+    Q_OBJECT
+public:
+    ConditionsPage(const DesignPage& page, int shown, QWidget* parent = nullptr);
+
+    int shown() const noexcept { return m_shown; } ///< index of the condition on the page
+
+signals:
+    void showAsked(int condition);
+
+private:
+    QWidget* chooser();
+    QWidget* stimulusBox();
+    QWidget* tableBox();
+    QWidget* proceduresBox();
+    void addCondition(bool copy);
+    void removeCondition();
+    void addProcedure();
+    const psychophysics::Condition& condition() const;
+    void edit(const QString& words, const QString& key, const std::function<void(psychophysics::Condition&)>& change, bool structure = false);
+
+    DesignPage m_page;
+    int m_shown;
+};
+
+} // namespace chiron::desktop

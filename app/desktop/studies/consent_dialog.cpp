@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/consent_dialog.h"
+
+#include "desktop/widgets/kit.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLocale>
+
+namespace chiron::desktop {
+
+ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study, const database::Participant& participant, QWidget* parent)
+    : FormDialog(context, QStringLiteral("consent"), tr("Consent of %1").arg(QString::fromStdString(participant.code)), parent), m_texts(study.design.consent),
+      m_participant(participant) {
+    m_language = new QComboBox;
+    m_language->setObjectName(QStringLiteral("consent.language"));
+    m_language->setAccessibleName(tr("Language"));
+    for (const auto& [language, words] : m_texts)
+        if (!words.empty())
+            m_language->addItem(QLocale(QString::fromStdString(language)).nativeLanguageName(), QString::fromStdString(language));
+    m_language->setCurrentIndex(std::max(0, m_language->findData(context.language())));
+    m_language->setVisible(m_language->count() > 1);
+    column()->addWidget(m_language, 0, Qt::AlignLeft);
+    const kit::Box box = kit::box(theme());
+    m_text = kit::label(theme(), {}, TextStyle::body);
+    m_text->setObjectName(QStringLiteral("consent.text"));
+    box.layout->addWidget(m_text);
+    column()->addWidget(box.frame);
+    m_agreed = new QCheckBox(tr("I have read this and I agree"));
+    m_agreed->setObjectName(QStringLiteral("consent.agreed"));
+    m_agreed->setFont(theme().font(TextStyle::body));
+    column()->addWidget(m_agreed);
+    column()->addWidget(kit::label(theme(), tr("The moment and the text's SHA-256 are recorded. Whoever takes part may withdraw at any time."), TextStyle::small, "muted"));
+    setAccept(tr("Record the consent"));
+    connect(m_language, &QComboBox::activated, this, &ConsentDialog::showText);
+    connect(m_agreed, &QCheckBox::toggled, this, [this](bool agreed) { setAcceptable(agreed); });
+    showText();
+    m_agreed->setFocus();
+}
+
+void ConsentDialog::showText() {
+    const auto found = m_texts.find(m_language->currentData().toString().toStdString());
+    m_text->setText(found == m_texts.end() ? tr("This study has no consent text.") : QString::fromStdString(found->second));
+    m_agreed->setChecked(false); // of another text
+}
+
+void ConsentDialog::submit() {
+    setWorking(true);
+    const std::string sha = catalogue::studySha256(m_text->text().toUtf8());
+    writeStudies(
+        context(), this, [participant = m_participant.id, sha](database::StudyRepository& studies) { return studies.recordConsent(participant, sha); },
+        [this](const core::Result<void>& done) {
+            setWorking(false);
+            if (!done) {
+                say("bad", tr("The consent was not recorded.\n%1").arg(inWords(done.error())));
+                return;
+            }
+            context().messages().done(tr("The consent of %1 is recorded.").arg(QString::fromStdString(m_participant.code)));
+            emit changed();
+            accept();
+        });
+}
+
+} // namespace chiron::desktop

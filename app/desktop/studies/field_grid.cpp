@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/field_grid.h"
+
+#include "desktop/widgets/kit.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QResizeEvent>
+#include <QSpinBox>
+#include <cmath>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr double kCell_px = 250;
+constexpr double kLine_px = 22;
+} // namespace
+
+FieldGrid::FieldGrid(const Theme& theme, const QLocale& locale, bool readOnly, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_readOnly(readOnly), m_grid(new QGridLayout(this)) {
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setHorizontalSpacing(theme.px(16));
+    m_grid->setVerticalSpacing(theme.px(12));
+}
+
+void FieldGrid::add(const QString& label, QWidget* field, const QString& name, bool wide) {
+    field->setObjectName(name);
+    field->setAccessibleName(label);
+    field->setFont(m_theme.font(TextStyle::body));
+    auto* cell = new QWidget;
+    auto* column = new QVBoxLayout(cell);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(m_theme.px(4));
+    if (!qobject_cast<QCheckBox*>(field)) {
+        auto* words = kit::label(m_theme, label, TextStyle::label);
+        words->setBuddy(field);
+        column->addWidget(words);
+    }
+    column->addWidget(field);
+    column->addStretch();
+    put(cell, wide);
+}
+
+void FieldGrid::wide(QWidget* widget) { put(widget, true); }
+
+void FieldGrid::cell(QWidget* widget) { put(widget, false); }
+
+void FieldGrid::put(QWidget* widget, bool wide) {
+    m_cells.push_back({widget, wide});
+    m_columns = 0;
+    arrange(std::max(1, width() / m_theme.px(kCell_px)));
+}
+
+QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, double value, const NumberRange& range, std::function<void(double)> taken) {
+    auto* field = new QDoubleSpinBox;
+    field->setLocale(m_locale);
+    field->setDecimals(range.decimals);
+    field->setRange(range.minimum, range.maximum);
+    field->setSingleStep(range.step > 0.0 ? range.step : std::pow(10.0, -std::min(range.decimals, 2)));
+    if (!range.unit.isEmpty())
+        field->setSuffix(QLatin1Char(' ') + range.unit);
+    field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    field->setValue(value);
+    field->setReadOnly(m_readOnly);
+    field->setKeyboardTracking(false);
+    field->setFocusPolicy(Qt::StrongFocus);
+    field->installEventFilter(this);
+    connect(field, &QDoubleSpinBox::valueChanged, this, [taken = std::move(taken)](double now) { taken(now); });
+    add(label, field, name);
+    return field;
+}
+
+QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value, int minimum, int maximum, std::function<void(int)> taken) {
+    auto* field = new QSpinBox;
+    field->setLocale(m_locale);
+    field->setRange(minimum, maximum);
+    field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    field->setValue(value);
+    field->setReadOnly(m_readOnly);
+    field->setKeyboardTracking(false);
+    field->setFocusPolicy(Qt::StrongFocus);
+    field->installEventFilter(this);
+    connect(field, &QSpinBox::valueChanged, this, [taken = std::move(taken)](int now) { taken(now); });
+    add(label, field, name);
+    return field;
+}
+
+QComboBox* FieldGrid::choice(const QString& label, const QString& name, const std::vector<std::pair<QString, QVariant>>& choices,
+                             const QVariant& chosen, std::function<void(const QVariant&)> taken) {
+    auto* field = new QComboBox;
+    field->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    for (const auto& [words, value] : choices)
+        field->addItem(words, value);
+    field->setCurrentIndex(std::max(0, field->findData(chosen)));
+    field->setEnabled(!m_readOnly);
+    field->setFocusPolicy(Qt::StrongFocus);
+    field->installEventFilter(this);
+    connect(field, &QComboBox::activated, this, [field, taken = std::move(taken)] { taken(field->currentData()); });
+    add(label, field, name);
+    return field;
+}
+
+QCheckBox* FieldGrid::check(const QString& label, const QString& name, bool value, std::function<void(bool)> taken) {
+    auto* field = new QCheckBox(label);
+    field->setChecked(value);
+    field->setEnabled(!m_readOnly);
+    connect(field, &QCheckBox::toggled, this, [taken = std::move(taken)](bool now) { taken(now); });
+    add(label, field, name);
+    return field;
+}
+
+QLineEdit* FieldGrid::text(const QString& label, const QString& name, const QString& value, std::function<void(const QString&)> taken) {
+    auto* field = new QLineEdit(value);
+    field->setReadOnly(m_readOnly);
+    connect(field, &QLineEdit::textEdited, this, [taken = std::move(taken)](const QString& now) { taken(now); });
+    add(label, field, name);
+    return field;
+}
+
+QPlainTextEdit* FieldGrid::longText(const QString& label, const QString& name, const QString& value, int lines,
+                                    std::function<void(const QString&)> taken) {
+    auto* field = new QPlainTextEdit(value);
+    field->setReadOnly(m_readOnly);
+    field->setTabChangesFocus(true);
+    field->setFixedHeight(m_theme.px(kLine_px) * lines + m_theme.px(20));
+    connect(field, &QPlainTextEdit::textChanged, this, [field, taken = std::move(taken)] { taken(field->toPlainText()); });
+    add(label, field, name, true);
+    return field;
+}
+
+QLineEdit* FieldGrid::list(const QString& label, const QString& name, const std::vector<double>& values,
+                           std::function<void(std::vector<double>)> taken) {
+    auto* field = new QLineEdit(listText(values, m_locale));
+    field->setReadOnly(m_readOnly);
+    field->setCursorPosition(0);
+    connect(field, &QLineEdit::textEdited, this, [this, taken = std::move(taken)](const QString& now) { taken(listOf(now, m_locale)); });
+    add(label, field, name, true);
+    return field;
+}
+
+bool FieldGrid::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::Wheel)
+        return QWidget::eventFilter(watched, event);
+    event->ignore(); // the page scrolls; the field keeps its value
+    return true;
+}
+
+void FieldGrid::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange(std::max(1, event->size().width() / m_theme.px(kCell_px)));
+}
+
+void FieldGrid::arrange(int columns) {
+    if (columns == m_columns)
+        return;
+    m_columns = columns;
+    for (const Cell& cell : m_cells)
+        m_grid->removeWidget(cell.widget);
+    int row = 0;
+    int column = 0;
+    for (const Cell& cell : m_cells) {
+        if (column > 0 && (cell.wide || column >= columns)) {
+            ++row;
+            column = 0;
+        }
+        m_grid->addWidget(cell.widget, row, column, 1, cell.wide ? columns : 1);
+        column = cell.wide ? columns : column + 1;
+    }
+    for (int i = 0; i < std::max(columns, m_grid->columnCount()); ++i)
+        m_grid->setColumnStretch(i, i < columns ? 1 : 0);
+}
+
+QString listText(const std::vector<double>& values, const QLocale& locale) {
+    QStringList words;
+    for (const double value : values)
+        words << locale.toString(value, 'g', 6);
+    return words.join(QStringLiteral("; "));
+}
+
+std::vector<double> listOf(const QString& text, const QLocale& locale) {
+    std::vector<double> values;
+    for (const QString& word : text.split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
+        bool good = false;
+        const double value = locale.toDouble(word.trimmed(), &good);
+        if (good && std::isfinite(value))
+            values.push_back(value);
+    }
+    return values;
+}
+
+} // namespace chiron::desktop

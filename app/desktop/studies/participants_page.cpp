@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/participants_page.h"
+
+#include "desktop/plots/fitted_table.h"
+#include "desktop/studies/consent_dialog.h"
+#include "desktop/studies/enrol_dialog.h"
+#include "desktop/studies/key_table_dialog.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/studies/withdraw_dialog.h"
+#include "desktop/widgets/flow_layout.h"
+#include "desktop/widgets/kit.h"
+
+#include <algorithm>
+
+namespace chiron::desktop {
+
+namespace {
+enum Column { codeColumn, stateColumn, progressColumn, orderColumn, enrolledColumn, consentColumn, columns };
+constexpr int kMostRows = 12;
+constexpr int kFewestRows = 4;
+} // namespace
+
+ParticipantsPage::ParticipantsPage(AppContext& app, const OpenStudy& study, QWidget* parent) : QWidget(parent), m_app(app), m_study(study) {
+    const Theme& theme = app.theme();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(12));
+    if (study.editable()) {
+        column->addWidget(kit::notice(theme, "info", tr("Participants can be enrolled once the design is frozen.")));
+        column->addStretch();
+        return;
+    }
+    column->addWidget(actions());
+    if (study.participants.empty()) {
+        column->addWidget(kit::label(theme, tr("Nobody is enrolled yet. Each participant gets a random code; who it is stays in a key table of its own."), TextStyle::body, "muted"));
+    } else {
+        m_table = new FittedTable(theme, columns);
+        m_table->setObjectName(QStringLiteral("participants.table"));
+        m_table->setAccessibleName(tr("Participants"));
+        m_table->setHorizontalHeaderLabels({tr("Code"), tr("State"), tr("Conditions"), tr("Order"), tr("Enrolled"), tr("Consent")});
+        connect(m_table, &QTableWidget::itemSelectionChanged, this, &ParticipantsPage::showActions);
+        connect(m_table, &QTableWidget::activated, this, &ParticipantsPage::run);
+        column->addWidget(m_table);
+        fill();
+    }
+    column->addStretch();
+    showActions();
+}
+
+QWidget* ParticipantsPage::actions() {
+    const Theme& theme = m_app.theme();
+    auto* bar = new QWidget;
+    auto* row = new FlowLayout(theme.px(8), bar);
+    const auto add = [&](const char* name, const QString& text, const char* kind, const char* icon, void (ParticipantsPage::*act)()) {
+        auto* button = kit::button(theme, text, kind, QLatin1String(icon));
+        button->setObjectName(QLatin1String(name));
+        connect(button, &QPushButton::clicked, this, act);
+        row->addWidget(button);
+        return button;
+    };
+    m_enrol = add("participants.enrol", tr("Enrol …"), "primary", "list-add-user", &ParticipantsPage::enrol);
+    m_consent = add("participants.consent", tr("Consent …"), "", "document-edit", &ParticipantsPage::consent);
+    m_run = add("participants.run", tr("Run"), "", "media-playback-start", &ParticipantsPage::run);
+    m_withdraw = add("participants.withdraw", tr("Withdraw …"), "", "list-remove-user", &ParticipantsPage::withdraw);
+    m_keys = add("participants.keys", tr("Who is who …"), "quiet", "view-certificate", &ParticipantsPage::showKeys);
+    const bool mayKnow = m_study.summary.author == m_app.actor().personId() || m_app.has(database::Role::admin);
+    m_keys->setVisible(mayKnow);
+    return bar;
+}
+
+QString ParticipantsPage::progressOf(const ParticipantRow& row) const {
+    const auto done = std::count_if(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) { return run.state == database::StudyRunState::completed; });
+    const auto open = std::count_if(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) { return run.state == database::StudyRunState::open; });
+    const QLocale locale = m_app.locale();
+    const QString text = tr("%1 of %2 done").arg(locale.toString(static_cast<int>(done)), locale.toString(static_cast<int>(m_study.design.conditions.size())));
+    return open > 0 ? tr("%1, one open").arg(text) : text;
+}
+
+void ParticipantsPage::fill() {
+    const Theme& theme = m_app.theme();
+    const QLocale locale = m_app.locale();
+    m_table->setRowCount(static_cast<int>(m_study.participants.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const ParticipantRow& shown = m_study.participants[static_cast<std::size_t>(row)];
+        const auto put = [&](int column, const QString& text) {
+            auto* item = new QTableWidgetItem(text);
+            m_table->setItem(row, column, item);
+            return item;
+        };
+        put(codeColumn, QString::fromStdString(shown.participant.code))->setFont(theme.font(TextStyle::mono));
+        const QString state = study_words::participantState(shown.participant.state);
+        put(stateColumn, shown.participant.simulated ? tr("%1 (simulated)").arg(state) : state);
+        put(progressColumn, progressOf(shown));
+        put(orderColumn, locale.toString(shown.participant.order + 1))->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        put(enrolledColumn, study_words::moment(shown.participant.enrolledUtc, locale));
+        put(consentColumn, study_words::moment(shown.participant.consentUtc, locale));
+    }
+    m_table->setRowsSeen(std::clamp(m_table->rowCount(), kFewestRows, kMostRows));
+    m_table->selectRow(0);
+}
+
+const ParticipantRow* ParticipantsPage::selected() const {
+    const int row = m_table ? m_table->currentRow() : -1;
+    return row >= 0 && row < static_cast<int>(m_study.participants.size()) ? &m_study.participants[static_cast<std::size_t>(row)] : nullptr;
+}
+
+void ParticipantsPage::showActions() {
+    using database::ParticipantState;
+    const ParticipantRow* row = selected();
+    const bool person = row && !row->participant.simulated;
+    m_enrol->setEnabled(m_study.summary.state == database::StudyState::frozen);
+    m_consent->setEnabled(person && row->participant.state == ParticipantState::enrolled);
+    m_run->setEnabled(person && row->participant.state == ParticipantState::consented);
+    m_withdraw->setEnabled(person && row->participant.state != ParticipantState::withdrawn);
+    m_keys->setEnabled(!m_study.participants.empty());
+}
+
+void ParticipantsPage::enrol() {
+    auto* dialog = new EnrolDialog(m_app, m_study, window()); // it outlives this page, which is read anew
+    connect(dialog, &EnrolDialog::changed, this, &ParticipantsPage::changed);
+    dialog->open();
+}
+
+void ParticipantsPage::consent() {
+    if (const ParticipantRow* row = selected()) {
+        auto* dialog = new ConsentDialog(m_app, m_study, row->participant, window());
+        connect(dialog, &ConsentDialog::changed, this, &ParticipantsPage::changed);
+        dialog->open();
+    }
+}
+
+void ParticipantsPage::withdraw() {
+    if (const ParticipantRow* row = selected()) {
+        auto* dialog = new WithdrawDialog(m_app, row->participant, window());
+        connect(dialog, &WithdrawDialog::changed, this, &ParticipantsPage::changed);
+        dialog->open();
+    }
+}
+
+void ParticipantsPage::showKeys() { (new KeyTableDialog(m_app, m_study.summary.id, this))->open(); }
+
+void ParticipantsPage::run() {
+    if (const ParticipantRow* row = selected())
+        m_app.navigator().go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study.summary.id)},
+                                                           {QStringLiteral("participant"), QString::fromStdString(row->participant.code)}});
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/studies/study_store.h"
+
+#include <QWidget>
+
+class QPushButton;
+
+namespace chiron::desktop {
+
+class FittedTable;
+
+/// Who takes part, by codes: enrol, consent, withdraw; who a code is, for those who may know. GUI thread.
+class ParticipantsPage final : public QWidget {
+    Q_OBJECT
+public:
+    ParticipantsPage(AppContext& app, const OpenStudy& study, QWidget* parent = nullptr);
+
+signals:
+    void changed(); ///< somebody was enrolled, consented or withdrew
+
+private:
+    QWidget* actions();
+    void fill();
+    void showActions();
+    const ParticipantRow* selected() const;
+    void enrol();
+    void consent();
+    void withdraw();
+    void showKeys();
+    void run();
+    QString progressOf(const ParticipantRow& row) const;
+
+    AppContext& m_app;
+    OpenStudy m_study;
+    FittedTable* m_table = nullptr;
+    QPushButton* m_enrol = nullptr;
+    QPushButton* m_consent = nullptr;
+    QPushButton* m_run = nullptr;
+    QPushButton* m_withdraw = nullptr;
+    QPushButton* m_keys = nullptr;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/preview_page.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/plots/plot_theme_of.h"
+#include "desktop/studies/field_grid.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/kit.h"
+#include "report/plot_view.h"
+
+#include <QProgressBar>
+#include <QTimer>
+#include <cmath>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr int kPoll_ms = 100;
+constexpr int kSteps = 1000;
+constexpr double kPercent = 100.0;
+} // namespace
+
+PreviewPage::PreviewPage(const DesignPage& page, QWidget* parent) : QWidget(parent), m_page(page) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(page.app.theme().px(16));
+    column->addWidget(observerBox());
+    auto* results = new QWidget;
+    m_results = new QVBoxLayout(results);
+    m_results->setContentsMargins(0, 0, 0, 0);
+    m_results->setSpacing(page.app.theme().px(16));
+    column->addWidget(results);
+    column->addStretch();
+    m_poll = new QTimer(this);
+    connect(m_poll, &QTimer::timeout, this, [this] {
+        if (m_work)
+            m_progress->setValue(m_work->done());
+    });
+}
+
+PreviewPage::~PreviewPage() {
+    if (m_work)
+        m_work->cancel();
+}
+
+QWidget* PreviewPage::observerBox() {
+    const Theme& theme = m_page.app.theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Simulated observers do the study, without rendering. What they are like is known, so that bias and precision can be told before "
+                                               "the first participant."),
+                                     TextStyle::body, "muted"));
+    auto* grid = new FieldGrid(theme, m_page.app.locale(), false);
+    grid->number(tr("Their Weber fraction"), QStringLiteral("preview.weber"), kPercent * m_observer.weber, {0.1, 200, 1, QStringLiteral("%"), 1},
+                 [this](double now) { m_observer.weber = now / kPercent; });
+    grid->number(tr("Answers that are guessed"), QStringLiteral("preview.lapse"), kPercent * m_observer.lapse, {0, 50, 1, QStringLiteral("%"), 1},
+                 [this](double now) { m_observer.lapse = now / kPercent; });
+    grid->whole(tr("Runs a condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000, [this](int now) { m_runs = now; });
+    box.layout->addWidget(grid);
+    auto* row = new QHBoxLayout;
+    m_start = kit::button(theme, tr("Preview"), "primary", QStringLiteral("media-playback-start"));
+    m_start->setObjectName(QStringLiteral("preview.start"));
+    m_cancel = kit::button(theme, tr("Cancel"));
+    m_cancel->setObjectName(QStringLiteral("preview.cancel"));
+    m_progress = new QProgressBar;
+    m_progress->setAccessibleName(tr("Progress of the preview"));
+    m_progress->setRange(0, kSteps);
+    m_progress->setTextVisible(false);
+    row->addWidget(m_start);
+    row->addWidget(m_cancel);
+    row->addWidget(m_progress, 1);
+    box.layout->addLayout(row);
+    m_note = kit::label(theme, {}, TextStyle::body, "bad");
+    m_note->hide();
+    box.layout->addWidget(m_note);
+    connect(m_start, &QPushButton::clicked, this, &PreviewPage::start);
+    connect(m_cancel, &QPushButton::clicked, this, [this] {
+        if (m_work)
+            m_work->cancel();
+    });
+    setWorking(false);
+    return box.frame;
+}
+
+void PreviewPage::setWorking(bool working) {
+    m_start->setEnabled(!working);
+    m_cancel->setVisible(working);
+    m_progress->setVisible(working);
+}
+
+void PreviewPage::start() {
+    m_note->hide();
+    setWorking(true);
+    m_progress->setValue(0);
+    m_work = m_page.app.background().run(
+        this,
+        [design = m_page.draft.design(), observer = m_observer, runs = m_runs](WorkToken& token) -> core::Result<std::vector<PreviewResult>> {
+            std::vector<PreviewResult> results;
+            const auto count = static_cast<double>(design.conditions.size());
+            for (std::size_t i = 0; i < design.conditions.size(); ++i) {
+                auto result = previewCondition(design, i, observer, runs, [&](double part) {
+                    token.setProgress(static_cast<int>(kSteps * (static_cast<double>(i) + part) / count), kSteps);
+                    return !token.cancelled();
+                });
+                if (!result)
+                    return tl::unexpected(result.error());
+                results.push_back(std::move(*result));
+            }
+            return results;
+        },
+        [this](core::Result<std::vector<PreviewResult>> results) { finished(std::move(results)); });
+    m_poll->start(kPoll_ms);
+}
+
+void PreviewPage::finished(core::Result<std::vector<PreviewResult>> results) {
+    m_poll->stop();
+    setWorking(false);
+    if (!results) {
+        m_note->setVisible(results.error().code != core::ErrorCode::cancelled);
+        m_note->setText(tr("The preview could not be made. %1").arg(QString::fromStdString(results.error().message)));
+        return;
+    }
+    while (QLayoutItem* item = m_results->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    for (const PreviewResult& result : *results)
+        m_results->addWidget(resultBox(result));
+}
+
+QWidget* PreviewPage::resultBox(const PreviewResult& result) const {
+    const Theme& theme = m_page.app.theme();
+    const QLocale locale = m_page.app.locale();
+    const kit::Box box = kit::box(theme);
+    box.frame->setObjectName(QStringLiteral("preview.result"));
+    QString title = QString::fromStdString(result.condition);
+    for (const psychophysics::Condition& condition : m_page.draft.design().conditions)
+        if (condition.id == result.condition)
+            title = study_words::text(condition.title, m_page.app.language());
+    box.layout->addWidget(kit::label(theme, title, TextStyle::title));
+    auto* grid = new FieldGrid(theme, locale, true);
+    const auto fact = [&](const QString& name, const QString& value) {
+        auto* part = new QWidget;
+        auto* column = new QVBoxLayout(part);
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(0);
+        column->addWidget(kit::label(theme, value, TextStyle::title));
+        column->addWidget(kit::label(theme, name, TextStyle::small, "muted"));
+        grid->cell(part);
+    };
+    const auto factor = [](double log10) { return std::pow(10.0, log10) - 1.0; };
+    const psychophysics::ConditionPlan& plan = result.plan;
+    fact(tr("expected bias of the Weber fraction"), study_words::percent(factor(plan.biasLog10), locale));
+    fact(tr("precision: SD of one run, as a factor"), QStringLiteral("× %1").arg(study_words::number(std::pow(10.0, plan.sdLog10), locale)));
+    fact(tr("trials"), study_words::number(plan.meanTrials, locale));
+    fact(tr("minutes, breaks included"), study_words::number(plan.minutes, locale, 2));
+    fact(tr("95 % intervals that hold the truth"), study_words::percent(plan.coverage, locale));
+    fact(tr("smallest ratio found with 80 % power by %n participant(s)", nullptr, m_page.draft.design().participantsPlanned),
+         QStringLiteral("× %1").arg(study_words::number(result.detectable, locale)));
+    box.layout->addWidget(grid);
+    for (const std::string& warning : plan.warnings)
+        box.layout->addWidget(kit::notice(theme, "warning", study_words::warning(warning)));
+    if (!result.curve.empty())
+        box.layout->addWidget(plotOf(result));
+    return box.frame;
+}
+
+QWidget* PreviewPage::plotOf(const PreviewResult& result) const {
+    const Theme& theme = m_page.app.theme();
+    auto* plot = new report::PlotView(plotThemeOf(theme, m_page.app.locale()));
+    plot->setObjectName(QStringLiteral("preview.plot"));
+    plot->setMinimumHeight(theme.px(260));
+    plot->setTitle(tr("How the estimate settles with more trials"));
+    plot->setXAxis({tr("Trials of a run"), {}, {}});
+    plot->setYAxis({tr("Weber fraction (%)"), 0.0, {}});
+    std::vector<double> trial, middle, low, high;
+    for (const PreviewPoint& point : result.curve) {
+        trial.push_back(point.trials);
+        middle.push_back(kPercent * point.weber);
+        low.push_back(kPercent * point.low);
+        high.push_back(kPercent * point.high);
+    }
+    plot->addLine(tr("middle of %n run(s)", nullptr, result.plan.runs), trial, middle, report::PlotStyle::solidA);
+    plot->addLine(tr("middle 80 %"), trial, low, report::PlotStyle::dashedB);
+    plot->addLine({}, trial, high, report::PlotStyle::dashedB);
+    plot->addReference(tr("true value"), kPercent * m_observer.weber);
+    return plot;
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "desktop/studies/preview_work.h"
+#include "desktop/studies/study_page.h"
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTimer;
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+class WorkToken;
+
+/// What a design may be expected to give: simulated observers do it, on a worker. GUI thread.
+class PreviewPage final : public QWidget {
+    Q_OBJECT
+public:
+    explicit PreviewPage(const DesignPage& page, QWidget* parent = nullptr);
+    ~PreviewPage() override;
+
+private:
+    QWidget* observerBox();
+    void start();
+    void finished(core::Result<std::vector<PreviewResult>> results);
+    void setWorking(bool working);
+    QWidget* resultBox(const PreviewResult& result) const;
+    QWidget* plotOf(const PreviewResult& result) const;
+
+    DesignPage m_page;
+    psychophysics::ObserverSpec m_observer{.weber = 0.1, .lapse = 0.02};
+    int m_runs = 40;
+    std::shared_ptr<WorkToken> m_work;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_cancel = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QLabel* m_note = nullptr;
+    QVBoxLayout* m_results = nullptr;
+    QTimer* m_poll = nullptr;
+};
+
+} // namespace chiron::desktop

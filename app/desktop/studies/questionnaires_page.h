@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/studies/study_page.h"
+
+#include <QWidget>
+
+class QPushButton;
+
+namespace chiron::desktop {
+
+/// Questionnaires of a design and their questions. GUI thread.
+class QuestionnairesPage final : public QWidget {
+    Q_OBJECT
+public:
+    explicit QuestionnairesPage(const DesignPage& page, QWidget* parent = nullptr);
+
+private:
+    QWidget* questionnaireBox(std::size_t index);
+    QWidget* itemPart(std::size_t index, std::size_t item);
+    void addQuestionnaire();
+    QPushButton* action(const QString& text, const char* icon, const QString& name, const std::function<void(psychophysics::StudyDesign&)>& edit);
+
+    DesignPage m_page;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is done with the list of studies.
+#include "desktop/studies/new_study_dialog.h"
+#include "desktop/studies/studies_screen.h"
+#include "desktop/studies/study_store.h"
+#include "desktop/studies/study_words.h"
+
+#include <QCheckBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPointer>
+#include <QPushButton>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr qint64 kLargestStudy_bytes = 1 << 20;
+}
+
+void StudiesScreen::askNew() {
+    auto* dialog = new NewStudyDialog(context(), this);
+    connect(dialog, &NewStudyDialog::created, this,
+            [this](qlonglong study) { context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), study}}); });
+    dialog->open();
+}
+
+void StudiesScreen::askFile() {
+    auto* dialog = new QFileDialog(this, tr("Import a study"), QString(), tr("Studies (*.json)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &StudiesScreen::importFile);
+    dialog->open();
+}
+
+void StudiesScreen::importFile(const QString& file) {
+    QFile in(file);
+    if (!in.open(QIODevice::ReadOnly)) {
+        context().messages().error(tr("The file could not be read."), {core::ErrorCode::storage, (file + QStringLiteral(": ") + in.errorString()).toStdString()});
+        return;
+    }
+    const auto design = catalogue::readStudy(in.read(kLargestStudy_bytes + 1), file.toStdString());
+    if (!design) {
+        context().messages().error(tr("The study was not imported."), design.error());
+        return;
+    }
+    create(design->id, study_words::text(design->title, QStringLiteral("en")).toStdString(), catalogue::studyJson(*design).toStdString());
+}
+
+void StudiesScreen::create(const std::string& key, const std::string& title, const std::string& json) {
+    writeStudies(
+        context(), this, [=](database::StudyRepository& studies) { return studies.createStudy(key, title, json); },
+        [this, title](const core::Result<database::StudyNumber>& study) {
+            if (!study) {
+                context().messages().error(tr("The study was not made."), study.error());
+                return;
+            }
+            context().messages().done(tr("%1 is a new draft.").arg(QString::fromStdString(title)));
+            context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(*study)}});
+        });
+}
+
+void StudiesScreen::archive(const database::StudySummary& study, bool archived, bool canUndo) {
+    AppContext& app = context();
+    const QPointer<StudiesScreen> screen(this);
+    writeStudies(
+        app, &app, [id = study.id, archived](database::StudyRepository& studies) { return studies.setStudyArchived(id, archived); },
+        [&app, screen, study, archived, canUndo](const core::Result<void>& done) {
+            const QString title = QString::fromStdString(study.title);
+            if (!done) {
+                app.messages().error(StudiesScreen::tr("%1 was not changed.").arg(title), done.error());
+                return;
+            }
+            const auto undo = [screen, study, archived] {
+                if (screen)
+                    screen->archive(study, !archived, false);
+            };
+            app.messages().tell({MessageKind::done,
+                                 archived ? StudiesScreen::tr("%1 is archived: nothing was deleted.").arg(title)
+                                          : StudiesScreen::tr("%1 is back in the list.").arg(title),
+                                 canUndo ? StudiesScreen::tr("Undo") : QString(), canUndo ? std::function<void()>(undo) : nullptr});
+            if (screen)
+                screen->load();
+        });
+}
+
+void StudiesScreen::close() {
+    const database::StudySummary* study = selected();
+    if (!study)
+        return;
+    auto* box = new QMessageBox(QMessageBox::Question, title(), tr("Close %1?").arg(QString::fromStdString(study->title)), QMessageBox::NoButton, window());
+    box->setObjectName(QStringLiteral("studies.ask_close"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(tr("No more participants can be enrolled and no more runs begun; open runs can still be finished. This cannot be undone."));
+    QPushButton* keep = box->addButton(tr("Keep it open"), QMessageBox::RejectRole);
+    QPushButton* end = box->addButton(tr("Close the study"), QMessageBox::DestructiveRole);
+    end->setObjectName(QStringLiteral("studies.ask_close.close"));
+    box->setDefaultButton(keep);
+    box->setEscapeButton(keep);
+    connect(end, &QPushButton::clicked, this, [this, id = study->id] {
+        writeStudies(
+            context(), this, [id](database::StudyRepository& studies) { return studies.closeStudy(id); },
+            [this](const core::Result<void>& done) {
+                if (!done)
+                    context().messages().error(tr("The study was not closed."), done.error());
+                else
+                    load();
+            });
+    });
+    box->open();
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/repositories/study_types.h"
+#include "desktop/frame/screen.h"
+
+#include "core/result.h"
+
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+
+namespace chiron::desktop {
+
+class FittedTable;
+class StatePanel;
+
+/// The researcher's studies: state, identity and how far each is; new ones, and what is done with one. Place: {archived, study}. GUI
+/// thread.
+class StudiesScreen final : public Screen {
+    Q_OBJECT
+public:
+    StudiesScreen(AppContext& context, const Place& place);
+
+    QString title() const override;
+    QString help() const override;
+    void enter() override;
+    std::vector<ScreenCommand> commands() override;
+
+    /// A new study from a JSON file; also without a file dialog (tests).
+    void importFile(const QString& file);
+
+private:
+    QWidget* headRow();
+    QWidget* tablePart();
+    QWidget* actionRow();
+    void load();
+    void loaded(core::Result<std::vector<database::StudySummary>> studies);
+    void fill();
+    void showActions();
+    void askNew();
+    void askFile();
+    void create(const std::string& key, const std::string& title, const std::string& json);
+    void open(const QString& screen);
+    void archive(const database::StudySummary& study, bool archived, bool canUndo);
+    void close();
+    const database::StudySummary* selected() const;
+
+    StatePanel* m_panel = nullptr;
+    FittedTable* m_table = nullptr;
+    QLabel* m_count = nullptr;
+    QCheckBox* m_archived = nullptr;
+    QPushButton* m_open = nullptr;
+    QPushButton* m_run = nullptr;
+    QPushButton* m_data = nullptr;
+    QPushButton* m_close = nullptr;
+    QPushButton* m_archive = nullptr;
+    std::vector<database::StudySummary> m_studies;
+    database::StudyNumber m_wanted = 0;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers, units and texts of studies.
+#include "desktop/studies/study_words.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <cmath>
+
+namespace chiron::desktop::study_words {
+
+using psychophysics::Attribute;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(StudyWords)
+};
+
+QString dash() { return QStringLiteral("–"); }
+
+} // namespace
+
+Unit unitOf(Attribute attribute) {
+    switch (attribute) {
+    case Attribute::stiffness:
+        return {1.0, QStringLiteral("N/m")};
+    case Attribute::mass:
+        return {1e3, QStringLiteral("g")};
+    case Attribute::deformation:
+        return {1.0, QStringLiteral("s")};
+    case Attribute::roughness:
+        return {1e6, QStringLiteral("µm")};
+    case Attribute::friction:
+        return {1.0, QString()};
+    case Attribute::viscosity:
+        return {1.0, QStringLiteral("N·s/m")};
+    case Attribute::apex:
+        return {1e3, QStringLiteral("mm")};
+    }
+    return {};
+}
+
+QString number(double value, const QLocale& locale, int digits) {
+    if (!std::isfinite(value))
+        return dash();
+    if (value == 0.0)
+        return locale.toString(0);
+    const int whole = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+    if (whole > 7 || whole < -4)
+        return locale.toString(value, 'g', digits);
+    return locale.toString(value, 'f', std::max(0, digits - whole));
+}
+
+QString value(double si, Attribute attribute, const QLocale& locale) {
+    const Unit unit = study_words::unitOf(attribute);
+    const QString digits = number(si * unit.factor, locale);
+    return unit.text.isEmpty() ? digits : QStringLiteral("%1 %2").arg(digits, unit.text);
+}
+
+QString percent(double ratio, const QLocale& locale) {
+    return std::isfinite(ratio) ? QStringLiteral("%1 %").arg(number(100.0 * ratio, locale)) : dash();
+}
+
+QString interval(double low, double high, const QLocale& locale) {
+    return std::isfinite(low) && std::isfinite(high) ? QStringLiteral("%1 … %2").arg(number(low, locale), number(high, locale)) : QString();
+}
+
+QString intervalPercent(double low, double high, const QLocale& locale) {
+    if (!std::isfinite(low) || !std::isfinite(high))
+        return {};
+    return QStringLiteral("%1 … %2 %").arg(number(100.0 * low, locale), number(100.0 * high, locale));
+}
+
+double ratioOf(double difference) { return std::pow(10.0, difference) - 1.0; }
+
+double differenceOf(double ratio) { return std::log10(1.0 + ratio); }
+
+QString text(const psychophysics::StudyText& text, const QString& language) {
+    auto found = text.find(language.toStdString());
+    if (found == text.end() || found->second.empty())
+        found = text.find("en");
+    if (found == text.end())
+        found = text.begin();
+    return found == text.end() ? QString() : QString::fromStdString(found->second);
+}
+
+QString shortSha(const std::string& sha256) {
+    constexpr std::size_t kDigits = 12;
+    return QString::fromStdString(sha256.substr(0, kDigits));
+}
+
+QString moment(const std::string& utc, const QLocale& locale) {
+    const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODateWithMs);
+    return time.isValid() ? locale.toString(time.toLocalTime(), QLocale::ShortFormat) : QString();
+}
+
+QString warning(const std::string& warning) {
+    const std::size_t colon = warning.find(": ");
+    return QString::fromStdString(colon == std::string::npos ? warning : warning.substr(colon + 2));
+}
+
+QString parameter(const std::string& name) {
+    if (name == "threshold")
+        return Words::tr("Threshold");
+    if (name == "log10_sigma")
+        return Words::tr("Noise (log10 σ)");
+    if (name == "slope")
+        return Words::tr("Slope");
+    if (name == "mean")
+        return Words::tr("Mean");
+    if (name == "sd")
+        return Words::tr("Standard deviation");
+    if (name == "lapse" || name == "lapse_rate")
+        return Words::tr("Lapses");
+    if (name == "guess" || name == "lower_asymptote")
+        return Words::tr("Guesses");
+    return QString::fromStdString(name).replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
+} // namespace chiron::desktop::study_words

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/studies/study_draft.h"
+
+#include <QString>
+
+namespace chiron::desktop {
+
+class AppContext;
+class FieldGrid;
+
+/// What the pages of a design are given.
+struct DesignPage {
+    AppContext& app;
+    StudyDraft& draft;
+    bool readOnly = true;
+    QString language = QStringLiteral("en"); ///< of the texts that are edited
+};
+
+/// Adds a field for a text in the page's language. `text` finds it in a design.
+void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label, const QString& name, int lines,
+                  const std::function<psychophysics::StudyText&(psychophysics::StudyDesign&)>& text);
+
+} // namespace chiron::desktop

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/study_screen.h"
+
+#include "desktop/accounts/notice_area.h"
+#include "desktop/studies/conditions_page.h"
+#include "desktop/studies/general_page.h"
+#include "desktop/studies/participants_page.h"
+#include "desktop/studies/preview_page.h"
+#include "desktop/studies/questionnaires_page.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/flow_layout.h"
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/scroll_page.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QComboBox>
+#include <QTabBar>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr int kCheck_ms = 300;
+}
+
+StudyScreen::StudyScreen(AppContext& context, const Place& place)
+    : Screen(context, place), m_study(place.parameters.value(QStringLiteral("study")).toLongLong()),
+      m_tab(place.parameters.value(QStringLiteral("tab"), -1).toInt()), m_condition(place.parameters.value(QStringLiteral("condition")).toInt()),
+      m_language(QStringLiteral("en")) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_panel = new StatePanel(context.theme());
+    column->addWidget(m_panel);
+    m_check.setSingleShot(true);
+    m_check.setInterval(kCheck_ms);
+    connect(&m_check, &QTimer::timeout, this, &StudyScreen::check);
+    connect(&m_draft, &StudyDraft::changed, this, &StudyScreen::changed);
+    connect(&m_draft.history(), &QUndoStack::indexChanged, this, &StudyScreen::showState); // the stack counts a step once it is done
+    connect(&m_draft, &StudyDraft::structureChanged, this, &StudyScreen::showPage, Qt::QueuedConnection); // the form that asked may be gone by then
+}
+
+QString StudyScreen::title() const {
+    const QString name = QString::fromStdString(m_open.summary.title);
+    return name.isEmpty() ? tr("Study") : name;
+}
+
+QString StudyScreen::help() const {
+    return tr("One study. As long as it is a draft everything can be changed; what is complete is kept at once, Ctrl+Z takes a step back, and "
+              "what is wrong is said above the page.\n\nConditions say what is compared, by which task and procedure. Preview lets simulated "
+              "observers do the study and shows the precision to be expected, the trials and the time. Participants enrols people under random "
+              "codes and records their consent.\n\nFreeze fixes the design for good under its SHA-256; participants can be enrolled from then on.");
+}
+
+void StudyScreen::enter() { load(); }
+
+void StudyScreen::load() {
+    m_panel->showLoading(tr("Reading the study …"),
+                         readStudies(context(), this, [study = m_study](database::StudyReader& reader) { return openStudy(reader, study); },
+                                     [this](core::Result<OpenStudy> study) { loaded(std::move(study)); }));
+}
+
+void StudyScreen::loaded(core::Result<OpenStudy> study) {
+    if (!study) {
+        m_panel->showError(tr("The study could not be read"), study.error(), [this] { load(); });
+        return;
+    }
+    m_open = std::move(*study);
+    if (m_tab < 0)
+        m_tab = m_open.editable() ? generalTab : participantsTab;
+    {
+        const QSignalBlocker quiet(&m_draft);
+        m_draft.load(m_open.design);
+    }
+    m_good = m_saved = true;
+    build();
+    m_panel->showContent();
+}
+
+bool StudyScreen::readOnly() const {
+    const bool own = m_open.summary.author == context().actor().personId() || context().has(database::Role::admin);
+    return !m_open.editable() || !own;
+}
+
+void StudyScreen::build() {
+    delete m_view; // of what was shown before
+    auto* scroll = new ScrollPage(context().theme(), 1200);
+    m_view = scroll;
+    QVBoxLayout* column = scroll->column();
+    column->setSpacing(context().theme().px(12));
+    column->addWidget(headRow());
+    column->addWidget(toolRow());
+    m_bar = new QTabBar;
+    m_bar->setObjectName(QStringLiteral("study.tabs"));
+    m_bar->setAccessibleName(tr("Parts of the study"));
+    m_bar->setFont(context().theme().font(TextStyle::body));
+    m_bar->setDrawBase(false);
+    m_bar->setExpanding(false);
+    m_bar->setUsesScrollButtons(true);
+    for (const QString& name : {tr("About"), tr("Conditions"), tr("Trials"), tr("Questions"), tr("Preview"), tr("Participants")})
+        m_bar->addTab(name);
+    m_bar->setCurrentIndex(m_tab);
+    connect(m_bar, &QTabBar::currentChanged, this, &StudyScreen::showTab);
+    column->addWidget(m_bar);
+    m_faults = new NoticeArea(context().theme());
+    m_faults->setObjectName(QStringLiteral("study.faults"));
+    column->addWidget(m_faults);
+    auto* holder = new QWidget;
+    m_holder = new QVBoxLayout(holder);
+    m_holder->setContentsMargins(0, 0, 0, 0);
+    m_page = nullptr;
+    column->addWidget(holder, 1);
+    m_panel->setContent(scroll);
+    showPage();
+    showState();
+}
+
+QWidget* StudyScreen::headRow() {
+    const Theme& theme = context().theme();
+    auto* head = new QWidget;
+    auto* column = new QVBoxLayout(head);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(4));
+    column->addWidget(kit::label(theme, title(), TextStyle::heading));
+    m_state = kit::label(theme, {}, TextStyle::body, "muted");
+    m_state->setObjectName(QStringLiteral("study.state"));
+    m_state->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column->addWidget(m_state);
+    return head;
+}
+
+QWidget* StudyScreen::toolRow() {
+    const Theme& theme = context().theme();
+    auto* bar = new QWidget;
+    auto* row = new FlowLayout(theme.px(8), bar);
+    const auto add = [&](const char* name, const QString& text, const char* kind, const char* icon, auto act) {
+        auto* button = kit::button(theme, text, kind, QLatin1String(icon));
+        button->setObjectName(QLatin1String(name));
+        connect(button, &QPushButton::clicked, this, act);
+        row->addWidget(button);
+        return button;
+    };
+    m_freeze = nullptr;
+    m_undo = m_redo = nullptr;
+    if (!readOnly()) {
+        m_freeze = add("study.freeze", tr("Freeze …"), "primary", "object-locked", [this] { askFreeze(); });
+        m_undo = add("study.undo", tr("Undo"), "", "edit-undo", [this] { m_draft.history().undo(); });
+        m_redo = add("study.redo", tr("Redo"), "", "edit-redo", [this] { m_draft.history().redo(); });
+        add("study.import", tr("Import …"), "quiet", "document-import", [this] { askImport(); });
+    } else if (!m_open.editable()) {
+        add("study.run", tr("Run"), "primary", "media-playback-start", [this] { context().navigator().go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
+        add("study.data", tr("Data"), "", "office-chart-line", [this] { context().navigator().go(QStringLiteral("study_data"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
+    }
+    add("study.export", tr("Save as JSON …"), "quiet", "document-save", [this] { askExport(); });
+    auto* language = new QComboBox;
+    language->setObjectName(QStringLiteral("study.language"));
+    language->setAccessibleName(tr("Language of the texts"));
+    for (const auto& [id, name] : {std::pair{"en", "English"}, std::pair{"de", "Deutsch"}, std::pair{"el", "Ελληνικά"}})
+        language->addItem(QString::fromUtf8(name), QString::fromLatin1(id));
+    language->setCurrentIndex(language->findData(m_language));
+    language->setToolTip(tr("Language of the texts"));
+    connect(language, &QComboBox::activated, this, [this, language] {
+        m_language = language->currentData().toString();
+        showPage();
+    });
+    row->addWidget(language);
+    return bar;
+}
+
+void StudyScreen::showTab(int tab) {
+    m_tab = tab;
+    if (m_bar && m_bar->currentIndex() != tab) {
+        m_bar->setCurrentIndex(tab); // comes back here
+        return;
+    }
+    note();
+    showPage();
+}
+
+void StudyScreen::note() {
+    context().navigator().note({{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), m_tab}, {QStringLiteral("condition"), m_condition}});
+}
+
+void StudyScreen::showPage() {
+    if (!m_holder)
+        return;
+    QWidget* before = m_page;
+    const QString focused = before && before->isAncestorOf(focusWidget()) ? focusWidget()->objectName() : QString();
+    m_page = makePage();
+    if (before) {
+        m_holder->removeWidget(before);
+        before->hide();
+        before->deleteLater(); // a button in it may still be at work
+    }
+    m_holder->addWidget(m_page);
+    if (!focused.isEmpty())
+        if (auto* again = m_page->findChild<QWidget*>(focused))
+            again->setFocus();
+}
+
+QWidget* StudyScreen::makePage() {
+    const DesignPage page{context(), m_draft, readOnly(), m_language};
+    switch (m_tab) {
+    case conditionsTab: {
+        auto* conditions = new ConditionsPage(page, m_condition);
+        m_condition = conditions->shown();
+        connect(conditions, &ConditionsPage::showAsked, this, [this](int condition) {
+            m_condition = condition;
+            note();
+            QMetaObject::invokeMethod(this, &StudyScreen::showPage, Qt::QueuedConnection);
+        });
+        return conditions;
+    }
+    case trialsTab:
+        return new TrialsPage(page);
+    case questionnairesTab:
+        return new QuestionnairesPage(page);
+    case previewTab:
+        return new PreviewPage(page);
+    case participantsTab: {
+        auto* participants = new ParticipantsPage(context(), m_open);
+        connect(participants, &ParticipantsPage::changed, this, [this] { reloadTo(participantsTab); });
+        return participants;
+    }
+    default:
+        return new GeneralPage(page);
+    }
+}
+
+std::vector<ScreenCommand> StudyScreen::commands() {
+    std::vector<ScreenCommand> list{{tr("Save as JSON …"), QKeySequence(QKeySequence::Save), [this] { askExport(); }}};
+    if (m_undo) {
+        list.push_back({tr("Undo"), QKeySequence(QKeySequence::Undo), [this] { m_draft.history().undo(); }});
+        list.push_back({tr("Redo"), QKeySequence(QKeySequence::Redo), [this] { m_draft.history().redo(); }});
+        list.push_back({tr("Freeze …"), {}, [this] { askFreeze(); }});
+    }
+    return list;
+}
+
+} // namespace chiron::desktop

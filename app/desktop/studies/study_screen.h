@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "desktop/frame/screen.h"
+#include "desktop/studies/study_draft.h"
+#include "desktop/studies/study_store.h"
+
+#include <QTimer>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTabBar;
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+class NoticeArea;
+class ScrollPage;
+class StatePanel;
+
+/// One study: its design (while a draft it can be changed, each step undone, and what is right is kept at once), preview with simulated
+/// observers, freezing, participants. Place: {study, tab, condition}. GUI thread.
+class StudyScreen final : public Screen {
+    Q_OBJECT
+public:
+    enum Tab { generalTab, conditionsTab, trialsTab, questionnairesTab, previewTab, participantsTab, tabs };
+
+    StudyScreen(AppContext& context, const Place& place);
+
+    QString title() const override;
+    QString help() const override;
+    void enter() override;
+    bool mayLeave() override;
+    std::vector<ScreenCommand> commands() override;
+
+    StudyDraft& draft() { return m_draft; }
+    void importFile(const QString& file);
+    void exportFile(const QString& file);
+    void showTab(int tab);
+
+private:
+    // study_screen.cpp
+    void load();
+    void loaded(core::Result<OpenStudy> study);
+    void build();
+    QWidget* headRow();
+    QWidget* toolRow();
+    void showPage();
+    QWidget* makePage();
+    bool readOnly() const;
+    void note();
+
+    // study_screen_actions.cpp: checked, kept, frozen, brought in and out
+    void changed();
+    void check();
+    void checked(int version, const core::Result<psychophysics::StudyDesign>& read);
+    void save();
+    void showState();
+    void askFreeze();
+    void askImport();
+    void askExport();
+    void reloadTo(int tab);
+
+    database::StudyNumber m_study;
+    int m_tab;
+    int m_condition;
+    QString m_language;
+    OpenStudy m_open;
+    StudyDraft m_draft;
+    bool m_good = true;      ///< the newest design reads
+    bool m_saved = true;     ///< and is stored
+    bool m_saving = false;
+    int m_version = 0;       ///< of the design, counted by changes
+    QTimer m_check;
+    StatePanel* m_panel = nullptr;
+    QWidget* m_view = nullptr; ///< head, tabs and page; null until there is a study
+    QTabBar* m_bar = nullptr;
+    QLabel* m_state = nullptr;
+    NoticeArea* m_faults = nullptr;
+    QVBoxLayout* m_holder = nullptr;
+    QWidget* m_page = nullptr;
+    QPushButton* m_undo = nullptr;
+    QPushButton* m_redo = nullptr;
+    QPushButton* m_freeze = nullptr;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A design checked, kept, frozen, brought in and out.
+#include "desktop/accounts/notice_area.h"
+#include "desktop/studies/freeze_dialog.h"
+#include "desktop/studies/study_screen.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSaveFile>
+#include <QTabBar>
+
+namespace chiron::desktop {
+
+namespace {
+
+constexpr int kMostFaults = 5;
+
+/// "file:3:4: $.conditions[0].id: found: expected" without the place in a file that nobody sees.
+QString faultsInWords(const core::Error& error) {
+    QStringList lines = QString::fromStdString(error.message).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    static const QRegularExpression kPlace(QStringLiteral("^.*?:\\d+:\\d+:\\s*\\$?\\.?"));
+    for (QString& line : lines)
+        line.remove(kPlace);
+    const qsizetype more = lines.size() - kMostFaults;
+    if (more > 0) {
+        lines = lines.mid(0, kMostFaults);
+        lines << StudyScreen::tr("… and %n more", nullptr, static_cast<int>(more));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace
+
+void StudyScreen::changed() {
+    ++m_version;
+    m_saved = false;
+    m_check.start();
+    showState();
+}
+
+void StudyScreen::check() {
+    context().background().run(
+        this, [design = m_draft.design(), key = m_open.summary.key](WorkToken&) { return catalogue::readStudy(catalogue::studyJson(design), key); },
+        [this, version = m_version](const core::Result<psychophysics::StudyDesign>& read) { checked(version, read); });
+}
+
+void StudyScreen::checked(int version, const core::Result<psychophysics::StudyDesign>& read) {
+    if (version != m_version)
+        return; // of a design that was changed since
+    m_good = read.has_value();
+    if (m_faults)
+        m_faults->say("bad", m_good ? QString() : tr("Not kept yet, because this is not right:\n%1").arg(faultsInWords(read.error())));
+    if (m_good)
+        save();
+    showState();
+}
+
+void StudyScreen::save() {
+    if (m_saving || readOnly())
+        return;
+    m_saving = true;
+    writeStudies(
+        context(), this,
+        [study = m_study, json = catalogue::studyJson(m_draft.design()).toStdString()](database::StudyRepository& studies) { return studies.saveDraft(study, json); },
+        [this, version = m_version](const core::Result<void>& done) {
+            m_saving = false;
+            if (!done)
+                m_faults->say("bad", tr("The draft could not be kept.\n%1").arg(inWords(done.error())));
+            else if (version == m_version)
+                m_saved = true;
+            else
+                m_check.start();
+            showState();
+        });
+}
+
+void StudyScreen::showState() {
+    if (!m_state)
+        return;
+    const database::StudySummary& study = m_open.summary;
+    QStringList words{study_words::state(study.state), tr("key %1").arg(QString::fromStdString(study.key))};
+    if (!study.sha256.empty())
+        words << tr("SHA-256 %1").arg(study_words::shortSha(study.sha256));
+    if (!study.frozenUtc.empty())
+        words << tr("frozen %1").arg(study_words::moment(study.frozenUtc, context().locale()));
+    if (m_open.design.blindExperimenter && !m_open.editable())
+        words << (study.unblinded ? tr("unblinded") : tr("blind"));
+    if (!readOnly())
+        words << (m_saved ? tr("everything is kept") : m_good ? tr("keeping …") : tr("not kept"));
+    m_state->setText(words.join(QStringLiteral(" · ")));
+    if (m_undo) {
+        m_undo->setEnabled(m_draft.history().canUndo());
+        m_redo->setEnabled(m_draft.history().canRedo());
+        m_freeze->setEnabled(m_good && m_saved);
+    }
+}
+
+bool StudyScreen::mayLeave() {
+    if (m_saved || readOnly() || !m_view)
+        return true;
+    const auto read = catalogue::readStudy(catalogue::studyJson(m_draft.design()), m_open.summary.key);
+    if (read) { // on its way: it is kept although this screen goes
+        writeStudies(
+            context(), &context(),
+            [study = m_study, json = catalogue::studyJson(*read).toStdString()](database::StudyRepository& studies) { return studies.saveDraft(study, json); },
+            [&app = context()](const core::Result<void>& done) {
+                if (!done)
+                    app.messages().error(StudyScreen::tr("The draft could not be kept."), done.error());
+            });
+        return true;
+    }
+    QMessageBox box(QMessageBox::Question, title(), tr("Leave without the last changes?"), QMessageBox::NoButton, window());
+    box.setInformativeText(tr("The design is not right yet, so its last changes are not kept. What was right before is."));
+    QPushButton* stay = box.addButton(tr("Stay"), QMessageBox::RejectRole);
+    QPushButton* leave = box.addButton(tr("Leave"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(stay);
+    box.exec();
+    return box.clickedButton() == leave;
+}
+
+void StudyScreen::askFreeze() {
+    auto* dialog = new FreezeDialog(context(), m_open.summary, m_draft.design(), this);
+    connect(dialog, &FreezeDialog::frozen, this, [this] { reloadTo(participantsTab); });
+    dialog->open();
+}
+
+void StudyScreen::reloadTo(int tab) {
+    m_tab = tab;
+    note();
+    load();
+}
+
+void StudyScreen::askImport() {
+    auto* dialog = new QFileDialog(this, tr("Take the design of a file"), QString(), tr("Studies (*.json)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &StudyScreen::importFile);
+    dialog->open();
+}
+
+void StudyScreen::importFile(const QString& file) {
+    QFile in(file);
+    const bool open = in.open(QIODevice::ReadOnly);
+    const auto design = open ? catalogue::readStudy(in.read(1 << 20), file.toStdString())
+                             : core::Result<psychophysics::StudyDesign>(core::fail(core::ErrorCode::storage, in.errorString().toStdString()));
+    if (!design) {
+        m_faults->say("bad", tr("The file was not taken:\n%1").arg(QString::fromStdString(design.error().message)));
+        return;
+    }
+    m_draft.change(tr("Import of a file"), {}, [&](psychophysics::StudyDesign& now) {
+        const std::string key = now.id; // the study keeps its key
+        now = *design;
+        now.id = key;
+    }, true);
+}
+
+void StudyScreen::askExport() {
+    auto* dialog = new QFileDialog(this, tr("Save the design"), QString(), tr("Studies (*.json)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("json"));
+    dialog->selectFile(QString::fromStdString(m_open.summary.key) + QStringLiteral(".json"));
+    connect(dialog, &QFileDialog::fileSelected, this, &StudyScreen::exportFile);
+    dialog->open();
+}
+
+void StudyScreen::exportFile(const QString& name) {
+    const QByteArray json = catalogue::studyJson(m_draft.design());
+    QSaveFile file(name);
+    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
+        context().messages().error(tr("The design was not saved."), {core::ErrorCode::storage, (name + QStringLiteral(": ") + file.errorString()).toStdString()});
+        return;
+    }
+    context().messages().done(tr("The design is saved in %1.").arg(name));
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/study_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <map>
+
+namespace chiron::desktop::study_words {
+
+using psychophysics::Attribute;
+using psychophysics::Task;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(StudyWords)
+};
+
+/// The words of one token, or the token itself with spaces.
+QString oneOf(const std::map<std::string_view, QString>& words, std::string_view token) {
+    const auto found = words.find(token);
+    if (found != words.end())
+        return found->second;
+    return QString::fromUtf8(token.data(), static_cast<qsizetype>(token.size())).replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
+QString procedureKind(std::string_view kind) {
+    const std::map<std::string_view, QString> words{
+        {"staircase", Words::tr("Staircase (up–down)")},     {"pest", Words::tr("PEST")},
+        {"constant", Words::tr("Constant stimuli")},         {"descending", Words::tr("Descending ranking (legacy)")},
+        {"quest", Words::tr("QUEST")},                       {"quest_plus", Words::tr("QUEST+")},
+        {"rank3_quest_plus", Words::tr("QUEST+ for rankings")},
+        {"limit", Words::tr("limited by the device")}};
+    return oneOf(words, kind.substr(0, kind.find('@')));
+}
+
+} // namespace
+
+QString attribute(Attribute attribute) {
+    switch (attribute) {
+    case Attribute::stiffness:
+        return Words::tr("Stiffness");
+    case Attribute::mass:
+        return Words::tr("Mass");
+    case Attribute::deformation:
+        return Words::tr("Deformation");
+    case Attribute::roughness:
+        return Words::tr("Roughness");
+    case Attribute::friction:
+        return Words::tr("Friction");
+    case Attribute::viscosity:
+        return Words::tr("Viscosity");
+    case Attribute::apex:
+        return Words::tr("Apex");
+    }
+    return {};
+}
+
+QString task(Task task) {
+    switch (task) {
+    case Task::rank3:
+        return Words::tr("Ranking of three");
+    case Task::twoAfc:
+        return Words::tr("Two intervals (2AFC)");
+    case Task::threeAfc:
+        return Words::tr("Three intervals (3AFC)");
+    case Task::oddity:
+        return Words::tr("Odd one out of three");
+    case Task::sameDifferent:
+        return Words::tr("Same or different");
+    case Task::yesNo:
+        return Words::tr("Yes or no");
+    case Task::adjustment:
+        return Words::tr("Adjustment");
+    case Task::magnitude:
+        return Words::tr("Magnitude estimation");
+    }
+    return {};
+}
+
+QString taskInWords(Task task) {
+    switch (task) {
+    case Task::rank3:
+        return Words::tr("Three objects that differ in equal steps are put in order.");
+    case Task::twoAfc:
+        return Words::tr("Which of two objects is more?");
+    case Task::threeAfc:
+        return Words::tr("Which of three objects is more? Two are the reference.");
+    case Task::oddity:
+        return Words::tr("Which of three objects is unlike the other two?");
+    case Task::sameDifferent:
+        return Words::tr("Are two objects the same or different?");
+    case Task::yesNo:
+        return Words::tr("Is one object more than the reference that was explored before?");
+    case Task::adjustment:
+        return Words::tr("One object is changed until it equals the other.");
+    case Task::magnitude:
+        return Words::tr("Each object is given a number.");
+    }
+    return {};
+}
+
+namespace {
+
+/// "firmer", "heavier" ...: the comparative of what is felt.
+QString more(Attribute attribute) {
+    switch (attribute) {
+    case Attribute::stiffness:
+        return Words::tr("firmer");
+    case Attribute::mass:
+        return Words::tr("heavier");
+    case Attribute::deformation:
+        return Words::tr("slower to come back");
+    case Attribute::roughness:
+        return Words::tr("rougher");
+    case Attribute::friction:
+        return Words::tr("stickier");
+    case Attribute::viscosity:
+        return Words::tr("more viscous");
+    case Attribute::apex:
+        return Words::tr("higher");
+    }
+    return {};
+}
+
+} // namespace
+
+QString question(Task task, Attribute attribute) {
+    const QString word = more(attribute);
+    switch (task) {
+    case Task::rank3:
+        return Words::tr("Put the three in order; the one that is %1 comes last.").arg(word);
+    case Task::twoAfc:
+        return Words::tr("Which one is %1?").arg(word);
+    case Task::threeAfc:
+        return Words::tr("Which of the three is %1?").arg(word);
+    case Task::oddity:
+        return Words::tr("Which one is unlike the other two?");
+    case Task::sameDifferent:
+        return Words::tr("Are the two the same or different?");
+    case Task::yesNo:
+        return Words::tr("Is it %1 than the reference?").arg(word);
+    case Task::adjustment:
+        return Words::tr("Change the right one until both feel the same.");
+    case Task::magnitude:
+        return Words::tr("Give what you feel a number. Any positive number is right.");
+    }
+    return {};
+}
+
+QString procedure(std::string_view id) {
+    QStringList names;
+    while (!id.empty()) {
+        const std::size_t comma = id.find(',');
+        names << procedureKind(id.substr(0, comma));
+        id = comma == std::string_view::npos ? std::string_view() : id.substr(comma + 1);
+    }
+    names.removeDuplicates();
+    return names.join(QStringLiteral(", "));
+}
+
+QString procedureInWords(std::string_view kind) {
+    const std::map<std::string_view, QString> words{
+        {"staircase", Words::tr("Harder after right answers, easier after wrong ones. Robust and easy to explain.")},
+        {"pest", Words::tr("Steps halve and double by a running test. For replications only.")},
+        {"constant", Words::tr("Every difference equally often, in random order. The whole curve, with many trials.")},
+        {"descending", Words::tr("The difference shrinks until an answer is wrong. Overestimates the JND by half to three times; for replications only.")},
+        {"quest", Words::tr("Bayesian; places each trial where the threshold probably is.")},
+        {"quest_plus", Words::tr("Bayesian; chooses the trial that teaches most about threshold, slope and lapses.")},
+        {"rank3_quest_plus", Words::tr("QUEST+ with an observer for rankings of three. Needs the fewest trials; the default.")}};
+    const auto found = words.find(kind);
+    return found == words.end() ? QString() : found->second;
+}
+
+QString scale(psychophysics::ProcedureScale scale) {
+    return scale == psychophysics::ProcedureScale::difference ? Words::tr("Difference D") : Words::tr("Logarithm of D");
+}
+
+QString order(psychophysics::OrderDesign order) {
+    switch (order) {
+    case psychophysics::OrderDesign::fixed:
+        return Words::tr("As listed");
+    case psychophysics::OrderDesign::random:
+        return Words::tr("Random");
+    case psychophysics::OrderDesign::latinSquare:
+        return Words::tr("Latin square");
+    case psychophysics::OrderDesign::williams:
+        return Words::tr("Williams design");
+    }
+    return {};
+}
+
+QString state(database::StudyState state) {
+    switch (state) {
+    case database::StudyState::draft:
+        return Words::tr("Draft");
+    case database::StudyState::frozen:
+        return Words::tr("Frozen");
+    case database::StudyState::closed:
+        return Words::tr("Closed");
+    case database::StudyState::archived:
+        return Words::tr("Archived");
+    }
+    return {};
+}
+
+QString participantState(database::ParticipantState state) {
+    switch (state) {
+    case database::ParticipantState::enrolled:
+        return Words::tr("Consent missing");
+    case database::ParticipantState::consented:
+        return Words::tr("Takes part");
+    case database::ParticipantState::completed:
+        return Words::tr("Completed");
+    case database::ParticipantState::withdrawn:
+        return Words::tr("Withdrawn");
+    }
+    return {};
+}
+
+QString runState(database::StudyRunState state) {
+    switch (state) {
+    case database::StudyRunState::open:
+        return Words::tr("Open");
+    case database::StudyRunState::completed:
+        return Words::tr("Completed");
+    case database::StudyRunState::stopped:
+        return Words::tr("Stopped");
+    }
+    return {};
+}
+
+QString spoiled(std::string_view token) {
+    const std::map<std::string_view, QString> words{{"force_error", Words::tr("Force was not what was asked")},
+                                                    {"stiffness_error", Words::tr("Felt value off")},
+                                                    {"late_ticks", Words::tr("Late ticks")},
+                                                    {"saturation", Words::tr("Device at its limit")},
+                                                    {"speed", Words::tr("Moved too fast")},
+                                                    {"peak_force", Words::tr("Pressed too hard")},
+                                                    {"time", Words::tr("Time was up")},
+                                                    {"untouched", Words::tr("Not all were touched")},
+                                                    {"experimenter", Words::tr("Spoiled by the experimenter")},
+                                                    {"stopped", Words::tr("Stopped")}};
+    return oneOf(words, token);
+}
+
+} // namespace chiron::desktop::study_words

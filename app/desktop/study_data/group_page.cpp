@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/study_data/group_page.h"
+
+#include "desktop/plots/fitted_table.h"
+#include "desktop/plots/plot_theme_of.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/flow_layout.h"
+#include "desktop/widgets/kit.h"
+#include "report/plot_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::desktop {
+
+namespace {
+enum Column { codeColumn, weberColumn, intervalColumn, jndColumn, trialsColumn, stateColumn, warningColumn, columns };
+constexpr int kMostRows = 14;
+constexpr int kFewestRows = 3;
+constexpr double kPercent = 100.0;
+} // namespace
+
+GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condition, QWidget* parent)
+    : QWidget(parent), m_app(app), m_facts(facts), m_condition(condition) {
+    const Theme& theme = app.theme();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(14));
+    column->addWidget(chooser());
+    if (runs().empty()) {
+        column->addWidget(kit::notice(theme, "info", tr("Nobody has done this condition yet. Each participant's result will be here as soon as there is a run.")));
+        return;
+    }
+    column->addWidget(groupBox());
+    column->addWidget(plotBox());
+    column->addWidget(tableBox());
+}
+
+std::vector<const RunFacts*> GroupPage::runs() const {
+    std::vector<const RunFacts*> runs;
+    for (const RunFacts& run : m_facts.runs)
+        if (run.condition == m_condition && run.scored > 0)
+            runs.push_back(&run);
+    return runs;
+}
+
+QWidget* GroupPage::chooser() {
+    auto* bar = new QWidget;
+    auto* row = new FlowLayout(m_app.theme().px(8), bar);
+    const auto& conditions = m_facts.study.design.conditions;
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+        auto* button = kit::button(m_app.theme(), conditionName(m_facts.study, conditions[i].id, m_app.language()));
+        button->setObjectName(QStringLiteral("data.condition.%1").arg(i));
+        button->setCheckable(true);
+        button->setChecked(i == m_condition);
+        connect(button, &QPushButton::clicked, this, [this, i] { emit conditionChosen(static_cast<uint>(i)); });
+        row->addWidget(button);
+    }
+    return bar;
+}
+
+QWidget* GroupPage::groupBox() {
+    const Theme& theme = m_app.theme();
+    const QLocale locale = m_app.locale();
+    const kit::Box box = kit::box(theme);
+    box.frame->setObjectName(QStringLiteral("data.group"));
+    const psychophysics::GroupEstimate& group = m_facts.groups[m_condition];
+    box.layout->addWidget(kit::label(theme, tr("Group"), TextStyle::title));
+    const QString interval = study_words::intervalPercent(group.weber95.low, group.weber95.high, locale);
+    const QString next = study_words::intervalPercent(group.prediction95.low, group.prediction95.high, locale);
+    box.layout->addWidget(kit::label(theme, study_words::percent(group.weber, locale), TextStyle::display, "accent"));
+    QStringList words{tr("Weber fraction of %n participant(s), as random effects", nullptr, group.participants)};
+    if (!interval.isEmpty())
+        words << tr("95 %: %1").arg(interval);
+    if (!next.isEmpty())
+        words << tr("a further participant: %1").arg(next);
+    if (!m_facts.study.blind() && std::isfinite(group.jnd))
+        words << tr("JND %1").arg(study_words::value(group.jnd, m_facts.study.design.conditions[m_condition].stimulus.attribute, locale));
+    box.layout->addWidget(kit::label(theme, words.join(QStringLiteral(" · "))));
+    addAgreement(*box.layout);
+    for (const std::string& warning : group.warnings)
+        box.layout->addWidget(kit::notice(theme, "warning", study_words::warning(warning)));
+    return box.frame;
+}
+
+void GroupPage::addAgreement(QVBoxLayout& layout) const {
+    if (m_facts.study.design.conditions[m_condition].task != psychophysics::Task::rank3)
+        return;
+    int right = 0;
+    int of = 0;
+    for (const RunFacts* run : runs())
+        for (const database::StudyTrial& trial : run->trials)
+            if (!trial.practice && trial.spoiled.empty() && trial.outcome >= 0) {
+                ++of;
+                right += trial.outcome == 0 ? 1 : 0;
+            }
+    const QLocale locale = m_app.locale();
+    if (of > 0)
+        layout.addWidget(kit::label(m_app.theme(), tr("Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 %)")
+                                                       .arg(locale.toString(right), locale.toString(of), study_words::percent(static_cast<double>(right) / of, locale)),
+                                    TextStyle::body, "muted"));
+}
+
+QWidget* GroupPage::plotBox() {
+    const Theme& theme = m_app.theme();
+    const kit::Box box = kit::box(theme);
+    auto* plot = new report::PlotView(plotThemeOf(theme, m_app.locale()));
+    plot->setObjectName(QStringLiteral("data.group_plot"));
+    plot->setMinimumHeight(theme.px(280));
+    plot->setTitle(tr("Weber fraction of each participant"));
+    plot->setYAxis({tr("Weber fraction (%)"), 0.0, {}});
+    plot->setXAxis({tr("Participant"), {}, {}});
+    std::vector<QString> names;
+    std::vector<report::PlotPoint> points;
+    std::vector<double> spreads;
+    for (const RunFacts* run : runs()) {
+        const psychophysics::RunEstimate& estimate = run->estimate;
+        const double at = static_cast<double>(names.size());
+        names.push_back(QString::fromStdString(m_facts.study.participants[run->participant].participant.code));
+        if (!std::isfinite(estimate.weber))
+            continue;
+        points.push_back({at, kPercent * estimate.weber});
+        spreads.push_back(0.5 * kPercent * (estimate.weber95.high - estimate.weber95.low));
+    }
+    plot->addMeans(tr("estimate, half of its 95 % interval up and down"), points, spreads);
+    plot->setXCategories(names);
+    if (points.empty())
+        plot->setNote(tr("No estimate yet"));
+    box.layout->addWidget(plot);
+    return box.frame;
+}
+
+QWidget* GroupPage::tableBox() {
+    const Theme& theme = m_app.theme();
+    const QLocale locale = m_app.locale();
+    auto* table = new FittedTable(theme, columns);
+    table->setObjectName(QStringLiteral("data.runs"));
+    table->setAccessibleName(tr("Runs"));
+    table->setHorizontalHeaderLabels({tr("Code"), tr("Weber fraction"), tr("95 % interval"), tr("JND"), tr("Trials"), tr("Run"), tr("Warnings")});
+    const std::vector<const RunFacts*> shown = runs();
+    const psychophysics::Attribute attribute = m_facts.study.design.conditions[m_condition].stimulus.attribute;
+    table->setRowCount(static_cast<int>(shown.size()));
+    for (int row = 0; row < table->rowCount(); ++row) {
+        const RunFacts& run = *shown[static_cast<std::size_t>(row)];
+        const auto put = [&](int column, const QString& text) {
+            auto* item = new QTableWidgetItem(text);
+            item->setData(Qt::UserRole, qlonglong(run.run.id));
+            table->setItem(row, column, item);
+        };
+        put(codeColumn, QString::fromStdString(m_facts.study.participants[run.participant].participant.code));
+        put(weberColumn, study_words::percent(run.estimate.weber, locale));
+        put(intervalColumn, study_words::intervalPercent(run.estimate.weber95.low, run.estimate.weber95.high, locale));
+        put(jndColumn, m_facts.study.blind() ? tr("sealed") : study_words::value(run.estimate.jnd, attribute, locale));
+        put(trialsColumn, run.spoiled > 0 ? tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled)) : locale.toString(run.scored));
+        put(stateColumn, study_words::runState(run.run.state));
+        QStringList warnings;
+        for (const std::string& warning : run.estimate.warnings)
+            warnings << study_words::warning(warning);
+        put(warningColumn, warnings.join(QStringLiteral("; ")));
+    }
+    table->setRowsSeen(std::clamp(table->rowCount(), kFewestRows, kMostRows));
+    connect(table, &QTableWidget::activated, this, [this](const QModelIndex& index) { emit runOpened(index.data(Qt::UserRole).toLongLong()); });
+    return table;
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/study_data/study_facts.h"
+
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+/// All participants at one condition: each one's Weber fraction with its interval, and what they share. GUI thread; the facts outlive it.
+class GroupPage final : public QWidget {
+    Q_OBJECT
+public:
+    GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condition, QWidget* parent = nullptr);
+
+signals:
+    void conditionChosen(uint condition);
+    void runOpened(qlonglong run);
+
+private:
+    QWidget* chooser();
+    QWidget* groupBox();
+    void addAgreement(QVBoxLayout& layout) const; ///< of rankings
+    QWidget* plotBox();
+    QWidget* tableBox();
+    std::vector<const RunFacts*> runs() const;
+
+    AppContext& m_app;
+    const StudyFacts& m_facts;
+    std::size_t m_condition;
+};
+
+} // namespace chiron::desktop

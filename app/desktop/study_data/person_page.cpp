@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/study_data/person_page.h"
+
+#include "desktop/plots/plot_theme_of.h"
+#include "desktop/studies/field_grid.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/study_data/run_choice.h"
+#include "desktop/widgets/kit.h"
+#include "report/plot_view.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <cmath>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr double kPercent = 100.0;
+}
+
+const RunFacts* runOf(const StudyFacts& facts, database::StudyRunNumber run) {
+    for (const RunFacts& each : facts.runs)
+        if (each.run.id == run)
+            return &each;
+    return facts.runs.empty() ? nullptr : &facts.runs.front();
+}
+
+QComboBox* runChoice(AppContext& app, const StudyFacts& facts, const RunFacts* chosen) {
+    auto* choice = new QComboBox;
+    choice->setObjectName(QStringLiteral("data.run"));
+    choice->setAccessibleName(QCoreApplication::translate("StudyData", "Participant and condition"));
+    choice->setFont(app.theme().font(TextStyle::body));
+    choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    for (const RunFacts& run : facts.runs)
+        choice->addItem(QStringLiteral("%1 · %2").arg(QString::fromStdString(facts.study.participants[run.participant].participant.code),
+                                                      conditionName(facts.study, run.run.condition, app.language())),
+                        qlonglong(run.run.id));
+    if (chosen)
+        choice->setCurrentIndex(choice->findData(qlonglong(chosen->run.id)));
+    return choice;
+}
+
+PersonPage::PersonPage(AppContext& app, const StudyFacts& facts, database::StudyRunNumber run, QWidget* parent) : QWidget(parent), m_app(app), m_facts(facts) {
+    const Theme& theme = app.theme();
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(14));
+    const RunFacts* shown = runOf(facts, run);
+    if (!shown) {
+        column->addWidget(kit::notice(theme, "info", tr("There are no runs yet.")));
+        return;
+    }
+    QComboBox* choice = runChoice(app, facts, shown);
+    connect(choice, &QComboBox::activated, this, [this, choice] { emit runChosen(choice->currentData().toLongLong()); });
+    column->addWidget(choice, 0, Qt::AlignLeft);
+    column->addWidget(estimateBox(*shown));
+    column->addWidget(curveBox(*shown));
+}
+
+QWidget* PersonPage::estimateBox(const RunFacts& run) const {
+    const Theme& theme = m_app.theme();
+    const QLocale locale = m_app.locale();
+    const psychophysics::RunEstimate& estimate = run.estimate;
+    const psychophysics::Condition& condition = m_facts.study.design.conditions[run.condition];
+    const kit::Box box = kit::box(theme);
+    auto* grid = new FieldGrid(theme, locale, true);
+    const auto fact = [&](const QString& name, const QString& value, const QString& interval) {
+        auto* part = new QWidget;
+        auto* column = new QVBoxLayout(part);
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(0);
+        column->addWidget(kit::label(theme, name, TextStyle::small, "muted"));
+        column->addWidget(kit::label(theme, value, TextStyle::title));
+        column->addWidget(kit::label(theme, interval.isEmpty() ? tr("no interval") : tr("95 %: %1").arg(interval), TextStyle::small, "muted"));
+        grid->cell(part);
+    };
+    fact(tr("Weber fraction"), study_words::percent(estimate.weber, locale), study_words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale));
+    if (!m_facts.study.blind()) {
+        const double perWeber = condition.stimulus.reference * study_words::unitOf(condition.stimulus.attribute).factor;
+        fact(tr("JND at the reference"), study_words::value(estimate.jnd, condition.stimulus.attribute, locale),
+             study_words::interval(estimate.weber95.low * perWeber, estimate.weber95.high * perWeber, locale));
+        if (std::isfinite(estimate.pse)) {
+            const double factor = study_words::unitOf(condition.stimulus.attribute).factor;
+            fact(tr("Point of equality"), study_words::value(estimate.pse, condition.stimulus.attribute, locale),
+                 study_words::interval(estimate.pse95.low * factor, estimate.pse95.high * factor, locale));
+        }
+    }
+    fact(tr("Internal noise, log10"), study_words::number(estimate.sigma_log10, locale), study_words::interval(estimate.sigma95.low, estimate.sigma95.high, locale));
+    box.layout->addWidget(grid);
+    box.layout->addWidget(kit::label(theme, tr("%1. %2. %3 scored trials, %4 repeated. %5")
+                                                .arg(study_words::task(condition.task), study_words::procedure(run.run.procedures), locale.toString(run.scored),
+                                                     locale.toString(run.spoiled), QString::fromStdString(estimate.method)),
+                                     TextStyle::small, "muted"));
+    const session::ReplayedChoices& again = run.replayed;
+    if (again.trials > 0)
+        box.layout->addWidget(kit::label(theme, again.same + again.ties == again.trials && again.sameProcedures
+                                                    ? tr("Run again from its log, the procedure makes the same %n choice(s).", nullptr, again.trials)
+                                                    : tr("Run again from its log, the procedure chooses differently: %1 of %2 are the same.")
+                                                          .arg(locale.toString(again.same + again.ties), locale.toString(again.trials)),
+                                         TextStyle::small, again.same + again.ties == again.trials ? "muted" : "warning"));
+    for (const std::string& warning : estimate.warnings)
+        box.layout->addWidget(kit::notice(theme, "warning", study_words::warning(warning)));
+    return box.frame;
+}
+
+QWidget* PersonPage::curveBox(const RunFacts& run) const {
+    const Theme& theme = m_app.theme();
+    const psychophysics::RunEstimate& estimate = run.estimate;
+    const kit::Box box = kit::box(theme);
+    auto* plot = new report::PlotView(plotThemeOf(theme, m_app.locale()));
+    plot->setObjectName(QStringLiteral("data.curve"));
+    plot->setMinimumHeight(theme.px(320));
+    plot->setTitle(tr("Right answers by difference"));
+    plot->setXAxis({tr("Difference from the reference (%)"), {}, {}});
+    plot->setYAxis({tr("Proportion right"), 0.0, 1.02});
+    const auto percentOf = [](const std::vector<double>& differences) {
+        std::vector<double> percents;
+        for (const double difference : differences)
+            percents.push_back(kPercent * study_words::ratioOf(difference));
+        return percents;
+    };
+    const std::vector<double> x = percentOf(estimate.curveDifference);
+    if (!x.empty() && estimate.curveLow.size() == x.size() && estimate.curveHigh.size() == x.size()) {
+        plot->addLine(tr("95 % band"), x, estimate.curveLow, report::PlotStyle::dashDotD);
+        plot->addLine({}, x, estimate.curveHigh, report::PlotStyle::dashDotD);
+    }
+    if (!x.empty())
+        plot->addLine(tr("fit"), x, estimate.curveProportion, report::PlotStyle::solidA);
+    std::vector<report::PlotPoint> points;
+    for (const psychophysics::CurvePoint& point : estimate.points)
+        if (point.of > 0)
+            points.push_back({kPercent * study_words::ratioOf(point.difference), static_cast<double>(point.right) / point.of});
+    if (!points.empty())
+        plot->addMarkers(tr("data"), points, report::PlotStyle::dashedB);
+    if (x.empty() && points.empty())
+        plot->setNote(tr("This task has no curve of right answers"));
+    else
+        plot->addReference(tr("criterion"), estimate.criterion);
+    box.layout->addWidget(plot);
+    return box.frame;
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/study_data/questionnaire_summary.h"
+
+#include "desktop/plots/plot_theme_of.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/kit.h"
+#include "report/plot_view.h"
+
+#include <algorithm>
+
+namespace chiron::desktop {
+
+using psychophysics::QuestionnaireItem;
+
+namespace {
+
+double quantileOf(const std::vector<double>& sorted, double q) {
+    const double at = q * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(at);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+} // namespace
+
+QuestionnaireSummary::QuestionnaireSummary(AppContext& app, const StudyFacts& facts, QWidget* parent) : QWidget(parent), m_app(app), m_facts(facts) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(app.theme().px(14));
+    if (facts.study.design.questionnaires.empty())
+        column->addWidget(kit::notice(app.theme(), "info", tr("This study has no questionnaires.")));
+    for (const psychophysics::Questionnaire& questionnaire : facts.study.design.questionnaires)
+        column->addWidget(questionnaireBox(questionnaire));
+}
+
+QWidget* QuestionnaireSummary::questionnaireBox(const psychophysics::Questionnaire& questionnaire) const {
+    const Theme& theme = m_app.theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, study_words::text(questionnaire.title, m_app.language()), TextStyle::title));
+    int people = 0;
+    for (const auto& [participant, id] : m_facts.study.answered)
+        people += id == questionnaire.id ? 1 : 0;
+    box.layout->addWidget(kit::label(theme, people == 0 ? tr("Nobody has answered it yet.") : tr("Answered by %n participant(s)", nullptr, people), TextStyle::body, "muted"));
+    if (people > 0)
+        for (const QuestionnaireItem& item : questionnaire.items) {
+            box.layout->addWidget(kit::rule());
+            box.layout->addWidget(itemPart(questionnaire, item));
+        }
+    return box.frame;
+}
+
+QWidget* QuestionnaireSummary::itemPart(const psychophysics::Questionnaire& questionnaire, const QuestionnaireItem& item) const {
+    const Theme& theme = m_app.theme();
+    const QLocale locale = m_app.locale();
+    auto* part = new QWidget;
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(6));
+    column->addWidget(kit::label(theme, study_words::text(item.text, m_app.language()), TextStyle::strong));
+    std::vector<double> numbers;
+    QStringList texts;
+    for (const database::QuestionnaireAnswer& answer : m_facts.answers) {
+        if (answer.questionnaire != questionnaire.id || answer.item != item.id)
+            continue;
+        if (answer.number)
+            numbers.push_back(*answer.number);
+        else if (!answer.text.empty())
+            texts << QString::fromStdString(answer.text);
+    }
+    std::sort(numbers.begin(), numbers.end());
+    if (numbers.empty() && texts.isEmpty())
+        column->addWidget(kit::label(theme, tr("No answers"), TextStyle::body, "muted"));
+    if (!numbers.empty() && item.kind != QuestionnaireItem::Kind::choice)
+        column->addWidget(kit::label(theme, tr("Median %1, middle half %2 to %3")
+                                                .arg(study_words::number(quantileOf(numbers, 0.5), locale), study_words::number(quantileOf(numbers, 0.25), locale),
+                                                     study_words::number(quantileOf(numbers, 0.75), locale))));
+    if (!numbers.empty() && item.kind != QuestionnaireItem::Kind::number)
+        column->addWidget(barsOf(item, numbers));
+    for (const QString& text : texts)
+        column->addWidget(kit::label(theme, tr("“%1”").arg(text), TextStyle::body));
+    return part;
+}
+
+QWidget* QuestionnaireSummary::barsOf(const QuestionnaireItem& item, const std::vector<double>& numbers) const {
+    const Theme& theme = m_app.theme();
+    const bool likert = item.kind == QuestionnaireItem::Kind::likert;
+    const int first = likert ? 1 : 0;
+    const int count = likert ? item.scale : static_cast<int>(item.choices.size());
+    std::vector<QString> names;
+    std::vector<report::PlotPoint> tops;
+    for (int i = 0; i < count; ++i) {
+        names.push_back(likert ? m_app.locale().toString(i + 1) : study_words::text(item.choices[static_cast<std::size_t>(i)], m_app.language()));
+        tops.push_back({static_cast<double>(i), static_cast<double>(std::count(numbers.begin(), numbers.end(), static_cast<double>(first + i)))});
+    }
+    auto* plot = new report::PlotView(plotThemeOf(theme, m_app.locale()));
+    plot->setMinimumHeight(theme.px(180));
+    plot->setLegendShown(false);
+    plot->setYAxis({tr("Answers"), 0.0, {}});
+    plot->setXAxis({likert ? tr("%1 … %2").arg(study_words::text(item.low, m_app.language()), study_words::text(item.high, m_app.language())) : QString(), {}, {}});
+    plot->addBars(tr("answers"), tops, report::PlotStyle::solidA, 0, 1);
+    plot->setXCategories(names);
+    return plot;
+}
+
+} // namespace chiron::desktop

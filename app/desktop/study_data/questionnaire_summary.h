@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/study_data/study_facts.h"
+
+#include <QWidget>
+
+namespace chiron::desktop {
+
+/// What was answered, question by question: distribution and middle of scales and numbers, counts of choices, free texts. GUI thread.
+class QuestionnaireSummary final : public QWidget {
+    Q_OBJECT
+public:
+    QuestionnaireSummary(AppContext& app, const StudyFacts& facts, QWidget* parent = nullptr);
+
+private:
+    QWidget* questionnaireBox(const psychophysics::Questionnaire& questionnaire) const;
+    QWidget* itemPart(const psychophysics::Questionnaire& questionnaire, const psychophysics::QuestionnaireItem& item) const;
+    QWidget* barsOf(const psychophysics::QuestionnaireItem& item, const std::vector<double>& numbers) const;
+
+    AppContext& m_app;
+    const StudyFacts& m_facts;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unblinding and exports.
+#include "desktop/study_data/study_data_screen.h"
+
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/flow_layout.h"
+#include "desktop/widgets/kit.h"
+#include "report/plot_theme.h"
+#include "session/study_export.h"
+#include "session_report/study_report.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QProgressDialog>
+#include <QTimer>
+
+namespace chiron::desktop {
+
+QWidget* StudyDataScreen::toolRow() {
+    const Theme& theme = context().theme();
+    auto* bar = new QWidget;
+    auto* row = new FlowLayout(theme.px(8), bar);
+    const auto add = [&](const char* name, const QString& text, const char* icon, auto act) {
+        auto* button = kit::button(theme, text, "", QLatin1String(icon));
+        button->setObjectName(QLatin1String(name));
+        connect(button, &QPushButton::clicked, this, act);
+        row->addWidget(button);
+        return button;
+    };
+    add("data.csv", tr("CSV …"), "document-export-table", [this] { askFolder(&StudyDataScreen::exportCsvTo); });
+    add("data.bids", tr("BIDS …"), "document-export", [this] { askFolder(&StudyDataScreen::exportBidsTo); });
+#ifdef CHIRON_STUDY_REPORT
+    add("data.pdf", tr("PDF …"), "document-print", [this] { askPdf(); });
+#endif
+    const bool own = m_facts.study.summary.author == context().actor().personId() || context().has(database::Role::admin);
+    if (m_facts.study.blind() && own)
+        add("data.unblind", tr("Unblind …"), "object-unlocked", [this] { askUnblind(); });
+    return bar;
+}
+
+std::vector<ScreenCommand> StudyDataScreen::commands() {
+    return {{tr("Export as CSV"), {}, [this] { askFolder(&StudyDataScreen::exportCsvTo); }},
+#ifdef CHIRON_STUDY_REPORT
+            {tr("Write a PDF"), QKeySequence(QKeySequence::Print), [this] { askPdf(); }},
+#endif
+            {tr("Export as BIDS"), {}, [this] { askFolder(&StudyDataScreen::exportBidsTo); }}};
+}
+
+void StudyDataScreen::askUnblind() {
+    auto* box = new QMessageBox(QMessageBox::Warning, title(), tr("Unblind this study?"), QMessageBox::NoButton, window());
+    box->setObjectName(QStringLiteral("data.ask_unblind"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(tr("From now on conditions go by their names, for everybody. It is recorded who unblinded it and when. This cannot be undone."));
+    QPushButton* keep = box->addButton(tr("Stay blind"), QMessageBox::RejectRole);
+    QPushButton* unblind = box->addButton(tr("Unblind"), QMessageBox::DestructiveRole);
+    unblind->setObjectName(QStringLiteral("data.ask_unblind.unblind"));
+    box->setDefaultButton(keep);
+    box->setEscapeButton(keep);
+    connect(unblind, &QPushButton::clicked, this, [this] {
+        writeStudies(
+            context(), this, [study = m_study](database::StudyRepository& studies) { return studies.unblindStudy(study); },
+            [this](const core::Result<void>& done) {
+                if (!done)
+                    context().messages().error(tr("The study was not unblinded."), done.error());
+                else
+                    load();
+            });
+    });
+    box->open();
+}
+
+void StudyDataScreen::askFolder(void (StudyDataScreen::*then)(const QString&)) {
+    auto* dialog = new QFileDialog(this, tr("Where should the folder go?"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, this, then);
+    dialog->open();
+}
+
+void StudyDataScreen::exportTo(const QString& folder, const QString& what,
+                               const std::function<core::Result<void>(database::Connection&, database::StudyReader&)>& write) {
+    auto* progress = new QProgressDialog(tr("Writing %1 …").arg(what), QString(), 0, 0, this);
+    progress->setWindowModality(Qt::WindowModal);
+    progress->setMinimumDuration(500); // shorter work needs no window
+    progress->setValue(0);
+    context().background().run(
+        this,
+        [&database = context().site().database(), actor = context().actor(), write](WorkToken&) -> core::Result<void> {
+            auto connection = database.openReader();
+            if (!connection)
+                return tl::unexpected(connection.error());
+            database::StudyReader reader(**connection, actor);
+            return write(**connection, reader);
+        },
+        [this, progress, folder, what](const core::Result<void>& done) {
+            progress->deleteLater();
+            if (done)
+                context().messages().done(tr("%1 is written to %2.").arg(what, folder));
+            else
+                context().messages().error(tr("%1 could not be written.").arg(what), done.error());
+        });
+}
+
+void StudyDataScreen::exportCsvTo(const QString& parent) {
+    const QString folder = QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-csv"));
+    exportTo(folder, tr("The tables"), [study = m_study, folder](database::Connection&, database::StudyReader& reader) {
+        return session::exportStudyCsv(reader, study, folder.toStdString());
+    });
+}
+
+void StudyDataScreen::exportBidsTo(const QString& parent) {
+    const QString folder = QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-bids"));
+    exportTo(folder, tr("The BIDS dataset"), [study = m_study, folder, actor = context().actor()](database::Connection& connection, database::StudyReader& reader) {
+        return session::exportStudyBids(reader, connection, actor, study, folder.toStdString());
+    });
+}
+
+void StudyDataScreen::askPdf() {
+    auto* dialog = new QFileDialog(this, tr("Write a PDF"), QString(), tr("PDF (*.pdf)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("pdf"));
+    dialog->selectFile(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral(".pdf"));
+    connect(dialog, &QFileDialog::fileSelected, this, &StudyDataScreen::exportPdfTo);
+    dialog->open();
+}
+
+void StudyDataScreen::exportPdfTo(const QString& file) {
+    QApplication::setOverrideCursor(Qt::WaitCursor); // plots are drawn on the GUI thread
+    auto connection = context().site().database().openReader();
+    core::Result<void> done;
+    if (connection) {
+#ifdef CHIRON_STUDY_REPORT
+        database::StudyReader reader(**connection, context().actor());
+        done = session_report::writeStudyReport(file, reader, m_study, report::lightTheme(context().locale()), context().language().toStdString());
+#endif
+    } else {
+        done = tl::unexpected(connection.error());
+    }
+    QApplication::restoreOverrideCursor();
+    if (done)
+        context().messages().done(tr("The report is written to %1.").arg(file));
+    else
+        context().messages().error(tr("The report could not be written."), done.error());
+}
+
+} // namespace chiron::desktop

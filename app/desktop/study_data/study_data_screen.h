@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "desktop/frame/screen.h"
+#include "desktop/study_data/study_facts.h"
+
+#include <memory>
+#include <vector>
+
+class QComboBox;
+class QPushButton;
+class QTabBar;
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+class StatePanel;
+class WorkToken;
+
+/// What came of a study: group and persons, every trial, questionnaires; unblinding and exports. Place: {study, tab, condition, run}. GUI
+/// thread.
+class StudyDataScreen final : public Screen {
+    Q_OBJECT
+public:
+    enum Tab { groupTab, personTab, trialsTab, questionnairesTab, tabs };
+
+    StudyDataScreen(AppContext& context, const Place& place);
+    ~StudyDataScreen() override;
+
+    QString title() const override;
+    QString help() const override;
+    void enter() override;
+    std::vector<ScreenCommand> commands() override;
+
+    /// Writes into a new folder there (or a PDF file), as the buttons do once a place is chosen.
+    void exportCsvTo(const QString& parent);
+    void exportBidsTo(const QString& parent);
+    void exportPdfTo(const QString& file);
+
+private:
+    // study_data_screen.cpp
+    void loadList();
+    void load();
+    void loaded(core::Result<StudyFacts> facts);
+    void build();
+    QWidget* headRow();
+    void showPage();
+    void note();
+
+    // study_data_actions.cpp
+    QWidget* toolRow();
+    void askUnblind();
+    void askFolder(void (StudyDataScreen::*then)(const QString&));
+    void askPdf();
+    void exportTo(const QString& folder, const QString& what, const std::function<core::Result<void>(database::Connection&, database::StudyReader&)>& write);
+
+    StatePanel* m_panel = nullptr;
+    database::StudyNumber m_study;
+    int m_tab;
+    std::size_t m_condition;
+    database::StudyRunNumber m_run;
+    std::vector<database::StudySummary> m_list;
+    StudyFacts m_facts;
+    std::shared_ptr<WorkToken> m_work;
+    QTabBar* m_bar = nullptr;
+    QVBoxLayout* m_holder = nullptr;
+    QWidget* m_page = nullptr;
+};
+
+} // namespace chiron::desktop

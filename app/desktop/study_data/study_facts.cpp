@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/study_data/study_facts.h"
+
+#include <algorithm>
+
+namespace chiron::desktop {
+
+namespace {
+
+std::size_t indexOf(const OpenStudy& study, const database::Participant& participant) {
+    const auto found = std::find_if(study.participants.begin(), study.participants.end(), [&](const ParticipantRow& row) { return row.participant.id == participant.id; });
+    return static_cast<std::size_t>(found - study.participants.begin());
+}
+
+} // namespace
+
+core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::StudyNumber study) {
+    auto open = openStudy(reader, study);
+    if (!open)
+        return tl::unexpected(open.error());
+    auto analysis = session::analyseStudy(reader, study, open->design.seed);
+    if (!analysis)
+        return tl::unexpected(analysis.error());
+    StudyFacts facts{std::move(*open), {}, {}, {}};
+    for (std::size_t i = 0; i < analysis->conditions.size(); ++i) {
+        facts.groups.push_back(analysis->conditions[i].group);
+        for (session::AnalysedRun& run : analysis->conditions[i].runs)
+            if (const std::size_t participant = indexOf(facts.study, run.participant); participant < facts.study.participants.size())
+                facts.runs.push_back({participant, i, std::move(run.run), std::move(run.trials), std::move(run.estimate), run.replayed, run.scored, run.spoiled});
+    }
+    auto answers = reader.questionnaireAnswers(study);
+    if (!answers)
+        return tl::unexpected(answers.error());
+    facts.answers = std::move(*answers);
+    return facts;
+}
+
+} // namespace chiron::desktop

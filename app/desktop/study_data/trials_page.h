@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/study_data/study_facts.h"
+
+#include <QWidget>
+
+namespace chiron::desktop {
+
+/// Every presentation of a run with its fidelity; what did not count says why. GUI thread; the facts outlive it.
+class TrialsPageOfRun final : public QWidget {
+    Q_OBJECT
+public:
+    TrialsPageOfRun(AppContext& app, const StudyFacts& facts, database::StudyRunNumber run, QWidget* parent = nullptr);
+
+signals:
+    void runChosen(qlonglong run);
+
+private:
+    QWidget* table(const RunFacts& run) const;
+
+    AppContext& m_app;
+    const StudyFacts& m_facts;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/study_run/answer_panel.h"
+
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/flow_layout.h"
+#include "desktop/widgets/kit.h"
+
+#include <QDoubleValidator>
+#include <QLineEdit>
+#include <algorithm>
+
+namespace chiron::desktop {
+
+using psychophysics::Task;
+
+QStringList AnswerPanel::placeNames(int places) {
+    if (places == 1)
+        return {tr("here")};
+    if (places == 2)
+        return {tr("left"), tr("right")};
+    return {tr("left"), tr("middle"), tr("right")};
+}
+
+AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute attribute, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_task(task), m_attribute(attribute) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(8));
+    auto* words = kit::label(theme, question(), TextStyle::title);
+    words->setObjectName(QStringLiteral("answer.question"));
+    words->setAlignment(Qt::AlignCenter);
+    column->addWidget(words);
+    m_row = new QWidget;
+    auto* row = new QHBoxLayout(m_row);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(theme.px(12));
+    row->addStretch();
+    switch (task) {
+    case Task::rank3:
+        buildRanking();
+        break;
+    case Task::sameDifferent:
+        m_choices = {add(tr("Same (1)"), QStringLiteral("answer.0")), add(tr("Different (2)"), QStringLiteral("answer.1"))};
+        break;
+    case Task::yesNo:
+        m_choices = {add(tr("No (N)"), QStringLiteral("answer.0")), add(tr("Yes (Y)"), QStringLiteral("answer.1"))};
+        break;
+    case Task::adjustment:
+        connect(add(tr("Less (−)"), QStringLiteral("answer.less")), &QPushButton::clicked, this, [this] { key(Qt::Key_Minus); });
+        connect(add(tr("More (+)"), QStringLiteral("answer.more")), &QPushButton::clicked, this, [this] { key(Qt::Key_Plus); });
+        m_confirm = add(tr("They are the same (Enter)"), QStringLiteral("answer.confirm"), "primary");
+        break;
+    case Task::magnitude:
+        m_number = new QLineEdit;
+        m_number->setObjectName(QStringLiteral("answer.number"));
+        m_number->setAccessibleName(tr("Your number"));
+        m_number->setFont(theme.font(TextStyle::title));
+        m_number->setMaximumWidth(theme.px(160));
+        m_number->setValidator(new QDoubleValidator(0.0, 1e9, 6, m_number));
+        row->addWidget(m_number);
+        m_confirm = add(tr("Give it (Enter)"), QStringLiteral("answer.confirm"), "primary");
+        connect(m_number, &QLineEdit::returnPressed, this, &AnswerPanel::confirm);
+        break;
+    case Task::twoAfc:
+    case Task::threeAfc:
+    case Task::oddity: {
+        const QStringList names = placeNames(psychophysics::placesOf(task));
+        for (int i = 0; i < names.size(); ++i)
+            m_choices.push_back(add(tr("%1 (%2)").arg(names.at(i)).arg(i + 1), QStringLiteral("answer.%1").arg(i)));
+        break;
+    }
+    }
+    if (task != Task::rank3)
+        for (std::size_t i = 0; i < m_choices.size(); ++i)
+            connect(m_choices[i], &QPushButton::clicked, this, [this, i] { choose(static_cast<int>(i)); });
+    if (m_confirm)
+        connect(m_confirm, &QPushButton::clicked, this, &AnswerPanel::confirm);
+    row->addStretch();
+    column->addWidget(m_row);
+    m_why = kit::label(theme, QStringLiteral(" "), TextStyle::small, "muted");
+    m_why->setObjectName(QStringLiteral("answer.why"));
+    m_why->setAlignment(Qt::AlignCenter);
+    column->addWidget(m_why);
+    m_open = true;
+    setOpen(false);
+}
+
+QString AnswerPanel::question() const { return study_words::question(m_task, m_attribute); }
+
+QPushButton* AnswerPanel::add(const QString& text, const QString& name, const char* kind) {
+    auto* button = kit::button(m_theme, text, kind);
+    button->setObjectName(name);
+    button->setFont(m_theme.font(TextStyle::title));
+    static_cast<QHBoxLayout*>(m_row->layout())->addWidget(button);
+    return button;
+}
+
+void AnswerPanel::buildRanking() {
+    const QStringList names = placeNames(3);
+    for (int i = 0; i < names.size(); ++i) {
+        auto* button = add(tr("%1 (%2)").arg(names.at(i)).arg(i + 1), QStringLiteral("answer.%1").arg(i));
+        connect(button, &QPushButton::clicked, this, [this, i] { rank(i); });
+        m_choices.push_back(button);
+    }
+    m_back = add(tr("Back (⌫)"), QStringLiteral("answer.back"), "quiet");
+    connect(m_back, &QPushButton::clicked, this, &AnswerPanel::takeBack);
+    m_confirm = add(tr("That is it (Enter)"), QStringLiteral("answer.confirm"), "primary");
+}
+
+void AnswerPanel::setOpen(bool open, const QString& why) {
+    if (open == m_open && why == m_whyText)
+        return; // asked each frame
+    const bool opened = open && !m_open;
+    m_open = open;
+    m_whyText = why;
+    m_why->setText(why.isEmpty() ? QStringLiteral(" ") : why); // keeps its height
+    for (QPushButton* button : m_row->findChildren<QPushButton*>())
+        button->setEnabled(open);
+    if (m_number) {
+        m_number->setEnabled(open);
+        if (opened)
+            m_number->setFocus(Qt::OtherFocusReason);
+    }
+    if (m_task == Task::rank3)
+        showRanking();
+}
+
+void AnswerPanel::clear() {
+    m_order.clear();
+    if (m_number)
+        m_number->clear();
+    if (m_task == Task::rank3)
+        showRanking();
+    emit marksChanged();
+}
+
+std::vector<int> AnswerPanel::keys() {
+    return {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_Y, Qt::Key_N, Qt::Key_Plus, Qt::Key_Minus, Qt::Key_Equal, Qt::Key_Backspace};
+}
+
+bool AnswerPanel::key(int key) {
+    if (!m_open)
+        return false;
+    if (m_task == Task::adjustment && (key == Qt::Key_Plus || key == Qt::Key_Equal || key == Qt::Key_Minus)) {
+        emit adjusted(key == Qt::Key_Minus ? -1 : 1);
+        return true;
+    }
+    if (m_task == Task::yesNo && (key == Qt::Key_Y || key == Qt::Key_N)) {
+        choose(key == Qt::Key_Y ? 1 : 0);
+        return true;
+    }
+    if (m_task == Task::rank3 && key == Qt::Key_Backspace) {
+        takeBack();
+        return true;
+    }
+    const int index = key - Qt::Key_1;
+    if (m_task == Task::yesNo || index < 0 || index >= static_cast<int>(m_choices.size()))
+        return false;
+    m_task == Task::rank3 ? rank(index) : choose(index);
+    return true;
+}
+
+void AnswerPanel::enterKey() {
+    if (m_confirm && m_confirm->isEnabled())
+        confirm();
+}
+
+void AnswerPanel::choose(int index) {
+    if (m_open)
+        emit answered(index, std::nullopt);
+}
+
+void AnswerPanel::rank(int place) {
+    if (!m_open || m_order.size() >= 3 || std::find(m_order.begin(), m_order.end(), place) != m_order.end())
+        return;
+    m_order.push_back(place);
+    if (m_order.size() == 2) // the last one is given
+        m_order.push_back(3 - m_order[0] - m_order[1]);
+    showRanking();
+    emit marksChanged();
+}
+
+void AnswerPanel::takeBack() {
+    if (m_order.empty())
+        return;
+    m_order.resize(m_order.size() == 3 ? 1 : 0);
+    showRanking();
+    emit marksChanged();
+}
+
+void AnswerPanel::showRanking() {
+    for (std::size_t i = 0; i < m_choices.size(); ++i)
+        m_choices[i]->setEnabled(m_open && std::find(m_order.begin(), m_order.end(), static_cast<int>(i)) == m_order.end());
+    m_confirm->setEnabled(m_open && m_order.size() == 3);
+    m_back->setEnabled(m_open && !m_order.empty());
+}
+
+QStringList AnswerPanel::marks() const {
+    static const char* const kMarks[] = {QT_TR_NOOP("least"), QT_TR_NOOP("between"), QT_TR_NOOP("most")};
+    QStringList marks;
+    if (m_task != Task::rank3)
+        return marks;
+    for (int place = 0; place < 3; ++place) {
+        const auto found = std::find(m_order.begin(), m_order.end(), place);
+        marks << (found == m_order.end() ? QString() : tr(kMarks[found - m_order.begin()]));
+    }
+    return marks;
+}
+
+void AnswerPanel::confirm() {
+    if (!m_open)
+        return;
+    if (m_task == Task::rank3 && m_order.size() == 3) {
+        psychophysics::Places said(3);
+        for (int rankOf = 0; rankOf < 3; ++rankOf)
+            said[static_cast<std::size_t>(m_order[static_cast<std::size_t>(rankOf)])] = rankOf;
+        const auto& all = psychophysics::arrangements(Task::rank3);
+        emit answered(static_cast<int>(std::find(all.begin(), all.end(), said) - all.begin()), std::nullopt);
+    } else if (m_task == Task::adjustment) {
+        emit answered(0, std::nullopt);
+    } else if (m_number) {
+        bool good = false;
+        const double value = m_number->locale().toDouble(m_number->text(), &good);
+        if (good && value > 0.0)
+            emit answered(0, value);
+        else
+            m_why->setText(tr("A number above nothing, please."));
+    }
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "psychophysics/study/arrangement.h"
+#include "psychophysics/study/attribute.h"
+
+#include <QStringList>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace chiron::desktop {
+
+/// How a participant answers a task: the question and a button for each answer, all by keys as well (1 2 3, Y N, + −, Enter). No value or
+/// name of a condition is in it. GUI thread.
+class AnswerPanel final : public QWidget {
+    Q_OBJECT
+public:
+    AnswerPanel(const Theme& theme, psychophysics::Task task, psychophysics::Attribute attribute, QWidget* parent = nullptr);
+
+    /// Whether an answer is taken now; where not, `why` says what is missing (may be empty).
+    void setOpen(bool open, const QString& why = {});
+    void clear(); ///< for the next trial
+    /// Keys that answer (Qt::Key); Enter comes by enterKey().
+    static std::vector<int> keys();
+    bool key(int key); ///< false: not one of them here
+    void enterKey();
+    /// What a ranking has so far, for the places ("1st" ...); empty without one.
+    QStringList marks() const;
+    QString question() const;
+
+    static QStringList placeNames(int places);
+
+signals:
+    void answered(int answer, std::optional<double> value);
+    void adjusted(int steps);
+    void marksChanged();
+
+private:
+    QPushButton* add(const QString& text, const QString& name, const char* kind = "");
+    void buildRanking();
+    void choose(int index);
+    void rank(int place);
+    void confirm();
+    void takeBack();
+    void showRanking();
+
+    const Theme& m_theme;
+    psychophysics::Task m_task;
+    psychophysics::Attribute m_attribute;
+    bool m_open = false;
+    QString m_whyText;
+    QLabel* m_why = nullptr;
+    QWidget* m_row = nullptr;
+    std::vector<QPushButton*> m_choices;
+    QPushButton* m_confirm = nullptr;
+    QPushButton* m_back = nullptr;
+    QLineEdit* m_number = nullptr;
+    std::vector<int> m_order; ///< ranking: places from least to most, so far
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/study_run/break_panel.h"
+
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/scroll_page.h"
+
+#include <QProgressBar>
+#include <cmath>
+
+namespace chiron::desktop {
+
+BreakPanel::BreakPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    auto* page = new ScrollPage(theme, 760);
+    all->addWidget(page);
+    QVBoxLayout* column = page->column();
+    column->setSpacing(theme.px(16));
+    column->addStretch(1);
+    m_title = kit::label(theme, {}, TextStyle::display);
+    m_title->setObjectName(QStringLiteral("break.title"));
+    m_title->setAlignment(Qt::AlignHCenter);
+    m_text = kit::label(theme, {}, TextStyle::title);
+    m_text->setObjectName(QStringLiteral("break.text"));
+    m_text->setAlignment(Qt::AlignHCenter);
+    m_bar = new QProgressBar;
+    m_bar->setAccessibleName(tr("Time of the break"));
+    m_bar->setTextVisible(false);
+    m_bar->hide();
+    m_button = kit::button(theme, {}, "primary");
+    m_button->setObjectName(QStringLiteral("break.button"));
+    m_button->setFont(theme.font(TextStyle::title));
+    column->addWidget(m_title);
+    column->addWidget(m_text);
+    column->addWidget(m_bar);
+    column->addWidget(m_button, 0, Qt::AlignHCenter);
+    column->addStretch(2);
+    connect(m_button, &QPushButton::clicked, this, &BreakPanel::acted);
+}
+
+void BreakPanel::say(const QString& title, const QString& text, const QString& action) {
+    m_title->setText(title);
+    m_text->setText(text);
+    m_text->setVisible(!text.isEmpty());
+    m_button->setText(action);
+    m_button->setVisible(!action.isEmpty());
+}
+
+void BreakPanel::countDown(double left_s, double of_s) {
+    m_bar->setVisible(left_s > 0.0 && of_s > 0.0);
+    m_button->setEnabled(left_s <= 0.0);
+    if (left_s > 0.0 && of_s > 0.0) {
+        m_bar->setRange(0, static_cast<int>(std::lround(10.0 * of_s)));
+        m_bar->setValue(static_cast<int>(std::lround(10.0 * (of_s - left_s))));
+    }
+}
+
+void BreakPanel::focusButton() {
+    if (m_button->isVisibleTo(this))
+        m_button->setFocus(Qt::OtherFocusReason);
+}
+
+} // namespace chiron::desktop

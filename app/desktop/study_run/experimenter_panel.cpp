@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/study_run/experimenter_panel.h"
+
+#include "desktop/plots/plot_theme_of.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/kit.h"
+#include "report/plot_view.h"
+
+#include <cmath>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr double kWeberPerSigma = 0.954; // JND75 = √2 · 0.6745 · σ
+constexpr double kPercent = 100.0;
+} // namespace
+
+double weberOf(const std::string& parameter, double value, psychophysics::ProcedureScale scale) {
+    if (parameter == "log10_sigma")
+        return std::pow(10.0, kWeberPerSigma * std::pow(10.0, value)) - 1.0;
+    if (parameter != "threshold")
+        return std::nan("");
+    const double difference = scale == psychophysics::ProcedureScale::logDifference ? std::pow(10.0, value) : value;
+    return std::pow(10.0, difference) - 1.0;
+}
+
+ExperimenterPanel::ExperimenterPanel(const Theme& theme, const QLocale& locale, QWidget* parent) : QScrollArea(parent), m_theme(theme), m_locale(locale) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::NoFocus);
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Experimenter"), TextStyle::title));
+    m_what = kit::label(theme, {}, TextStyle::strong);
+    m_what->setObjectName(QStringLiteral("experimenter.what"));
+    m_progress = kit::label(theme, {}, TextStyle::body);
+    m_progress->setObjectName(QStringLiteral("experimenter.progress"));
+    m_estimate = kit::label(theme, {}, TextStyle::body);
+    m_estimate->setObjectName(QStringLiteral("experimenter.estimate"));
+    m_fidelity = kit::label(theme, {}, TextStyle::small, "muted");
+    m_fidelity->setObjectName(QStringLiteral("experimenter.fidelity"));
+    box.layout->addWidget(m_what);
+    box.layout->addWidget(m_progress);
+    box.layout->addWidget(m_estimate);
+    m_plotHolder = new QVBoxLayout;
+    box.layout->addLayout(m_plotHolder, 1);
+    box.layout->addWidget(kit::rule());
+    box.layout->addWidget(m_fidelity);
+    m_spoil = add("experimenter.spoil", tr("Spoil this trial"), "", "edit-delete");
+    m_spoil->setToolTip(tr("It does not count and is presented again."));
+    m_pause = add("experimenter.pause", tr("Pause (Space)"), "", "media-playback-pause");
+    m_stop = add("experimenter.stop", tr("Stop …"), "danger", "media-playback-stop");
+    for (QPushButton* button : {m_spoil, m_pause, m_stop})
+        box.layout->addWidget(button);
+    connect(m_spoil, &QPushButton::clicked, this, &ExperimenterPanel::spoilAsked);
+    connect(m_pause, &QPushButton::clicked, this, &ExperimenterPanel::pauseAsked);
+    connect(m_stop, &QPushButton::clicked, this, &ExperimenterPanel::stopAsked);
+    setWidget(box.frame);
+}
+
+QPushButton* ExperimenterPanel::add(const char* name, const QString& text, const char* kind, const char* icon) {
+    auto* button = kit::button(m_theme, text, kind, QLatin1String(icon));
+    button->setObjectName(QLatin1String(name));
+    return button;
+}
+
+void ExperimenterPanel::show(const session::LiveStudyView& view, const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition) {
+    using State = session::LiveStudyView::State;
+    const bool blind = numbers.condition != condition.id;
+    m_what->setText(blind ? tr("Condition %1 (sealed)").arg(QString::fromStdString(numbers.sealedCode)) : QString::fromStdString(numbers.condition));
+    const QString most = view.ofAtMost > 0 ? tr("%1 of at most %2 trials").arg(m_locale.toString(numbers.scored), m_locale.toString(view.ofAtMost))
+                                           : tr("%n trial(s)", nullptr, numbers.scored);
+    m_progress->setText(view.practice ? tr("Practice, not scored. %1").arg(most) : tr("%1, %2 repeated").arg(most, m_locale.toString(numbers.spoiled)));
+    m_pause->setText(view.state == State::paused ? tr("Resume (Space)") : tr("Pause (Space)"));
+    m_spoil->setEnabled(view.state == State::exploring || view.state == State::answering);
+    const int seen = numbers.scored + numbers.spoiled + numbers.practice;
+    if (seen == m_seen)
+        return;
+    m_seen = seen;
+    m_fidelity->setText(fidelityText(numbers));
+    takeEstimates(numbers, condition);
+    if (blind)
+        m_estimate->setText(tr("The estimate stays sealed until the study is unblinded."));
+    else
+        draw(condition);
+}
+
+QString ExperimenterPanel::fidelityText(const session::LiveStudyNumbers& numbers) const {
+    if (m_seen <= 0)
+        return tr("The fidelity of each trial will be here.");
+    const session::TrialFidelity& trial = numbers.lastFidelity;
+    QStringList words;
+    words << (numbers.lastSpoiled.empty() ? tr("Last trial: counted.") : tr("Last trial: repeated. %1.").arg(study_words::spoiled(numbers.lastSpoiled)));
+    words << tr("Peak force %1 N, mean speed %2 mm/s, %3 contacts, %4 s.")
+                 .arg(study_words::number(trial.peakForce_N, m_locale), study_words::number(1e3 * trial.meanSpeed_m_per_s, m_locale),
+                      m_locale.toString(trial.contacts), study_words::number(trial.duration_s, m_locale));
+    words << tr("Felt value off by %1, late ticks %2, at its limit %3.")
+                 .arg(study_words::percent(trial.stiffnessError, m_locale), study_words::percent(trial.lateTicks, m_locale),
+                      study_words::percent(trial.saturated, m_locale));
+    words << (trial.measured ? tr("Force error %1 N.").arg(study_words::number(trial.forceErrorRms_N, m_locale)) : tr("The device measures no force."));
+    if (numbers.limited)
+        words << tr("The device cannot render all differences: %n are left.", nullptr, numbers.candidates);
+    return words.join(QLatin1Char('\n'));
+}
+
+void ExperimenterPanel::takeEstimates(const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition) {
+    m_points.resize(std::max(m_points.size(), numbers.estimates.size()));
+    for (std::size_t i = 0; i < numbers.estimates.size(); ++i) {
+        const psychophysics::ProcedureEstimate& estimate = numbers.estimates[i];
+        if (!estimate.known || estimate.parameters.empty())
+            continue;
+        const psychophysics::NamedEstimate& first = estimate.parameters.front();
+        const double weber = weberOf(first.name, first.mean, condition.scale);
+        if (std::isfinite(weber))
+            m_points[i].push_back({static_cast<double>(numbers.scored), kPercent * weber, kPercent * weberOf(first.name, first.low, condition.scale),
+                                   kPercent * weberOf(first.name, first.high, condition.scale)});
+    }
+}
+
+void ExperimenterPanel::draw(const psychophysics::Condition&) {
+    delete m_plot;
+    m_plot = nullptr;
+    if (m_points.empty() || m_points.front().empty()) {
+        m_estimate->setText(tr("The estimate will be here after the first scored trials."));
+        return;
+    }
+    const Point& last = m_points.front().back();
+    const QString interval = study_words::intervalPercent(last.low / kPercent, last.high / kPercent, m_locale);
+    const QString weber = study_words::percent(last.weber / kPercent, m_locale);
+    m_estimate->setText(interval.isEmpty() ? tr("Weber fraction %1").arg(weber) : tr("Weber fraction %1 (95 %: %2)").arg(weber, interval));
+    m_plot = new report::PlotView(plotThemeOf(m_theme, m_locale));
+    m_plot->setObjectName(QStringLiteral("experimenter.plot"));
+    m_plot->setMinimumHeight(m_theme.px(200));
+    m_plot->setXAxis({tr("Trial"), {}, {}});
+    m_plot->setYAxis({tr("Weber fraction (%)"), 0.0, {}});
+    m_plot->setLegendShown(m_points.size() > 1);
+    constexpr report::PlotStyle kStyles[] = {report::PlotStyle::solidA, report::PlotStyle::dashedB, report::PlotStyle::dottedC, report::PlotStyle::dashDotD};
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+        std::vector<double> trial, mean, low, high;
+        for (const Point& point : m_points[i]) {
+            trial.push_back(point.trial);
+            mean.push_back(point.weber);
+            if (std::isfinite(point.low) && std::isfinite(point.high)) {
+                low.push_back(point.low);
+                high.push_back(point.high);
+            }
+        }
+        m_plot->addLine(tr("procedure %1").arg(i + 1), trial, mean, kStyles[i % 4]);
+        if (i == 0 && low.size() == trial.size()) {
+            m_plot->addLine(tr("95 %"), trial, low, report::PlotStyle::dashDotD);
+            m_plot->addLine({}, trial, high, report::PlotStyle::dashDotD);
+        }
+    }
+    m_plotHolder->addWidget(m_plot);
+}
+
+} // namespace chiron::desktop

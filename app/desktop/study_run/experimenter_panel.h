@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "session/study/live_study.h"
+
+#include <QLocale>
+#include <QScrollArea>
+#include <vector>
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace chiron::report {
+class PlotView;
+}
+
+namespace chiron::desktop {
+
+/// What the experimenter sees beside the participant's view: how far, the estimate as it settles, how true the last trial was; spoil,
+/// pause, stop. Blind where the study is: sealed codes and no estimate. GUI thread.
+class ExperimenterPanel final : public QScrollArea {
+    Q_OBJECT
+public:
+    ExperimenterPanel(const Theme& theme, const QLocale& locale, QWidget* parent = nullptr);
+
+    void show(const session::LiveStudyView& view, const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition);
+
+signals:
+    void spoilAsked();
+    void pauseAsked();
+    void stopAsked();
+
+private:
+    QPushButton* add(const char* name, const QString& text, const char* kind, const char* icon);
+    void takeEstimates(const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition);
+    void draw(const psychophysics::Condition& condition);
+    QString fidelityText(const session::LiveStudyNumbers& numbers) const;
+
+    /// A procedure's estimate after a trial, as Weber fraction in percent.
+    struct Point {
+        double trial = 0.0;
+        double weber = 0.0;
+        double low = 0.0;
+        double high = 0.0;
+    };
+    const Theme& m_theme;
+    QLocale m_locale;
+    QLabel* m_what = nullptr;
+    QLabel* m_progress = nullptr;
+    QLabel* m_estimate = nullptr;
+    QLabel* m_fidelity = nullptr;
+    QVBoxLayout* m_plotHolder = nullptr;
+    report::PlotView* m_plot = nullptr;
+    QPushButton* m_spoil = nullptr;
+    QPushButton* m_pause = nullptr;
+    QPushButton* m_stop = nullptr;
+    int m_seen = -1; ///< presentations that the panel knows
+    std::vector<std::vector<Point>> m_points; ///< [procedure]
+};
+
+/// A procedure's first parameter as a Weber fraction: log10 σ by W = 10^(0.954 σ) − 1, a threshold by its scale; NaN for what is neither.
+double weberOf(const std::string& parameter, double value, psychophysics::ProcedureScale scale);
+
+} // namespace chiron::desktop

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/study_run/places_view.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::desktop {
+
+namespace {
+
+// A camera in front of and above the places: enough perspective to tell near from far, not so much that a place looks larger.
+constexpr double kHalfWidth_m = 0.085;  // of W that the width shows at y = 0
+constexpr double kTilt = 0.55;          // how much of y is seen as height
+constexpr double kHorizon_m = 0.9;      // far away: where lines meet
+constexpr double kFloor = 0.62;         // of the height, where y = 0, z = 0 lies
+constexpr double kPadHeight_m = 0.006;
+constexpr double kShaft_m = 0.09;
+
+} // namespace
+
+PlacesView::PlacesView(const Theme& theme, const PlacesSetup& setup, QWidget* parent) : QWidget(parent), m_theme(theme), m_setup(setup) {
+    setMinimumSize(theme.px(320), theme.px(200));
+    setAccessibleName(tr("Objects to explore"));
+    setFocusPolicy(Qt::StrongFocus);
+}
+
+void PlacesView::show(const haptics::DisplayState& state, const Now& now) {
+    m_haveTool = state.tools > 0;
+    m_tool = state.tool[0];
+    m_now = now;
+    update();
+}
+
+void PlacesView::setMarks(const QStringList& marks) {
+    m_marks = marks;
+    update();
+}
+
+double PlacesView::pixelsPerMetre(double y_m) const {
+    const double base = std::min(width() / (2.0 * kHalfWidth_m), height() / 0.12);
+    return base * kHorizon_m / (kHorizon_m + y_m);
+}
+
+QPointF PlacesView::project(double x_m, double y_m, double z_m) const {
+    const double scale = pixelsPerMetre(y_m);
+    return {0.5 * width() + x_m * scale, kFloor * height() - y_m * kTilt * scale - z_m * scale};
+}
+
+void PlacesView::paintField(QPainter& painter) const {
+    painter.fillRect(rect(), m_theme.color(Colour::sceneBackground));
+    QPainterPath field;
+    constexpr double kX_m = 0.078;
+    constexpr double kY_m = 0.034;
+    field.moveTo(project(-kX_m, -kY_m, 0));
+    field.lineTo(project(kX_m, -kY_m, 0));
+    field.lineTo(project(kX_m, kY_m, 0));
+    field.lineTo(project(-kX_m, kY_m, 0));
+    field.closeSubpath();
+    painter.setPen(QPen(m_theme.color(Colour::border), m_theme.px(1)));
+    painter.setBrush(m_theme.color(Colour::sceneField));
+    painter.drawPath(field);
+}
+
+void PlacesView::paintPad(QPainter& painter, double x_m) const {
+    const double scale = pixelsPerMetre(0.0);
+    const double rx = m_setup.padRadius_m * 1.25 * scale;
+    const double ry = rx * kTilt;
+    const QPointF top = project(x_m, 0, 0);
+    const QPointF foot = top + QPointF(0, kPadHeight_m * scale);
+    const QColor body = m_theme.color(Colour::accentSoft);
+    QLinearGradient side(top.x() - rx, 0, top.x() + rx, 0);
+    side.setColorAt(0.0, body.darker(118));
+    side.setColorAt(0.4, body);
+    side.setColorAt(1.0, body.darker(135));
+    QPainterPath wall;
+    wall.moveTo(top.x() - rx, top.y());
+    wall.arcTo(QRectF(foot.x() - rx, foot.y() - ry, 2 * rx, 2 * ry), 180, 180);
+    wall.lineTo(top.x() + rx, top.y());
+    wall.closeSubpath();
+    painter.setPen(QPen(m_theme.color(Colour::accent), m_theme.px(1)));
+    painter.setBrush(side);
+    painter.drawPath(wall);
+    QRadialGradient face(top - QPointF(0.3 * rx, 0.3 * ry), 1.6 * rx);
+    face.setColorAt(0.0, body.lighter(112));
+    face.setColorAt(1.0, body.darker(108));
+    painter.setBrush(face);
+    painter.drawEllipse(top, rx, ry);
+}
+
+void PlacesView::paintHook(QPainter& painter, double x_m, bool held) const {
+    const double scale = pixelsPerMetre(0.0);
+    const double radius = 0.006 * scale;
+    const QPointF foot = project(x_m, 0, 0);
+    const QPointF rest = project(x_m, 0, m_setup.hookHeight_m);
+    const QPointF end = held ? project(m_tool.p_WProxy_m[0], m_tool.p_WProxy_m[1], m_tool.p_WProxy_m[2]) : rest;
+    const QColor body = m_theme.color(Colour::accentSoft);
+    painter.setPen(QPen(m_theme.color(Colour::accent), m_theme.px(1)));
+    painter.setBrush(body.darker(112));
+    painter.drawEllipse(foot, 1.7 * radius, 1.7 * radius * kTilt);
+    QPen tube(body, 1.5 * radius, Qt::SolidLine, Qt::FlatCap);
+    QPen edge(m_theme.color(Colour::accent), 1.5 * radius + m_theme.px(2), Qt::SolidLine, Qt::FlatCap);
+    for (const QPen& pen : {edge, tube}) {
+        painter.setPen(pen);
+        painter.drawLine(foot, end);
+    }
+    painter.setPen(QPen(m_theme.color(Colour::accent), m_theme.px(2)));
+    painter.setBrush(body.lighter(108));
+    painter.drawEllipse(end, radius, radius);
+}
+
+void PlacesView::paintName(QPainter& painter, int place) const {
+    const double x_m = (place - 0.5 * (m_setup.places - 1)) * m_setup.spacing_m;
+    const QPointF at = project(x_m, -0.024, 0);
+    painter.setFont(m_theme.font(TextStyle::strong));
+    const bool touched = ((m_now.touched >> place) & 1U) != 0;
+    painter.setPen(m_theme.color(m_now.place == place ? Colour::accent : Colour::text));
+    const double w = m_setup.spacing_m * pixelsPerMetre(0.0);
+    const int line = painter.fontMetrics().height();
+    const QString name = place < m_setup.names.size() ? m_setup.names.at(place) : QString();
+    painter.drawText(QRectF(at.x() - 0.5 * w, at.y(), w, line), Qt::AlignCenter, touched ? name + QStringLiteral(" ✓") : name);
+    const QString mark = place < m_marks.size() ? m_marks.at(place) : QString();
+    if (mark.isEmpty())
+        return;
+    painter.setFont(m_theme.font(TextStyle::label));
+    const QRectF chip(at.x() - 0.5 * painter.fontMetrics().horizontalAdvance(mark) - m_theme.px(10), at.y() + line + m_theme.px(2),
+                      painter.fontMetrics().horizontalAdvance(mark) + m_theme.px(20), painter.fontMetrics().height() + m_theme.px(6));
+    painter.setPen(QPen(m_theme.color(Colour::accent), m_theme.px(1)));
+    painter.setBrush(m_theme.color(Colour::accentSoft));
+    painter.drawRoundedRect(chip, m_theme.px(8), m_theme.px(8));
+    painter.setPen(m_theme.color(Colour::text));
+    painter.drawText(chip, Qt::AlignCenter, mark);
+}
+
+void PlacesView::paintPlace(QPainter& painter, int place) const {
+    const double x_m = (place - 0.5 * (m_setup.places - 1)) * m_setup.spacing_m;
+    if (m_now.objects && m_setup.visible) {
+        m_setup.hooked ? paintHook(painter, x_m, m_now.place == place) : paintPad(painter, x_m);
+    } else {
+        const double rx = m_setup.padRadius_m * 1.25 * pixelsPerMetre(0.0);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(m_theme.color(Colour::borderStrong), m_theme.px(2), Qt::DashLine));
+        painter.drawEllipse(project(x_m, 0, 0), rx, rx * kTilt);
+    }
+    paintName(painter, place);
+}
+
+void PlacesView::paintTool(QPainter& painter) const {
+    if (!m_haveTool)
+        return;
+    const auto& p = m_tool.rendersForce ? m_tool.p_WT_m : m_tool.p_WProxy_m;
+    const QPointF tip = project(p[0], p[1], p[2]);
+    const QPointF shadow = project(p[0], p[1], 0.0);
+    const double scale = pixelsPerMetre(p[1]);
+    painter.setPen(Qt::NoPen);
+    QColor dark = m_theme.color(Colour::text);
+    dark.setAlpha(60);
+    painter.setBrush(dark);
+    painter.drawEllipse(shadow, 0.004 * scale, 0.004 * scale * kTilt);
+    const QPointF back = tip + QPointF(0.42 * kShaft_m * scale, -kShaft_m * scale);
+    painter.setPen(QPen(m_theme.color(Colour::text), 0.0042 * scale, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(tip, back);
+    painter.setPen(QPen(m_theme.color(Colour::borderStrong), 0.0022 * scale, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(tip, back);
+    painter.setPen(QPen(m_theme.color(Colour::text), m_theme.px(1)));
+    painter.setBrush(m_theme.color(m_now.place >= 0 ? Colour::accent : Colour::surface));
+    painter.drawEllipse(tip, 0.003 * scale, 0.003 * scale);
+}
+
+void PlacesView::paintForce(QPainter& painter) const {
+    // Nothing is felt: force is a bar beside the scene, without a number.
+    const QRectF bar(width() - m_theme.px(34), m_theme.px(20), m_theme.px(14), height() - m_theme.px(40));
+    painter.setPen(QPen(m_theme.color(Colour::borderStrong), m_theme.px(1)));
+    painter.setBrush(m_theme.color(Colour::surface));
+    painter.drawRoundedRect(bar, m_theme.px(4), m_theme.px(4));
+    const double share = std::clamp(m_now.force_N / m_now.limit_N, 0.0, 1.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(m_theme.color(Colour::accent));
+    painter.drawRoundedRect(QRectF(bar.left() + m_theme.px(2), bar.bottom() - share * bar.height(), bar.width() - m_theme.px(4), share * bar.height()),
+                            m_theme.px(3), m_theme.px(3));
+}
+
+void PlacesView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintField(painter);
+    for (int place = 0; place < m_setup.places; ++place)
+        paintPlace(painter, place);
+    paintTool(painter);
+    if (m_now.feltNothing)
+        paintForce(painter);
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "haptics/display_state.h"
+
+#include <QPointF>
+#include <QWidget>
+#include <cstdint>
+
+namespace chiron::desktop {
+
+/// Where objects lie and how a tool comes to them, in W (m).
+struct PlacesSetup {
+    int places = 3;
+    double spacing_m = 0.04;
+    double padRadius_m = 0.009;
+    double hookHeight_m = 0.03;
+    bool hooked = false;  ///< taken hold of (a tube, an object) instead of pressed (a pad)
+    bool visible = true;  ///< the objects are drawn; else their places alone
+    QStringList names;    ///< under the places: "left" ...
+};
+
+/// What a participant sees: places that all look alike, the tool, which ones were touched. Nothing drawn depends on a stimulus: objects
+/// do not give way, the tool is drawn at the surface. GUI thread.
+class PlacesView final : public QWidget {
+    Q_OBJECT
+public:
+    PlacesView(const Theme& theme, const PlacesSetup& setup, QWidget* parent = nullptr);
+
+    struct Now {
+        bool objects = false;       ///< they lie there
+        std::uint32_t touched = 0;  ///< one bit a place
+        int place = -1;             ///< touched now
+        bool feltNothing = false;   ///< the device renders no force: it is shown as a bar
+        double force_N = 0.0;
+        double limit_N = 4.0;
+    };
+    void show(const haptics::DisplayState& state, const Now& now);
+    /// Marks on the places ("1st" of a ranking); empty strings for none.
+    void setMarks(const QStringList& marks);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    QPointF project(double x_m, double y_m, double z_m) const;
+    double pixelsPerMetre(double y_m) const;
+    void paintField(QPainter& painter) const;
+    void paintPlace(QPainter& painter, int place) const;
+    void paintPad(QPainter& painter, double x_m) const;
+    void paintHook(QPainter& painter, double x_m, bool held) const;
+    void paintName(QPainter& painter, int place) const;
+    void paintTool(QPainter& painter) const;
+    void paintForce(QPainter& painter) const;
+
+    const Theme& m_theme;
+    PlacesSetup m_setup;
+    haptics::ToolDisplay m_tool;
+    bool m_haveTool = false;
+    Now m_now;
+    QStringList m_marks;
+};
+
+} // namespace chiron::desktop

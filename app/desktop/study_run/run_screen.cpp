@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/study_run/run_screen.h"
+
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/scroll_page.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QComboBox>
+#include <algorithm>
+
+namespace chiron::desktop {
+
+RunScreen::RunScreen(AppContext& context, const Place& place)
+    : Screen(context, place), m_study(place.parameters.value(QStringLiteral("study")).toLongLong()),
+      m_participant(place.parameters.value(QStringLiteral("participant")).toString()) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_panel = new StatePanel(context.theme());
+    column->addWidget(m_panel);
+}
+
+QString RunScreen::title() const { return tr("Run"); }
+
+QString RunScreen::help() const {
+    return tr("Takes a participant through a study.\n\nChoose the study and the participant's code. The conditions come in the participant's own order; "
+              "where the experimenter is blind they go by sealed codes. Questionnaires before and after are answered here, too.\n\nA run that was "
+              "interrupted goes on at the trial where it stopped.");
+}
+
+void RunScreen::enter() { load(); }
+
+void RunScreen::load() {
+    m_panel->showLoading(tr("Reading the studies …"),
+                         readStudies(context(), this,
+                                     [](database::StudyReader& reader) -> core::Result<std::vector<OpenStudy>> {
+                                         auto list = reader.listStudies();
+                                         if (!list)
+                                             return tl::unexpected(list.error());
+                                         std::vector<OpenStudy> studies;
+                                         for (const database::StudySummary& summary : *list) {
+                                             if (summary.state != database::StudyState::frozen && summary.state != database::StudyState::closed)
+                                                 continue;
+                                             auto open = openStudy(reader, summary.id);
+                                             if (!open)
+                                                 return tl::unexpected(open.error());
+                                             studies.push_back(std::move(*open));
+                                         }
+                                         return studies;
+                                     },
+                                     [this](core::Result<std::vector<OpenStudy>> studies) { loaded(std::move(studies)); }));
+}
+
+void RunScreen::loaded(core::Result<std::vector<OpenStudy>> studies) {
+    if (!studies) {
+        m_panel->showError(tr("The studies could not be read"), studies.error(), [this] { load(); });
+        return;
+    }
+    m_studies = std::move(*studies);
+    if (m_studies.empty()) {
+        m_panel->showEmpty(tr("No study can be run yet"), tr("A study is run once its design is frozen and participants are enrolled."), tr("Open the studies"),
+                           [this] { context().navigator().go(QStringLiteral("studies")); });
+        return;
+    }
+    if (!study())
+        m_study = m_studies.back().summary.id;
+    build();
+    m_panel->showContent();
+}
+
+const OpenStudy* RunScreen::study() const {
+    const auto found = std::find_if(m_studies.begin(), m_studies.end(), [this](const OpenStudy& each) { return each.summary.id == m_study; });
+    return found == m_studies.end() ? nullptr : &*found;
+}
+
+const ParticipantRow* RunScreen::participant() const {
+    const OpenStudy* open = study();
+    if (!open)
+        return nullptr;
+    for (const ParticipantRow& row : open->participants)
+        if (QString::fromStdString(row.participant.code) == m_participant)
+            return &row;
+    return nullptr;
+}
+
+void RunScreen::build() {
+    auto* page = new ScrollPage(context().theme(), 900);
+    page->column()->addWidget(kit::label(context().theme(), title(), TextStyle::heading));
+    page->column()->addWidget(choiceBox());
+    auto* holder = new QWidget;
+    m_holder = new QVBoxLayout(holder);
+    m_holder->setContentsMargins(0, 0, 0, 0);
+    m_shown = nullptr;
+    page->column()->addWidget(holder);
+    page->column()->addStretch();
+    delete m_panel->content();
+    m_panel->setContent(page);
+    showParticipant();
+}
+
+QWidget* RunScreen::choiceBox() {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    const auto add = [&](const QString& label, const char* name) {
+        auto* field = new QComboBox;
+        field->setObjectName(QLatin1String(name));
+        field->setAccessibleName(label);
+        field->setFont(theme.font(TextStyle::body));
+        auto* words = kit::label(theme, label, TextStyle::label);
+        words->setBuddy(field);
+        box.layout->addWidget(words);
+        box.layout->addWidget(field);
+        return field;
+    };
+    m_studyChoice = add(tr("Study"), "run.study");
+    for (const OpenStudy& each : m_studies)
+        m_studyChoice->addItem(QString::fromStdString(each.summary.title), qlonglong(each.summary.id));
+    m_studyChoice->setCurrentIndex(m_studyChoice->findData(qlonglong(m_study)));
+    m_participantChoice = add(tr("Participant, by code"), "run.participant");
+    for (const ParticipantRow& row : study()->participants) {
+        const QString code = QString::fromStdString(row.participant.code);
+        if (!row.participant.simulated)
+            m_participantChoice->addItem(tr("%1 · %2").arg(code, study_words::participantState(row.participant.state)), code);
+    }
+    const int wanted = m_participantChoice->findData(m_participant);
+    m_participantChoice->setCurrentIndex(std::max(0, wanted));
+    m_participant = m_participantChoice->currentData().toString();
+    m_participantChoice->setEnabled(m_participantChoice->count() > 0);
+    connect(m_studyChoice, &QComboBox::activated, this, [this] {
+        m_study = m_studyChoice->currentData().toLongLong();
+        m_participant.clear();
+        QMetaObject::invokeMethod(this, &RunScreen::build, Qt::QueuedConnection);
+    });
+    connect(m_participantChoice, &QComboBox::activated, this, [this] {
+        m_participant = m_participantChoice->currentData().toString();
+        showParticipant();
+    });
+    return box.frame;
+}
+
+void RunScreen::showParticipant() {
+    context().navigator().note({{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}});
+    delete m_shown;
+    m_shown = participantBox();
+    m_holder->addWidget(m_shown);
+}
+
+QWidget* RunScreen::participantBox() {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    const OpenStudy& open = *study();
+    const ParticipantRow* row = participant();
+    if (!row) {
+        box.layout->addWidget(kit::label(theme, tr("Nobody is enrolled yet."), TextStyle::title));
+        auto* enrol = kit::button(theme, tr("Enrol somebody"), "primary", QStringLiteral("list-add-user"));
+        enrol->setObjectName(QStringLiteral("run.enrol"));
+        connect(enrol, &QPushButton::clicked, this, [this] { context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
+        box.layout->addWidget(enrol, 0, Qt::AlignLeft);
+        return box.frame;
+    }
+    box.layout->addWidget(kit::label(theme, m_participant, TextStyle::heading));
+    if (row->participant.state == database::ParticipantState::enrolled) {
+        box.layout->addWidget(kit::notice(theme, "warning", tr("Consent is missing. Record it under the study's participants first.")));
+        auto* consent = kit::button(theme, tr("Open the participants"), "primary");
+        consent->setObjectName(QStringLiteral("run.consent"));
+        connect(consent, &QPushButton::clicked, this, [this] { context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
+        box.layout->addWidget(consent, 0, Qt::AlignLeft);
+        return box.frame;
+    }
+    using When = psychophysics::Questionnaire::When;
+    const auto questionnaires = [&](When when) {
+        for (const psychophysics::Questionnaire& each : open.design.questionnaires)
+            if (each.when == when)
+                box.layout->addWidget(questionnaireRow(*row, each));
+    };
+    questionnaires(When::before);
+    const std::vector<int> order = conditionOrder(open.design, row->participant.order);
+    bool next = row->participant.state == database::ParticipantState::consented;
+    for (std::size_t position = 0; position < order.size(); ++position) {
+        const std::string& id = open.design.conditions[static_cast<std::size_t>(order[position])].id;
+        const bool done = std::any_of(row->runs.begin(), row->runs.end(), [&](const database::StudyRun& run) {
+            return run.condition == id && run.state == database::StudyRunState::completed;
+        });
+        box.layout->addWidget(conditionRow(*row, static_cast<int>(position), order[position], next && !done));
+        next = next && done;
+    }
+    questionnaires(When::after);
+    return box.frame;
+}
+
+QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, int condition, bool next) {
+    const Theme& theme = context().theme();
+    const OpenStudy& open = *study();
+    const std::string id = open.design.conditions[static_cast<std::size_t>(condition)].id;
+    const kit::Box box = kit::box(theme, "raised");
+    auto* line = new QHBoxLayout;
+    const QString name = conditionName(open, id, context().language());
+    line->addWidget(kit::label(theme, tr("%1. %2").arg(context().locale().toString(position + 1), name), TextStyle::strong), 2);
+    QString state = tr("to come");
+    bool started = false;
+    for (const database::StudyRun& run : row.runs)
+        if (run.condition == id) {
+            state = study_words::runState(run.state);
+            started = run.state == database::StudyRunState::open;
+        }
+    line->addWidget(kit::label(theme, state, TextStyle::body, "muted"), 1);
+    if (next) {
+        auto* go = kit::button(theme, started ? tr("Go on") : tr("Begin"), "primary", QStringLiteral("media-playback-start"));
+        go->setObjectName(QStringLiteral("run.begin"));
+        go->setAccessibleName(tr("Begin or go on with %1").arg(name));
+        connect(go, &QPushButton::clicked, this, [this, id] { run(id); });
+        line->addWidget(go);
+    }
+    box.layout->addLayout(line);
+    return box.frame;
+}
+
+QWidget* RunScreen::questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire) {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme, "raised");
+    auto* line = new QHBoxLayout;
+    const QString name = study_words::text(questionnaire.title, context().language());
+    line->addWidget(kit::label(theme, name, TextStyle::strong), 2);
+    const bool done = study()->answered.contains({row.participant.id, questionnaire.id});
+    line->addWidget(kit::label(theme, done ? tr("answered") : tr("not answered yet"), TextStyle::body, "muted"), 1);
+    if (!done && row.participant.state != database::ParticipantState::withdrawn) {
+        auto* go = kit::button(theme, tr("Answer"), "", QStringLiteral("document-edit"));
+        go->setObjectName(QStringLiteral("run.questionnaire.%1").arg(QString::fromStdString(questionnaire.id)));
+        go->setAccessibleName(tr("Answer %1").arg(name));
+        connect(go, &QPushButton::clicked, this, [this, id = questionnaire.id] {
+            context().navigator().go(QStringLiteral("questionnaire"), {{QStringLiteral("study"), qlonglong(m_study)},
+                                                                       {QStringLiteral("participant"), m_participant},
+                                                                       {QStringLiteral("questionnaire"), QString::fromStdString(id)}});
+        });
+        line->addWidget(go);
+    }
+    box.layout->addLayout(line);
+    return box.frame;
+}
+
+void RunScreen::run(const std::string& condition) {
+#ifndef CHIRON_STUDY_TRIALS
+    context().messages().information(tr("Trials in this window are not built in. The command line runs simulated participants."));
+    return;
+#endif
+    context().navigator().go(QStringLiteral("study_trials"), {{QStringLiteral("study"), qlonglong(m_study)},
+                                                              {QStringLiteral("participant"), m_participant},
+                                                              {QStringLiteral("condition"), QString::fromStdString(condition)}});
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "desktop/frame/screen.h"
+#include "desktop/studies/study_store.h"
+
+#include <vector>
+
+class QComboBox;
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+class StatePanel;
+
+/// Who takes part next, at what: studies that can be run, participants by code, their conditions in order (by sealed code where the
+/// experimenter is blind) and questionnaires. Place: {study, participant}. GUI thread.
+class RunScreen final : public Screen {
+    Q_OBJECT
+public:
+    RunScreen(AppContext& context, const Place& place);
+
+    QString title() const override;
+    QString help() const override;
+    void enter() override;
+
+private:
+    void load();
+    void loaded(core::Result<std::vector<OpenStudy>> studies);
+    void build();
+    QWidget* choiceBox();
+    QWidget* participantBox();
+    QWidget* conditionRow(const ParticipantRow& row, int position, int condition, bool next);
+    QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire);
+    void showParticipant();
+    const OpenStudy* study() const;
+    const ParticipantRow* participant() const;
+    void run(const std::string& condition);
+
+    StatePanel* m_panel = nullptr;
+    QComboBox* m_studyChoice = nullptr;
+    QComboBox* m_participantChoice = nullptr;
+    QVBoxLayout* m_holder = nullptr;
+    QWidget* m_shown = nullptr;
+    std::vector<OpenStudy> m_studies;
+    database::StudyNumber m_study;
+    QString m_participant;
+};
+
+} // namespace chiron::desktop

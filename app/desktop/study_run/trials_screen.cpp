@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sitting from its instructions to its end.
+#include "desktop/study_run/trials_screen.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/study_run/answer_panel.h"
+#include "desktop/study_run/break_panel.h"
+#include "desktop/study_run/experimenter_panel.h"
+#include "desktop/study_run/places_view.h"
+#include "desktop/training/key_filter.h"
+#include "desktop/widgets/state_panel.h"
+#include "recording/crash_ring.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <cmath>
+
+namespace chiron::desktop {
+
+using State = session::LiveStudyView::State;
+
+namespace {
+constexpr int kFrame_ms = 16;
+}
+
+TrialsScreen::~TrialsScreen() {
+    m_keys->setActive(false);
+    m_pointer.reset();
+    m_hand.reset();
+    m_live.reset(); // ends the sitting; the run stays open
+    context().setTrialRuns(false);
+}
+
+QString TrialsScreen::title() const { return tr("Study"); }
+
+QString TrialsScreen::help() const {
+    return tr("Here a participant explores objects and answers.\n\nThe mouse moves the tool; the wheel or PageUp and PageDown raise and lower it. "
+              "T frees the pointer, a click in the scene takes it again. Answers are given by the buttons, or by the keys that stand on them.\n\n"
+              "Space pauses, Esc asks whether to stop. F2 shows the experimenter's side: progress, estimate, fidelity of the last trial, and the "
+              "button that spoils a trial. Every answered trial is kept; what is stopped goes on later at the same trial.");
+}
+
+void TrialsScreen::enter() {
+    m_note->setText(tr("Participant %1").arg(m_participant));
+    m_panel->showLoading(tr("Reading the study …"));
+    begin();
+}
+
+void TrialsScreen::begin() {
+    session::LiveStudyRequest request;
+    request.study = m_study;
+    request.participantCode = m_participant.toStdString();
+    request.condition = m_condition;
+    request.ringFolder = recording::defaultRingFolder();
+    auto station = session::keyboardMouseStation();
+    if (!station) {
+        fail(station.error());
+        return;
+    }
+    request.station = std::move(*station);
+    auto live = session::LiveStudy::start(context().site().database(), context().actor(), std::move(request));
+    if (!live) {
+        fail(live.error());
+        return;
+    }
+    m_live = std::move(*live);
+    context().setTrialRuns(true);
+    buildLive();
+    connectPointer();
+    if (m_live->design().trial.maskingSound)
+        m_sound.open();
+    m_live->pause(); // until the instructions are read
+    m_break->say(tr("Before you begin"), study_words::text(m_live->design().instructions, context().language()), tr("Begin"));
+    m_stage->setCurrentWidget(m_break);
+    m_panel->showContent();
+    m_break->focusButton();
+    m_frame.start(kFrame_ms);
+}
+
+void TrialsScreen::poll() {
+    if (!running())
+        return;
+    m_live->poll();
+    const session::LiveStudyView view = m_live->view();
+    if (m_begun)
+        showState(view);
+    else if (view.state != State::paused && view.state != State::starting && view.state != State::finished)
+        m_live->pause(); // nothing is presented while the instructions are read
+    if (m_experimenter->isVisible())
+        m_experimenter->show(view, m_live->numbers(), m_live->condition());
+    if (m_live->finished())
+        finished();
+}
+
+void TrialsScreen::showState(const session::LiveStudyView& view) {
+    m_progress->setValue(view.ofAtMost > 0 ? 100 * view.trial / view.ofAtMost : 0);
+    m_progress->setVisible(view.ofAtMost > 0);
+    m_note->setText(view.practice ? tr("Participant %1 · practice").arg(m_participant) : tr("Participant %1").arg(m_participant));
+    const bool changed = view.state != m_state;
+    m_state = view.state;
+    const bool scene = view.state == State::coming || view.state == State::arming || view.state == State::exploring || view.state == State::answering ||
+                       view.state == State::feedback;
+    if (scene) {
+        if (m_stage->currentWidget() != m_trial) {
+            m_stage->setCurrentWidget(m_trial);
+            m_places->setFocus(Qt::OtherFocusReason); // Enter answers, and presses no button that was left behind
+            capturePointer();
+        }
+        showScene(view);
+    } else {
+        if (m_stage->currentWidget() != m_break)
+            freePointer();
+        showBreak(view);
+    }
+    m_keys->setHeld(!scene);
+    if (m_live->design().trial.maskingSound)
+        m_sound.mask(m_masking && scene);
+    if (changed && view.state == State::coming)
+        m_answers->clear();
+}
+
+QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
+    switch (view.state) {
+    case State::coming:
+        return tr("The next objects are coming. Lift the tool off.");
+    case State::arming:
+        return tr("Force is coming. Hold still for a moment.");
+    case State::feedback:
+        return view.right.value_or(false) ? tr("Right.") : tr("Not this time.");
+    case State::exploring:
+        return view.canAnswer ? QString() : tr("Touch every object first.");
+    case State::answering:
+        return tr("The time to explore is over. Answer now.");
+    default:
+        return {};
+    }
+}
+
+void TrialsScreen::showScene(const session::LiveStudyView& view) {
+    haptics::DisplayState state;
+    m_live->training().display().read(state);
+    PlacesView::Now now;
+    now.objects = view.state == State::exploring || view.state == State::arming;
+    now.touched = view.touched;
+    now.place = view.place;
+    now.feltNothing = !m_live->training().felt();
+    const core::Array6& tissue = state.tool[0].tissue;
+    now.force_N = std::hypot(tissue[0], tissue[1], tissue[2]);
+    m_places->show(state, now);
+    m_answers->setOpen(view.canAnswer, whyNoAnswer(view));
+    m_time->setVisible(view.timeLeft_s > 0.0);
+    const double most_s = m_live->design().trial.exploreLimit_s;
+    if (most_s > 0.0)
+        m_time->setValue(static_cast<int>(std::lround(100.0 * view.timeLeft_s / most_s)));
+}
+
+void TrialsScreen::showBreak(const session::LiveStudyView& view) {
+    m_stage->setCurrentWidget(m_break);
+    switch (view.state) {
+    case State::starting:
+        m_break->say(tr("One moment …"), {}, {});
+        break;
+    case State::breakDue:
+        m_break->say(tr("A break"), view.breakLeft_s > 0.0 ? tr("Rest your hand. It can go on in %n second(s).", nullptr, static_cast<int>(std::ceil(view.breakLeft_s)))
+                                                           : tr("Whenever you are ready."),
+                     tr("Go on"));
+        break;
+    case State::needsExperimenter:
+        m_break->say(tr("Please ask the experimenter"), tr("The last trial could not be shown well enough, several times."), tr("Go on"));
+        break;
+    case State::paused:
+        m_break->say(tr("Paused"), tr("Everything so far is kept."), tr("Go on"));
+        break;
+    default:
+        m_break->say(tr("Thank you"), tr("This part is done."), {});
+        break;
+    }
+    m_break->countDown(view.state == State::breakDue ? view.breakLeft_s : -1.0, m_live->design().trial.breakAtLeast_s);
+}
+
+void TrialsScreen::onBreakButton() {
+    if (!running())
+        return;
+    m_begun = true;
+    switch (m_live->view().state) {
+    case State::breakDue:
+        if (m_live->view().breakLeft_s <= 0.0)
+            m_live->breakTaken();
+        break;
+    case State::needsExperimenter:
+        m_live->experimenterSays(true);
+        break;
+    case State::paused:
+        m_live->resume();
+        break;
+    default:
+        m_live->resume();
+        break;
+    }
+}
+
+void TrialsScreen::answer(int answer, std::optional<double> value) {
+    if (!running())
+        return;
+    if (const auto taken = m_live->answer(answer, value); !taken)
+        context().messages().error(tr("The answer was not taken."), taken.error());
+    m_answers->clear();
+}
+
+void TrialsScreen::pauseOrResume() {
+    if (!running())
+        return;
+    if (m_live->view().state == State::paused)
+        onBreakButton();
+    else
+        m_live->pause();
+}
+
+void TrialsScreen::freePointer() {
+    if (m_hand)
+        m_hand->releaseKeys();
+    if (m_pointer)
+        m_pointer->release();
+}
+
+void TrialsScreen::capturePointer() {
+    if (m_pointer && running() && QApplication::applicationState() == Qt::ApplicationActive)
+        m_pointer->capture();
+}
+
+void TrialsScreen::toggleExperimenter() {
+    m_experimenter->setVisible(!m_experimenter->isVisible());
+    if (running() && m_experimenter->isVisible())
+        m_experimenter->show(m_live->view(), m_live->numbers(), m_live->condition());
+}
+
+void TrialsScreen::askToStop() {
+    if (!running() || m_asking)
+        return;
+    m_asking = true;
+    m_live->pause();
+    freePointer();
+    QMessageBox box(QMessageBox::Question, title(), tr("Stop this sitting?"), QMessageBox::NoButton, window());
+    box.setObjectName(QStringLiteral("trials.ask"));
+    box.setInformativeText(tr("Every answered trial is kept. It goes on later at the same trial."));
+    QPushButton* keep = box.addButton(tr("Keep going"), QMessageBox::RejectRole);
+    keep->setObjectName(QStringLiteral("trials.ask.keep"));
+    QPushButton* stop = box.addButton(tr("Stop"), QMessageBox::DestructiveRole);
+    stop->setObjectName(QStringLiteral("trials.ask.stop"));
+    box.setDefaultButton(keep);
+    box.setEscapeButton(keep);
+    box.exec();
+    m_asking = false;
+    if (running() && box.clickedButton() == stop)
+        m_live->stop();
+}
+
+bool TrialsScreen::mayLeave() {
+    askToStop();
+    return !running() || m_live->finished();
+}
+
+void TrialsScreen::finished() {
+    m_over = true;
+    m_frame.stop();
+    m_sound.silence();
+    m_keys->setActive(false);
+    freePointer();
+    context().setTrialRuns(false);
+    const core::Result<session::LiveStudyResult>& result = m_live->result();
+    if (!result) {
+        fail(result.error());
+        return;
+    }
+    if (result->completed)
+        context().messages().done(tr("This condition is completed."));
+    else
+        context().messages().information(tr("Every answered trial is kept. The run goes on at the same trial."));
+    goBack();
+}
+
+void TrialsScreen::goBack() {
+    context().navigator().replace({QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}}});
+}
+
+void TrialsScreen::fail(const core::Error& error) {
+    m_over = true;
+    m_frame.stop();
+    m_keys->setActive(false);
+    context().setTrialRuns(false);
+    m_panel->showError(tr("The sitting could not be run"), error, [this] { goBack(); });
+}
+
+std::vector<ScreenCommand> TrialsScreen::commands() {
+    return {{tr("Experimenter's view"), QKeySequence(Qt::Key_F2), [this] { toggleExperimenter(); }, !running()},
+            {tr("Pause or go on"), QKeySequence(Qt::Key_Space), [this] { pauseOrResume(); }, false},
+            {tr("Stop the sitting"), QKeySequence(Qt::Key_Escape), [this] { askToStop(); }, false}};
+}
+
+} // namespace chiron::desktop

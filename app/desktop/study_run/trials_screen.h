@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/frame/screen.h"
+#include "desktop/training/hand_control.h"
+#include "desktop/training/scene_pointer.h"
+#include "desktop/training/sound_cue_player.h"
+#include "session/study/live_study.h"
+
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+
+namespace chiron::desktop {
+
+class AnswerPanel;
+class BreakPanel;
+class ExperimenterPanel;
+class KeyFilter;
+class PlacesView;
+class StatePanel;
+
+/// One sitting of one participant at one condition: the participant's view (no value, level or condition name) with the experimenter's
+/// beside it, when it is wanted. Each trial is stored as it is answered; leaving keeps the run, which is resumed at the trial. Place:
+/// {study, participant, condition}. GUI thread.
+class TrialsScreen final : public Screen {
+    Q_OBJECT
+public:
+    TrialsScreen(AppContext& context, const Place& place);
+    ~TrialsScreen() override;
+
+    QString title() const override;
+    QString help() const override;
+    void enter() override;
+    bool mayLeave() override;
+    bool isBusy() const override { return running(); }
+    std::vector<ScreenCommand> commands() override;
+
+    session::LiveStudy* live() const { return m_live.get(); } ///< null before it begins
+
+private:
+    // trials_screen_build.cpp
+    QWidget* buildHead();
+    QWidget* buildStage();
+    void buildLive(); ///< what depends on the task, once it is known
+    void buildKeys();
+    void connectPointer();
+
+    // trials_screen.cpp
+    void begin();
+    void poll();
+    void showState(const session::LiveStudyView& view);
+    void showScene(const session::LiveStudyView& view);
+    void showBreak(const session::LiveStudyView& view);
+    QString whyNoAnswer(const session::LiveStudyView& view) const;
+    void onBreakButton();
+    void answer(int answer, std::optional<double> value);
+    void pauseOrResume();
+    void askToStop();
+    void finished();
+    void fail(const core::Error& error);
+    void toggleExperimenter();
+    void freePointer();
+    void capturePointer();
+    bool running() const { return m_live && !m_over; }
+    void goBack();
+
+    QString m_participant;
+    std::string m_condition;
+    database::StudyNumber m_study;
+    StatePanel* m_panel = nullptr;
+    QStackedWidget* m_stage = nullptr;
+    BreakPanel* m_break = nullptr;
+    QWidget* m_trial = nullptr;
+    PlacesView* m_places = nullptr;
+    AnswerPanel* m_answers = nullptr;
+    QLabel* m_note = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QProgressBar* m_time = nullptr;
+    ExperimenterPanel* m_experimenter = nullptr;
+    QPushButton* m_stop = nullptr;
+    KeyFilter* m_keys = nullptr;
+    SoundCuePlayer m_sound{4.0};
+    bool m_masking = true;
+    bool m_over = false;
+    bool m_asking = false;
+    bool m_begun = false; ///< the instructions were read
+    session::LiveStudyView::State m_state = session::LiveStudyView::State::starting;
+    QTimer m_frame;
+    std::unique_ptr<session::LiveStudy> m_live;
+    std::unique_ptr<HandControl> m_hand;
+    std::unique_ptr<ScenePointer> m_pointer;
+};
+
+} // namespace chiron::desktop

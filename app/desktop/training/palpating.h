@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+
+namespace chiron::desktop {
+
+/// A palpation's own parameters; null for levels of another kind. Points into `level`.
+inline const simulation::PalpationParameters* palpationOf(const catalogue::ExerciseLevel& level) {
+    return std::get_if<simulation::PalpationParameters>(&level.parameters);
+}
+
+} // namespace chiron::desktop

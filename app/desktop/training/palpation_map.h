@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session/live_sample.h"
+#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "simulation/palpation/surface_map.h"
+
+#include <span>
+
+namespace chiron::desktop {
+
+/// Where the fingers pressed in the trial that runs, from every sample of the loop: what the live map shows. GUI thread.
+class PalpationMap {
+public:
+    explicit PalpationMap(const simulation::PalpationParameters& level)
+        : m_map(level.areaHalf_m, level.tissue.contactRadius_m, level.coverForce_N) {}
+
+    /// Samples since the frame before, of trial `trial`; another trial begins with an empty map.
+    void take(int trial, std::span<const session::LiveSample> samples);
+    const simulation::SurfaceMap& map() const noexcept { return m_map; }
+
+private:
+    simulation::SurfaceMap m_map;
+    int m_trial = -1;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/palpation_cues.h"
+
+#include <QLocale>
+#include <QString>
+#include <QStringList>
+
+namespace chiron::desktop {
+
+/// Words for what is found, the same in training, playback and debrief. Pure, all of these.
+QString hardnessWord(int rating);   ///< 1 "soft" .. 5 "stony"; 0: "not said"
+QString confidenceWord(int rating); ///< 1 "a guess" .. 5 "certain"; 0: "not said"
+QString sizeText(double radius_m, const QLocale& locale); ///< "14 mm across"; 0: "not said"
+/// "Finding 2: 14 mm across, firm, sure", of what the level asks; parts not said are named as such.
+QString findingText(int finding, const core::PalpationCues& cues, const QLocale& locale);
+/// What is still to be said of the findings: "Finding 2: size, confidence", one each; empty when all is said.
+QStringList missingRatings(const core::PalpationCues& cues, const QLocale& locale);
+int findingCount(const core::PalpationCues& cues);
+/// Which finger tool `tool` is: "Right index finger"; of one alone "Finger".
+QString fingerName(int tool, int hands, int fingers);
+
+} // namespace chiron::desktop
