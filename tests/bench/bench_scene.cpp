@@ -4,6 +4,7 @@
 #include "bench/alternating.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/laparoscopy_samples.h"
+#include "gui/scene3d/palpation_samples.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/urethra_samples.h"
 
@@ -20,6 +21,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 #include <utility>
 
 using namespace chiron;
@@ -76,6 +78,25 @@ Subject ovary() {
                 state.laparoscopy.body[1].p_W[0] += 0.01 * std::sin(2.0 * t_s);
                 return state;
             }};
+}
+
+/// Two fingers that press and wander on a curved tissue; the map on it changes with each picture.
+Subject palpation() {
+    Subject subject;
+    subject.setup = scene3d::samples::palpationSetup(scene3d::samples::Tissue::breast, 1, 2);
+    const auto map = std::make_shared<simulation::SurfaceMap>(scene3d::samples::searched(subject.setup, 0.3));
+    subject.at = [setup = subject.setup, map](double t_s) {
+        scene3d::SceneState state;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const core::Vec2 at(0.018 * double(i) + 0.020 * std::sin(2.0 * t_s), 0.020 * std::cos(1.3 * t_s));
+            scene3d::samples::pressFinger(state, setup, i, at, 0.004, {0.3, 0.2});
+            map->press(at, 1.0 + std::sin(t_s));
+        }
+        state.surfaceMap = map.get();
+        state.surfaceMapStep = map->step();
+        return state;
+    };
+    return subject;
 }
 
 class Window final : public QWidget {
@@ -279,13 +300,15 @@ int measure(const QString& self) {
     for (int i = 0; i < kRateRepeats; ++i)
         addRate(self, QStringLiteral("apex"), apex);
     printRate("frames a second, 1024x768, moving tip", 40.0, apex);
-    Rate pulled, carried;
+    Rate pulled, carried, felt;
     for (int i = 0; i < kRateRepeats; ++i) {
         addRate(self, QStringLiteral("tube"), pulled);
         addRate(self, QStringLiteral("ovary"), carried);
+        addRate(self, QStringLiteral("palpation"), felt);
     }
     printRate("abdomen, a tube between two graspers", 40.0, pulled);
     printRate("abdomen, an ovary that is carried", 40.0, carried);
+    printRate("breast, two fingers, coverage map", 40.0, felt);
     measureUrethra(self);
     double load = 0.0;
     getloadavg(&load, 1);
@@ -305,6 +328,8 @@ int main(int argc, char** argv) {
     if (mode != QStringLiteral("--frames"))
         return firstFrame(app);
     const QString what = argc > 2 ? QString::fromLocal8Bit(argv[2]) : QString();
+    if (what == QStringLiteral("palpation"))
+        return frames(app, palpation());
     if (what == QStringLiteral("tube") || what == QStringLiteral("ovary"))
         return frames(app, what == QStringLiteral("tube") ? tube() : ovary());
     const bool focus = what == QStringLiteral("focus");

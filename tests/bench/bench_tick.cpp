@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a whole tick costs: device packet, scene, supervisor, crash ring and display state, for every level of the
-// sphere-apex exercise; and the force law alone. Back to back, so caches are warm: bench_loop_lateness shows the tick at 1 kHz.
+// sphere-apex exercise and of palpation; and the force law alone. Back to back, so caches are warm: bench_loop_lateness shows the tick at 1 kHz.
 #include "bench/alternating.h"
 #include "bench/bench_table.h"
 #include "bench/tick_session.h"
@@ -16,7 +16,8 @@ using namespace chiron::bench;
 
 namespace {
 constexpr int kRepeats = 7;
-constexpr int kLevels = 4;
+constexpr int kLevels = 4;      ///< of sphere_apex
+constexpr int kPalpations = 5; ///< levels of palpation, one or two tools
 constexpr std::size_t kTicks = 30'000;
 constexpr std::size_t kWarmUp_ticks = 2'000;
 constexpr double kMedianGoal_ns = 1000.0;
@@ -117,12 +118,14 @@ double clockCost_ns() {
 
 int main() {
     core::setModelFloatingPointEnvironment();
-    printHeading("Whole tick, sphere-apex exercise, one tool, into the crash ring");
+    printHeading("Whole tick, sphere-apex exercise and palpation, into the crash ring");
     std::vector<BenchRow> rows;
     std::vector<RecordedSession> sessions;
     for (int level = 1; level <= kLevels; ++level)
-        sessions.push_back(orExit(recordSession(level, 40 + static_cast<std::uint64_t>(level), kTicks)));
-    std::vector<Passes> alone(kLevels), plant(kLevels);
+        sessions.push_back(orExit(recordSession("sphere_apex", level, 40 + static_cast<std::uint64_t>(level), kTicks)));
+    for (int level = 1; level <= kPalpations; ++level)
+        sessions.push_back(orExit(recordSession("palpation", level, 40 + static_cast<std::uint64_t>(level), kTicks)));
+    std::vector<Passes> alone(sessions.size()), plant(sessions.size());
     for (int r = 0; r < kRepeats; ++r) // levels and ways alternate
         for (std::size_t i = 0; i < sessions.size(); ++i) {
             alone[i].add(orExit(timeWithRecordedDevice(sessions[i])));
@@ -132,7 +135,7 @@ int main() {
         const RecordedSession& s = sessions[i];
         const std::size_t same = orExit(sameFrames(s));
         const char* id = s.setup.level.id.c_str();
-        rows.push_back(rowOf(text("tick, level %zu %s, recorded device", i + 1, id), alone[i],
+        rows.push_back(rowOf(text("tick, level %d %s, %zu tool(s), recorded device", s.setup.level.number, id, s.setup.devices.size()), alone[i],
                              text("%zu of %zu frames same bits", same, s.frames.size()), true));
         rows.push_back(rowOf("the same with simulated plant and hand", plant[i], "–", false));
     }

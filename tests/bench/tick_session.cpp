@@ -42,7 +42,8 @@ struct Recording {
     core::Result<void> start(const session::SessionSetup& setup) {
         auto tools = session::ToolPositions::create(setup);
         auto table = session::channelTableFor(setup);
-        auto made = recording::CrashRing::create({.folder = recording::defaultRingFolder(), .session = getpid()});
+        auto made = recording::CrashRing::create({.folder = recording::defaultRingFolder(), .session = getpid(),
+                                                  .tools = static_cast<int>(setup.devices.size())});
         if (!tools || !table || !made)
             return tl::unexpected(!tools ? tools.error() : !table ? table.error() : made.error());
         positions = std::move(*tools);
@@ -92,23 +93,49 @@ core::Result<session::Station> stationOf(const session::SessionSetup& setup) {
     auto station = session::scriptedStation(**kind, setup.level, kOperator, setup.seed);
     if (!station)
         return station;
-    if (auto opened = station->devices[0]->open(); !opened)
-        return tl::unexpected(opened.error());
+    for (const auto& device : station->devices)
+        if (auto opened = device->open(); !opened)
+            return tl::unexpected(opened.error());
     return station;
+}
+
+std::vector<haptics::LoopTool> toolsOf(const session::Station& station) {
+    std::vector<haptics::LoopTool> tools;
+    for (std::size_t i = 0; i < station.devices.size(); ++i)
+        tools.push_back({*station.devices[i], station.mappings[i]});
+    return tools;
 }
 
 /// The frames' packets through a device of the past and live inputs, tick by tick.
 struct Playback {
-    std::unique_ptr<devices::RecordedDevice> device;
+    std::vector<std::unique_ptr<devices::RecordedDevice>> devices;
     haptics::LiveInputs inputs;
+
+    core::Result<void> open(const session::SessionSetup& setup) {
+        for (const devices::DeviceDescriptor& descriptor : setup.devices) {
+            auto device = devices::RecordedDevice::create(descriptor);
+            if (!device)
+                return tl::unexpected(device.error());
+            devices.push_back(std::move(*device));
+        }
+        return {};
+    }
+    std::vector<haptics::LoopTool> tools(const session::SessionSetup& setup) const {
+        std::vector<haptics::LoopTool> out;
+        for (std::size_t i = 0; i < devices.size(); ++i)
+            out.push_back({*devices[i], setup.mappings[i]});
+        return out;
+    }
 
     void prepare(const core::HapticFrame& frame) noexcept {
         for (const core::Command& command : frame.header.commands)
             if (command.kind != core::CommandKind::none)
                 inputs.post(command);
-        core::DeviceSample sample = session::sampleOf(frame.tool[0]);
-        sample.arrival_ns = frame.header.now_ns - static_cast<std::int64_t>(frame.tool[0].age_us) * 1'000;
-        device->setSample(sample);
+        for (std::size_t i = 0; i < devices.size(); ++i) {
+            core::DeviceSample sample = session::sampleOf(frame.tool[i]);
+            sample.arrival_ns = frame.header.now_ns - static_cast<std::int64_t>(frame.tool[i].age_us) * 1'000;
+            devices[i]->setSample(sample);
+        }
     }
 };
 
@@ -118,22 +145,23 @@ std::unique_ptr<simulation::IScene> sceneOf(const session::SessionSetup& setup) 
     return (*session::exerciseKind(setup.level.exercise))->makeScene(setup);
 }
 
-core::Result<RecordedSession> recordSession(int level, std::uint64_t seed, std::size_t ticks) {
+core::Result<RecordedSession> recordSession(const char* exercise, int level, std::uint64_t seed, std::size_t ticks) {
     const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
     if (!catalogue)
         return tl::unexpected(catalogue.error());
     RecordedSession recorded;
-    recorded.setup.level = *catalogue->find("sphere_apex", level);
+    recorded.setup.level = *catalogue->find(exercise, level);
     recorded.setup.seed = seed;
     recorded.setup.safety = session::headlessSafety(recorded.setup.level);
     auto station = stationOf(recorded.setup);
     if (!station)
         return tl::unexpected(station.error());
-    recorded.setup.devices.push_back(station->devices[0]->descriptor());
+    for (const auto& device : station->devices)
+        recorded.setup.devices.push_back(device->descriptor());
     recorded.setup.mappings = station->mappings;
     haptics::LiveInputs inputs;
     tests::FrameStore store(ticks);
-    tests::LoopBench bench({{*station->devices[0], station->mappings[0]}}, inputs, store, sceneOf(recorded.setup),
+    tests::LoopBench bench(toolsOf(*station), inputs, store, sceneOf(recorded.setup),
                            recorded.setup.safety);
     inputs.post({core::CommandKind::start});
     realtime::TickSource source;
@@ -150,31 +178,30 @@ core::Result<TickTimes> timeWithPlant(const RecordedSession& recorded) {
     if (auto started = recording.start(recorded.setup); !station || !started)
         return tl::unexpected(!station ? station.error() : started.error());
     haptics::LiveInputs inputs;
-    tests::LoopBench bench({{*station->devices[0], station->mappings[0]}}, inputs, *recording.ring,
+    tests::LoopBench bench(toolsOf(*station), inputs, *recording.ring,
                            sceneOf(recorded.setup), recorded.setup.safety);
     inputs.post({core::CommandKind::start});
     return timeTicks(*bench.loop, recording, recorded.frames.size(), [](std::size_t) {});
 }
 
 core::Result<TickTimes> timeWithRecordedDevice(const RecordedSession& recorded) {
-    auto device = devices::RecordedDevice::create(recorded.setup.devices[0]);
+    Playback playback;
     Recording recording;
-    if (auto started = recording.start(recorded.setup); !device || !started)
-        return tl::unexpected(!device ? device.error() : started.error());
-    Playback playback{.device = std::move(*device), .inputs = {}};
-    tests::LoopBench bench({{*playback.device, recorded.setup.mappings[0]}}, playback.inputs, *recording.ring,
+    const auto opened = playback.open(recorded.setup);
+    if (auto started = recording.start(recorded.setup); !opened || !started)
+        return tl::unexpected(!opened ? opened.error() : started.error());
+    tests::LoopBench bench(playback.tools(recorded.setup), playback.inputs, *recording.ring,
                            sceneOf(recorded.setup), recorded.setup.safety);
     return timeTicks(*bench.loop, recording, recorded.frames.size(),
                      [&](std::size_t n) { playback.prepare(recorded.frames[n]); });
 }
 
 core::Result<std::size_t> sameFrames(const RecordedSession& recorded) {
-    auto device = devices::RecordedDevice::create(recorded.setup.devices[0]);
-    if (!device)
-        return tl::unexpected(device.error());
-    Playback playback{.device = std::move(*device), .inputs = {}};
+    Playback playback;
+    if (auto opened = playback.open(recorded.setup); !opened)
+        return tl::unexpected(opened.error());
     tests::FrameStore store(recorded.frames.size());
-    tests::LoopBench bench({{*playback.device, recorded.setup.mappings[0]}}, playback.inputs, store,
+    tests::LoopBench bench(playback.tools(recorded.setup), playback.inputs, store,
                            sceneOf(recorded.setup), recorded.setup.safety);
     realtime::TickSource source;
     for (const core::HapticFrame& frame : recorded.frames) {

@@ -12,7 +12,7 @@
 
 namespace chiron::bench {
 
-/// One sphere-apex session of the expert as the loop ran it, kept in memory: the input that every repeat gets again.
+/// One session of the expert as the loop ran it, kept in memory: the input that every repeat gets again.
 struct RecordedSession {
     session::SessionSetup setup;
     std::vector<core::HapticFrame> frames; ///< as many ticks as asked for, or fewer if it finished before
@@ -29,7 +29,7 @@ struct TickTimes {
 std::unique_ptr<simulation::IScene> sceneOf(const session::SessionSetup& setup);
 
 /// Runs `level` of the shipped content with the simulated plant, untimed. Failure: the product's own.
-core::Result<RecordedSession> recordSession(int level, std::uint64_t seed, std::size_t ticks);
+core::Result<RecordedSession> recordSession(const char* exercise, int level, std::uint64_t seed, std::size_t ticks);
 /// Whole ticks with the plant and the expert's hand on it, into a crash ring.
 core::Result<TickTimes> timeWithPlant(const RecordedSession& session);
 /// Whole ticks with the recorded packets as device, into a crash ring: what the loop itself costs.

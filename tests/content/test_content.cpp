@@ -38,6 +38,7 @@ private slots:
     void blindLevelsTellNothing();
     void levelsHaveGatesOnTheirHeadlines();
     void urethraLevelsHaveTheirGates();
+    void palpationLevelsHaveTheirGates();
     void onlyJsonAndReadmesAreShipped();
 };
 
@@ -105,7 +106,7 @@ void TestContent::keysCarryTheirUnits() {
                                             {"Fr", "_Fr"},          {"um", "_um"},
                                             {"g", "_g"},            {"ms", "_ms"},
                                             {"mm/s", "_mm_per_s"},  {"mN·m", "_mN_m"}};
-    for (const char* name : {"sphere_apex_parameters", "urethra_insertion_parameters", "elastic_tube_parameters"}) {
+    for (const char* name : {"sphere_apex_parameters", "urethra_insertion_parameters", "elastic_tube_parameters", "palpation_parameters"}) {
         const auto schema = readSchema(kContent + "/schema", QLatin1String(name));
         QVERIFY(schema.has_value());
         for (const auto& [key, property] : schema->properties) {
@@ -135,7 +136,7 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
             gated.insert(gate.metric);
         QVERIFY(gated.contains("apex_error_mean") && gated.contains("apex_misses"));
         QVERIFY(gated.contains("force_time_over_limit"));
-        std::size_t ofASphere = 0; // every metric but those of an instrument in a canal, of a tube and of objects handled
+        std::size_t ofASphere = 0; // every metric but those of an instrument in a canal, of a tube, of objects handled and of a palpation
         const std::set<std::string_view> ofOthers{"offset_rms", "offset_max", "alignment_rms", "bend_alignment",
                                                   "trauma_events", "torque_max", "torque_rms", "reversals",
                                                   "landmarks_seen", "inspection_travel", "insertion_depth",
@@ -143,12 +144,36 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
                                                   "tension_error_rms", "tension_error_sd", "time_in_band",
                                                   "over_stretches", "drops",
                                                   "squeeze_max", "squeeze_time_over_limit", "placement_error",
-                                                  "weighing_correct"};
+                                                  "weighing_correct",
+                                                  "palpation_hits", "palpation_misses", "palpation_false_alarms",
+                                                  "palpation_d_prime", "palpation_criterion", "palpation_roc_area",
+                                                  "localisation_error", "size_error", "hardness_order",
+                                                  "coverage", "force_band_time", "pressing_time", "searching_time"};
         for (const auto& metric : scoring::metricCatalogue())
             ofASphere += ofOthers.contains(metric.id) ? 0 : 1;
         QCOMPARE(level.metrics.size(), ofASphere);
         for (const auto& metric : level.metrics)
             QVERIFY(!ofOthers.contains(metric.id));
+    }
+}
+
+// No level passes who missed lumps, saw them everywhere, or pressed too hard; what is not asked for is not scored.
+void TestContent::palpationLevelsHaveTheirGates() {
+    for (const ExerciseLevel& level : shipped().find("palpation")->levels) {
+        std::map<std::string, scoring::Gate> gates;
+        for (const auto& gate : level.gates)
+            gates[gate.metric] = gate;
+        QVERIFY2(gates["palpation_misses"].maximum && gates["palpation_false_alarms"].maximum, level.id.c_str());
+        QVERIFY2(gates["force_time_over_limit"].maximum, level.id.c_str());
+        QCOMPARE(gates.contains("coverage"), level.number > 1); // hidden lumps: the whole area has to be searched
+        std::set<std::string> asked;
+        for (const auto& metric : level.metrics)
+            asked.insert(metric.id);
+        for (const char* id : {"palpation_hits", "palpation_misses", "palpation_false_alarms", "localisation_error", "coverage", "force_band_time",
+                               "searching_time", "pressing_time"})
+            QVERIFY2(asked.contains(id), id);
+        QCOMPARE(asked.contains("palpation_d_prime"), level.number > 1);
+        QCOMPARE(asked.contains("size_error") && asked.contains("hardness_order"), level.number == 3);
     }
 }
 

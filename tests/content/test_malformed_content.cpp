@@ -43,6 +43,8 @@ void TestMalformedContent::everyMutationIsRefused() {
                             "exercises/urethra_insertion/levels/unguided.json",
                             "exercises/urethra_insertion/presets/stricture.json",
                             "exercises/elastic_tube/levels/stiffening_tube.json",
+                            "exercises/palpation/levels/visible_lump.json",
+                            "tissues/pad.json",
                             "objects/ovary.json",
                             "meshes/organ.json"};
     ContentCopy copy;

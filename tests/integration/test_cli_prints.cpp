@@ -21,6 +21,7 @@ private slots:
     void hemisphereByHand();
     void columnsInAnyOrder();
     void parametersChangeTheLaw();
+    void palpationByHand();
     void polarForcesBothWays();
     void metricsOfAStraightLine();
     void brokenPipeIsAnError();
@@ -144,7 +145,7 @@ void TestCliPrints::lawsAreListed() {
     }
     for (const char* id : {"hemisphere", "friction", "polar_forces", "polar_weight", "urethra-centreline", "urethra-profile", "urethra-surface",
                            "elasticity", "strain-stiffening", "mass", "deformation", "roughness", "bristle-friction", "viscosity",
-                           "elastic-tube"})
+                           "elastic-tube", "voigt", "palpation-contact", "palpation-lump"})
         QVERIFY2(ids.contains(QLatin1String(id)), id);
 }
 
@@ -177,6 +178,20 @@ void TestCliPrints::parametersChangeTheLaw() {
     const auto row = firstRow(
         runCli({"evaluate", "hemisphere", "--parameters", parameters}, kHeader + "0.01,0,0.019,0,0,0\n"));
     QVERIFY(qAbs(row["fz_N"] - 1.0) < 1e-12);
+}
+
+// P3's figure 6 at 1 mm, 2 mm and 3 mm; 1 N at 45° along the finger; models.md §3's first lump at 4 mm: +45 %.
+void TestCliPrints::palpationByHand() {
+    auto row = firstRow(
+        runCli({"evaluate", "voigt"}, "dx_m,dy_m,dz_m,vx_m_per_s,vy_m_per_s,vz_m_per_s\n0.001,0.002,0.003,0.1,0,-0.1\n"));
+    QVERIFY(qAbs(row["fx_N"] - 0.805) < 1e-12 && qAbs(row["fy_N"] - 1.4) < 1e-12 && qAbs(row["fz_N"] - 1.9445) < 1e-12);
+    row = firstRow(runCli({"evaluate", "palpation-contact"}, "fx_N,fy_N,fz_N,nx,ny,nz\n0,-1,1,0,0,2\n"));
+    QVERIFY(qAbs(row["alpha_rad"] - 0.785398163397448) < 1e-12 && qAbs(row["normal_force_N"] - 1.0) < 1e-12);
+    QVERIFY(qAbs(row["pitch_rad"] - 0.523598775598299) < 1e-12 && row["roll_rad"] == 0.0 && row["saturated"] == 1.0);
+    const CliRun lump = runCli({"evaluate", "palpation-lump"}, "depth_m,rho_m\n0.004,0\n0.004,0.2\n");
+    row = firstRow(lump);
+    QVERIFY(qAbs(row["normal_force_N"] / (0.004 * 680.0 / 3.0) - 1.45) < 0.005 && row["lateral_force_N"] == 0.0);
+    QVERIFY(qAbs(row["energy_J"] - 0.5 * 680.0 / 3.0 * 16e-6 * (1.0 + row["chi"])) < 1e-15);
 }
 
 // P2's mapping is exact where heading or pitch is zero, and not elsewhere (models.md §2.1).

@@ -79,7 +79,14 @@ inline QString widerThanItsPage(const QWidget* widget) {
     const auto* area = qobject_cast<const QScrollArea*>(widget);
     if (!area || area->horizontalScrollBar()->maximum() == 0)
         return {};
-    return QStringLiteral("must be scrolled sideways by %1 px: %2").arg(area->horizontalScrollBar()->maximum()).arg(nameOf(widget));
+    const QWidget* widest = nullptr; // what asks for most, so that whoever reads this knows where to look
+    for (const QWidget* child : area->findChildren<QWidget*>())
+        if (child->isVisible() && child->findChildren<QWidget*>().isEmpty() &&
+            (!widest || child->minimumSizeHint().width() > widest->minimumSizeHint().width()))
+            widest = child;
+    return QStringLiteral("must be scrolled sideways by %1 px: %2; widest in it: %3")
+        .arg(area->horizontalScrollBar()->maximum())
+        .arg(nameOf(widget), widest ? nameOf(widest) : QString());
 }
 
 /// Everything on this page whose words are cut off, or that lies outside its parent where nobody can scroll to it.

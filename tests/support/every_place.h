@@ -4,8 +4,12 @@
 #include "desktop/widgets/state_panel.h"
 #include "support/grasp_session.h"
 #include "support/insertion_session.h"
+#include "support/made_study.h"
+#include "support/palpation_session.h"
 
 #include <QCoreApplication>
+#include <QPushButton>
+#include <QTimer>
 #include <vector>
 
 namespace chiron::tests {
@@ -25,6 +29,7 @@ struct VisitedSessions {
     database::SessionId tube = 0;      ///< an elastic tube, and below objects that were lifted; 0 without them
     database::SessionId tubeTwoHanded = 0;
     database::SessionId handling = 0;
+    database::SessionId palpation = 0; ///< 0 without it
 };
 
 inline VisitedSessions addVisitedSessions(DesktopFixture& desktop) {
@@ -36,11 +41,36 @@ inline VisitedSessions addVisitedSessions(DesktopFixture& desktop) {
     sessions.tube = addGrasping(desktop, "tina", "elastic_tube", 1);
     sessions.tubeTwoHanded = addGrasping(desktop, "tina", "elastic_tube", 4);
     sessions.handling = addGrasping(desktop, "tina", "object_handling", 1);
+    sessions.palpation = addPalpation(desktop, "tina");
     return sessions;
 }
 
+/// The researcher's screens, with studies on them and without.
+inline void addStudyPlaces(std::vector<VisitedPlace>& places, const VisitedStudies& studies) {
+    const auto add = [&](const char* name, const char* screen, const QVariantMap& parameters) {
+        places.push_back({name, "rhea", {QLatin1String(screen), parameters}});
+    };
+    const auto of = [](database::StudyNumber study, int tab) { return QVariantMap{{"study", qlonglong(study)}, {"tab", tab}}; };
+    add("studies", "studies", {});
+    add("study_about", "study", of(studies.draft, 0));
+    add("study_conditions", "study", of(studies.draft, 1));
+    add("study_trials", "study", of(studies.draft, 2));
+    add("study_questions", "study", of(studies.draft, 3));
+    add("study_preview", "study", of(studies.draft, 4));
+    add("study_participants", "study", of(studies.data, 5));
+    add("study_error", "study", of(9999, 0));
+    add("run", "study_run", {{"study", qlonglong(studies.data)}, {"participant", studies.waiting}});
+    add("run_blind", "study_run", {{"study", qlonglong(studies.blind)}});
+    add("data_group", "study_data", of(studies.data, 0));
+    add("data_person", "study_data", of(studies.data, 1));
+    add("data_trials", "study_data", of(studies.data, 2));
+    add("data_questions", "study_data", of(studies.data, 3));
+    add("data_blind", "study_data", of(studies.blind, 0));
+    add("questionnaire", "questionnaire", {{"study", qlonglong(studies.data)}, {"participant", studies.waiting}, {"questionnaire", "validity"}});
+}
+
 /// Every screen of the program, empty and failed ones too.
-inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions) {
+inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions, const VisitedStudies& studies = {}) {
     const auto place = [](const char* screen, const QVariantMap& parameters = {}) { return desktop::Place{QLatin1String(screen), parameters}; };
     const QVariantMap good{{"session", qlonglong(sessions.good)}};
     const QVariantMap bad{{"session", qlonglong(sessions.bad)}};
@@ -89,6 +119,15 @@ inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions) {
                               place("exercise_setup", {{"exercise", "elastic_tube"}, {"level", level}})});
     if (sessions.handling != 0)
         places.push_back({"exercise_setup_handling", "tina", place("exercise_setup", {{"exercise", "object_handling"}, {"level", 1}})});
+    if (sessions.palpation != 0) {
+        add("debrief_palpation", sessions.palpation, "debrief");
+        add("playback_palpation", sessions.palpation, "playback");
+        places.push_back({"exercise_setup_palpation", "tina", place("exercise_setup", {{"exercise", "palpation"}, {"level", 1}})});
+        places.push_back({"training_palpation_hidden", "tina", place("training", {{"exercise", "palpation"}, {"level", 4}})}); // two hands
+        places.push_back({"results_palpation", "tina", place("results", {{"exercise", "palpation"}, {"level", 1}})});
+    }
+    if (studies.data != 0)
+        addStudyPlaces(places, studies);
     return places;
 }
 
@@ -106,8 +145,22 @@ inline bool waitUntilLoaded(DesktopFixture& desktop) {
         10000);
 }
 
+/// Out of a running session, which is kept as stopped; false if it would not end.
+inline bool leaveTraining(DesktopFixture& desktop) {
+    if (!desktop.context.trialRuns())
+        return true;
+    QTimer::singleShot(600, qApp, [&desktop] {
+        if (auto* end = desktop.find<QPushButton>(QStringLiteral("training.ask.end")))
+            end->click();
+    });
+    desktop.find<QPushButton>(QStringLiteral("training.end"))->click();
+    return QTest::qWaitFor([&desktop] { return !desktop.context.trialRuns(); }, 10000) && waitUntilLoaded(desktop);
+}
+
 /// Goes there as that person ("" for nobody) and waits for what is loaded.
 inline bool visit(DesktopFixture& desktop, const VisitedPlace& visited, std::string& present) {
+    if (!leaveTraining(desktop))
+        return false;
     if (present != visited.person) {
         present = visited.person;
         if (present.empty())

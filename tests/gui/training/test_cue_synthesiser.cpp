@@ -58,6 +58,8 @@ private slots:
     void aTouchClicksOnce();
     void pitchRisesWithForce();
     void theWarningSoundsAboveTheLimitOnly();
+    void eachCueCanBeSwitchedOffAlone();
+    void leaningMakesTheToneBrighter();
     void everythingStaysContinuousAndUnclipped();
     void fadesToNothing();
     void nonsenseIsHarmless();
@@ -115,6 +117,53 @@ void TestCueSynthesiser::theWarningSoundsAboveTheLimitOnly() {
     QVERIFY(quiet);
 }
 
+void TestCueSynthesiser::eachCueCanBeSwitchedOffAlone() {
+    const auto loudness = [](desktop::SoundSwitches on, double force_N, std::uint32_t contacts) {
+        CueSynthesiser synthesiser(kRate_Hz);
+        synthesiser.set({.on = on, .audible = true});
+        (void)rendered(synthesiser, 0.05);
+        synthesiser.set({.force_N = force_N, .limit_N = 4.0, .contacts = contacts, .on = on, .audible = true});
+        return peak(rendered(synthesiser, 0.1));
+    };
+    const desktop::SoundSwitches none{false, false, false, false};
+    QCOMPARE(loudness(none, 6.0, 1), 0.0f);
+    QVERIFY(loudness({true, false, false, false}, 6.0, 1) > 0.08f);
+    QCOMPARE(loudness({true, false, false, false}, 6.0, 0), 0.0f);
+    QVERIFY(loudness({false, true, false, false}, 2.0, 1) > 0.1f);
+    QCOMPARE(loudness({false, false, true, false}, 2.0, 1), 0.0f); // lean has no voice of its own
+    QVERIFY(loudness({false, false, false, true}, 6.0, 1) > 0.2f);
+    QCOMPARE(loudness({false, false, false, true}, 3.9, 1), 0.0f);
+}
+
+/// The third harmonic, and nothing else: the same pitch, more of it the farther the force leans.
+void TestCueSynthesiser::leaningMakesTheToneBrighter() {
+    const auto harmonic = [](double lean, bool on, int times) {
+        CueSynthesiser synthesiser(kRate_Hz);
+        synthesiser.set({.force_N = 2.0, .limit_N = 4.0, .lean = lean, .on = {true, true, on, true}, .audible = true});
+        (void)rendered(synthesiser, 0.5);
+        const auto samples = rendered(synthesiser, 1.0);
+        const double frequency_Hz = times * 220.0 * std::exp2(1.0);
+        double re = 0.0, im = 0.0;
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const double angle = 2.0 * 3.141592653589793 * frequency_Hz * static_cast<double>(i) / kRate_Hz;
+            re += static_cast<double>(samples[i]) * std::cos(angle);
+            im += static_cast<double>(samples[i]) * std::sin(angle);
+        }
+        return 2.0 * std::hypot(re, im) / static_cast<double>(samples.size());
+    };
+    QVERIFY(harmonic(0.0, true, 3) < 1e-3);
+    QVERIFY(harmonic(1.0, false, 3) < 1e-3);
+    double before = harmonic(0.0, true, 3);
+    for (const double lean : {0.25, 0.5, 1.0}) {
+        const double now = harmonic(lean, true, 3);
+        QVERIFY(now > before + 0.01);
+        before = now;
+    }
+    QCOMPARE(harmonic(5.0, true, 3), before); // it ends where the platform does
+    QVERIFY(harmonic(1.0, true, 2) < 1e-3);
+    QVERIFY(harmonic(1.0, true, 1) > harmonic(1.0, true, 3));
+}
+
 void TestCueSynthesiser::everythingStaysContinuousAndUnclipped() {
     CueSynthesiser synthesiser(kRate_Hz);
     std::uint32_t seed = 1;
@@ -124,7 +173,8 @@ void TestCueSynthesiser::everythingStaysContinuousAndUnclipped() {
     for (int block = 0; block < 2000; ++block) { // as jumpy as a window that stalls: any cue after any other
         seed = seed * 1664525u + 1013904223u;
         contacts += seed >> 31;
-        synthesiser.set({.force_N = ((seed >> 8) % 900) / 100.0, .limit_N = 4.0, .contacts = contacts, .audible = (seed >> 4) % 5 != 0});
+        synthesiser.set({.force_N = ((seed >> 8) % 900) / 100.0, .limit_N = 4.0, .contacts = contacts, .lean = ((seed >> 12) % 5) / 4.0,
+                         .audible = (seed >> 4) % 5 != 0});
         const auto samples = rendered(synthesiser, 256 / kRate_Hz);
         QVERIFY(largestStep(samples, last) < 0.35f); // the steepest sum of sines: 14 kHz never comes up
         most = std::max(most, peak(samples));

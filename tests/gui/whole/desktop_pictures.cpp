@@ -2,15 +2,17 @@
 // Pictures of every screen: desktop_pictures FOLDER [LOOK ...] [PLACE ...]; a place by the beginning of its name ("playback"). Needs a display (Xvfb will do), because the 3D scene is only
 // on the screen, not in the widgets. Makes its own site; the sessions in it are scripted.
 #include "desktop/screen_catalogue.h"
+#include "desktop/training/training_screen.h"
 #include "support/every_place.h"
 
 #include <QDir>
-#include <QPushButton>
+#include <QMouseEvent>
 #include <QScreen>
-#include <QTimer>
+#include <QWheelEvent>
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <utility>
 
 using namespace chiron;
 
@@ -51,15 +53,9 @@ void take(const tests::DesktopFixture& desktop, const QString& file) {
 }
 
 /// Out of the session, or the next look waits for its end.
-void leaveTraining(tests::DesktopFixture& desktop) {
-    QTimer::singleShot(600, [&desktop] {
-        if (auto* end = desktop.find<QPushButton>(QStringLiteral("training.ask.end")))
-            end->click();
-    });
-    desktop.find<QPushButton>(QStringLiteral("training.end"))->click();
-    if (!QTest::qWaitFor([&desktop] { return !desktop.context.trialRuns(); }, 10000))
+void leave(tests::DesktopFixture& desktop) {
+    if (!tests::leaveTraining(desktop))
         std::fprintf(stderr, "the session did not end\n");
-    tests::waitUntilLoaded(desktop);
 }
 
 /// A demonstration running for some seconds, then paused.
@@ -74,7 +70,7 @@ void takeTraining(tests::DesktopFixture& desktop, const QDir& folder, const Look
     QTest::keyClick(desktop.window.get(), Qt::Key_Escape);
     QTest::qWait(300);
     take(desktop, folder.filePath(QStringLiteral("training_stopped_%1.png").arg(QLatin1String(look.name))));
-    leaveTraining(desktop);
+    leave(desktop);
 }
 
 /// P1's screen: a scripted endoscopist on the way through the urethra.
@@ -83,7 +79,7 @@ void takeInsertion(tests::DesktopFixture& desktop, const QDir& folder, const Loo
     tests::visit(desktop, setup, person);
     QTest::qWait(17000);
     take(desktop, folder.filePath(QStringLiteral("training_urethra_%1.png").arg(QLatin1String(look.name))));
-    leaveTraining(desktop);
+    leave(desktop);
 }
 
 /// Scripted laparoscopists at the tube and at the ovaries, some seconds into a trial; what the catalogue lacks is left out.
@@ -103,8 +99,74 @@ void takeGrasping(tests::DesktopFixture& desktop, const QDir& folder, const Look
         tests::visit(desktop, setup, person);
         QTest::qWait(taken.after_ms);
         take(desktop, folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(taken.name), QLatin1String(look.name))));
-        leaveTraining(desktop);
+        leave(desktop);
     }
+}
+
+/// A hand of one's own on the tissue, by mouse and wheel, with a finding: every level of palpation.
+void takePalpation(tests::DesktopFixture& desktop, const QDir& folder, const Look& look, std::string& person, const Wanted& wanted) {
+    for (const auto& [name, level] : {std::pair{"training_palpation", 1}, {"training_palpation_single", 2}, {"training_palpation_rated", 3},
+                                      {"training_palpation_hands", 4}, {"training_palpation_pattern", 5}}) {
+        if (!wanted.has(name) || !desktop.context.site().catalogue().find("palpation", level))
+            continue;
+        tests::visit(desktop, {name, "tina", {QStringLiteral("training"), {{"exercise", "palpation"}, {"level", level}}}}, person);
+        auto* screen = desktop.screen<desktop::TrainingScreen>();
+        const auto state = [screen] { return screen->feed() ? screen->feed()->state() : haptics::DisplayState{}; };
+        if (!QTest::qWaitFor([&] { return state().phase == core::TrialPhase::running; }, 20000))
+            std::fprintf(stderr, "%s: the trial did not begin\n", name);
+        QObject* scene = screen->scene()->inputSource();
+        QWidget* widget = screen->scene()->widget();
+        const QPoint middle = widget->rect().center();
+        const auto mouse = [&](QEvent::Type type, QPoint at, Qt::MouseButton button) {
+            QMouseEvent event(type, at, widget->mapToGlobal(at), button, type == QEvent::MouseButtonPress ? button : Qt::NoButton, Qt::NoModifier);
+            QApplication::sendEvent(scene, &event);
+        };
+        const auto press = [&](double force_N) {
+            for (int i = 0; i < 120 && state().tool[0].tissue[2] < force_N; ++i) {
+                QWheelEvent event(middle, widget->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+                QApplication::sendEvent(scene, &event);
+                QTest::qWait(30);
+            }
+        };
+        press(0.8);
+        for (int i = 1; i <= 40; ++i) { // a stroke
+            mouse(QEvent::MouseMove, middle + QPoint(2 * i, i), Qt::NoButton);
+            QTest::qWait(25);
+        }
+        press(0.8);
+        mouse(QEvent::MouseButtonPress, middle, Qt::LeftButton);
+        mouse(QEvent::MouseButtonRelease, middle, Qt::LeftButton);
+        take(desktop, folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(name), QLatin1String(look.name))));
+        leave(desktop);
+    }
+}
+
+/// A participant's view and the experimenter's beside it; what the study lacks is left out.
+void takeTrials(tests::DesktopFixture& desktop, const QDir& folder, const Look& look, std::string& person, const tests::VisitedStudies& studies) {
+    const tests::VisitedPlace place{"run_trials", "rhea", {QStringLiteral("study_trials"), {{"study", qlonglong(studies.data)}, {"participant", studies.waiting}}}};
+    tests::visit(desktop, place, person);
+    const auto picture = [&](const char* part) {
+        take(desktop, folder.filePath(QStringLiteral("run_trials_%1_%2.png").arg(QLatin1String(part), QLatin1String(look.name))));
+    };
+    picture("instructions");
+    if (auto* begin = desktop.find<QPushButton>(QStringLiteral("break.button")))
+        begin->click();
+    QTest::qWait(4000);
+    picture("participant");
+    if (auto* beside = desktop.find<QPushButton>(QStringLiteral("trials.experimenter")))
+        beside->click();
+    QTest::keyClick(desktop.window.get(), Qt::Key_1);
+    QTest::keyClick(desktop.window.get(), Qt::Key_3);
+    QTest::qWait(500);
+    picture("experimenter");
+    QTimer::singleShot(600, qApp, [&desktop] {
+        if (auto* stop = desktop.find<QPushButton>(QStringLiteral("trials.ask.stop")))
+            stop->click();
+    });
+    if (auto* stop = desktop.find<QPushButton>(QStringLiteral("trials.stop")))
+        stop->click();
+    if (!QTest::qWaitFor([&desktop] { return !desktop.context.trialRuns(); }, 10000))
+        std::fprintf(stderr, "the sitting did not end\n");
 }
 
 } // namespace
@@ -127,7 +189,16 @@ int main(int argc, char** argv) {
             << argument;
     const Wanted wanted(names);
     tests::DesktopFixture desktop;
-    const auto places = tests::everyPlace(tests::addVisitedSessions(desktop));
+    const bool onlyStudies = !names.isEmpty() && std::all_of(names.begin(), names.end(), [](const QString& name) {
+        return QStringList{QStringLiteral("stud"), QStringLiteral("run"), QStringLiteral("data"), QStringLiteral("questionnaire"), QStringLiteral("home_researcher")}.contains(name);
+    });
+    const tests::VisitedSessions sessions = onlyStudies ? tests::VisitedSessions() : tests::addVisitedSessions(desktop); // they take a while
+#ifdef CHIRON_STUDY_SCREENS
+    const tests::VisitedStudies studies = tests::addVisitedStudies(desktop);
+#else
+    const tests::VisitedStudies studies;
+#endif
+    const auto places = tests::everyPlace(sessions, studies);
     std::string person;
     for (const Look& look : kLooks) {
         if (!looks.isEmpty() && !looks.contains(QLatin1String(look.name)))
@@ -142,11 +213,14 @@ int main(int argc, char** argv) {
             tests::visit(desktop, place, person);
             take(desktop, folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(place.name), QLatin1String(look.name))));
         }
+        if (studies.data != 0 && desktop::findScreen(QStringLiteral("study_trials")) && wanted.has("run_trials"))
+            takeTrials(desktop, folder, look, person, studies);
         if (wanted.has("training"))
             takeTraining(desktop, folder, look, person);
         if (wanted.has("training_urethra"))
             takeInsertion(desktop, folder, look, person);
         takeGrasping(desktop, folder, look, person, wanted);
+        takePalpation(desktop, folder, look, person, wanted);
     }
     return 0;
 }

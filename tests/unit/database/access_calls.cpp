@@ -122,6 +122,7 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
             {m.backup, m.fixture.path("r" + std::to_string(++m.folders) + ".db"), a.name(), kPassword, key},
             options));
     });
+    map.merge(studyCalls());
     return map;
 }
 

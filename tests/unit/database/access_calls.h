@@ -10,7 +10,20 @@
 namespace chiron::test {
 
 /// Whose thing a call touches.
-enum class Touches { nothing, person, running, ended };
+enum class Touches {
+    nothing,
+    person,
+    running,
+    ended,
+    draft,       ///< a study
+    frozen,      ///< a study
+    enrolled,    ///< a participant without consent
+    ready,       ///< with consent
+    participant, ///< with an open run
+    withdrawn,   ///< a person's, not a simulated one
+    keys,        ///< a frozen study, whose key table is a person's
+    run,         ///< open
+};
 
 /// How a repository function is called by the test of the access table.
 struct Call {
@@ -18,11 +31,6 @@ struct Call {
     bool inJob; ///< on the writer's connection, undone afterwards
     std::function<core::Result<void>(database::Connection&, const database::Actor&, std::int64_t target)> run;
 };
-
-/// Only whether it worked.
-template <class T> core::Result<void> drop(const core::Result<T>& result) {
-    return result ? core::Result<void>() : core::Result<void>(tl::unexpected(result.error()));
-}
 
 /// What the calls need besides actor and target.
 struct CallWorld {
@@ -34,5 +42,7 @@ struct CallWorld {
 
 /// A real call of every function of the repositories, by action. The world outlives the map.
 std::map<database::Action, Call> accessCalls(CallWorld& m);
+/// Those of studies.
+std::map<database::Action, Call> studyCalls();
 
 } // namespace chiron::test

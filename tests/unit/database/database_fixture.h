@@ -24,6 +24,11 @@ namespace chiron::test {
         QVERIFY2(required_.has_value(), required_ ? "" : required_.error().message.c_str());                 \
     } while (false)
 
+/// Only whether it worked.
+template <class T> core::Result<void> drop(const core::Result<T>& result) {
+    return result ? core::Result<void>() : core::Result<void>(tl::unexpected(result.error()));
+}
+
 /// A clock that the test moves.
 class ManualBootClock final : public database::IBootClock {
 public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "access_calls.h"
+#include "study_site.h"
 
 #include "database/access/authorise.h"
 
@@ -16,6 +17,7 @@ struct Who {
     RoleSet roles;
     SessionId running = 0; ///< own, where somebody has sessions
     SessionId ended = 0;
+    StudyTargets study{};
 };
 
 enum class Whose { own, simulated, other };
@@ -42,6 +44,7 @@ private:
     DatabaseFixture& m = m_world.fixture;
     std::vector<Who> m_people;
     Who m_bob{"bob", Actor::anonymous(), ActorKind::person, {}};
+    Who m_ruth{"ruth", Actor::anonymous(), ActorKind::person, {}}; ///< a researcher with studies
 };
 
 void TestAccess::initTestCase() {
@@ -79,6 +82,19 @@ void TestAccess::initTestCase() {
     m_bob.actor = *bob;
     REQUIRE(withSessions(m_bob));
     m_world.eve = eve->personId();
+    const auto ruth = m.person(*admin, "ruth", {Role::researcher});
+    REQUIRE(ruth);
+    m_ruth.actor = *ruth;
+    m_people.push_back(m_ruth);
+    for (Who& who : m_people) {
+        if (who.kind == ActorKind::simulated || who.title == "researcher" || who.title == "admin" || who.title == "ruth") {
+            const auto made = makeStudies(*m.database, who.actor, who.title.toStdString());
+            REQUIRE(made);
+            who.study = *made;
+        }
+    }
+    m_ruth = m_people.back();
+    m_people.pop_back();
     m_world.backup = m.path("backup");
     REQUIRE(Upkeep::backup(*m.database, *admin, m_world.backup));
 }
@@ -114,6 +130,32 @@ core::Result<void> TestAccess::perform(const Call& call, const Actor& actor, std
     return outcome;
 }
 
+namespace {
+
+std::int64_t studyTargetOf(Touches touches, const StudyTargets& study) {
+    switch (touches) {
+    case Touches::draft:
+        return study.draft;
+    case Touches::frozen:
+    case Touches::keys:
+        return study.frozen;
+    case Touches::enrolled:
+        return study.enrolled;
+    case Touches::ready:
+        return study.ready;
+    case Touches::participant:
+        return study.running;
+    case Touches::withdrawn:
+        return study.withdrawn;
+    case Touches::run:
+        return study.run;
+    default:
+        return 0;
+    }
+}
+
+} // namespace
+
 std::int64_t TestAccess::targetOf(Action action, const Call& call, const Who& who, Whose whose) const {
     const Who& simulated = m_people[1];
     const Who& owner = whose == Whose::own ? who : whose == Whose::simulated ? simulated : m_bob;
@@ -127,8 +169,9 @@ std::int64_t TestAccess::targetOf(Action action, const Call& call, const Who& wh
         return owner.running;
     case Touches::ended:
         return owner.ended;
+    default:
+        return studyTargetOf(call.touches, whose == Whose::other ? m_ruth.study : owner.study);
     }
-    return 0;
 }
 
 void TestAccess::functionsDoAsTheTableSays() {
@@ -139,10 +182,13 @@ void TestAccess::functionsDoAsTheTableSays() {
     for (const Who& who : m_people) {
         const Scope scope = scopeOf(what, who.kind, who.roles);
         std::vector<Whose> cases{Whose::other};
-        if (call.touches != Touches::nothing && who.actor.personId() != 0) {
+        const bool ofStudy = call.touches >= Touches::draft;
+        if (call.touches != Touches::nothing && who.actor.personId() != 0 && (!ofStudy || who.study.frozen != 0) &&
+            !(call.touches == Touches::withdrawn && who.kind == ActorKind::simulated)) {
             cases.push_back(Whose::own);
         }
-        if (call.touches == Touches::ended || call.touches == Touches::running) {
+        if (call.touches == Touches::ended || call.touches == Touches::running ||
+            (ofStudy && call.touches != Touches::withdrawn && call.touches != Touches::keys)) {
             cases.push_back(Whose::simulated);
         }
         for (const Whose whose : cases) {

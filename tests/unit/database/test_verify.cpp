@@ -43,18 +43,7 @@ void TestVerify::initTestCase() {
 }
 
 std::string TestVerify::damagedCopy(const std::string& sql) {
-    const std::string copy = m.path("copy.db");
-    QFile::remove(QString::fromStdString(copy));
-    if (!QFile::copy(QString::fromStdString(m.path()), QString::fromStdString(copy))) {
-        return {};
-    }
-    auto connection = Connection::create(copy);
-    const std::string open = "PRAGMA foreign_keys=OFF; PRAGMA synchronous=OFF; PRAGMA journal_mode=DELETE; "
-                             "DROP TRIGGER person_stays; DROP TRIGGER session_stays;"
-                             "DROP TRIGGER trial_stays; DROP TRIGGER chunk_stays; DROP TRIGGER score_stays; "
-                             "DROP TRIGGER score_fixed;"
-                             "DROP TRIGGER audit_stays; DROP TRIGGER audit_fixed;";
-    return connection && (*connection)->execute(open + sql) ? copy : std::string();
+    return test::damagedCopy(m, sql);
 }
 
 void TestVerify::soundDatabaseHasNoFindings() {

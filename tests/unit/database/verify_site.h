@@ -2,7 +2,9 @@
 #pragma once
 
 #include "database/integrity/verifier.h"
+#include "database/query.h"
 #include "database_fixture.h"
+#include "study_site.h"
 
 #include <algorithm>
 
@@ -16,8 +18,30 @@ inline bool has(const database::VerifyReport& report, const std::string& kind, c
     });
 }
 
+/// Two studies: in the first one run is open and one (3 trials) has ended, one participant answered and one is erased.
+inline core::Result<void> addStudies(DatabaseFixture& f, const database::Actor& ada) {
+    using namespace database;
+    const auto made = makeStudies(*f.database, ada, "site");
+    if (!made) {
+        return tl::unexpected(made.error());
+    }
+    const auto done = f.database->write([&](WriteContext& w) -> core::Result<void> {
+        StudyRepository studies(w.connection(), ada);
+        const auto run = studies.beginRun({made->ready, "soft", 0, 5, "descending@1"});
+        auto good = run ? core::Result<void>() : tl::unexpected(run.error());
+        for (int i = 0; good && i < 3; ++i) {
+            good = studies.storeStudyTrial(someTrial(*run, i));
+        }
+        good = good ? studies.finishRun(*run, StudyRunState::completed) : good;
+        return good ? studies.storeQuestionnaireAnswers({{made->ready, "face", "real", 4.0, "", ""},
+                                                         {made->ready, "face", "remarks", {}, "soft as butter", ""}})
+                    : good;
+    });
+    return done ? AccountService(*f.database).eraseParticipant(ada, kPassword, made->withdrawn, "wish") : done;
+}
+
 /// A closed site with something in every table: three sessions (14 chunks, 12 scores), one voided and
-/// commented, one person erased.
+/// commented, one person erased, studies.
 inline core::Result<void> makeSite(DatabaseFixture& f) {
     using namespace database;
     auto done = f.create();
@@ -41,9 +65,28 @@ inline core::Result<void> makeSite(DatabaseFixture& f) {
     if (!done || !tim) {
         return done ? core::Result<void>(tl::unexpected(tim.error())) : done;
     }
-    done = AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", true);
+    done = addStudies(f, *ada);
+    done = done ? AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", true) : done;
     f.database.reset(); // into one file
     return done;
+}
+
+/// A copy of the closed site with this done to it, past triggers and foreign keys; empty where that failed.
+inline std::string damagedCopy(const DatabaseFixture& m, const std::string& sql) {
+    using namespace database;
+    const std::string copy = m.path("copy.db");
+    QFile::remove(QString::fromStdString(copy));
+    if (!QFile::copy(QString::fromStdString(m.path()), QString::fromStdString(copy))) {
+        return {};
+    }
+    auto connection = Connection::create(copy);
+    std::string open = "PRAGMA foreign_keys=OFF; PRAGMA synchronous=OFF; PRAGMA journal_mode=DELETE; ";
+    if (connection) {
+        const auto triggers = selectText(
+            **connection, "SELECT group_concat('DROP TRIGGER ' || name, ';') FROM sqlite_schema WHERE type = 'trigger'");
+        open += triggers ? triggers->value_or("") + ";" : "";
+    }
+    return connection && (*connection)->execute(open + sql) ? copy : std::string();
 }
 
 } // namespace chiron::test

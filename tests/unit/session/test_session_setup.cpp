@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session_setup.h"
+#include "simulation/exercises/palpation/palpation_quantities.h"
+#include "simulation/palpation/tissue_surface.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>
@@ -29,6 +31,8 @@ private slots:
     void badColumns_data();
     void badColumns();
     void toolCounts();
+    void whatCannotBeFeltIsShown_data();
+    void whatCannotBeFeltIsShown();
 };
 
 void TestSessionSetup::comesBackFromItsColumns() {
@@ -98,6 +102,48 @@ void TestSessionSetup::toolCounts() {
     setup.devices.resize(core::kMaxTools + 1, setup.devices.front());
     setup.mappings.resize(core::kMaxTools + 1);
     QVERIFY(!session::setupFromStored(session::toNewSession(setup)));
+}
+
+void TestSessionSetup::whatCannotBeFeltIsShown_data() {
+    QTest::addColumn<QString>("exercise");
+    QTest::addColumn<int>("level");
+    for (int level = 2; level <= 5; ++level)
+        QTest::addRow("palpation %d", level) << "palpation" << level;
+    QTest::newRow("weigh") << "object_handling" << 3;
+}
+
+// The scene fills the bars of a level's shown-force variant where no device of the setup renders force, and only there.
+void TestSessionSetup::whatCannotBeFeltIsShown() {
+    QFETCH(QString, exercise);
+    QFETCH(int, level);
+    const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+    session::SessionSetup setup = usualSetup();
+    setup.level = *catalogue->find(exercise.toStdString(), level);
+    const auto kind = session::exerciseKind(exercise.toStdString());
+    core::Vec3 at(0.0, 0.0, 0.004);
+    if (const auto* p = std::get_if<simulation::PalpationParameters>(&setup.level.parameters)) // 2 mm in the tissue
+        at = simulation::TissueSurface(p->tissue.shape).pointAt({0.0, 0.0}) - core::Vec3(0.0, 0.0, 0.002);
+    for (const bool felt : {true, false}) {
+        setup.devices.front().rendersForce = felt;
+        const auto scene = (*kind)->makeScene(setup);
+        simulation::SceneInput in;
+        in.started = in.forceReady = true;
+        in.tools.count = (*kind)->toolCount(setup.level);
+        for (core::ToolState& tool : in.tools.tools)
+            tool.p_WT = at;
+        simulation::SceneOutput out;
+        realtime::TickSource ticks;
+        for (int n = 0; n < 3; ++n)
+            scene->respond(ticks.next(0), in, out);
+        const core::PalpationCues& cues = out.cues.palpation;
+        const bool bars = exercise == "palpation" ? cues.bandShown : out.cues.laparoscopy.squeezeShown;
+        QCOMPARE(bars, !felt);
+        QCOMPARE(cues.lumps, 0); // hidden either way
+        if (exercise == "palpation")
+            QCOMPARE(cues.depth_m[0] > 0.0, !felt && out.quantities[simulation::palpation_quantity::kDepth] > 0.0);
+        if (exercise == "palpation")
+            QVERIFY(out.quantities[simulation::palpation_quantity::kDepth] > 0.0);
+    }
 }
 
 QTEST_APPLESS_MAIN(TestSessionSetup)

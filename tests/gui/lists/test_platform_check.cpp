@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// P3's verification on the station screen, started, shown, cancelled, printed.
+#include "desktop/station/platform_card.h"
+#include "desktop/station/platform_words.h"
+#include "desktop/station/station_screen.h"
+#include "report/plot_view.h"
+#include "support/every_place.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+
+using namespace chiron;
+using namespace chiron::desktop;
+using namespace chiron::tests;
+
+namespace {
+
+PlatformCheck madeCheck(double rmse_N, double error_deg) {
+    PlatformCheck check;
+    check.verified.rmse_N = check.verified.rmseTrue_N = {rmse_N, rmse_N, rmse_N};
+    check.verified.meanRmse_N = rmse_N;
+    check.verified.meanError_deg = error_deg;
+    check.verified.poses.resize(10);
+    for (int i = 0; i < 300; ++i) {
+        check.verified.series.time_s.push_back(0.01 * i);
+        for (auto* values : {&check.verified.series.reference_N, &check.verified.series.measured_N, &check.verified.series.true_N})
+            values->push_back(0.5);
+    }
+    check.worse.push_back({"delay", 4.0, 0.09, 0.09, 1.2, 1.1, false});
+    return check;
+}
+
+} // namespace
+
+class TestPlatformCheck : public QObject {
+    Q_OBJECT
+private slots:
+    void theScreenVerifiesOffItsOwnThread() {
+        DesktopFixture desktop;
+        desktop.logIn("ada");
+        desktop.go(QStringLiteral("station"), {{QStringLiteral("verify_poses"), 3}});
+        QVERIFY(waitUntilLoaded(desktop));
+        auto* screen = desktop.screen<StationScreen>();
+        QSignalSpy ended(screen, &StationScreen::verificationEnded);
+        auto* button = desktop.find<QPushButton>(QStringLiteral("station.verify"));
+        QVERIFY(button && button->isEnabled());
+        QVERIFY(!desktop.find<QPushButton>(QStringLiteral("station.record"))->isEnabled());
+        button->click();
+        QVERIFY(!button->isEnabled()); // at once: the window goes on
+        QVERIFY(ended.wait(60'000));
+        QVERIFY(button->isEnabled());
+        QVERIFY(desktop.find<QWidget>(QStringLiteral("station.verdict")));
+        QVERIFY(desktop.find<report::PlotView>(QStringLiteral("station.sine")));
+        QCOMPARE(desktop.find<QTableWidget>(QStringLiteral("station.figures"))->rowCount(), 6);
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("record.pdf"));
+        const auto written = desktop.find<PlatformCard>(QStringLiteral("station.platform"))->writeRecord(path, QStringLiteral("today"));
+        QVERIFY(written);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.read(5) == "%PDF-" && file.size() > 10'000);
+        QVERIFY(!desktop.find<PlatformCard>(QStringLiteral("station.platform"))->writeRecord(QStringLiteral("/no/such/folder/x.pdf"), {}));
+    }
+
+    void whoMayNotRunItLooks() {
+        DesktopFixture desktop;
+        desktop.logIn("tina");
+        desktop.go(QStringLiteral("station"));
+        QVERIFY(waitUntilLoaded(desktop));
+        if (auto* card = desktop.find<PlatformCard>(QStringLiteral("station.platform")))
+            QVERIFY(!card->button());
+    }
+
+    void cancelledIsNotAFault() {
+        WorkToken token;
+        token.cancel();
+        const auto check = runPlatformCheck({.poses = 1, .degrade = false}, token);
+        QVERIFY(!check);
+        QCOMPARE(int(check.error().code), int(core::ErrorCode::cancelled));
+    }
+
+    void theVerdictIsInWords() {
+        const QLocale locale = QLocale::c();
+        QVERIFY(platformVerdict(madeCheck(0.05, 1.0), locale).startsWith(QStringLiteral("Passed")));
+        QVERIFY(platformVerdict(madeCheck(0.08, 1.0), locale).startsWith(QStringLiteral("Not passed")));
+        QVERIFY(platformVerdict(madeCheck(0.05, 2.0), locale).startsWith(QStringLiteral("Not passed")));
+        const auto table = platformDegradation(madeCheck(0.05, 1.0), locale);
+        QCOMPARE(table.lines.at(1), QStringList({"Delay of the force sensors", "× 4", "0.0900 N", "1.20°", "no"}));
+        for (const QStringList& line : platformFigures(madeCheck(0.05, 1.0), locale).lines)
+            QCOMPARE(line.size(), 4);
+    }
+
+    void aCheckIsShownAndReplaced() {
+        const Theme theme = Theme::load(ThemeName::dark, 2.0).value();
+        PlatformCard card(theme, QLocale::c(), true);
+        card.show(madeCheck(0.05, 1.0));
+        QVERIFY(card.findChild<QTableWidget*>(QStringLiteral("station.worse")));
+        card.showStopped();
+        QVERIFY(!card.findChild<QTableWidget*>(QStringLiteral("station.worse")));
+        card.showError({core::ErrorCode::badInput, "no such plant"});
+    }
+};
+
+QTEST_MAIN(TestPlatformCheck)
+#include "test_platform_check.moc"

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A palpation looked back at: playback, debrief and the curve over sessions, by real controls.
+#include "desktop/debrief/palpation_box.h"
+#include "desktop/playback/playback_plots.h"
+#include "desktop/playback/playback_scene.h"
+#include "desktop/playback/playback_screen.h"
+#include "desktop/plots/metric_words.h"
+#include "desktop/plots/palpation_map_view.h"
+#include "desktop/results/roc_box.h"
+#include "desktop/widgets/state_panel.h"
+#include "report/plot_view.h"
+#include "support/every_place.h"
+#include "support/palpation_session.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <sqlite3.h>
+
+using namespace chiron;
+using namespace chiron::tests;
+using desktop::PalpationReplay;
+
+class TestPalpationReview : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        m_desktop = std::make_unique<DesktopFixture>();
+        m_session = addPalpation(*m_desktop, "tina");
+        QVERIFY2(m_session != 0, "the catalogue has no palpation");
+        m_desktop->logIn("tina");
+    }
+    void cleanupTestCase() { m_desktop.reset(); }
+
+    void everyMomentIsAsItWas() {
+        auto data = load();
+        PalpationReplay& replay = *data.palpation;
+        const PalpatingHand hand(replay.level(), kPalpationSeed);
+        const auto& trials = data.track.trials;
+        QCOMPARE(trials.size(), hand.trials().size());
+        for (std::size_t i = 0; i < trials.size(); ++i) {
+            const bool lump = hand.trials()[i].lumps > 0;
+            const auto before = replay.cuesAt(data.track, trials[i].start_s + 0.3, true);
+            QCOMPARE(desktop_count(before), 0);
+            QCOMPARE(before.lumps, hand.trials()[i].lumps);
+            QCOMPARE(replay.cuesAt(data.track, trials[i].start_s + 0.3, false).lumps, 0);
+            const auto end = replay.cuesAt(data.track, trials[i].end_s - 0.05, true);
+            QCOMPARE(desktop_count(end), (lump && i != 2 ? 1 : 0) + (i == 1 ? 1 : 0));
+            if (lump && i != 2)
+                QCOMPARE(int(end.finding[0].confidence), int(5 - i));
+        }
+    }
+
+    void theMapGrowsAndIsTheSameWherever() {
+        auto data = load();
+        PalpationReplay& replay = *data.palpation;
+        const session::PlaybackTrial& trial = data.track.trials[0];
+        const auto coverageAt = [&](double t_s, bool whole) {
+            scene3d::SceneState state;
+            replay.showIn(state, data.track, t_s, {true, whole, core::SurfaceMapKind::coverage});
+            return state.surfaceMap->coverage();
+        };
+        const double early = coverageAt(trial.start_s + 1.1, false);
+        const double late = coverageAt(trial.end_s, false);
+        QVERIFY(coverageAt(trial.start_s + 0.3, false) == 0.0);
+        QVERIFY(early > 0.0 && late > 1.5 * early);
+        QCOMPARE(coverageAt(trial.start_s + 1.1, false), early); // back in time, and the same
+        QCOMPARE(coverageAt(trial.start_s + 0.3, true), late);   // of the whole trial, whenever
+        QVERIFY(std::abs(late - replay.record(0)->coverage) < 0.02);
+        const auto direct = session::mapAt(replay.level(), data.track, 0, trial.start_s + 1.1);
+        QCOMPARE(direct.coverage(), early);
+    }
+
+    void whatBecameOfFindingsIsDrawn() {
+        auto data = load();
+        scene3d::SceneState state;
+        data.palpation->showIn(state, data.track, data.track.trials[1].end_s - 0.05, {});
+        const PalpatingHand hand(data.palpation->level(), kPalpationSeed);
+        const bool lump = hand.trials()[1].lumps > 0;
+        const std::size_t wrong = lump ? 1 : 0;
+        QCOMPARE(int(state.outcome[wrong]), int(core::FindingOutcome::falseAlarm));
+        if (lump)
+            QCOMPARE(int(state.outcome[0]), int(core::FindingOutcome::hit));
+        data.palpation->showIn(state = {}, data.track, data.track.trials[1].end_s - 0.05, {.truth = false});
+        QCOMPARE(int(state.outcome[wrong]), int(core::FindingOutcome::open));
+        if (hand.trials()[2].lumps > 0) { // taken back: missed
+            data.palpation->showIn(state = {}, data.track, data.track.trials[2].end_s - 0.05, {});
+            QCOMPARE(int(state.lumpsMissed), 1);
+        }
+    }
+
+    void playbackHasItsSwitchesPlotsAndMarks() {
+        go("playback");
+        auto* screen = m_desktop->screen<desktop::PlaybackScreen>();
+        QVERIFY(screen);
+        auto* truth = m_desktop->find<QCheckBox>(QStringLiteral("playback.truth"));
+        QVERIFY(truth && truth->isChecked());
+        truth->click();
+        QVERIFY(!m_desktop->context.navigator().current().parameters.value(QStringLiteral("truth")).toBool());
+        m_desktop->find<QCheckBox>(QStringLiteral("playback.whole_trial"))->click();
+        m_desktop->find<QCheckBox>(QStringLiteral("playback.force_map"))->click();
+        QVERIFY(m_desktop->find<report::PlotView>(QStringLiteral("playback.lean_plot")));
+        QVERIFY(m_desktop->find<report::PlotView>(QStringLiteral("playback.depth_plot")));
+        bool jumped = false;
+        for (auto* list : m_desktop->window->findChildren<QListWidget*>())
+            for (int row = 0; row < list->count(); ++row)
+                if (list->item(row)->text().contains(QStringLiteral("Finding 1 marked"))) {
+                    list->setCurrentRow(row);
+                    emit list->itemActivated(list->item(row));
+                    jumped = true;
+                }
+        QVERIFY(jumped);
+        QVERIFY(m_desktop->find<QLabel>(QStringLiteral("playback.readout"))->text().contains(QStringLiteral("findings")));
+    }
+
+    void theDebriefTellsEachTrial() {
+        go("debrief");
+        auto* choice = m_desktop->find<QComboBox>(QStringLiteral("debrief.trial"));
+        QVERIFY(choice);
+        QCOMPARE(choice->count(), 4);
+        auto* words = m_desktop->find<QLabel>(QStringLiteral("debrief.palpation"));
+        choice->setCurrentIndex(1);
+        QVERIFY2(words->text().contains(QStringLiteral("Findings where no lump was: 1")), qPrintable(words->text()));
+        auto* map = m_desktop->find<desktop::PalpationMapView>(QStringLiteral("debrief.force_map"));
+        QVERIFY(map && !map->accessibleDescription().isEmpty());
+        QCOMPARE(int(map->view().kind), int(core::SurfaceMapKind::force));
+        QVERIFY(m_desktop->find<QLabel>(QStringLiteral("debrief.lumps"))->text().contains(QStringLiteral("no lump there")));
+    }
+
+    void tooFewAnswersMakeNoCurve() {
+        m_desktop->go(QStringLiteral("results"), {{QStringLiteral("exercise"), QStringLiteral("palpation")}, {QStringLiteral("level"), 1}});
+        QVERIFY(waitUntilLoaded(*m_desktop));
+        auto* box = m_desktop->find<desktop::RocBox>(QStringLiteral("results.detection"));
+        QVERIFY(box && box->isVisible());
+        QCOMPARE(int(box->findChild<desktop::StatePanel*>()->state()), int(desktop::StatePanel::State::empty));
+    }
+
+    void enoughAnswersMakeOne() {
+        session::PooledDetection pooled;
+        pooled.sessions = 6;
+        pooled.ratings.ofSignal = {12, 5, 3, 1, 1, 0, 2};
+        pooled.ratings.ofNoise = {0, 1, 2, 3, 4, 0, 40};
+        const auto curve = scoring::rocOf(pooled.ratings);
+        QVERIFY(curve && curve->area > 0.8);
+        const QString words = desktop::rocSummary(pooled, true, *curve, QLocale::c());
+        QVERIFY2(words.contains(QStringLiteral("24, without: 50")), qPrintable(words));
+        desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
+        desktop::RocBox box(theme, QLocale::c());
+        box.show(pooled, true);
+        QVERIFY(box.findChild<report::PlotView*>(QStringLiteral("results.roc")));
+        pooled.ratings.ofSignal = {5, 1, 0, 0, 0, 0, 2};
+        desktop::RocBox few(theme, QLocale::c());
+        few.show(pooled, true);
+        QVERIFY(!few.findChild<report::PlotView*>(QStringLiteral("results.roc")));
+    }
+
+    /// Scores, movement and force do not hang on what was reported.
+    void lostReportsLoseFindingsOnly() {
+        const database::SessionId lost = addPalpation(*m_desktop, "tina", kPalpationSeed + 1);
+        loseReports(lost);
+        m_desktop->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(lost)}});
+        QVERIFY(waitUntilLoaded(*m_desktop));
+        QStringList titles;
+        for (const auto* title : m_desktop->window->screen()->findChildren<QLabel*>(QStringLiteral("state.title")))
+            if (title->isVisible())
+                titles << title->text();
+        QCOMPARE(titles.size(), 1); // everything else is there
+        QVERIFY2(titles[0].contains(QStringLiteral("Findings and maps could not be read")), qPrintable(titles[0]));
+        m_desktop->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(lost)}});
+        QVERIFY(waitUntilLoaded(*m_desktop));
+        auto* said = m_desktop->find<QLabel>(QStringLiteral("playback.palpation_lost"));
+        QVERIFY(said && said->isVisible());
+        QVERIFY2(said->text().contains(QStringLiteral("trial 1: the trace has no reports")), qPrintable(said->text()));
+        QVERIFY(!m_desktop->find<QCheckBox>(QStringLiteral("playback.truth")));
+        QVERIFY(m_desktop->find<QLabel>(QStringLiteral("playback.readout"))->text().contains(QStringLiteral("force")));
+    }
+
+    void everyMetricHasWords() {
+        const auto* level = m_desktop->context.site().catalogue().find("palpation", 1);
+        for (const auto& metric : level->metrics)
+            QVERIFY2(!desktop::metricMeaning(QString::fromStdString(metric.id)).isEmpty(), metric.id.c_str());
+    }
+
+private:
+    static int desktop_count(const core::PalpationCues& cues) {
+        return static_cast<int>(std::count_if(cues.finding.begin(), cues.finding.end(), [](const core::Finding& one) { return one.present; }));
+    }
+    desktop::PlaybackData load() {
+        auto connection = m_desktop->database().openReader();
+        auto data = desktop::loadPlayback(**connection, m_desktop->actor("tina"), m_session, [](double) { return true; });
+        if (!data)
+            qFatal("%s", data.error().message.c_str());
+        return std::move(*data);
+    }
+    /// In the file, past everything that keeps it whole: the channel that counts reports is another one's.
+    void loseReports(database::SessionId session) {
+        sqlite3* raw = nullptr;
+        QCOMPARE(sqlite3_open(m_desktop->file().toUtf8().constData(), &raw), SQLITE_OK);
+        sqlite3_stmt* read = nullptr;
+        const QByteArray select = "SELECT channel_table FROM session WHERE id = " + QByteArray::number(qlonglong(session));
+        QCOMPARE(sqlite3_prepare_v2(raw, select.constData(), -1, &read, nullptr), SQLITE_OK);
+        QCOMPARE(sqlite3_step(read), SQLITE_ROW);
+        QByteArray table(static_cast<const char*>(sqlite3_column_blob(read, 0)), sqlite3_column_bytes(read, 0));
+        sqlite3_finalize(read);
+        QVERIFY(table.contains("report_count"));
+        table.replace("report_count", "report_other");
+        const QByteArray write = "UPDATE session SET channel_table = x'" + table.toHex() + "' WHERE id = " + QByteArray::number(qlonglong(session));
+        QCOMPARE(sqlite3_exec(raw, write.constData(), nullptr, nullptr, nullptr), SQLITE_OK);
+        sqlite3_close(raw);
+    }
+    void go(const char* screen) {
+        m_desktop->go(QLatin1String(screen), {{QStringLiteral("session"), qlonglong(m_session)}});
+        QVERIFY(waitUntilLoaded(*m_desktop));
+    }
+
+    std::unique_ptr<DesktopFixture> m_desktop;
+    database::SessionId m_session = 0;
+};
+
+QTEST_MAIN(TestPalpationReview)
+#include "test_palpation_review.moc"

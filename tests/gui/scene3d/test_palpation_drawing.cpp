@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn of a palpation: the felt surface, dents as deep as they are felt, what was searched, and nothing that is not told.
+#include "desktop/scene2d/palpation/flat_palpation.h"
+#include "desktop/scene3d/camera_fit.h"
+#include "desktop/scene3d/palpation/finding_flag.h"
+#include "desktop/scene3d/palpation/finger_mesh.h"
+#include "desktop/scene3d/palpation/finger_pose.h"
+#include "desktop/scene3d/palpation/map_legend.h"
+#include "desktop/scene3d/palpation/map_picture.h"
+#include "desktop/scene3d/palpation/palpation_dial.h"
+#include "desktop/scene3d/palpation/tissue_mesh.h"
+#include "gui/scene3d/palpation_samples.h"
+
+#include <QPainter>
+#include <QtTest>
+#include <algorithm>
+
+using namespace chiron;
+using namespace chiron::scene3d;
+using core::FindingOutcome;
+using core::SurfaceMapKind;
+using samples::Tissue;
+using simulation::MapBand;
+using simulation::TissueSurface;
+
+namespace {
+
+constexpr std::array kTissues{Tissue::pad, Tissue::prostate, Tissue::breast};
+
+core::Vec3 vec(const float (&v)[3]) { return {double(v[0]), double(v[1]), double(v[2])}; }
+
+int facingWrong(const TriangleMesh& mesh) {
+    int wrong = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const MeshVertex& a = mesh.vertices[mesh.indices[i]];
+        const MeshVertex& b = mesh.vertices[mesh.indices[i + 1]];
+        const MeshVertex& c = mesh.vertices[mesh.indices[i + 2]];
+        const core::Vec3 across = (vec(b.position_mm) - vec(a.position_mm)).cross(vec(c.position_mm) - vec(a.position_mm));
+        wrong += across.norm() > 1e-4 && across.dot(vec(a.normal) + vec(b.normal) + vec(c.normal)) < 0.0 ? 1 : 0;
+    }
+    return wrong;
+}
+
+TissueSurface surfaceOf(Tissue tissue) { return TissueSurface(samples::palpationParameters(tissue).tissue.shape); }
+
+QImage flagPicture(const FindingFlag& flag, const SceneSetup& setup) {
+    QImage picture(64, 64, QImage::Format_RGB32);
+    picture.fill(QColor(200, 150, 140));
+    QPainter painter(&picture);
+    paintFindingFlag(painter, QRectF(0, 0, 64, 64), flag, setup);
+    return picture;
+}
+
+int differing(const QImage& a, const QImage& b) {
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+    return count;
+}
+
+/// The pixel of a map picture at a place of W.
+QColor pixelAt(const QImage& picture, const simulation::SurfaceMap& map, double x_m, double y_m) {
+    const int x = int((0.5 + 0.5 * x_m / map.half_m().x()) * picture.width());
+    const int y = int((0.5 - 0.5 * y_m / map.half_m().y()) * picture.height());
+    return picture.pixelColor(x, y);
+}
+
+} // namespace
+
+class TestPalpationDrawing : public QObject {
+    Q_OBJECT
+private slots:
+    void drawnSurfaceIsTheFeltOne() {
+        for (const Tissue tissue : kTissues) {
+            const TissueSurface surface = surfaceOf(tissue);
+            const TriangleMesh mesh = tissueMesh(surface, 0.06);
+            QVERIFY(mesh.vertices.size() > 4000 && mesh.vertices.size() < 12000);
+            QCOMPARE(facingWrong(mesh), 0);
+            for (const MeshVertex& v : mesh.vertices) {
+                const core::Vec3 p = 1e-3 * vec(v.position_mm);
+                QVERIFY(std::abs(p.z() - surface.heightAt(p.head<2>()).z_m) < 1e-7);
+                QVERIFY((vec(v.normal) - surface.normalAt(p.head<2>())).norm() < 1e-4);
+                QVERIFY(v.light > 0.4F && v.light <= 1.0F);
+            }
+        }
+    }
+
+    void borderLiesOnTheSurfaceRoundTheSearchArea() {
+        const TissueSurface surface = surfaceOf(Tissue::breast);
+        const TriangleMesh mesh = areaMesh(surface, {0.040, 0.030}, 0.8);
+        QCOMPARE(facingWrong(mesh), 0);
+        for (const MeshVertex& v : mesh.vertices) {
+            const core::Vec3 p = vec(v.position_mm);
+            const double out = std::max(std::abs(p.x()) - 40.0, std::abs(p.y()) - 30.0);
+            QVERIFY2(std::abs(out) < 0.6, qPrintable(QString::number(out)));
+            QVERIFY(std::abs(p.z() - 1e3 * surface.heightAt(1e-3 * p.head<2>()).z_m) < 0.4);
+        }
+    }
+
+    void dentIsAsDeepAsThePress() {
+        for (const Tissue tissue : kTissues) {
+            const SceneSetup setup = samples::palpationSetup(tissue);
+            SceneState state;
+            samples::pressFinger(state, setup, 0, {0.008, -0.006}, 0.004);
+            const Dent dent = fingerDent(surfaceOf(tissue), 0.005, state.tool[0]);
+            QVERIFY(std::abs(dent.depth_m - 0.004) < 1e-6);
+            QVERIFY((dent.displaced(dent.p_WSurface) - state.tool[0].p_WT).norm() < 1e-6);
+            QVERIFY(dent.reach_m > 0.005);
+            state.tool[0].drawnAtSurface = true; // nothing is felt: the finger stays on it
+            QCOMPARE(fingerDent(surfaceOf(tissue), 0.005, state.tool[0]).depth_m, 0.0);
+            samples::pressFinger(state, setup, 1, {0.0, 0.0}, -0.003);
+            QCOMPARE(fingerDent(surfaceOf(tissue), 0.005, state.tool[1]).depth_m, 0.0);
+        }
+        ToolView lost;
+        lost.present = true;
+        lost.p_WT = core::Vec3::Constant(std::nan(""));
+        QCOMPARE(fingerDent(surfaceOf(Tissue::breast), 0.005, lost).depth_m, 0.0);
+    }
+
+    void platformLeansAlongTheLateralForceUpToItsLimit() {
+        const SceneSetup setup = samples::palpationSetup(Tissue::pad);
+        SceneState state;
+        samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.004, {0.3, -0.4});
+        FingerLean lean = fingerLean(state, 0, core::Vec3::UnitZ());
+        QVERIFY((lean.toward - core::Vec3(0.6, -0.8, 0.0)).norm() < 1e-9);
+        QVERIFY(std::abs(lean.angle_rad - std::atan2(0.5, 2.0)) < 1e-9);
+        QVERIFY(!lean.saturated);
+        samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.004, {2.0, 0.0});
+        lean = fingerLean(state, 0, core::Vec3::UnitZ());
+        QVERIFY(std::abs(lean.angle_rad - kMostRoll_rad) < 1e-12); // across the finger
+        QVERIFY(lean.saturated);
+        samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.004, {0.0, 2.0});
+        QVERIFY(std::abs(fingerLean(state, 0, core::Vec3::UnitZ()).angle_rad - kMostLean_rad) < 1e-12); // along it
+        samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.004, {2.0, 2.0});
+        QVERIFY(std::abs(fingerLean(state, 0, core::Vec3::UnitZ()).angle_rad * std::sqrt(0.5) - kMostRoll_rad) < 1e-12);
+        samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.004, {2.0, 0.0});
+        state.palpation.lean_rad[0] = 0.0; // a level that does not show it
+        QCOMPARE(fingerLean(state, 0, core::Vec3::UnitZ()).angle_rad, 0.0);
+    }
+
+    void handsAreToldApart() {
+        const SceneSetup two = samples::palpationSetup(Tissue::breast, 2, 2);
+        QVERIFY(!isLeftHand(two, 0) && !isLeftHand(two, 1) && isLeftHand(two, 2) && isLeftHand(two, 3));
+        QVERIFY(fingerYaw_rad(two, 0) > 0.0 && fingerYaw_rad(two, 2) < 0.0);
+        SceneSetup one = samples::palpationSetup(Tissue::breast, 1, 2);
+        QVERIFY(!isLeftHand(one, 0) && !isLeftHand(one, 1));
+        one.leftHanded = true;
+        QVERIFY(isLeftHand(one, 0) && isLeftHand(one, 1));
+    }
+
+    void fingerTouchesWithItsPad() {
+        const TriangleMesh mesh = fingerMesh();
+        QCOMPARE(facingWrong(mesh), 0);
+        double lowest = 100.0;
+        for (const MeshVertex& v : mesh.vertices) {
+            lowest = std::min(lowest, double(v.position_mm[2]));
+            QVERIFY(std::abs(v.position_mm[0]) < 12.0F);
+        }
+        QVERIFY2(std::abs(lowest) < 0.8, qPrintable(QString::number(lowest)));
+        for (int i = 1; i < core::kMaxTools; ++i)
+            QVERIFY(fingerBands(i + 1).vertices.size() > fingerBands(i).vertices.size());
+    }
+
+    void mapSaysWhereWasPressed() {
+        const SceneSetup setup = samples::palpationSetup(Tissue::pad);
+        simulation::SurfaceMap map({0.040, 0.030}, 0.005, 0.5);
+        map.press({0.020, 0.015}, 1.0);
+        map.press({-0.020, -0.015}, 0.3);
+        const QImage picture = mapPicture(map, setup, SurfaceMapKind::coverage);
+        QCOMPARE(pixelAt(picture, map, 0.0205, 0.0152), mapColour(setup.colours, SurfaceMapKind::coverage, MapBand::inBand));
+        int hatched = 0; // pressed, but not searched
+        for (int i = 0; i < 24; ++i)
+            hatched += pixelAt(picture, map, -0.022 + 0.0002 * i, -0.0152).rgba() == mapHatch(setup.colours, false).rgba() ? 1 : 0;
+        QVERIFY(hatched > 0 && hatched < 12);
+        int bare = 0;
+        for (int i = 0; i < 24; ++i)
+            bare += pixelAt(picture, map, -0.022 + 0.0002 * i, 0.0152).alpha() == 0 ? 1 : 0;
+        QVERIFY(bare > 12 && bare < 24); // skin with hatching
+        const QRgb edge = qRgba(16, 26, 36, 230);
+        int border = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                border += picture.pixel(x, y) == edge ? 1 : 0;
+        QVERIFY(border > 40); // round what was searched
+    }
+
+    void stepsOfForceDifferInLightness() {
+        for (const SceneColours& colours : {SceneColours{}, samples::dark(), samples::highContrast()}) {
+            const double way = qGray(colours.arrow.rgb()) - qGray(colours.background.rgb());
+            int before = qGray(colours.background.rgb());
+            for (const MapBand band : {MapBand::light, MapBand::gentle, MapBand::inBand, MapBand::hard}) {
+                const QColor colour = mapColour(colours, SurfaceMapKind::force, band);
+                QVERIFY((qGray(colour.rgb()) - before) * way > 0.0 && std::abs(qGray(colour.rgb()) - before) > 10);
+                before = qGray(colour.rgb());
+            }
+        }
+    }
+
+    void legendSaysHowMuchAndInNewtons() {
+        const SceneSetup setup = samples::palpationSetup(Tissue::pad);
+        const MapLegend coverage(setup, SurfaceMapKind::coverage, 40);
+        const MapLegend force(setup, SurfaceMapKind::force, 40);
+        QVERIFY(force.size().height() > coverage.size().height() + 30.0);
+        QVERIFY(!(coverage == force));
+        QVERIFY(!(coverage == MapLegend(setup, SurfaceMapKind::coverage, 41)));
+        SceneState state;
+        const simulation::SurfaceMap map = samples::searched(setup, 1.0);
+        state.surfaceMap = &map;
+        QVERIFY(MapLegend::of(setup, state) == MapLegend(setup, SurfaceMapKind::coverage, int(std::lround(100.0 * map.coverage()))));
+    }
+
+    void outcomesDifferInShape() {
+        SceneSetup setup = samples::palpationSetup(Tissue::pad);
+        setup.colours.over = setup.colours.arrow = setup.colours.ink; // where colours say nothing
+        const QImage open = flagPicture({1, FindingOutcome::open, false}, setup);
+        const QImage hit = flagPicture({1, FindingOutcome::hit, false}, setup);
+        const QImage wrong = flagPicture({1, FindingOutcome::falseAlarm, false}, setup);
+        QVERIFY(differing(open, hit) > 120 && differing(open, wrong) > 120 && differing(hit, wrong) > 120);
+        QVERIFY(differing(open, flagPicture({1, FindingOutcome::open, true}, setup)) > 100);
+        QVERIFY(differing(open, flagPicture({2, FindingOutcome::open, false}, setup)) > 20);
+    }
+
+    void bandIsShownWhereTheLevelShowsIt() {
+        const SceneSetup setup = samples::palpationSetup(Tissue::pad);
+        core::PalpationCues cues;
+        cues.bandLow_N = 0.8;
+        cues.bandHigh_N = 2.5;
+        cues.present = true;
+        QCOMPARE(forceDial(setup, cues).bandHigh_N, 0.0);
+        cues.bandShown = true;
+        QCOMPARE(forceDial(setup, cues).bandHigh_N, 2.5);
+        QCOMPARE(forceDial(setup, cues).limit_N, forceDial(setup).limit_N);
+    }
+
+    void lookFollowsTheTissue() {
+        QVERIFY(tissueLookOf(samples::palpationParameters(Tissue::pad).tissue) == TissueLook::pad);
+        QVERIFY(tissueLookOf(samples::palpationParameters(Tissue::prostate).tissue) == TissueLook::gland);
+        QVERIFY(tissueLookOf(samples::palpationParameters(Tissue::breast).tissue) == TissueLook::skin);
+        QVERIFY(areolaOf(samples::palpationParameters(Tissue::breast).tissue).radius_m > 0.0);
+        QCOMPARE(areolaOf(samples::palpationParameters(Tissue::prostate).tissue).radius_m, 0.0);
+    }
+
+    void cameraSeesTheSearchAreaFromTheNearSide() {
+        for (const Tissue tissue : kTissues) {
+            const simulation::PalpationParameters parameters = samples::palpationParameters(tissue);
+            const TissueSurface surface(parameters.tissue.shape);
+            const double aspect = 4.0 / 3.0;
+            const double elevation = 57.0 * core::kPi / 180.0;
+            const CameraFit camera = fitCamera(palpationField_m(parameters) + 0.012, parameters.tissue.shape.planeHeight_m,
+                                              surface.highest_m() - parameters.tissue.shape.planeHeight_m + 0.018, aspect, 0.1, elevation);
+            const core::Vec3 ahead = (camera.p_WTarget - camera.p_WEye).normalized();
+            QVERIFY(std::abs(std::asin(-ahead.z()) - elevation) < 1e-9);
+            QVERIFY(camera.p_WEye.y() < 0.0);
+            const core::Vec3 right = ahead.cross(core::Vec3::UnitZ()).normalized();
+            const double up = std::tan(0.5 * camera.fieldOfView_deg * core::kPi / 180.0);
+            for (const double x : {-1.0, 1.0})
+                for (const double y : {-1.0, 1.0}) {
+                    const core::Vec3 seen = surface.pointAt(parameters.areaHalf_m.cwiseProduct(core::Vec2(x, y))) - camera.p_WEye;
+                    QVERIFY(std::abs(seen.dot(right.cross(ahead))) < up * seen.dot(ahead));
+                    QVERIFY(std::abs(seen.dot(right)) < up * aspect * seen.dot(ahead));
+                }
+        }
+    }
+
+    void flatPictureHasTheSameGeometry() {
+        const SceneSetup setup = samples::palpationSetup(Tissue::breast);
+        const auto content = makeFlatContent(setup);
+        QVERIFY(content && content->drawsTools() && !content->name().isEmpty());
+        const simulation::PalpationParameters parameters = samples::palpationParameters(Tissue::breast);
+        const FlatPalpation flat(parameters);
+        const TissueSurface surface(parameters.tissue.shape);
+        SceneState state;
+        samples::pressFinger(state, setup, 0, {0.012, -0.010}, 0.005);
+        double least = 1.0; // the outline goes through the tip
+        for (const core::Vec2& p : flat.profile(state))
+            least = std::min(least, (p - core::Vec2(state.tool[0].p_WT.x(), state.tool[0].p_WT.z())).norm());
+        QVERIFY2(least < 2e-4, qPrintable(QString::number(1e3 * least)));
+        QVERIFY(flat.heightLines().size() > 50);
+        for (const QLineF& line : flat.heightLines()) { // both ends at one height, on a step
+            const double a = 1e3 * surface.heightAt({1e-3 * line.x1(), 1e-3 * line.y1()}).z_m;
+            const double b = 1e3 * surface.heightAt({1e-3 * line.x2(), 1e-3 * line.y2()}).z_m;
+            QVERIFY(std::abs(a - b) < 0.08);
+        }
+        QVERIFY(FlatPalpation(samples::palpationParameters(Tissue::pad)).heightLines().empty());
+        QCOMPARE(content->groundHeight_m(state, 0.01, 0.02), surface.heightAt({0.01, 0.02}).z_m);
+    }
+
+    void hiddenHandLeavesNoDentInTheFlatPicture() {
+        SceneSetup setup = samples::palpationSetup(Tissue::pad);
+        const FlatPalpation flat(samples::palpationParameters(Tissue::pad));
+        SceneState state;
+        samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.006);
+        state.palpation = {};
+        const auto picture = [&](const SceneState& shown) {
+            QImage image(400, 300, QImage::Format_RGB32);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            FlatPanel panel(FlatPanel::Side::side, flat.rangeSide_mm(), setup);
+            panel.place({0, 0}, 3.0);
+            flat.paint(painter, panel, setup, shown);
+            return image;
+        };
+        QVERIFY(differing(picture(state), picture({})) > 500);
+        setup.cues.tool = false;
+        QCOMPARE(differing(picture(state), picture({})), 0);
+    }
+};
+
+QTEST_MAIN(TestPalpationDrawing)
+#include "test_palpation_drawing.moc"

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts of the researcher's screens that need no site: answers, forms, drafts, words.
+#include "catalogue/study_reader.h"
+#include "desktop/questionnaire/questionnaire_form.h"
+#include "desktop/studies/difference_table.h"
+#include "desktop/studies/field_grid.h"
+#include "desktop/studies/new_study_dialog.h"
+#include "desktop/studies/preview_work.h"
+#include "desktop/studies/procedure_form.h"
+#include "desktop/studies/study_draft.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/study_run/answer_panel.h"
+#include "support/made_study.h"
+
+#include <QLineEdit>
+#include <QRadioButton>
+
+using namespace chiron;
+using psychophysics::Task;
+
+class TestStudyParts : public QObject {
+    Q_OBJECT
+private slots:
+    void rankingsBecomeAnswers();
+    void everyTaskIsAnswered();
+    void nothingIsTakenWhileClosed();
+    void draftsAreUndone();
+    void listsAreRead();
+    void plainStudyReads();
+    void everyUsualProcedureReads_data();
+    void everyUsualProcedureReads();
+    void requiredItemsAreMissed();
+    void previewKnowsItsObserver();
+    void numbersWithUnits();
+
+private:
+    desktop::Theme m_theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
+    QLocale m_locale{QLocale::English, QLocale::UnitedKingdom};
+};
+
+namespace {
+
+struct Given {
+    int answer = -1;
+    std::optional<double> value;
+    int count = 0;
+};
+
+void listen(desktop::AnswerPanel& panel, Given& given) {
+    QObject::connect(&panel, &desktop::AnswerPanel::answered, &panel, [&given](int answer, std::optional<double> value) {
+        given.answer = answer;
+        given.value = value;
+        ++given.count;
+    });
+}
+
+} // namespace
+
+void TestStudyParts::rankingsBecomeAnswers() {
+    const auto& all = psychophysics::arrangements(Task::rank3);
+    for (std::size_t i = 0; i < all.size(); ++i) { // the person says exactly what lies there
+        desktop::AnswerPanel panel(m_theme, Task::rank3, psychophysics::Attribute::stiffness);
+        Given given;
+        listen(panel, given);
+        panel.setOpen(true);
+        for (int rank = 0; rank < 2; ++rank)
+            for (int place = 0; place < 3; ++place)
+                if (all[i][static_cast<std::size_t>(place)] == rank)
+                    QVERIFY(panel.key(Qt::Key_1 + place));
+        QCOMPARE(given.count, 0); // said, not confirmed
+        panel.enterKey();
+        QCOMPARE(given.answer, static_cast<int>(i));
+        QCOMPARE(psychophysics::outcomeOf(Task::rank3, static_cast<int>(i), given.answer), 0);
+    }
+}
+
+void TestStudyParts::everyTaskIsAnswered() {
+    for (int t = 0; t < psychophysics::kTasks; ++t) {
+        const Task task = static_cast<Task>(t);
+        desktop::AnswerPanel panel(m_theme, task, psychophysics::Attribute::mass);
+        Given given;
+        listen(panel, given);
+        panel.setOpen(true);
+        if (task == Task::yesNo) {
+            QVERIFY(panel.key(Qt::Key_Y));
+            QCOMPARE(given.answer, 1);
+        } else if (task == Task::magnitude) {
+            panel.enterKey(); // nothing said yet
+            QCOMPARE(given.count, 0);
+            panel.findChild<QLineEdit*>(QStringLiteral("answer.number"))->setText(QStringLiteral("12"));
+            panel.enterKey();
+            QCOMPARE(given.value.value_or(0.0), 12.0);
+        } else if (task == Task::adjustment) {
+            int steps = 0;
+            connect(&panel, &desktop::AnswerPanel::adjusted, &panel, [&steps](int by) { steps += by; });
+            QVERIFY(panel.key(Qt::Key_Plus) && panel.key(Qt::Key_Plus) && panel.key(Qt::Key_Minus));
+            QCOMPARE(steps, 1);
+            panel.enterKey();
+            QCOMPARE(given.answer, 0);
+        } else if (task != Task::rank3) {
+            QVERIFY(panel.key(Qt::Key_2));
+            QCOMPARE(given.answer, 1);
+            QCOMPARE(panel.key(Qt::Key_3), psychophysics::answers(task) > 2);
+        }
+        QVERIFY(!panel.question().isEmpty());
+    }
+}
+
+void TestStudyParts::nothingIsTakenWhileClosed() {
+    desktop::AnswerPanel panel(m_theme, Task::twoAfc, psychophysics::Attribute::stiffness);
+    Given given;
+    listen(panel, given);
+    panel.setOpen(false, QStringLiteral("Touch every object first."));
+    QVERIFY(!panel.key(Qt::Key_1));
+    QCOMPARE(given.count, 0);
+}
+
+void TestStudyParts::draftsAreUndone() {
+    desktop::StudyDraft draft;
+    draft.load(desktop::plainStudy());
+    const std::string before = draft.design().title.at("en");
+    for (const char* title : {"A", "AB", "ABC"}) // typing is one step
+        draft.change(QStringLiteral("title"), QStringLiteral("title"), [&](psychophysics::StudyDesign& design) { design.title["en"] = title; });
+    QCOMPARE(draft.history().count(), 1);
+    draft.history().undo();
+    QCOMPARE(draft.design().title.at("en"), before);
+    draft.history().redo();
+    QCOMPARE(draft.design().title.at("en"), std::string("ABC"));
+    QSignalSpy structure(&draft, &desktop::StudyDraft::structureChanged);
+    draft.change(QStringLiteral("procedure"), {}, [](psychophysics::StudyDesign& design) { design.conditions.front().procedures.push_back(psychophysics::StaircaseSpec()); }, true);
+    QCOMPARE(structure.count(), 1);
+    QCOMPARE(draft.design().conditions.front().procedures.size(), 2U);
+}
+
+void TestStudyParts::listsAreRead() {
+    const QLocale german(QLocale::German);
+    QCOMPARE(desktop::listOf(QStringLiteral("0,5; 1 ;x; 2,25"), german), (std::vector<double>{0.5, 1.0, 2.25}));
+    QCOMPARE(desktop::listText({0.5, 2.0}, german), QStringLiteral("0,5; 2"));
+    const std::vector<double> both = desktop::differencesAround(0.2, 5);
+    QCOMPARE(both[2], 0.0);
+    QVERIFY(std::abs(desktop::study_words::ratioOf(both[4]) - 0.2) < 1e-12 && both[0] == -both[4]);
+}
+
+void TestStudyParts::plainStudyReads() {
+    const auto read = catalogue::readStudy(catalogue::studyJson(desktop::plainStudy()), "plain");
+    QVERIFY2(read, read ? "" : read.error().message.c_str());
+}
+
+void TestStudyParts::everyUsualProcedureReads_data() {
+    QTest::addColumn<int>("task");
+    for (int task = 0; task < psychophysics::kTasks; ++task)
+        QTest::addRow("%s", std::string(psychophysics::token(static_cast<Task>(task))).c_str()) << task;
+}
+
+void TestStudyParts::everyUsualProcedureReads() {
+    QFETCH(int, task);
+    for (const std::string& kind : desktop::kindsFor(static_cast<Task>(task))) {
+        psychophysics::StudyDesign study = desktop::plainStudy();
+        psychophysics::Condition& condition = study.conditions.front();
+        desktop::takeTask(condition, static_cast<Task>(task));
+        condition.procedures = {desktop::usualProcedure(kind, condition)};
+        const auto read = catalogue::readStudy(catalogue::studyJson(study), kind);
+        QVERIFY2(read, read ? "" : read.error().message.c_str());
+        const auto made = psychophysics::makeProcedure(read->conditions.front().procedures.front(), 1);
+        QVERIFY2(made, made ? "" : made.error().message.c_str());
+    }
+}
+
+void TestStudyParts::requiredItemsAreMissed() {
+    const psychophysics::StudyDesign study = tests::smallStudy("one");
+    desktop::QuestionnaireForm form(m_theme, m_locale, study.questionnaires.front(), QStringLiteral("en"));
+    QVERIFY(form.showMissing());
+    QCOMPARE(form.answered(), 0);
+    form.findChild<QRadioButton*>(QStringLiteral("questionnaire.realism.4"))->click();
+    form.findChild<QLineEdit*>(QStringLiteral("questionnaire.years"))->setText(QStringLiteral("90")); // beyond 60
+    form.findChild<QRadioButton*>(QStringLiteral("questionnaire.hand.1"))->click();
+    QVERIFY(form.showMissing());
+    form.findChild<QLineEdit*>(QStringLiteral("questionnaire.years"))->setText(QStringLiteral("9"));
+    QVERIFY(!form.showMissing()); // remarks may be left out
+    const auto answers = form.answers(5);
+    QCOMPARE(answers.size(), 3U);
+    QCOMPARE(answers.front().number.value_or(0.0), 4.0);
+    QCOMPARE(answers.front().participant, database::ParticipantNumber(5));
+}
+
+void TestStudyParts::previewKnowsItsObserver() {
+    const psychophysics::StudyDesign study = tests::smallStudy("one");
+    const auto result = desktop::previewCondition(study, 0, {.weber = 0.1, .lapse = 0.02}, 8, [](double) { return true; });
+    QVERIFY2(result, result ? "" : result.error().message.c_str());
+    QCOMPARE(result->plan.runs, 8);
+    QVERIFY(std::abs(result->plan.biasLog10) < 0.2);
+    QVERIFY(result->plan.meanTrials >= 20.0 && result->plan.meanTrials <= 40.0);
+    QVERIFY(result->curve.size() >= 3 && result->plan.minutes > 1.0);
+    const auto stopped = desktop::previewCondition(study, 0, {}, 8, [](double) { return false; });
+    QVERIFY(!stopped && stopped.error().code == core::ErrorCode::cancelled);
+}
+
+void TestStudyParts::numbersWithUnits() {
+    using namespace desktop::study_words;
+    QCOMPARE(value(0.1, psychophysics::Attribute::mass, m_locale), QStringLiteral("100 g"));
+    QCOMPARE(value(312.4, psychophysics::Attribute::stiffness, m_locale), QStringLiteral("312 N/m"));
+    QCOMPARE(percent(0.1234, m_locale), QStringLiteral("12.3 %"));
+    QCOMPARE(percent(std::nan(""), m_locale), QStringLiteral("–"));
+    QCOMPARE(warning("few_trials: Too few trials near the threshold."), QStringLiteral("Too few trials near the threshold."));
+}
+
+QTEST_MAIN(TestStudyParts)
+#include "test_study_parts.moc"

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A study from its draft to its data, as a researcher does it.
+#include "desktop/studies/studies_screen.h"
+#include "desktop/studies/study_screen.h"
+#include "desktop/study_data/study_data_screen.h"
+#include "desktop/widgets/state_panel.h"
+#include "support/every_place.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QRadioButton>
+#include <QTabBar>
+#include <QTableWidget>
+
+using namespace chiron;
+using tests::DesktopFixture;
+
+class TestStudyScreens : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        m_site = std::make_unique<DesktopFixture>();
+        m_site->logIn("rhea");
+    }
+    void cleanupTestCase() { m_site.reset(); }
+    void emptyStates();
+    void draftFromPlain();
+    void changedUndoneAndKept();
+    void faultsAreSaid();
+    void frozen();
+    void enrolledAndConsented();
+    void runsInOrder();
+    void questionnaire();
+    void dataAndUnblinding();
+    void archivedWithUndo();
+
+private:
+    void go(const char* screen, const QVariantMap& parameters = {}) {
+        m_site->go(QLatin1String(screen), parameters);
+        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), 20000);
+    }
+    QVariantMap study() const { return {{QStringLiteral("study"), qlonglong(m_study)}}; }
+    void click(const char* name) {
+        auto* button = m_site->find<QPushButton>(QLatin1String(name));
+        QVERIFY2(button, name);
+        QVERIFY2(button->isEnabled(), name);
+        button->click();
+    }
+    QString text(const char* name) {
+        auto* label = m_site->find<QLabel>(QLatin1String(name));
+        return label ? label->text() : QString();
+    }
+    std::unique_ptr<DesktopFixture> m_site;
+    database::StudyNumber m_study = 0;
+    QString m_code;
+};
+
+void TestStudyScreens::emptyStates() {
+    for (const char* screen : {"studies", "study_run", "study_data"}) {
+        go(screen);
+        auto* panel = m_site->window->screen()->findChild<desktop::StatePanel*>();
+        QTRY_COMPARE(panel->state(), desktop::StatePanel::State::empty);
+    }
+    go("study", {{QStringLiteral("study"), 4711}});
+    QTRY_COMPARE(m_site->window->screen()->findChild<desktop::StatePanel*>()->state(), desktop::StatePanel::State::error);
+}
+
+void TestStudyScreens::draftFromPlain() {
+    go("studies");
+    click("studies.new");
+    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
+    click("new_study.template.new_study");
+    m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->setText(QStringLiteral("first_study"));
+    QMetaObject::invokeMethod(m_site->find<QLineEdit>(QStringLiteral("new_study.key")), "textEdited", Q_ARG(QString, QStringLiteral("first_study")));
+    click("new_study.accept");
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study"), 10000);
+    m_study = m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong();
+    QTRY_VERIFY(m_site->find<QLineEdit>(QStringLiteral("design.title")));
+}
+
+void TestStudyScreens::changedUndoneAndKept() {
+    auto* screen = m_site->screen<desktop::StudyScreen>();
+    QVERIFY(screen);
+    auto* title = m_site->find<QLineEdit>(QStringLiteral("design.title"));
+    title->selectAll();
+    QTest::keyClicks(title, QStringLiteral("Feeling tubes"));
+    QCOMPARE(screen->draft().design().title.at("en"), std::string("Feeling tubes"));
+    click("study.undo");
+    QTRY_COMPARE(m_site->find<QLineEdit>(QStringLiteral("design.title"))->text(), QStringLiteral("New study"));
+    click("study.redo");
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("everything is kept")), 10000);
+    auto connection = m_site->database().openReader();
+    const auto stored = database::StudyReader(**connection, m_site->context.actor()).study(m_study);
+    QVERIFY(stored && stored->summary.title == "Feeling tubes");
+}
+
+void TestStudyScreens::faultsAreSaid() {
+    auto* screen = m_site->screen<desktop::StudyScreen>();
+    screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) { design.conditions.front().stimulus.reference = -1.0; });
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("not kept")), 10000);
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("study.freeze"))->isEnabled());
+    click("study.undo");
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("everything is kept")), 10000);
+    screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) { // small enough for the rest
+        design.questionnaires = tests::smallStudy("x").questionnaires;
+        design.blindExperimenter = true;
+    }, true);
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("everything is kept")), 10000);
+    for (int tab = 0; tab < desktop::StudyScreen::tabs; ++tab) { // each page can be built
+        screen->showTab(tab);
+        QTest::qWait(30);
+    }
+}
+
+void TestStudyScreens::frozen() {
+    click("study.freeze");
+    const QString sha = text("freeze.sha256").remove(QLatin1Char(' '));
+    QCOMPARE(sha.size(), 64);
+    click("freeze.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(sha.left(12)), 10000);
+    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("participants.enrol")));
+}
+
+void TestStudyScreens::enrolledAndConsented() {
+    click("participants.enrol");
+    m_site->find<QLineEdit>(QStringLiteral("enrol.identity"))->setText(QStringLiteral("Dr Example"));
+    click("enrol.accept");
+    QTRY_VERIFY(!text("enrol.code").isEmpty());
+    m_code = text("enrol.code");
+    click("enrol.cancel");
+    QTRY_VERIFY(m_site->find<QTableWidget>(QStringLiteral("participants.table")));
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    click("participants.consent");
+    auto* agreed = m_site->find<QCheckBox>(QStringLiteral("consent.agreed"));
+    QVERIFY(agreed && !m_site->find<QPushButton>(QStringLiteral("consent.accept"))->isEnabled());
+    agreed->click();
+    click("consent.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run")) && m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled(), 10000);
+    QCOMPARE(m_site->find<QTableWidget>(QStringLiteral("participants.table"))->item(0, 0)->text(), m_code);
+}
+
+void TestStudyScreens::runsInOrder() {
+    go("study_run", study());
+    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("run.begin")));
+    QCOMPARE(m_site->find<QComboBox>(QStringLiteral("run.participant"))->currentData().toString(), m_code);
+    for (const QLabel* label : m_site->window->screen()->findChildren<QLabel*>()) // sealed: the condition's name is nowhere
+        QVERIFY2(!label->text().contains(QStringLiteral("Stiffness")), qPrintable(label->text()));
+}
+
+void TestStudyScreens::questionnaire() {
+    go("questionnaire", {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_code}, {QStringLiteral("questionnaire"), QStringLiteral("validity")}});
+    QTRY_VERIFY(m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4")));
+    click("questionnaire.submit"); // nothing answered: stays
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("questionnaire"));
+    m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4"))->click();
+    m_site->find<QLineEdit>(QStringLiteral("questionnaire.years"))->setText(QStringLiteral("7"));
+    m_site->find<QRadioButton>(QStringLiteral("questionnaire.hand.1"))->click();
+    click("questionnaire.submit");
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), 10000);
+    auto connection = m_site->database().openReader();
+    QCOMPARE(database::StudyReader(**connection, m_site->context.actor()).questionnaireAnswers(m_study)->size(), 3U);
+}
+
+void TestStudyScreens::dataAndUnblinding() {
+    const tests::VisitedStudies studies = tests::addVisitedStudies(*m_site);
+    go("study_data", {{QStringLiteral("study"), qlonglong(studies.data)}});
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), 30000);
+    QCOMPARE(m_site->find<QTableWidget>(QStringLiteral("data.runs"))->rowCount(), 3);
+    for (int tab = 0; tab < desktop::StudyDataScreen::tabs; ++tab) {
+        m_site->find<QTabBar>(QStringLiteral("data.tabs"))->setCurrentIndex(tab);
+        QTest::qWait(50);
+    }
+    go("study_data", {{QStringLiteral("study"), qlonglong(studies.blind)}});
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.unblind")), 30000);
+    QVERIFY(m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() != QStringLiteral("Stiffness of a tube"));
+    click("data.unblind");
+    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.unblind")));
+    click("data.ask_unblind.unblind");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.condition.0")) &&
+                                 m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() == QStringLiteral("Stiffness of a tube"),
+                             30000);
+}
+
+void TestStudyScreens::archivedWithUndo() {
+    std::function<void()> undo;
+    QObject::connect(&m_site->context.messages(), &desktop::Messages::told, this, [&undo](const desktop::Message& message) { undo = message.action; });
+    go("studies", study());
+    auto* table = m_site->find<QTableWidget>(QStringLiteral("studies.table"));
+    QTRY_VERIFY(table->rowCount() == 4);
+    click("studies.archive");
+    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 3, 10000);
+    QVERIFY(undo);
+    undo();
+    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 4, 10000);
+}
+
+QTEST_MAIN(TestStudyScreens)
+#include "test_study_screens.moc"

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sitting: instructions, trials by keyboard, stop, and on again at the same trial.
+#include "desktop/study_run/trials_screen.h"
+#include "desktop/widgets/state_panel.h"
+#include "support/every_place.h"
+
+#include <QLabel>
+
+using namespace chiron;
+using State = session::LiveStudyView::State;
+
+class TestStudyTrials : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void cleanupTestCase() { m_site.reset(); }
+    void unknownParticipantIsSaid();
+    void trialsAreAnsweredAndKept();
+    void goesOnWhereItStopped();
+
+private:
+    desktop::TrialsScreen* sit(const QString& code);
+    void stop();
+    std::vector<database::StudyTrial> stored();
+
+    std::unique_ptr<tests::DesktopFixture> m_site;
+    database::StudyNumber m_study = 0;
+    database::Participant m_participant;
+    std::size_t m_stored = 0;
+};
+
+void TestStudyTrials::initTestCase() {
+    m_site = std::make_unique<tests::DesktopFixture>();
+    const database::Actor rhea = m_site->actor("rhea");
+    psychophysics::StudyDesign design = tests::smallStudy("trials");
+    design.trial.mustTouchAll = false;
+    design.trial.betweenTrials_s = 0.1;
+    m_study = tests::addDraft(*m_site, rhea, design);
+    tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
+    m_participant = tests::addParticipant(*m_site, rhea, m_study, design, "somebody");
+    m_site->logIn("rhea");
+}
+
+desktop::TrialsScreen* TestStudyTrials::sit(const QString& code) {
+    m_site->go(QStringLiteral("study_trials"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), code}, {QStringLiteral("condition"), QStringLiteral("stiffness")}});
+    return m_site->screen<desktop::TrialsScreen>();
+}
+
+std::vector<database::StudyTrial> TestStudyTrials::stored() {
+    auto connection = m_site->database().openReader();
+    database::StudyReader reader(**connection, m_site->context.actor());
+    const auto runs = reader.runs(m_participant.id);
+    return runs && !runs->empty() ? *reader.studyTrials(runs->back().id) : std::vector<database::StudyTrial>();
+}
+
+void TestStudyTrials::stop() {
+    QTimer look; // the question comes when it comes
+    connect(&look, &QTimer::timeout, this, [this] {
+        if (auto* button = m_site->find<QPushButton>(QStringLiteral("trials.ask.stop")))
+            button->click();
+    });
+    look.start(200);
+    m_site->find<QPushButton>(QStringLiteral("trials.stop"))->click();
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), 20000);
+}
+
+void TestStudyTrials::unknownParticipantIsSaid() {
+    desktop::TrialsScreen* screen = sit(QStringLiteral("ZZZ-ZZZ"));
+    QVERIFY(screen && !screen->live());
+    QCOMPARE(screen->findChild<desktop::StatePanel*>()->state(), desktop::StatePanel::State::error);
+}
+
+void TestStudyTrials::trialsAreAnsweredAndKept() {
+    desktop::TrialsScreen* screen = sit(QString::fromStdString(m_participant.code));
+    QVERIFY(screen && screen->live());
+    for (const QLabel* label : screen->findChildren<QLabel*>()) // no value and no name of a condition
+        QVERIFY2(!label->text().contains(QStringLiteral("N/m")) && !label->text().contains(QStringLiteral("Stiffness")), qPrintable(label->text()));
+    m_site->find<QPushButton>(QStringLiteral("break.button"))->click();
+    for (int trial = 0; trial < 3; ++trial) {
+        QTRY_VERIFY_WITH_TIMEOUT(screen->live()->view().canAnswer, 30000);
+        const session::LiveStudyNumbers before = screen->live()->numbers();
+        for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
+            m_site->find<QPushButton>(QLatin1String(button))->click();
+        QTRY_VERIFY_WITH_TIMEOUT(screen->live()->numbers().scored + screen->live()->numbers().spoiled > before.scored + before.spoiled, 30000);
+    }
+    m_site->find<QPushButton>(QStringLiteral("trials.experimenter"))->click();
+    QTRY_VERIFY(!m_site->find<QLabel>(QStringLiteral("experimenter.progress"))->text().isEmpty());
+    stop();
+    m_stored = stored().size();
+    QVERIFY(m_stored >= 3);
+}
+
+void TestStudyTrials::goesOnWhereItStopped() {
+    desktop::TrialsScreen* screen = sit(QString::fromStdString(m_participant.code));
+    QVERIFY(screen && screen->live());
+    QCOMPARE(screen->live()->numbers().scored + screen->live()->numbers().spoiled, static_cast<int>(m_stored));
+    stop();
+    QVERIFY(stored().size() >= m_stored);
+}
+
+QTEST_MAIN(TestStudyTrials)
+#include "test_study_trials.moc"

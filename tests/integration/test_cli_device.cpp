@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_process.h"
+#include "mechanisms/fingertip_verification.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+#include <cmath>
+
+using namespace chiron;
+
+/// `device check` and `device list` from outside: the contract's keys, P3's figures, exit codes.
+class TestCliDevice : public QObject {
+    Q_OBJECT
+private slots:
+    void theFingertipPlatformHolds();
+    void aFastSineDoesNotHold();
+    void seriesAndDegradationWhereAskedFor();
+    void theGimbalsFriction();
+    void whatIsWrongIsRefused();
+
+private:
+    static QJsonObject object(const CliRun& run) { return QJsonDocument::fromJson(run.out).object(); }
+};
+
+void TestCliDevice::theFingertipPlatformHolds() {
+    const CliRun run = runCli({"device", "check", "--seed", "2", "--json"});
+    QCOMPARE(run.exitCode, 0);
+    const QJsonObject json = object(run);
+    QVERIFY(json["holds"].toBool());
+    QVERIFY(json["rmse_N"].toDouble() > 0.0 && json["rmse_N"].toDouble() < 0.0707);
+    QVERIFY(json["angle_error_deg"].toDouble() > 0.0 && json["angle_error_deg"].toDouble() < 1.95);
+    QVERIFY(json["latency_us"].toDouble() > 0.0 && json["latency_us"].toDouble() < 50000.0);
+    QCOMPARE(json["rmse_cycles_N"].toArray().size(), 3);
+    QVERIFY(!json.contains("series") && !json.contains("degradation"));
+    const double delay_s = 1e-6 * json["latency_us"].toDouble();
+    // The station's number: with the damping of three drives and pad; another with --damping.
+    const double damping = 3.0 * json["friction"]["viscous_Ns_per_m"].toDouble() + mechanisms::FingertipPlatformParameters{}.pad.damping_Ns_per_m;
+    QVERIFY(std::abs(json["damping_Ns_per_m"].toDouble() - damping) < 1e-9);
+    QVERIFY(std::abs(json["stiffness_cap_N_per_m"].toDouble() - damping / (0.0005 + delay_s)) < 1e-6);
+    const QJsonObject chosen = object(runCli({"device", "check", "--seed", "18446744073709551615", "--poses", "3", "--damping", "2", "--json"}));
+    QCOMPARE(chosen["seed"].toString(), QString("18446744073709551615"));
+    QVERIFY(std::abs(chosen["stiffness_cap_N_per_m"].toDouble() - 2.0 / (0.0005 + 1e-6 * chosen["latency_us"].toDouble())) < 1e-6);
+    QVERIFY(std::abs(json["friction"]["coulomb_N"].toDouble() - 0.25) < 0.03);
+    QCOMPARE(runCli({"device", "check", "--seed", "2", "--json"}).out, run.out); // the same seed, the same figures
+    const CliRun words = runCli({"device", "check", "--seed", "2"});
+    for (const char* word : {"0.0707", "1.95", "force RMSE, cycle 3", "Holds"})
+        QVERIFY2(words.out.contains(word), word);
+}
+
+void TestCliDevice::aFastSineDoesNotHold() {
+    const CliRun run = runCli({"device", "check", "--frequency", "5", "--poses", "3", "--json"});
+    QCOMPARE(run.exitCode, 1);
+    QVERIFY(!object(run)["holds"].toBool());
+}
+
+void TestCliDevice::seriesAndDegradationWhereAskedFor() {
+    const QJsonObject json = object(runCli({"device", "check", "--poses", "3", "--frequency", "1", "--degrade", "--series", "--json"}));
+    QCOMPARE(json["degradation"].toArray().size(), 24);
+    QCOMPARE(json["degradation"][1]["rmse_N"].toDouble(), json["rmse_N"].toDouble()); // times 1 is the plant itself
+    QCOMPARE(json["series"]["time_s"].toArray().size(), 3000);
+    QCOMPARE(json["series"]["measured_N"].toArray().size(), 3000);
+    QCOMPARE(json["series"]["poses_deg"].toArray().size(), 3);
+}
+
+void TestCliDevice::theGimbalsFriction() {
+    const CliRun run = runCli({"device", "check", "--mechanism", "gimbal_hprd", "--json"});
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(object(run)["friction"].toArray().size(), 3);
+}
+
+void TestCliDevice::whatIsWrongIsRefused() {
+    QCOMPARE(refusalFault(runCli({"device", "check", "--mechanism", "crane"}), 2, {"mechanism", "crane", "fingertip_arm"}), QString());
+    QCOMPARE(refusalFault(runCli({"device", "check", "--poses", "0"}), 2, {"poses"}), QString());
+    QCOMPARE(refusalFault(runCli({"device", "check", "--driver", "crane"}), 2, {"crane"}), QString());
+    QCOMPARE(refusalFault(runCli({"device", "check", "--driver", "keyboard_mouse"}), 5, {"keyboard_mouse", "no motors"}), QString());
+    QCOMPARE(refusalFault(runCli({"device", "check", "--mechanism", "gimbal_hprd", "--degrade"}), 2, {"degrade"}), QString());
+    QVERIFY(runCli({"device", "check", "--help"}).out.contains("chiron-cli device check --seed 1 --degrade --json"));
+}
+
+QTEST_GUILESS_MAIN(TestCliDevice)
+#include "test_cli_device.moc"

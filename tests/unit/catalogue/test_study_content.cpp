@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study_samples.h"
+
+#include "catalogue/canonical_json.h"
+#include "catalogue/schema.h"
+#include "catalogue/study_catalogue.h"
+#include "catalogue/study_reader.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+#include <set>
+
+using namespace chiron;
+using namespace chiron::catalogue;
+using namespace chiron::test;
+
+namespace {
+const QString kContent = QStringLiteral(CHIRON_SOURCE_DIR "/curriculum/content");
+} // namespace
+
+/// Studies as JSON: read, written, shipped.
+class TestStudyContent : public QObject {
+    Q_OBJECT
+private slots:
+    void everyKeyIsRead();
+    void writingIsCanonical();
+    void keysLeftOutKeepTheDefaults();
+    void shippedStudiesRoundTrip();
+    void schemaKnowsEveryKey();
+    void shippedStudiesAreComplete();
+};
+
+void TestStudyContent::everyKeyIsRead() {
+    using namespace psychophysics;
+    const auto study = readStudy(someStudy(), "s.json");
+    QVERIFY2(study.has_value(), study ? "" : study.error().message.c_str());
+    QCOMPARE(study->title.at("de"), std::string("U"));
+    QCOMPARE(study->conditions.size(), std::size_t{2});
+    const Condition& first = study->conditions[0];
+    QVERIFY(first.task == Task::rank3 && first.stimulus.attribute == Attribute::stiffness && first.criterion == 0.75);
+    QCOMPARE(first.stimulus.fixed.at("damping_Ns_per_m"), 1.0);
+    QCOMPARE(first.stimulus.differences, (std::vector<double>{0.01, 0.02, 0.1}));
+    const Condition& second = study->conditions[1];
+    QVERIFY(second.task == Task::twoAfc && second.scale == ProcedureScale::logDifference && second.criterion == 0.8);
+    QVERIFY(std::holds_alternative<StaircaseSpec>(second.procedures[0]) && std::get<StaircaseSpec>(second.procedures[0]).start == -1.0);
+    QVERIFY(study->order == OrderDesign::latinSquare && study->trial.feedback && study->trial.practiceTrials == 2);
+    QCOMPARE(study->fidelity.peakForce_N, 3.0);
+    QCOMPARE(study->fidelity.lateTicks, FidelityLimits{}.lateTicks);
+    const Questionnaire& questionnaire = study->questionnaires.at(0);
+    QVERIFY(questionnaire.when == Questionnaire::When::before && questionnaire.items.size() == 4);
+    QVERIFY(questionnaire.items[0].scale == 7 && questionnaire.items[0].high.at("en") == "yes" && questionnaire.items[0].construct == "face");
+    QVERIFY(questionnaire.items[1].highest == 9.0 && questionnaire.items[2].choices.size() == 2 && !questionnaire.items[3].required);
+    QVERIFY(study->participantsPlanned == 7 && !study->blindParticipant && study->blindExperimenter);
+    QCOMPARE(study->seed, std::uint64_t{9007199254740991});
+}
+
+void TestStudyContent::writingIsCanonical() {
+    const auto study = readStudy(someStudy(), "s.json");
+    const QByteArray written = studyJson(*study);
+    QCOMPARE(QByteArray::fromStdString(canonicalJson(parsed(written))), written);
+    const auto again = readStudy(written, "again");
+    QVERIFY2(again.has_value(), again ? "" : again.error().message.c_str());
+    QCOMPARE(studyJson(*again), written);
+    QCOMPARE(studySha256(written).size(), std::size_t{64});
+    QVERIFY(studySha256(written) != studySha256(written + " "));
+    // Order of keys and spaces do not matter, a value does.
+    QCOMPARE(studyJson(*readStudy(QJsonDocument(parsed(someStudy())).toJson(), "spaced")), written);
+    const QJsonObject other = changed(parsed(someStudy()), {"seed"}, 8).toObject();
+    QVERIFY(studyJson(*readStudy(QJsonDocument(other).toJson(), "other")) != written);
+}
+
+void TestStudyContent::keysLeftOutKeepTheDefaults() {
+    QJsonObject json = parsed(someStudy());
+    for (const char* key : {"order", "trial", "fidelity", "questionnaires", "participants_planned", "blind_participant", "blind_experimenter", "seed"})
+        json.remove(QLatin1String(key));
+    const auto study = readStudy(QJsonDocument(json).toJson(), "short");
+    QVERIFY(study.has_value());
+    const psychophysics::StudyDesign plain;
+    QVERIFY(study->order == plain.order && study->seed == plain.seed && study->participantsPlanned == plain.participantsPlanned);
+    QVERIFY(study->trial.exploreLimit_s == plain.trial.exploreLimit_s && study->blindParticipant == plain.blindParticipant);
+}
+
+void TestStudyContent::shippedStudiesRoundTrip() {
+    const auto catalogue = StudyCatalogue::load(kContent.toStdString());
+    QVERIFY2(catalogue.has_value(), catalogue ? "" : catalogue.error().message.c_str());
+    QCOMPARE(catalogue->studies().size(), std::size_t{12});
+    for (const auto& study : catalogue->studies()) {
+        const QByteArray written = studyJson(study);
+        const auto again = readStudy(written, study.id);
+        QVERIFY2(again.has_value(), again ? "" : again.error().message.c_str());
+        QCOMPARE(studyJson(*again), written);
+        QCOMPARE(catalogue->find(study.id), &study);
+    }
+    QVERIFY(catalogue->find("none") == nullptr);
+}
+
+// schema/study.json documents every key that is written, with a range that holds.
+void TestStudyContent::schemaKnowsEveryKey() {
+    const auto schema = readSchema(kContent + "/schema", "study");
+    QVERIFY2(schema.has_value(), schema ? "" : schema.error().message.c_str());
+    const auto catalogue = StudyCatalogue::load(kContent.toStdString());
+    std::vector<QByteArray> documents{studyJson(*readStudy(someStudy(), "s"))};
+    for (const auto& study : catalogue->studies())
+        documents.push_back(studyJson(study));
+    for (const QByteArray& document : documents) {
+        Problems problems;
+        (void)validated(parsed(document), *schema, "$", problems);
+        QVERIFY2(problems.empty(), problems.empty() ? "" : qPrintable(problems[0].path + ": " + problems[0].found + ": " + problems[0].expected));
+    }
+}
+
+// One study an attribute by rank-3, each other way of asking once, the surgeons' with both validities, in three languages.
+void TestStudyContent::shippedStudiesAreComplete() {
+    using namespace psychophysics;
+    const auto catalogue = StudyCatalogue::load(kContent.toStdString());
+    std::set<Attribute> ranked;
+    std::set<Task> tasks;
+    std::set<std::string> kinds;
+    for (const StudyDesign& study : catalogue->studies()) {
+        for (const StudyText* text : {&study.title, &study.objective, &study.instructions, &study.consent})
+            QVERIFY2(text->contains("en") && text->contains("de") && text->contains("el"), study.id.c_str());
+        QVERIFY(study.blindParticipant);
+        for (const Condition& condition : study.conditions) {
+            QVERIFY(condition.title.contains("de") && condition.title.contains("el"));
+            tasks.insert(condition.task);
+            for (const ProcedureSpec& spec : condition.procedures) {
+                kinds.insert(std::string(kindOf(spec)));
+                if (kindOf(spec) == "rank3_quest_plus")
+                    ranked.insert(condition.stimulus.attribute);
+            }
+        }
+    }
+    QCOMPARE(ranked.size(), std::size_t{6});
+    QVERIFY(tasks.contains(Task::twoAfc) && tasks.contains(Task::magnitude) && tasks.contains(Task::adjustment));
+    QVERIFY(kinds.contains("descending") && kinds.contains("quest_plus") && kinds.contains("constant"));
+    std::set<std::string> constructs;
+    for (const Questionnaire& questionnaire : catalogue->find("surgeons")->questionnaires)
+        for (const QuestionnaireItem& item : questionnaire.items) {
+            constructs.insert(item.construct);
+            QVERIFY(item.text.contains("de") && item.text.contains("el"));
+        }
+    QVERIFY(constructs.contains("face") && constructs.contains("content"));
+}
+
+QTEST_APPLESS_MAIN(TestStudyContent)
+#include "test_study_content.moc"

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study_site.h"
+
+#include "database/integrity/verifier.h"
+#include "database/privacy/erasure.h"
+#include "database/query.h"
+
+#include <QDir>
+#include <QFile>
+
+using namespace chiron;
+using namespace chiron::database;
+using namespace chiron::test;
+
+namespace {
+bool onDisk(const std::string& database, const QByteArray& bytes) {
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
+        if (contentOf(database + suffix).contains(bytes)) {
+            return true;
+        }
+    }
+    return false;
+}
+} // namespace
+
+/// Participants of studies towards the law: a copy, and oblivion, also in what is restored.
+class TestStudyPrivacy : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void exportHoldsParticipations();
+    void erasureNeedsWithdrawalAdministratorAndPassword();
+    void erasureOverwritesButKeepsTrials();
+    void recordingsGoWhereTheParticipantWishes_data();
+    void recordingsGoWhereTheParticipantWishes();
+    void erasingAPersonErasesTheParticipant();
+    void erasingAnExperimenterKeepsParticipantsRecordings();
+    void restoredBackupsStayErased();
+    void nonceKeepsDigestsFromTelling();
+
+private:
+    void withdraw(bool recordings);
+    std::unique_ptr<Connection> reader() { return *m->database->openReader(); }
+
+    std::unique_ptr<DatabaseFixture> m;
+    Actor m_admin = Actor::anonymous();
+    Actor m_ruth = Actor::anonymous();
+    PersonId m_tim = 0;
+    StudyNumber m_study = 0;
+    ParticipantNumber m_participant = 0;
+    std::string m_code;
+    SessionId m_session = 0;
+    StudyRunNumber m_run = 0;
+};
+
+void TestStudyPrivacy::init() {
+    m = std::make_unique<DatabaseFixture>();
+    REQUIRE(m->create());
+    m_admin = m->administrator().value();
+    m_ruth = m->person(m_admin, "ruth", {Role::researcher}).value();
+    m_tim = m->person(m_admin, "tim", {Role::trainee})->personId();
+    m_session = storeSession(*m->database, m_ruth, 2).value();
+    const auto done = m->database->write([&](WriteContext& w) -> core::Result<void> {
+        StudyRepository studies(w.connection(), m_ruth);
+        m_study = studies.createStudy("private", "Private", someDesign("private")).value();
+        (void)studies.freezeStudy(m_study).value();
+        const Participant who = studies.enrolParticipant(m_study, "Timotheus Unverwechselbar", m_tim, "").value();
+        m_participant = who.id;
+        m_code = who.code;
+        auto good = studies.recordConsent(who.id, consentDigest());
+        m_run = studies.beginRun({who.id, "soft", 0, 1, "descending@1"}).value();
+        good = good ? studies.storeStudyTrial(someTrial(m_run, 0, m_session)) : good;
+        good = good ? studies.finishRun(m_run, StudyRunState::completed) : good;
+        return good ? studies.storeQuestionnaireAnswers({{who.id, "face", "remarks", {}, "Schmetterlingseffekt", ""},
+                                                         {who.id, "face", "years", 41.0, "", ""}})
+                    : good;
+    });
+    REQUIRE(done);
+}
+
+void TestStudyPrivacy::withdraw(bool recordings) {
+    REQUIRE(m->database->write(
+        [&](WriteContext& w) { return StudyRepository(w.connection(), m_ruth).withdrawParticipant(m_participant, recordings); }));
+}
+
+void TestStudyPrivacy::exportHoldsParticipations() {
+    const auto tim = AccountService(*m->database).login("tim", kPassword);
+    REQUIRE(tim);
+    const auto held = PrivacyRepository(*reader(), *tim).exportPerson(m_tim);
+    REQUIRE(held);
+    QCOMPARE(held->participations.size(), std::size_t{1});
+    const PersonParticipation& mine = held->participations.front();
+    QCOMPARE(mine.studyKey, std::string("private"));
+    QCOMPARE(mine.participant.code, m_code);
+    QCOMPARE(mine.identity, std::string("Timotheus Unverwechselbar"));
+    QVERIFY(mine.runs.size() == 1 && mine.trials.size() == 1 && mine.answers.size() == 2);
+    QVERIFY(!mine.participant.consentUtc.empty());
+    QVERIFY(PrivacyRepository(*reader(), m_ruth).exportPerson(m_ruth.personId())->participations.empty());
+}
+
+void TestStudyPrivacy::erasureNeedsWithdrawalAdministratorAndPassword() {
+    AccountService accounts(*m->database);
+    QCOMPARE(accounts.eraseParticipant(m_admin, kPassword, m_participant, "wish").error().code, core::ErrorCode::wrongUse);
+    withdraw(false);
+    QCOMPARE(accounts.eraseParticipant(m_admin, "wrong password", m_participant, "wish").error().code, core::ErrorCode::notAllowed);
+    QCOMPARE(accounts.eraseParticipant(m_ruth, kPassword, m_participant, "wish").error().code, core::ErrorCode::notAllowed);
+    QCOMPARE(accounts.eraseParticipant(m_admin, kPassword, m_participant, "").error().code, core::ErrorCode::badInput);
+    REQUIRE(accounts.eraseParticipant(m_admin, kPassword, m_participant, "wish"));
+    REQUIRE(accounts.eraseParticipant(m_admin, kPassword, m_participant, "again")); // can be asked for again
+}
+
+void TestStudyPrivacy::erasureOverwritesButKeepsTrials() {
+    withdraw(false);
+    QVERIFY(onDisk(m->path(), "Unverwechselbar") && onDisk(m->path(), "Schmetterlingseffekt"));
+    REQUIRE(AccountService(*m->database).eraseParticipant(m_admin, kPassword, m_participant, "wish"));
+    QVERIFY(!onDisk(m->path(), "Unverwechselbar") && !onDisk(m->path(), "Schmetterlingseffekt"));
+    const auto who = StudyReader(*reader(), m_ruth).participantByCode(m_study, m_code);
+    REQUIRE(who);
+    QVERIFY(who->erased && who->state == ParticipantState::withdrawn);
+    QCOMPARE(StudyReader(*reader(), m_ruth).studyTrials(m_run)->size(), std::size_t{1});
+    const auto answers = StudyReader(*reader(), m_ruth).questionnaireAnswers(m_study);
+    for (const QuestionnaireAnswer& answer : *answers) {
+        QVERIFY(!answer.number && answer.text.empty());
+    }
+    const auto keys = m->database->write([&](WriteContext& w) { return StudyReader(w.connection(), m_ruth).participantKeys(m_study); });
+    QVERIFY(keys->empty());
+    QVERIFY(PrivacyRepository(*reader(), m_admin).exportPerson(m_tim)->participations.empty());
+    const auto listed = PrivacyRepository(*reader(), m_admin).listErasures();
+    QVERIFY(listed->size() == 1 && listed->front().participantCode == m_code && listed->front().reason == "wish");
+    m->database.reset();
+    QVERIFY(verifyDatabase(m->path(), m->options).ok());
+}
+
+void TestStudyPrivacy::recordingsGoWhereTheParticipantWishes_data() {
+    QTest::addColumn<bool>("recordings");
+    QTest::newRow("kept") << false;
+    QTest::newRow("erased") << true;
+}
+
+void TestStudyPrivacy::recordingsGoWhereTheParticipantWishes() {
+    QFETCH(bool, recordings);
+    withdraw(recordings);
+    REQUIRE(AccountService(*m->database).eraseParticipant(m_admin, kPassword, m_participant, "wish"));
+    QCOMPARE(SessionReader(*reader(), m_ruth).session(m_session)->summary.recordingErased, recordings);
+    m->database.reset();
+    QVERIFY(verifyDatabase(m->path(), m->options).ok());
+}
+
+void TestStudyPrivacy::erasingAPersonErasesTheParticipant() {
+    REQUIRE(AccountService(*m->database).erasePerson(m_admin, kPassword, m_tim, "wish", false));
+    QVERIFY(!onDisk(m->path(), "Unverwechselbar") && !onDisk(m->path(), "Schmetterlingseffekt"));
+    QVERIFY(StudyReader(*reader(), m_ruth).participantByCode(m_study, m_code)->erased);
+    QVERIFY(!SessionReader(*reader(), m_ruth).session(m_session)->summary.recordingErased);
+    m->database.reset();
+    QVERIFY(verifyDatabase(m->path(), m->options).ok());
+}
+
+void TestStudyPrivacy::erasingAnExperimenterKeepsParticipantsRecordings() {
+    const auto own = storeSession(*m->database, m_ruth, 1);
+    REQUIRE(AccountService(*m->database).erasePerson(m_admin, kPassword, m_ruth.personId(), "left", true));
+    QVERIFY(!SessionReader(*reader(), m_admin).session(m_session)->summary.recordingErased);
+    QVERIFY(SessionReader(*reader(), m_admin).session(*own)->summary.recordingErased);
+    m->database.reset();
+    QVERIFY(verifyDatabase(m->path(), m->options).ok());
+}
+
+void TestStudyPrivacy::restoredBackupsStayErased() {
+    REQUIRE(Upkeep::backup(*m->database, m_admin, m->path("before")));
+    withdraw(true);
+    REQUIRE(AccountService(*m->database).eraseParticipant(m_admin, kPassword, m_participant, "wish"));
+    REQUIRE(Upkeep::backup(*m->database, m_admin, m->path("after")));
+    const auto carried = readErasureList(m->path("after") + "/erasures.json");
+    QVERIFY(carried && carried->size() == 1 && carried->front().participantCode == m_code);
+    m->database.reset();
+    const auto restored = Upkeep::restore(requestFor(*m, m->path("before")), m->options);
+    REQUIRE(restored);
+    QCOMPARE(restored->erasuresApplied, 1);
+    QVERIFY(!onDisk(m->path(), "Unverwechselbar") && !onDisk(m->path(), "Schmetterlingseffekt"));
+    QVERIFY(verifyDatabase(m->path(), m->options).ok());
+    REQUIRE(m->reopen());
+    QVERIFY(SessionReader(*reader(), m_admin).session(m_session)->summary.recordingErased);
+    QVERIFY(StudyReader(*reader(), m_admin).participantByCode(m_study, m_code)->erased);
+}
+
+void TestStudyPrivacy::nonceKeepsDigestsFromTelling() {
+    // The same answer of two people, and of one person erased, have nothing in common that could be guessed back.
+    const auto hashes = selectInteger(*reader(), "SELECT count(DISTINCT answer_hash) FROM questionnaire_answer");
+    QCOMPARE(hashes->value_or(0), std::int64_t{2});
+    const auto other = m->database->write([&](WriteContext& w) {
+        StudyRepository studies(w.connection(), m_ruth);
+        const ParticipantNumber who = enrol(studies, m_ruth, m_study, true).value_or(0);
+        return studies.storeQuestionnaireAnswers({{who, "face", "years", 41.0, "", ""}});
+    });
+    REQUIRE(other);
+    QCOMPARE(selectInteger(*reader(), "SELECT count(DISTINCT answer_hash) FROM questionnaire_answer")->value_or(0), std::int64_t{3});
+}
+
+QTEST_GUILESS_MAIN(TestStudyPrivacy)
+#include "test_study_privacy.moc"

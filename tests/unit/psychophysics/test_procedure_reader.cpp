@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Procedures as JSON: every key there and back, faults told with their place, the schema in step with the reader.
+#include "catalogue/procedure_reader.h"
+#include "catalogue/schema.h"
+
+#include <QJsonDocument>
+#include <QtTest>
+
+using namespace chiron;
+using namespace chiron::catalogue;
+using namespace chiron::psychophysics;
+
+namespace {
+
+core::Result<ProcedureSpec> read(const QByteArray& json) { return readProcedure(json, "procedure.json"); }
+
+std::vector<ProcedureSpec> samples() {
+    StaircaseSpec staircase;
+    staircase.start = -0.3;
+    staircase.stepsUp = {0.2, 0.1};
+    staircase.stepRatio = 0.7393;
+    staircase.stepType = StaircaseSpec::StepType::db;
+    staircase.start = 0.5;
+    staircase.truncate = false;
+    staircase.minimum = 0.01;
+    staircase.stop = {.trials = 40, .reversals = 8, .reversalsAndTrials = true};
+    QuestPlusSpec plus;
+    plus.stimuli = {{"intensity", {-1.0, -0.5, 0.0}}};
+    plus.parameters = {{"threshold", {-1.0, 0.0}, {1.0, 3.0}, false}, {"slope", {3.5}, {}, false}, {"lower_asymptote", {0.5}, {}, false}, {"lapse_rate", {0.02, 0.04}, {}, true}};
+    plus.catchEvery = 0.1;
+    plus.seed = 9007199254740992ULL;
+    QuestPlusSpec table;
+    table.function = "table";
+    table.outcomes = 3;
+    table.stimuli = {{"a", {0.0, 1.0}}};
+    table.parameters = {{"t", {0.0}, {}, false}};
+    table.table = {{{0.2}, {0.5}}, {{0.3}, {0.5}}, {{0.5}, {0.0}}};
+    Rank3Spec rank3;
+    rank3.differences = {0.01, 0.02, 0.05};
+    PestSpec pest;
+    pest.start = 1.0;
+    ConstantSpec constant;
+    constant.levels = {1.0, 2.0};
+    DescendingSpec descending;
+    descending.levels = {2.0, 1.0};
+    QuestSpec quest;
+    quest.method = "mean";
+    quest.maximum = 0.5;
+    return {staircase, pest, constant, descending, quest, plus, table, rank3};
+}
+
+} // namespace
+
+class TestProcedureReader : public QObject {
+    Q_OBJECT
+private slots:
+    void thereAndBack();
+    void schemaKnowsEveryKey();
+    void schemaTakesWhatIsWritten();
+    void evenGrids();
+    void faults_data();
+    void faults();
+};
+
+void TestProcedureReader::thereAndBack() {
+    for (const ProcedureSpec& spec : samples()) {
+        const QByteArray json = QJsonDocument(writeProcedure(spec)).toJson();
+        const auto again = read(json);
+        QVERIFY2(again, again ? "" : again.error().message.c_str());
+        QCOMPARE(again->index(), spec.index());
+        QCOMPARE(QJsonDocument(writeProcedure(*again)).toJson(), json);
+    }
+}
+
+void TestProcedureReader::schemaKnowsEveryKey() {
+    const auto schema = readSchema(CHIRON_SOURCE_DIR "/curriculum/content/schema", "procedure");
+    QVERIFY2(schema, schema ? "" : schema.error().message.c_str());
+    QSet<QString> used;
+    for (const ProcedureSpec& spec : samples()) {
+        const QJsonObject json = writeProcedure(spec);
+        for (const QString& key : json.keys())
+            used.insert(key);
+    }
+    for (const QString& key : used)
+        QVERIFY2(schema->properties.contains(key), qPrintable(key));
+    for (const auto& [key, property] : schema->properties)
+        QVERIFY2(used.contains(key), qPrintable(key));
+}
+
+void TestProcedureReader::schemaTakesWhatIsWritten() {
+    const auto schema = readSchema(CHIRON_SOURCE_DIR "/curriculum/content/schema", "procedure");
+    QVERIFY(schema);
+    for (const ProcedureSpec& spec : samples()) {
+        Problems problems;
+        validated(writeProcedure(spec), *schema, "$", problems);
+        QVERIFY2(problems.empty(), problems.empty() ? "" : qPrintable(problems.front().path + " " + problems.front().expected));
+    }
+}
+
+void TestProcedureReader::evenGrids() {
+    const auto spec = read(R"({"kind": "quest_plus", "function": "norm_cdf_2",
+        "stimuli": [{"name": "intensity", "from": -1, "to": 1, "step": 0.1}],
+        "parameters": [{"name": "sd", "values": [0.1, 0.2]}, {"name": "mean", "from": -0.3, "to": 0.3, "step": 0.05},
+                       {"name": "lapse_rate", "values": [0.02], "nuisance": false}]})");
+    QVERIFY2(spec, spec ? "" : spec.error().message.c_str());
+    const auto& plus = std::get<QuestPlusSpec>(*spec);
+    QCOMPARE(plus.stimuli[0].second.size(), std::size_t(21));
+    QCOMPARE(plus.parameters[1].values.size(), std::size_t(13));
+    QVERIFY(std::abs(plus.stimuli[0].second.back() - 1.0) < 1e-12);
+}
+
+void TestProcedureReader::faults_data() {
+    QTest::addColumn<QByteArray>("json");
+    QTest::addColumn<QString>("said");
+    const auto add = [](const char* name, const char* json, const char* said) { QTest::newRow(name) << QByteArray(json) << QString(said); };
+    add("no kind", "{}", "$.kind: missing: expected a text");
+    add("another kind", R"({"kind": "quest_pluss"})", "did you mean \"quest_plus\"?");
+    add("unknown key", R"({"kind": "staircase", "stpes_up": [1]})", "$.stpes_up: unknown key: expected a key of the procedure staircase");
+    add("key of another kind", R"({"kind": "quest", "up": 2})", "$.up: unknown key");
+    add("type", R"({"kind": "staircase", "up": "2"})", "$.up: another type: expected a number");
+    add("fraction", R"({"kind": "staircase", "up": 1.5})", "$.up: 1.5: expected a whole number");
+    add("list", R"({"kind": "staircase", "steps_up": [0.1, "b"]})", "$.steps_up[1]: another type: expected a number");
+    add("range", R"({"kind": "staircase", "estimate_reversals": 1})", "$.estimate_reversals: 1: expected at least 2");
+    add("stop", R"({"kind": "staircase", "stop": {"trails": 3}})", "$.stop.trails: unknown key");
+    add("step type", R"({"kind": "staircase", "step_type": "lin"})", "$.step_type: \"lin\": expected one of linear, log, db");
+    add("no levels", R"({"kind": "constant"})", "levels: expected finite numbers, at least one");
+    add("method", R"({"kind": "quest", "method": "median"})", "$.method: \"median\": expected quantile, mean or mode");
+    add("function", R"({"kind": "quest_plus", "function": "weibul", "stimuli": [{"name": "x", "values": [1]}], "parameters": []})", "$.function: \"weibul\"");
+    add("parameter", R"({"kind": "quest_plus", "stimuli": [{"name": "x", "values": [1]}], "parameters": [{"name": "threshold", "values": [1]}]})", "slope is missing");
+    add("grid", R"({"kind": "quest_plus", "stimuli": [{"name": "x", "from": 1, "to": 0, "step": 1}], "parameters": []})", "$.stimuli[0].step");
+    add("ties", R"({"kind": "rank3_quest_plus", "differences": [0.1], "allow_ties": true})", "$.allow_ties: not usable: expected false");
+    add("place", "{\"kind\": \"staircase\",\n \"down\": 0}", "procedure.json:2:");
+}
+
+void TestProcedureReader::faults() {
+    QFETCH(QByteArray, json);
+    QFETCH(QString, said);
+    const auto spec = read(json);
+    QVERIFY(!spec);
+    QVERIFY2(QString::fromStdString(spec.error().message).contains(said), spec.error().message.c_str());
+    QCOMPARE(spec.error().code, core::ErrorCode::badInput);
+}
+
+QTEST_APPLESS_MAIN(TestProcedureReader)
+#include "test_procedure_reader.moc"

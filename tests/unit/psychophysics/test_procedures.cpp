@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every kind of procedure: undo, spoiled trials, ends, estimates.
+#include "procedure_runs.h"
+
+#include <QtTest>
+#include <cmath>
+#include <map>
+
+using namespace chiron;
+using namespace chiron::tests;
+
+namespace {
+
+std::vector<ProcedureSpec> kinds() {
+    StaircaseSpec staircase;
+    staircase.stepsUp = {0.2, 0.1, 0.05};
+    staircase.stop = {.trials = 30};
+    PestSpec pest;
+    pest.stop = {.trials = 30};
+    ConstantSpec constant;
+    constant.levels = {-1.0, -0.5, 0.0};
+    constant.repeats = 10;
+    DescendingSpec descending;
+    descending.levels = {0.0, -0.3, -0.6, -0.9};
+    descending.repeats = 10;
+    descending.passes = 1;
+    Rank3Spec rank3;
+    rank3.differences = even(0.01, 0.2, 10);
+    rank3.stop = {.trials = 30};
+    QuestPlusSpec plus = weibull();
+    plus.catchEvery = 0.2;
+    plus.repeatLimit = 2;
+    return {staircase, pest, constant, descending, QuestSpec{}, plus, rank3};
+}
+
+struct Run {
+    std::vector<Stimulus> stimuli;
+    double estimate = 0.0;
+};
+
+/// `disturbed`: every third trial is recorded wrongly and taken back, twice over.
+Run runOf(const ProcedureSpec& spec, bool disturbed) {
+    auto procedure = *makeProcedure(spec, 7);
+    core::Random random(11);
+    Run run;
+    while (!procedure->done()) {
+        const Choice choice = procedure->next();
+        const int given = outcome(*procedure, random);
+        for (int i = 0; disturbed && run.stimuli.size() % 3 == 1 && i < 2; ++i) {
+            (void)procedure->record(0, choice.stimulus);
+            (void)procedure->undo();
+        }
+        run.stimuli.push_back(choice.stimulus);
+        (void)procedure->record(given, choice.stimulus);
+    }
+    const auto estimate = procedure->estimate();
+    run.estimate = estimate.known ? estimate.parameters[0].mean : 0.0;
+    return run;
+}
+
+} // namespace
+
+class TestProcedures : public QObject {
+    Q_OBJECT
+private slots:
+    void undoLeavesNoTrace();
+    void refusals();
+    void spoiledConstantComesLater();
+    void pestBySteps();
+    void descendingSaysItsBias();
+    void questStaysInRange();
+};
+
+void TestProcedures::undoLeavesNoTrace() {
+    for (const ProcedureSpec& spec : kinds()) {
+        const Run plain = runOf(spec, false);
+        const Run disturbed = runOf(spec, true);
+        QVERIFY2(plain.stimuli == disturbed.stimuli, kindOf(spec).data());
+        QVERIFY(plain.estimate == disturbed.estimate);
+        QVERIFY(!plain.stimuli.empty());
+        auto procedure = *makeProcedure(spec, 7);
+        const auto refused = procedure->undo();
+        QVERIFY(!refused && refused.error().code == core::ErrorCode::wrongUse);
+    }
+}
+
+void TestProcedures::refusals() {
+    for (const ProcedureSpec& spec : kinds()) {
+        auto procedure = *makeProcedure(spec, 1);
+        const Choice before = procedure->next();
+        QVERIFY(!procedure->record(procedure->outcomes(), before.stimulus));
+        QVERIFY(!procedure->record(-1, before.stimulus));
+        QVERIFY(!procedure->record(0, {}));
+        QVERIFY(!procedure->record(0, {std::nan("")}));
+        QCOMPARE(procedure->trials(), 0);
+        QVERIFY(procedure->next().stimulus == before.stimulus);
+    }
+    ConstantSpec empty;
+    QVERIFY(!makeProcedure(empty, 1));
+    QuestPlusSpec unknown = weibull();
+    unknown.function = "sine";
+    QVERIFY(!makeProcedure(unknown, 1));
+}
+
+void TestProcedures::spoiledConstantComesLater() {
+    ConstantSpec spec;
+    spec.levels = {1.0, 2.0, 3.0, 4.0};
+    spec.repeats = 5;
+    auto procedure = *makeProcedure(spec, 2);
+    std::map<double, int> counts;
+    for (int spoils = 0; !procedure->done();) {
+        if (spoils++ % 2 == 0)
+            procedure->spoiled();
+        const Stimulus x = procedure->next().stimulus;
+        ++counts[x[0]];
+        QVERIFY(procedure->record(1, x));
+    }
+    QCOMPARE(procedure->trials(), 20);
+    for (const auto& [level, count] : counts)
+        QCOMPARE(count, 5);
+    auto last = *makeProcedure(ConstantSpec{{1.0}, 1, true}, 1);
+    last->spoiled();
+    QCOMPARE(last->next().stimulus[0], 1.0);
+}
+
+/// Taylor & Creelman's rules, by hand: target 0.75, W 1: four right in a row (excess 0.25 each) leave the bound at the fifth; two wrong do.
+void TestProcedures::pestBySteps() {
+    PestSpec spec;
+    spec.start = 0.0;
+    spec.step = 0.4;
+    spec.smallestStep = 0.1;
+    auto procedure = *makeProcedure(spec, 1);
+    const auto feed = [&](int outcome, int times) {
+        for (int i = 0; i < times; ++i)
+            (void)procedure->record(outcome, procedure->next().stimulus);
+        return procedure->next().stimulus[0];
+    };
+    QCOMPARE(feed(1, 4), 0.0);
+    QCOMPARE(feed(1, 1), -0.4);
+    QCOMPARE(feed(1, 5), -0.8);        // the second step is like the first
+    QCOMPARE(feed(1, 5), -0.8 - 0.8);  // the third doubles: no doubling before the last reversal
+    QCOMPARE(feed(0, 2), -1.6 + 0.4);  // a reversal halves
+    QVERIFY(!procedure->done());
+    QVERIFY(std::abs(feed(1, 5) - (-1.4)) < 1e-12); // another
+    feed(0, 2);                        // 0.1: the smallest
+    QVERIFY(procedure->done());
+    QCOMPARE(procedure->reversals(), 3);
+    QVERIFY(std::abs(procedure->estimate().parameters[0].mean + 1.3) < 1e-12);
+}
+
+void TestProcedures::descendingSaysItsBias() {
+    DescendingSpec spec;
+    spec.levels = {0.3, 0.2, 0.1};
+    auto procedure = *makeProcedure(spec, 1);
+    for (const int outcome : {1, 0, 1, 0, 0, 1})
+        QVERIFY(procedure->record(outcome, procedure->next().stimulus));
+    QVERIFY(procedure->done());
+    QCOMPARE(procedure->estimate().parameters[0].mean, 0.3);
+    QVERIFY(procedure->estimate().method.find("overestimates") != std::string::npos);
+    QVERIFY(procedure->id().find("legacy") != std::string_view::npos);
+    QVERIFY(!procedure->record(1, {0.2}));
+}
+
+void TestProcedures::questStaysInRange() {
+    QuestSpec spec;
+    spec.minimum = -1.0;
+    spec.maximum = 0.3;
+    auto procedure = *makeProcedure(spec, 1);
+    for (int trial = 0; trial < 40; ++trial) {
+        const Stimulus x = procedure->next().stimulus;
+        QVERIFY(x[0] >= -1.0 && x[0] <= 0.3);
+        QVERIFY(procedure->record(0, x));
+    }
+    QVERIFY(procedure->done());
+    const NamedEstimate e = procedure->estimate().parameters[0];
+    QVERIFY(e.low < e.mean && e.mean < e.high);
+}
+
+QTEST_APPLESS_MAIN(TestProcedures)
+#include "test_procedures.moc"

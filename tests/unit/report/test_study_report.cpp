@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The printed report of a study, as pdftotext reads it. CHIRON_KEEP_PICTURES=<folder> keeps the files.
+#include "catalogue/study_reader.h"
+#include "database/repositories/study_repository.h"
+#include "session/study/study_runner.h"
+#include "session_report/study_report.h"
+#include "support/session_fixture.h"
+#include "support/study_designs.h"
+
+#include <QDir>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QtTest>
+
+using namespace chiron;
+
+namespace {
+
+psychophysics::StudyDesign designOf(const std::string& id, bool blind) {
+    psychophysics::StudyDesign study;
+    study.id = id;
+    study.title = {{"en", "Feeling stiffness"}, {"de", "Steifigkeit fühlen"}};
+    study.objective = {{"en", "How small a difference is felt."}};
+    study.instructions = {{"en", "Put the three in order."}};
+    study.consent = {{"en", "I take part of my own free will."}};
+    psychophysics::Condition condition;
+    condition.id = "soft";
+    condition.title = {{"en", "Softwood tube"}};
+    condition.stimulus = testing::stimulusOf(psychophysics::Attribute::stiffness);
+    condition.procedures = {testing::rank3(condition.stimulus.differences, 24, 12)};
+    study.conditions = {condition};
+    psychophysics::Questionnaire questions;
+    questions.id = "after";
+    questions.title = {{"en", "Face validity"}};
+    questions.items = {{"realism", {{"en", "How real did it feel?"}}, psychophysics::QuestionnaireItem::Kind::likert, 5, {{"en", "not at all"}}, {{"en", "fully"}}, {}, "face", 0, 0, true}};
+    study.questionnaires = {questions};
+    study.trial.practiceTrials = 0;
+    study.blindExperimenter = blind;
+    return study;
+}
+
+/// One word after another, however lines were broken. Punctuation between capitals may be missing: the font has glyphs of its own for it.
+QString textOf(const QString& pdf) {
+    QProcess reader;
+    reader.start(QStringLiteral("pdftotext"), {QStringLiteral("-layout"), pdf, QStringLiteral("-")});
+    reader.waitForFinished();
+    return QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+}
+
+} // namespace
+
+class TestStudyReport : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        if (QStandardPaths::findExecutable(QStringLiteral("pdftotext")).isEmpty())
+            QSKIP("pdftotext is not installed");
+    }
+    void refusesDraft();
+    void tellsAll();
+    void blindUntilUnblinded();
+
+private:
+    template <class Job> auto write(Job job) {
+        return m_site.database->write([&](database::WriteContext& writing) {
+            database::StudyRepository studies(writing.connection(), database::Actor::simulated());
+            return job(studies);
+        });
+    }
+    database::StudyNumber draft(const psychophysics::StudyDesign& design) {
+        const auto study = write([&](database::StudyRepository& all) {
+            return all.createStudy(design.id, design.title.at("en"), catalogue::studyJson(design).toStdString());
+        });
+        if (!study)
+            qFatal("%s", study.error().message.c_str());
+        return *study;
+    }
+    /// Frozen, done by two simulated participants.
+    database::StudyNumber done(const psychophysics::StudyDesign& design, std::string& sha256) {
+        const auto study = draft(design);
+        const auto frozen = write([&](database::StudyRepository& all) { return all.freezeStudy(study); });
+        if (!frozen)
+            qFatal("%s", frozen.error().message.c_str());
+        sha256 = *frozen;
+        for (const auto& [code, words, weber] : {std::tuple{"ALPHA", "weber:0.1", 0.1}, std::tuple{"BRAVO", "weber:0.15", 0.15}}) {
+            const auto participant = write([&, name = code, observer = words](database::StudyRepository& all) { return all.enrolParticipant(study, {}, 0, observer, name); });
+            session::StudyRunRequest request;
+            request.study = study;
+            request.participantCode = participant ? participant->code : std::string();
+            request.observer.weber = weber;
+            request.quick = true;
+            if (const auto run = session::runStudyHeadless(*m_site.database, database::Actor::simulated(), request); !run || !run->completed)
+                qFatal("%s", run ? "not completed" : run.error().message.c_str());
+        }
+        return study;
+    }
+    core::Result<void> report(database::StudyNumber study, const QString& file, const std::string& language = "en") {
+        auto connection = m_site.database->openReader();
+        database::StudyReader reader(**connection, database::Actor::simulated());
+        return session_report::writeStudyReport(file, reader, study, report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom)), language);
+    }
+    QString file(const char* name) const {
+        const QString kept = qEnvironmentVariable("CHIRON_KEEP_PICTURES");
+        return kept.isEmpty() ? m_folder.filePath(QLatin1String(name)) : QDir(kept).filePath(QLatin1String(name));
+    }
+    tests::SessionFixture m_site;
+    QTemporaryDir m_folder;
+};
+
+void TestStudyReport::refusesDraft() {
+    const auto study = draft(designOf("not_yet", false));
+    const auto refused = report(study, file("draft.pdf"));
+    QVERIFY(!refused && refused.error().code == core::ErrorCode::wrongUse);
+    QVERIFY(!QFile::exists(m_folder.filePath(QStringLiteral("draft.pdf"))));
+}
+
+void TestStudyReport::tellsAll() {
+    std::string sha256;
+    const auto study = done(designOf("jnd_soft", false), sha256);
+    const auto written = report(study, file("study.pdf"));
+    QVERIFY2(written, written ? "" : written.error().message.c_str());
+    const QString text = textOf(file("study.pdf"));
+    QCOMPARE(sha256.size(), std::size_t{64});
+    for (const QString& word : {QString::fromStdString(sha256), QStringLiteral("Feeling stiffness"), QStringLiteral("Softwood tube"), QStringLiteral("ALPHA"),
+                                QStringLiteral("BRAVO"), QStringLiteral("150 N/m"), QStringLiteral("2 participant"), QStringLiteral("Fidelity"),
+                                QStringLiteral("How real did it feel?"), QStringLiteral("Weber fraction of the group")})
+        QVERIFY2(text.contains(word), qPrintable(word + QStringLiteral(" is not in: ") + text));
+    QVERIFY(report(study, file("study_de.pdf"), "de"));
+    QVERIFY(textOf(file("study_de.pdf")).contains(QStringLiteral("Steifigkeit fühlen")));
+}
+
+void TestStudyReport::blindUntilUnblinded() {
+    std::string sha256;
+    const auto study = done(designOf("jnd_blind", true), sha256);
+    auto connection = m_site.database->openReader();
+    const auto sealed = database::StudyReader(**connection, database::Actor::simulated()).sealedConditions(study);
+    QVERIFY(sealed && sealed->size() == 1);
+    QVERIFY(report(study, file("blind.pdf")));
+    const QString blind = textOf(file("blind.pdf"));
+    QVERIFY(blind.contains(QString::fromStdString(sealed->front().sealedCode)) && blind.contains(QString::fromStdString(sha256)));
+    for (const char* told : {"Softwood", "150 N/m", "JND at"})
+        QVERIFY2(!blind.contains(QLatin1String(told)), qPrintable(blind));
+    QVERIFY(write([&](database::StudyRepository& all) { return all.unblindStudy(study); }));
+    QVERIFY(report(study, file("unblinded.pdf")));
+    QVERIFY(textOf(file("unblinded.pdf")).contains(QStringLiteral("Softwood tube")));
+}
+
+QTEST_MAIN(TestStudyReport)
+#include "test_study_report.moc"

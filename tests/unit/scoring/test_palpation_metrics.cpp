@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Metrics of palpation on trials that were made up, each against a number worked out by hand.
+#include "core/normal_distribution.h"
+#include "palpation_traces.h"
+#include "scoring/metric.h"
+#include "scoring/score_calculator.h"
+#include "scoring/trace_builder.h"
+#include "scoring/trace_csv.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace chiron;
+using namespace chiron::scoring;
+using core::ReportField;
+using tests::MadeTrial;
+using tests::palpationSession;
+
+namespace {
+
+bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+
+Measurement metricOf(const SessionTrace& trace, const std::string& id) {
+    const std::vector<MetricRequest> wanted{{id, 1}};
+    const auto card = calculateScore(trace, wanted, {}, true);
+    if (!card)
+        return Measurement::undefined(card.error().message);
+    return {card->metrics.front().value, card->metrics.front().reason};
+}
+double valueOf(const std::vector<TrialTrace>& trials, const std::string& id) {
+    return metricOf(palpationSession(trials), id).value.value_or(std::nan(""));
+}
+QString reasonOf(const std::vector<TrialTrace>& trials, const std::string& id) {
+    return QString::fromStdString(metricOf(palpationSession(trials), id).reason);
+}
+
+/// Three lumps of different hardness, two of them found 3 mm and 5 mm away, one finding beside.
+MadeTrial threeLumps() {
+    MadeTrial trial({{-0.02, -0.02, 0.005, 2}, {0.02, 0.02, 0.0075, 5}, {-0.02, 0.02, 0.006, 3}});
+    trial.found(0, -0.017, -0.02, 4, 3, 60).found(1, 0.02, 0.025, 5, 4, 70).found(2, 0.02, -0.02, 1);
+    return trial;
+}
+
+/// `trials` trials of one lump in the middle, `hits` of them found, and `alarms` with a mark in a corner.
+std::vector<TrialTrace> oneLumpEach(int trials, int hits, int alarms) {
+    std::vector<TrialTrace> out;
+    for (int i = 0; i < trials; ++i) {
+        MadeTrial trial({{0.0, 0.0}});
+        if (i < hits)
+            trial.found(0, 0.0, 0.0, 5);
+        if (i < alarms)
+            trial.found(1, -0.02, -0.02, 1);
+        out.push_back(trial);
+    }
+    return out;
+}
+
+} // namespace
+
+class TestPalpationMetrics : public QObject {
+    Q_OBJECT
+private slots:
+    void counts() {
+        QCOMPARE(valueOf({threeLumps()}, "palpation_hits"), 2.0);
+        QCOMPARE(valueOf({threeLumps()}, "palpation_misses"), 1.0);
+        QCOMPARE(valueOf({threeLumps()}, "palpation_false_alarms"), 1.0);
+        QCOMPARE(valueOf({threeLumps(), threeLumps(), MadeTrial().found(0, 0.0, 0.0)}, "palpation_hits"), 4.0);
+        QCOMPARE(valueOf({threeLumps(), MadeTrial().found(0, 0.0, 0.0)}, "palpation_false_alarms"), 2.0);
+        QCOMPARE(valueOf({MadeTrial()}, "palpation_false_alarms"), 0.0);
+        QCOMPARE(reasonOf({MadeTrial()}, "palpation_hits"), QString("no lump was there"));
+        QCOMPARE(reasonOf({MadeTrial()}, "palpation_misses"), QString("no lump was there"));
+        QCOMPARE(valueOf({MadeTrial({{0.0, 0.0}})}, "palpation_misses"), 1.0); // nobody said anything
+    }
+
+    void takenBackTimedOutAndPaused() {
+        QCOMPARE(valueOf({threeLumps().say(ReportField::remove, 2)}, "palpation_false_alarms"), 0.0);
+        QCOMPARE(valueOf({threeLumps().say(ReportField::remove, 0)}, "palpation_hits"), 1.0);
+        QCOMPARE(valueOf({threeLumps().timedOut()}, "palpation_hits"), 2.0); // what had been said counts
+        QCOMPARE(valueOf({threeLumps().pause(90, 250)}, "palpation_hits"), 2.0); // a report is one in a pause too
+        MadeTrial again = threeLumps();
+        again.say(ReportField::remove, 0).found(0, -0.021, -0.02, 5, 5, 50); // its place in the list is taken anew
+        QVERIFY(isNear(valueOf({again}, "localisation_error"), 3.0, 1e-9)); // (1 + 5)/2
+    }
+
+    void errors() {
+        QVERIFY(isNear(valueOf({threeLumps()}, "localisation_error"), 4.0, 1e-9));
+        QVERIFY(isNear(valueOf({threeLumps()}, "size_error"), 0.75, 1e-9)); // (|6 − 5| + |7 − 7.5|)/2
+        // pooled over hits, not a mean of the trials' means
+        const auto one = MadeTrial({{0.0, 0.0}}).found(0, 0.010, 0.0, 0, 0, 85);
+        QVERIFY(isNear(valueOf({threeLumps(), one}, "localisation_error"), 6.0, 1e-9));
+        QVERIFY(isNear(valueOf({threeLumps(), one}, "size_error"), 2.5 / 3.0, 1e-9));
+        QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}})}, "localisation_error"), QString("no lump was found"));
+        QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0)}, "size_error"), QString("of no lump that was found the size was said"));
+        TrialTrace unasked = MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0);
+        std::erase_if(unasked.truth, [](const NamedValue& v) { return v.id.starts_with("asks"); });
+        QCOMPARE(reasonOf({unasked}, "size_error"), QString("the level asks for no size"));
+        QCOMPARE(reasonOf({unasked}, "hardness_order"), QString("the level asks for no hardness"));
+    }
+
+    void hardness() {
+        QCOMPARE(valueOf({threeLumps()}, "hardness_order"), 100.0);
+        QCOMPARE(valueOf({threeLumps().say(ReportField::hardness, 0, 5)}, "hardness_order"), 0.0);
+        QCOMPARE(valueOf({threeLumps().say(ReportField::hardness, 0, 4)}, "hardness_order"), 0.0); // alike is not right
+        // the third one, 3, is called 3: right against 5 called 4, alike with 2 called 3
+        QVERIFY(isNear(valueOf({threeLumps().found(3, -0.02, 0.02, 0, 3)}, "hardness_order"), 200.0 / 3.0, 1e-9));
+        QVERIFY(isNear(valueOf({threeLumps(), threeLumps().say(ReportField::hardness, 0, 5)}, "hardness_order"), 50.0, 1e-9));
+        const QString few("fewer than two lumps of a trial were found and their hardness said");
+        QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0, 0, 3)}, "hardness_order"), few);
+        const auto one = MadeTrial({{0.0, 0.0, 0.0075, 2}}).found(0, 0.0, 0.0, 0, 3);
+        QCOMPARE(reasonOf({one, one}, "hardness_order"), few); // trials are not compared with one another
+        const auto alike = MadeTrial({{-0.02, 0.0}, {0.02, 0.0}}).found(0, -0.02, 0.0, 0, 1).found(1, 0.02, 0.0, 0, 5);
+        QCOMPARE(reasonOf({alike}, "hardness_order"), QString("the lumps that were found are equally hard"));
+    }
+
+    /// 20 lumps in 20 trials of nine regions: 15 found, 8 of 160 lump-free regions with a false alarm.
+    void sensitivity() {
+        const auto trials = oneLumpEach(20, 15, 8);
+        const double zH = core::normalQuantile(15.5 / 21.0);
+        const double zF = core::normalQuantile(8.5 / 161.0);
+        QVERIFY(isNear(zH, 0.6375, 1e-4) && isNear(zF, -1.6183, 1e-4)); // by a table
+        QVERIFY(isNear(valueOf(trials, "palpation_d_prime"), zH - zF, 1e-12));
+        QVERIFY(isNear(valueOf(trials, "palpation_criterion"), -0.5 * (zH + zF), 1e-12));
+        // sure of every hit, guessed every false alarm: ¾ straight up, then to (0.05, 0.75), then to (1, 1)
+        QVERIFY(isNear(valueOf(trials, "palpation_roc_area"), 0.05 * 0.75 + 0.95 * 0.875, 1e-12));
+    }
+
+    void sensitivityOfExtremes() {
+        const double z = core::normalQuantile(20.5 / 21.0);
+        const double none = core::normalQuantile(0.5 / 161.0);
+        QVERIFY(isNear(valueOf(oneLumpEach(20, 20, 0), "palpation_d_prime"), z - none, 1e-12)); // all right
+        QVERIFY(isNear(valueOf(oneLumpEach(20, 0, 0), "palpation_d_prime"), -z - none, 1e-12)); // no marks
+        QCOMPARE(reasonOf(oneLumpEach(20, 0, 0), "palpation_roc_area"), QString("nobody said how sure a finding is"));
+    }
+
+    void tooFew() {
+        for (const char* id : {"palpation_d_prime", "palpation_criterion", "palpation_roc_area"}) {
+            QCOMPARE(reasonOf(oneLumpEach(19, 19, 0), id), QString("only 19 regions with a lump and 152 without: 20 of each are needed"));
+            const auto card = calculateScore(palpationSession(oneLumpEach(20, 15, 8)), std::vector<MetricRequest>{{id, 1}}, {}, true);
+            QVERIFY(card && card->metrics[0].value && !card->trials[0][0].value); // a session has enough, each of its trials not
+            QCOMPARE(card->trials[0][0].reason, std::string("only 1 regions with a lump and 8 without: 20 of each are needed"));
+        }
+    }
+
+    void coverage() {
+        QVERIFY(isNear(valueOf({MadeTrial().covered(0.5), MadeTrial().covered(0.8)}, "coverage"), 65.0, 1e-9));
+        TrialTrace bare = MadeTrial();
+        bare.quantities.clear();
+        QCOMPARE(reasonOf({MadeTrial(), bare}, "coverage"), QString("the trace has no coverage"));
+    }
+
+    /// Two fingers: 0.5 to 1.5 s with 1 N, and 1 to 2 s, half of it with 3 N.
+    void pressing() {
+        auto trial = MadeTrial({}, 2).press(0, 50, 150, 1.0).press(1, 100, 150, 0.8).press(1, 150, 200, 3.0);
+        QVERIFY(isNear(valueOf({trial}, "pressing_time"), 1.5, 1e-9));
+        QVERIFY(isNear(valueOf({trial}, "force_band_time"), 75.0, 1e-9)); // of two finger-seconds
+        QVERIFY(isNear(valueOf({trial, trial}, "pressing_time"), 3.0, 1e-9));
+        trial.pause(150, 200);
+        QVERIFY(isNear(valueOf({trial}, "pressing_time"), 1.0, 1e-9));
+        QVERIFY(isNear(valueOf({trial}, "force_band_time"), 100.0, 1e-9));
+        QVERIFY(isNear(valueOf({MadeTrial().press(0, 0, 100, 0.02)}, "pressing_time"), 0.0, 1e-12)); // not over 0.02 N
+        QVERIFY(isNear(valueOf({MadeTrial().press(0, 0, 100, 2.5)}, "force_band_time"), 100.0, 1e-9)); // both ends belong to it
+        QVERIFY(isNear(valueOf({MadeTrial().press(0, 0, 100, 2.501)}, "force_band_time"), 0.0, 1e-9));
+        QCOMPARE(reasonOf({MadeTrial()}, "force_band_time"), QString("nothing was pressed"));
+        TrialTrace bare = MadeTrial();
+        bare.truth.clear();
+        QCOMPARE(reasonOf({bare}, "force_band_time"), QString("the trace has no force band"));
+        bare.forcesKnown = false;
+        QCOMPARE(reasonOf({bare}, "pressing_time"), QString("the trace has no forces"));
+    }
+
+    void searching() {
+        QVERIFY(isNear(valueOf({MadeTrial().timedOut()}, "searching_time"), 3.0, 1e-9));
+        QVERIFY(isNear(valueOf({MadeTrial().at(200).say(ReportField::done, -1)}, "searching_time"), 2.0, 1e-9));
+        QVERIFY(isNear(valueOf({MadeTrial().pause(50, 150).at(200).say(ReportField::done, -1)}, "searching_time"), 1.0, 1e-9));
+        QVERIFY(isNear(valueOf({MadeTrial(), MadeTrial()}, "searching_time"), 6.0, 1e-9));
+    }
+
+    void absentWithTheReason() {
+        for (const char* id : {"palpation_hits", "palpation_misses", "palpation_false_alarms", "palpation_d_prime", "palpation_criterion",
+                               "palpation_roc_area", "localisation_error", "size_error", "hardness_order"}) {
+            TrialTrace bare = threeLumps();
+            bare.truth.clear();
+            QCOMPARE(reasonOf({threeLumps(), bare}, id), QString("the trace has no lumps and search area"));
+            bare = threeLumps();
+            bare.quantities.clear();
+            QCOMPARE(reasonOf({threeLumps(), bare}, id), QString("the trace has no reports"));
+            QCOMPARE(reasonOf({}, id), QString("no trials"));
+        }
+        QCOMPARE(reasonOf({}, "searching_time"), QString("no trials"));
+    }
+
+    /// Quantities and truth through a file and back: every score is the same double.
+    void throughATraceFile() {
+        auto two = oneLumpEach(20, 15, 8);
+        two.push_back(threeLumps().press(0, 50, 150, 1.0).covered(1.0 / 3.0));
+        SessionTrace before = palpationSession(two);
+        for (std::size_t t = 0; t < before.trials.size(); ++t)
+            for (double& s : before.trials[t].tools[0].t_s)
+                s += 4.0 * static_cast<double>(t); // trials follow one another
+        const auto rows = readTraceCsv(writeTraceCsv(rowsOf(before)), "palpation.csv");
+        QVERIFY2(rows, rows ? "" : rows.error().message.c_str());
+        const auto after = buildSessionTrace(*rows, "palpation");
+        QVERIFY2(after, after ? "" : after.error().message.c_str());
+        for (const char* id : {"palpation_hits", "palpation_misses", "palpation_false_alarms", "palpation_d_prime", "palpation_criterion",
+                               "palpation_roc_area", "localisation_error", "size_error", "hardness_order", "coverage", "force_band_time",
+                               "pressing_time", "searching_time"}) {
+            const auto a = metricOf(before, id);
+            QVERIFY2(a.value && a.value == metricOf(*after, id).value, id);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPalpationMetrics)
+#include "test_palpation_metrics.moc"

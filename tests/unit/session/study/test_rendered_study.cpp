@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study/rendered_run.h"
+#include "support/study_designs.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace chiron;
+using psychophysics::Attribute;
+using simulation::ComparisonControl;
+
+namespace {
+
+session::RenderedRunRequest requestOf(std::uint64_t seed, ComparisonControl control = ComparisonControl::none) {
+    session::RenderedRunRequest request;
+    request.design = testing::rank3Study();
+    request.condition = "main";
+    request.observer = {.weber = 0.12, .lapse = 0.02};
+    request.seed = seed;
+    request.control = control;
+    return request;
+}
+
+int spoiledBy(const session::RenderedRun& run, const std::string& word) {
+    return static_cast<int>(std::count_if(run.trials.begin(), run.trials.end(), [&](const auto& t) { return t.spoiled == word; }));
+}
+
+} // namespace
+
+class TestRenderedStudy : public QObject {
+    Q_OBJECT
+private slots:
+    void noiseOfTheRenderingIsSmall() {
+        const auto noise = session::renderingNoise(testing::rank3Study(), "main", 12, 12, 17);
+        QVERIFY(noise);
+        QCOMPARE(noise->missed, 0);
+        QVERIFY2(noise->pooledSd < 0.01, qPrintable(QString::number(noise->pooledSd)));
+        QVERIFY(noise->seconds < 8.0);
+    }
+    void weberFractionIsRecovered() {
+        int inside = 0;
+        const double sigma = psychophysics::sigmaOf({.weber = 0.12, .lapse = 0.02});
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const auto run = session::runRendered(requestOf(seed));
+            QVERIFY(run);
+            QVERIFY(run->completed);
+            QVERIFY(spoiledBy(*run, "stiffness_error") == 0);
+            inside += run->estimate.sigma95.low <= sigma && sigma <= run->estimate.sigma95.high ? 1 : 0;
+            QVERIFY(std::abs(std::log10(run->estimate.sigma_log10 / sigma)) < 0.25);
+        }
+        QVERIFY(inside >= 2);
+    }
+    void sameSeedSameRun() {
+        auto request = requestOf(4);
+        request.trialsAtMost = 8;
+        const auto a = session::runRendered(request);
+        const auto b = session::runRendered(request);
+        QVERIFY(a && b);
+        QCOMPARE(a->ticks, b->ticks);
+        QCOMPARE(a->trials.size(), b->trials.size());
+        for (std::size_t i = 0; i < a->trials.size(); ++i) {
+            QCOMPARE(a->trials[i].answer, b->trials[i].answer);
+            QVERIFY(a->trials[i].fidelityJson == b->trials[i].fidelityJson);
+        }
+    }
+    /// Negative controls (psychophysics.md §6): each fault is seen.
+    void aRendererThatIsTooStrongSpoilsEveryTrial() {
+        const auto run = session::runRendered(requestOf(1, ComparisonControl::gain));
+        QVERIFY(run);
+        QVERIFY(!run->completed);
+        QCOMPARE(spoiledBy(*run, "stiffness_error"), static_cast<int>(run->trials.size()));
+    }
+    void swappedStimuliCollapseTheEstimate() {
+        auto request = requestOf(1, ComparisonControl::swapped);
+        request.design.fidelity.stiffnessError = 10.0; // or fidelity would see it first
+        const auto run = session::runRendered(request);
+        QVERIFY(run);
+        const double sigma = psychophysics::sigmaOf(request.observer);
+        QVERIFY(!(run->estimate.sigma_log10 < 2.5 * sigma));
+    }
+    void aConstantForceTeachesNothing() {
+        auto request = requestOf(1, ComparisonControl::constant);
+        request.design.fidelity.stiffnessError = 10.0;
+        const auto run = session::runRendered(request);
+        QVERIFY(run);
+        QVERIFY(!run->estimate.warnings.empty());
+        QVERIFY(!(run->estimate.sigma_log10 < 2.5 * psychophysics::sigmaOf(request.observer)));
+    }
+};
+
+QTEST_MAIN(TestRenderedStudy)
+#include "test_rendered_study.moc"

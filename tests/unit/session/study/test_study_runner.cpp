@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/study_reader.h"
+#include "database/accounts/account_service.h"
+#include "database/repositories/study_repository.h"
+#include "psychophysics/observers/simulated_observer.h"
+#include "session/study/study_analysis.h"
+#include "session/study/study_runner.h"
+#include "session/study/study_store.h"
+#include "support/session_fixture.h"
+#include "support/study_designs.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace chiron;
+
+namespace {
+
+constexpr const char* kPassword = "a long password for tests";
+
+/// A frozen study of one condition, and who runs it.
+struct Site {
+    template <class Job> auto write(Job job) {
+        auto done = fixture.database->write([&](database::WriteContext& context) {
+            database::StudyRepository studies(context.connection(), actor);
+            return job(studies);
+        });
+        if (!done)
+            qFatal("%s", done.error().message.c_str());
+        return done;
+    }
+    explicit Site(psychophysics::StudyDesign of, bool byPeople = false) : design(std::move(of)) {
+        if (byPeople)
+            actor = researcher();
+        study = *write([&](database::StudyRepository& studies) {
+            return studies.createStudy(design.id, "A study", catalogue::studyJson(design).toStdString());
+        });
+        write([&](database::StudyRepository& studies) { return studies.freezeStudy(study); });
+    }
+    database::Actor researcher() {
+        database::AccountService accounts(*fixture.database);
+        if (!accounts.createFirstAdministrator("ada", kPassword, "Ada"))
+            qFatal("no administrator");
+        const auto ada = accounts.login("ada", kPassword);
+        if (!accounts.createPerson(*ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
+            qFatal("no researcher");
+        return *accounts.login("rhea", kPassword);
+    }
+    std::string enrol(const std::string& observer) {
+        const auto who = *write([&](database::StudyRepository& studies) {
+            return studies.enrolParticipant(study, observer.empty() ? "somebody" : "", 0, observer);
+        });
+        if (observer.empty())
+            write([&](database::StudyRepository& studies) {
+                return studies.recordConsent(who.id, catalogue::studySha256(QByteArray::fromStdString(design.consent.at("en"))));
+            });
+        return who.code;
+    }
+    session::StudyRunRequest request(const std::string& code, bool quick) const {
+        session::StudyRunRequest request;
+        request.study = study;
+        request.participantCode = code;
+        request.observer = {.weber = 0.12, .lapse = 0.02};
+        request.quick = quick;
+        return request;
+    }
+    auto run(const session::StudyRunRequest& request) { return session::runStudyHeadless(*fixture.database, actor, request); }
+
+    tests::SessionFixture fixture;
+    database::Actor actor = database::Actor::simulated();
+    psychophysics::StudyDesign design;
+    database::StudyNumber study = 0;
+};
+
+constexpr const char* kObserver = "weber:0.12,lapse:0.02";
+
+/// A person's run, of answers that were given somewhere.
+void addRun(Site& site, const std::string& code, std::uint64_t seed) {
+    const auto opened = session::openStudy(*site.fixture.database, site.actor, site.study, code);
+    auto progress = session::StudyProgress::begin(site.design, "main", seed);
+    if (!opened || !progress)
+        qFatal("no run");
+    const auto run = session::beginRun(*site.fixture.database, site.actor, *opened, "main", seed, progress->procedureIds());
+    if (!run)
+        qFatal("%s", run.error().message.c_str());
+    psychophysics::SimulatedObserver observer({.weber = 0.12, .lapse = 0.02}, seed);
+    while (!progress->done()) {
+        std::vector<double> felt;
+        for (const double value : progress->next().values)
+            felt.push_back(std::log10(value));
+        session::StudyAnswer answer;
+        answer.answer = observer.answer(psychophysics::Task::rank3, felt);
+        auto trial = progress->record(answer);
+        trial->run = run->id;
+        if (!session::storeTrial(*site.fixture.database, site.actor, *trial))
+            qFatal("not stored");
+    }
+}
+
+bool warns(const psychophysics::GroupEstimate& group, const std::string& token) {
+    return std::any_of(group.warnings.begin(), group.warnings.end(), [&](const std::string& words) { return words.rfind(token + ":", 0) == 0; });
+}
+
+} // namespace
+
+class TestStudyRunner : public QObject {
+    Q_OBJECT
+private slots:
+    void onlyTheSimulatedParticipantThatWasEnrolledIsRun() {
+        Site site(testing::rank3Study(psychophysics::Attribute::stiffness, 12, 12), true);
+        const std::string code = site.enrol(kObserver);
+        const std::string person = site.enrol("");
+        QCOMPARE(site.run(site.request(person, true)).error().code, core::ErrorCode::wrongUse);
+        auto other = site.request(code, true);
+        other.observer.weber = 0.2;
+        QCOMPARE(site.run(other).error().code, core::ErrorCode::wrongUse);
+        auto first = site.request(code, true);
+        first.trialsAtMost = 3;
+        const auto begun = site.run(first);
+        QVERIFY2(begun, begun ? "" : begun.error().message.c_str());
+        QVERIFY(!begun->completed);
+        QCOMPARE(site.run(site.request(code, false)).error().code, core::ErrorCode::wrongUse); // begun without a rendering
+        const auto ended = site.run(site.request(code, true));
+        QVERIFY(ended);
+        QVERIFY(ended->completed);
+        QCOMPARE(ended->runs.front().scored, 12);
+    }
+    void blindedSessionsBearTheSealedCode() {
+        auto design = testing::rank3Study();
+        design.blindExperimenter = true;
+        Site site(design);
+        const std::string code = site.enrol(kObserver);
+        auto request = site.request(code, false);
+        request.trialsAtMost = 1;
+        const auto report = site.run(request);
+        QVERIFY2(report, report ? "" : report.error().message.c_str());
+        const auto opened = session::openStudy(*site.fixture.database, site.actor, site.study, code);
+        QVERIFY(opened);
+        const std::string sealed = opened->runs.front().sealedCode;
+        QVERIFY(!sealed.empty());
+        const tests::OpenStored stored(*site.fixture.database, report->runs.front().session);
+        const QJsonObject level = QJsonDocument::fromJson(QByteArray::fromStdString(stored.session->record().setup.contentJson)).object()["level"].toObject();
+        QCOMPARE(level["id"].toString().toStdString(), sealed);
+        QCOMPARE(level["title"]["en"].toString().toStdString(), design.id + " / " + sealed);
+    }
+    /// A run that gave up stays open: it is not sealed as completed, and another sitting goes on with it.
+    void aRunThatGaveUpIsNotCompleted() {
+        auto design = testing::rank3Study();
+        design.fidelity.repeatsAtMost = 2;
+        Site site(design);
+        const std::string code = site.enrol(kObserver);
+        auto request = site.request(code, false);
+        request.control = simulation::ComparisonControl::gain;
+        for (int sitting = 1; sitting <= 2; ++sitting) {
+            const auto report = site.run(request);
+            QVERIFY2(report, report ? "" : report.error().message.c_str());
+            QVERIFY(!report->completed && !report->runs.front().completed);
+            QCOMPARE(report->runs.front().scored, 0);
+            QCOMPARE(report->runs.front().spoiled, 2 * sitting);
+            const auto opened = session::openStudy(*site.fixture.database, site.actor, site.study, code);
+            QCOMPARE(opened->runs.front().state, database::StudyRunState::open);
+        }
+    }
+    void theGroupIsOfPeopleWhoTakePart() {
+        Site site(testing::rank3Study(psychophysics::Attribute::stiffness, 20, 20), true);
+        QVERIFY(site.run(site.request(site.enrol(kObserver), true)));
+        const auto analyse = [&] {
+            auto connection = site.fixture.database->openReader();
+            database::StudyReader reader(**connection, site.actor);
+            return session::analyseStudy(reader, site.study, 1);
+        };
+        const auto simulated = analyse();
+        QVERIFY(simulated);
+        QVERIFY(warns(simulated->conditions.front().group, "simulated"));
+        QCOMPARE(simulated->conditions.front().group.members.size(), std::size_t{1});
+        std::string gone;
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            gone = site.enrol("");
+            addRun(site, gone, seed);
+        }
+        const auto who = session::openStudy(*site.fixture.database, site.actor, site.study, gone)->participant;
+        site.write([&](database::StudyRepository& studies) { return studies.withdrawParticipant(who.id, false); });
+        const auto people = analyse();
+        QVERIFY(people);
+        const auto& condition = people->conditions.front();
+        QVERIFY(condition.runs.size() >= 4); // all that have trials are still shown
+        QCOMPARE(condition.group.members.size(), std::size_t{3});
+        for (const auto& member : condition.group.members) {
+            const auto& participant = condition.runs[static_cast<std::size_t>(member.index)].participant;
+            QVERIFY(!participant.simulated && participant.code != gone);
+        }
+        QVERIFY(warns(condition.group, "simulated_left_out"));
+    }
+};
+
+QTEST_MAIN(TestStudyRunner)
+#include "test_study_runner.moc"
