@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study_export_tables.h"
 
+#include "session/study/trial_fidelity.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -65,6 +67,16 @@ std::vector<ExportColumn> fidelityColumns() {
     return columns;
 }
 
+/// Of a study of the apex; along x and y of the world, mark less apex.
+std::vector<ExportColumn> markColumns() {
+    return {{"mark_error_x", "m", "where an apex was marked beside where it is, along x; n/a in other studies, without a mark, and while blinded"},
+            {"mark_error_y", "m", "the same along y"},
+            {"mark_error_x_percent", "%", "the same along x as a share of the sphere's radius; n/a in other studies and without a mark"},
+            {"mark_error_y_percent", "%", "the same along y"},
+            {"mark_in_contact", "", "something was touched when it was marked", kYesNo},
+            {"mark_planned", "", "drawn by the observer for planning: nothing was rendered", kYesNo}};
+}
+
 /// Whether what hangs on the task may be written: while blinded only if all conditions have the same.
 bool tellsTask(const StudyExportData& data) { return !data.blinded || data.oneTask; }
 
@@ -101,6 +113,21 @@ void addAnswer(QStringList& cells, const StudyExportData& data, const ExportedRu
           << (trial.value && tells && !(data.blinded && physical) ? exportNumber(*trial.value) : kNotAvailable) << exportNumber(trial.exploration_s) << exportNumber(trial.answer_s);
 }
 
+void addMark(QStringList& cells, const StudyExportData& data, const StudyTrial& trial) {
+    const auto mark = apexMarkOf(trial.fidelityJson);
+    if (!mark) {
+        for (std::size_t i = 0; i < markColumns().size(); ++i)
+            cells << kNotAvailable;
+        return;
+    }
+    const double percent = mark->radius_m > 0.0 ? 100.0 / mark->radius_m : std::numeric_limits<double>::quiet_NaN();
+    for (const double error : {mark->errorX_m, mark->errorY_m}) // beside per cent they would tell the radius
+        cells << (data.blinded ? kNotAvailable : exportNumber(error));
+    for (const double error : {mark->errorX_m, mark->errorY_m})
+        cells << exportNumber(error * percent);
+    cells << exportFlag(mark->inContact) << exportFlag(mark->planned);
+}
+
 void addFidelity(QStringList& cells, const StudyExportData& data, const StudyTrial& trial) {
     const QJsonObject fidelity = QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object();
     const auto number = [](const QJsonObject& json, const char* key) {
@@ -126,7 +153,7 @@ void addFidelity(QStringList& cells, const StudyExportData& data, const StudyTri
 
 std::vector<ExportColumn> trialColumns() {
     std::vector<ExportColumn> columns = stimulusColumns();
-    for (auto part : {answerColumns(), fidelityColumns()})
+    for (auto part : {answerColumns(), markColumns(), fidelityColumns()})
         columns.insert(columns.end(), part.begin(), part.end());
     return columns;
 }
@@ -135,6 +162,7 @@ QStringList trialCells(const StudyExportData& data, const ExportedRun& run, cons
     QStringList cells;
     addStimulus(cells, data, run, trial);
     addAnswer(cells, data, run, trial);
+    addMark(cells, data, trial);
     addFidelity(cells, data, trial);
     return cells;
 }

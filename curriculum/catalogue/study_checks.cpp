@@ -26,7 +26,7 @@ Range rangeOf(Attribute attribute) {
     case Attribute::roughness: return {1e-7, 0.01};
     case Attribute::friction: return {0.005, 5.0};
     case Attribute::viscosity: return {0.01, 200.0};
-    case Attribute::apex: return {0.001, 0.2};
+    case Attribute::apex: return {0.005, 0.045}; // of the sphere that apexOf() makes
     }
     return {};
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/study/apex_output.h"
 #include "cli/study/study_access.h"
 #include "cli/text_table.h"
 #include "session/study/study_analysis.h"
@@ -55,14 +56,25 @@ QString labelOf(const session::AnalysedCondition& condition, bool blinded) {
 struct Told {
     QJsonArray runs, conditions;
     TextTable table{{"participant", "condition", ">trials", ">Weber", ">low", ">high", ">same choices", "warnings"}};
+    TextTable marks = apexTable(false); ///< of conditions in which an apex was looked for
+    bool compared = false, marked = false;
 };
 
 void tellRuns(Told& told, const session::AnalysedCondition& condition, const QString& label, bool blinded) {
     std::map<std::string, int> counts;
     for (const session::AnalysedRun& run : condition.runs) {
         const psychophysics::RunEstimate& e = run.estimate;
-        told.runs.append(QJsonObject{{"participant", text(run.participant.code)}, {"condition", label}, {"run", ++counts[run.participant.code]},
-                                     {"simulated", run.participant.simulated}, {"estimate", estimateJson(e, blinded)}, {"replayed", replayedJson(run.replayed)}});
+        QJsonObject json{{"participant", text(run.participant.code)}, {"condition", label}, {"run", ++counts[run.participant.code]},
+                         {"simulated", run.participant.simulated}, {"estimate", estimateJson(e, blinded)}, {"replayed", replayedJson(run.replayed)}};
+        if (run.apex)
+            json.insert("apex", apexJson(*run.apex, blinded));
+        told.runs.append(json);
+        if (run.apex) {
+            told.marked = true;
+            addApexRow(told.marks, text(run.participant.code), label, *run.apex, blinded);
+            continue;
+        }
+        told.compared = true;
         QStringList warnings;
         for (const std::string& warning : e.warnings)
             warnings << text(warning).section(u':', 0, 0);
@@ -78,7 +90,14 @@ void tellGroup(Told& told, const session::AnalysedCondition& condition, const QS
         same += run.replayed.same + run.replayed.ties;
         trials += run.replayed.trials;
     }
-    told.conditions.append(QJsonObject{{"condition", label}, {"group", groupJson(g, blinded)}, {"replayed", QJsonObject{{"trials", trials}, {"same", same}}}});
+    QJsonObject json{{"condition", label}, {"group", groupJson(g, blinded)}, {"replayed", QJsonObject{{"trials", trials}, {"same", same}}}};
+    if (condition.apex)
+        json.insert("apex", apexJson(*condition.apex, blinded));
+    told.conditions.append(json);
+    if (condition.apex) {
+        addApexRow(told.marks, QStringLiteral("(group of %1)").arg(condition.apex->participants), label, *condition.apex, blinded);
+        return;
+    }
     QStringList warnings;
     for (const std::string& warning : g.warnings)
         warnings << text(warning).section(u':', 0, 0);
@@ -108,13 +127,14 @@ core::Result<CommandOutput> analyseStudies(const Arguments& arguments) {
     if (blinded) // neither the design's order nor that of enrolment shows
         std::sort(conditions.begin(), conditions.end(), [](const auto& a, const auto& b) { return labelOf(a, true) < labelOf(b, true); });
     Told told;
+    told.marks = apexTable(blinded);
     for (const session::AnalysedCondition& condition : conditions) {
         tellRuns(told, condition, labelOf(condition, blinded), blinded);
         tellGroup(told, condition, labelOf(condition, blinded), blinded);
     }
     return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"sha256", text(sha256)}, {"blinded", blinded},
                                                    {"conditions", told.conditions}, {"runs", told.runs}}),
-                         told.table.toText(), 0};
+                         (told.compared || !told.marked ? told.table.toText() : QString()) + (told.marked ? told.marks.toText() : QString()), 0};
 }
 
 } // namespace chiron::cli

@@ -3,6 +3,7 @@
 #include "catalogue/study_reader.h"
 #include "cli/messages.h"
 #include "cli/session_output.h"
+#include "cli/study/apex_output.h"
 #include "cli/study/study_access.h"
 #include "cli/text_table.h"
 #include "database/accounts/account_service.h"
@@ -96,6 +97,8 @@ QJsonObject trialJson(const database::StudyTrial& t, const Condition& condition,
     json.insert("value", t.value ? number(*t.value) : QJsonValue(QJsonValue::Null));
     json.insert("entropy_margin", number(t.entropyMargin));
     json.insert("session_id", static_cast<qint64>(t.session));
+    if (const QJsonObject mark = apexMarkJson(t); !mark.isEmpty())
+        json.insert("mark", mark);
     json.insert("fidelity", QJsonDocument::fromJson(QByteArray::fromStdString(t.fidelityJson)).object());
     return json;
 }
@@ -119,6 +122,22 @@ QJsonArray runsJson(const session::StudyExportData& data, const std::string& cod
     return all;
 }
 
+/// Where each mark of an apex lies; nothing in other studies.
+QString marksText(const QJsonArray& runs) {
+    TextTable table({"condition", ">trial", ">x (%R)", ">y (%R)", ">distance (mm)", "not counted"});
+    bool any = false;
+    for (const QJsonValue& run : runs)
+        for (const QJsonValue& trial : run["trials"].toArray()) {
+            if (!trial["mark"].isObject())
+                continue;
+            any = true;
+            const QString why = trial["practice"].toBool() ? QStringLiteral("practice") : trial["spoiled"].toString();
+            table.add({run["condition"].toString(), QString::number(trial["ordinal"].toInt()), shortNumber(trial["mark"]["error_x_percent"].toDouble()),
+                       shortNumber(trial["mark"]["error_y_percent"].toDouble()), shortNumber(1000.0 * trial["value"].toDouble()), why});
+        }
+    return any ? table.toText() : QString();
+}
+
 core::Result<CommandOutput> told(database::Database& database, const database::Actor& actor, const database::StudyRecord& study, const database::Participant& participant) {
     auto connection = database.openReader();
     if (!connection)
@@ -139,7 +158,7 @@ core::Result<CommandOutput> told(database::Database& database, const database::A
         const auto shown = [&](const char* key) { return shortNumber(e[QLatin1String(key)].toDouble(std::nan(""))); };
         table.add({run["condition"].toString(), run["completed"].toBool() ? "yes" : "no", QString::number(e["trials"].toInt()), shown("weber"), shown("ci_low"), shown("ci_high")});
     }
-    return CommandOutput{QJsonDocument(json), table.toText(), 0};
+    return CommandOutput{QJsonDocument(json), table.toText() + marksText(runs), 0};
 }
 
 /// Blind experimenters do not choose: the sealed code beside the condition's name would tell which is which.

@@ -3,6 +3,8 @@
 
 #include "catalogue/study_reader.h"
 #include "core/random.h"
+#include "session/study/apex_analysis.h"
+#include "session/study/apex_sitting.h"
 #include "session/study/rendered_run.h"
 
 #include <algorithm>
@@ -30,6 +32,8 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
     }
     out.estimate = psychophysics::estimateRun(condition, scoredTrials(condition, out.trials),
                                               core::Random::mix(seed, "run " + participant.code + " " + condition.id));
+    if (looksForApex(condition))
+        out.apex = apexOfRun(out, condition.stimulus.reference, core::Random::mix(seed, "apex " + participant.code + " " + condition.id));
     auto replayed = rerunChoices(study.design, run, out.trials);
     if (!replayed)
         return tl::unexpected(replayed.error());
@@ -80,7 +84,7 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
         return tl::unexpected(design.error());
     study.design = std::move(*design);
     for (const psychophysics::Condition& condition : study.design.conditions)
-        study.conditions.push_back({condition.id, {}, {}});
+        study.conditions.push_back({condition.id, {}, {}, {}});
     auto participants = reader.participants(number);
     if (!participants)
         return tl::unexpected(participants.error());
@@ -100,8 +104,12 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
                 study.conditions[static_cast<std::size_t>(at - study.design.conditions.begin())].runs.push_back(std::move(*analysed));
         }
     }
-    for (AnalysedCondition& condition : study.conditions)
+    for (std::size_t i = 0; i < study.conditions.size(); ++i) {
+        AnalysedCondition& condition = study.conditions[i];
         pool(condition, core::Random::mix(seed, "group " + condition.condition));
+        if (looksForApex(study.design.conditions[i]))
+            poolApex(condition, study.design.conditions[i].stimulus.reference, core::Random::mix(seed, "apex " + condition.condition));
+    }
     return study;
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "database/repositories/study_reader.h"
+#include "psychophysics/study/apex_study.h"
 #include "psychophysics/study/group_estimate.h"
 #include "psychophysics/study/run_estimate.h"
 #include "session/study/study_progress.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@ struct AnalysedRun {
     int scored = 0, spoiled = 0, practice = 0;
     psychophysics::RunEstimate estimate;
     ReplayedChoices replayed;
+    std::optional<psychophysics::ApexSummary> apex; ///< of a study of the apex: this run's marks alone
 };
 
 struct AnalysedCondition {
@@ -27,6 +30,8 @@ struct AnalysedCondition {
     /// Of the people who still take part; of simulated participants only where there are no people. Who was left out is among its
     /// warnings (withdrawn, simulated_left_out, simulated); its members' `index` counts `runs`.
     psychophysics::GroupEstimate group;
+    /// Of a study of the apex: the marks of those whom the group is of; a participant's number is the row of its first run in `runs`.
+    std::optional<psychophysics::ApexSummary> apex;
 };
 
 struct StudyAnalysis {

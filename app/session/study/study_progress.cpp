@@ -162,6 +162,11 @@ bool StudyProgress::gaveUp() const { return m_state->stopped; }
 int StudyProgress::scored() const { return m_state->scored; }
 int StudyProgress::spoiledTrials() const { return m_state->spoiled; }
 
+int StudyProgress::toCome() const {
+    const int of = m_state->present().ofAtMost;
+    return done() || of == 0 ? 0 : std::max(0, m_state->rules.practiceTrials - m_state->practised) + std::max(0, of - m_state->scored);
+}
+
 std::string StudyProgress::procedureIds() const {
     std::string ids;
     for (const auto& procedure : m_state->procedures)

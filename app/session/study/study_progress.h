@@ -73,6 +73,7 @@ public:
     bool gaveUp() const; ///< the experimenter said no: done, and not completed
     int scored() const;
     int spoiledTrials() const;
+    int toCome() const; ///< presentations that are left where none is spoiled, practice included; 0: not known
     /// What a run's row stores of it: "rank3_quest_plus@1", of several separated by commas; with a limit ",limit@0.301" after them.
     std::string procedureIds() const;
     static double limitOf(const std::string& procedureIds); ///< kNoLimit where it names none

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/study_runner.h"
 
+#include "catalogue/apex_study_content.h"
 #include "core/random.h"
+#include "session/study/apex_sitting.h"
 #include "session/study/rendered_run.h"
 #include "session/study/study_director.h"
 #include "session/study/study_limits.h"
@@ -26,6 +28,8 @@ struct Sitting {
     psychophysics::SimulatedObserver observer;
     database::StudyRunNumber run = 0;
     std::string sealedCode;
+    std::uint64_t runSeed = 0;
+    int before = 0; ///< presentations of earlier sittings
     int presented = 0;
     core::Result<void> stored;
 
@@ -76,24 +80,53 @@ core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStud
     return result->session;
 }
 
-/// The same trials without a rendering: the observer is told the values.
-void runQuick(Sitting& sitting) {
+/// Sessions of the sphere-apex exercise, until the run is done: spoiled trials come again in a further one, and no session holds more than
+/// the exercise does. Gives the last.
+core::Result<database::SessionId> runApex(Sitting& sitting, const OpenedStudy& study) {
+    database::SessionId last = 0;
+    while (!sitting.progress.done() && !sitting.interrupted()) {
+        const int before = sitting.presented;
+        const int wanted = std::clamp(sitting.progress.toCome(), 1, catalogue::kApexTrialsAtMost);
+        const int most = sitting.request.trialsAtMost > 0 ? sitting.request.trialsAtMost - sitting.presented : wanted;
+        const std::uint64_t seed = core::Random::mix(sitting.runSeed, "sitting " + std::to_string(sitting.before + sitting.presented)) >> 1;
+        auto session = runApexSitting(sitting.database, sitting.actor,
+                                      {study, sitting.condition, sitting.progress, sitting.sealedCode, sitting.request.observer.trainee, seed,
+                                       std::min(wanted, most), sitting.request.ringFolder, sitting.request.cancel,
+                                       [&](database::StudyTrial trial) { return sitting.store(std::move(trial)); }});
+        if (!session)
+            return session;
+        last = *session;
+        if (!sitting.stored || sitting.presented == before) // stuck: another session would be, too
+            break;
+    }
+    return last;
+}
+
+StudyAnswer toldAnswer(Sitting& sitting, const StudyPresentation& shown) {
     const double reference = sitting.condition.stimulus.reference;
+    std::vector<double> felt;
+    for (const double value : shown.values)
+        felt.push_back(std::log10(value / reference));
+    StudyAnswer answer;
+    if (sitting.condition.task == psychophysics::Task::magnitude)
+        answer.value = sitting.observer.magnitude(felt.front());
+    if (sitting.condition.task == psychophysics::Task::adjustment) {
+        const auto& d = sitting.condition.stimulus.differences;
+        answer.value = reference * std::pow(10.0, sitting.observer.adjust(d.front(), d.back()));
+    }
+    answer.answer = sitting.observer.answer(sitting.condition.task, felt);
+    return answer;
+}
+
+/// The same trials without a rendering: the observer is told the values; marks of an apex are drawn by the observer for planning.
+void runQuick(Sitting& sitting) {
     while (!sitting.progress.done() && !sitting.interrupted()) {
         if (sitting.progress.breakDue())
             sitting.progress.breakTaken();
         const StudyPresentation shown = sitting.progress.next();
-        std::vector<double> felt;
-        for (const double value : shown.values)
-            felt.push_back(std::log10(value / reference));
-        StudyAnswer answer;
-        if (sitting.condition.task == psychophysics::Task::magnitude)
-            answer.value = sitting.observer.magnitude(felt.front());
-        if (sitting.condition.task == psychophysics::Task::adjustment) {
-            const auto& d = sitting.condition.stimulus.differences;
-            answer.value = reference * std::pow(10.0, sitting.observer.adjust(d.front(), d.back()));
-        }
-        answer.answer = sitting.observer.answer(sitting.condition.task, felt);
+        const StudyAnswer answer = looksForApex(sitting.condition)
+                                       ? plannedApexAnswer(sitting.condition.stimulus.reference, sitting.runSeed, shown.ordinal)
+                                       : toldAnswer(sitting, shown);
         auto trial = sitting.progress.record(answer);
         if (!trial) {
             sitting.stored = tl::unexpected(trial.error());
@@ -150,9 +183,14 @@ core::Result<BegunRun> beginOrResume(database::Database& database, const databas
 core::Result<double> limitOnStation(const OpenedStudy& study, const psychophysics::Condition& condition, bool quick) {
     if (quick)
         return StudyProgress::kNoLimit;
-    auto level = studyLevel(study.design, condition);
+    auto level = looksForApex(condition) ? apexStudyLevel(study.design, condition, 1) : studyLevel(study.design, condition);
     if (!level)
         return tl::unexpected(level.error());
+    if (looksForApex(condition)) {
+        const auto station = apexStation(*level, {}, 1);
+        return station ? core::Result<double>(limitedTable(condition, renderingLimits(station->devices.front()->descriptor())).limit)
+                       : tl::unexpected(station.error());
+    }
     auto participant = participantStation(*level, 1);
     if (!participant)
         return tl::unexpected(participant.error());
@@ -173,14 +211,15 @@ core::Result<StudyRunSummary> runCondition(database::Database& database, const d
     // Each sitting has its own streams: what a first one has drawn already, a second one must not draw again.
     const std::uint64_t seed = core::Random::mix(run->seed, "sitting " + std::to_string(run->trials.size()));
     Sitting sitting{database, actor, request, *found, run->progress,
-                    psychophysics::SimulatedObserver(request.observer, core::Random::mix(seed, "observer")), run->number, run->sealedCode, 0, {}};
+                    psychophysics::SimulatedObserver(request.observer, core::Random::mix(seed, "observer")), run->number, run->sealedCode, run->seed,
+                    static_cast<int>(run->trials.size()), 0, {}};
     StudyRunSummary summary;
     summary.condition = condition;
     summary.run = run->number;
     if (request.quick) {
         runQuick(sitting);
     } else if (!run->progress.done()) {
-        auto session = runRecorded(sitting, study, seed >> 1);
+        auto session = looksForApex(*found) ? runApex(sitting, study) : runRecorded(sitting, study, seed >> 1);
         if (!session)
             return tl::unexpected(session.error());
         summary.session = *session;
@@ -222,6 +261,9 @@ core::Result<StudyRunReport> runStudyHeadless(database::Database& database, cons
         return tl::unexpected(study.error());
     if (auto may = mayBeSimulated(*study, request); !may)
         return tl::unexpected(may.error());
+    const auto& all = study->design.conditions;
+    if (!request.observer.trainee.empty() && std::none_of(all.begin(), all.end(), looksForApex))
+        return core::fail(core::ErrorCode::wrongUse, "observer: operator:" + request.observer.trainee + ": only a study of the apex has one");
     std::vector<std::string> conditions = openConditions(*study);
     if (!request.condition.empty())
         conditions = {request.condition};

@@ -27,6 +27,14 @@ QJsonObject placeJson(const PlaceFidelity& p) {
             {"terminal_force_N", number(p.terminalForce_N)}};
 }
 
+QJsonObject apexJson(const ApexMark& mark) {
+    return {{"error_x_m", number(mark.errorX_m)},
+            {"error_y_m", number(mark.errorY_m)},
+            {"radius_m", number(mark.radius_m)},
+            {"in_contact", mark.inContact},
+            {"planned", mark.planned}};
+}
+
 template <class Whole> Whole whole(double value) noexcept { return static_cast<Whole>(value + 0.5); }
 
 } // namespace
@@ -35,19 +43,29 @@ std::string fidelityJson(const TrialFidelity& f) {
     QJsonArray places;
     for (const PlaceFidelity& place : f.places)
         places.append(placeJson(place));
-    const QJsonObject json{{"force_error_rms_N", number(f.forceErrorRms_N)},
-                           {"measured", f.measured},
-                           {"late_ticks", number(f.lateTicks)},
-                           {"worst_lateness_us", number(f.worstLateness_us)},
-                           {"saturated", number(f.saturated)},
-                           {"duration_s", number(f.duration_s)},
-                           {"peak_force_N", number(f.peakForce_N)},
-                           {"mean_speed_m_per_s", number(f.meanSpeed_m_per_s)},
-                           {"contacts", f.contacts},
-                           {"stiffness_error", number(f.stiffnessError)},
-                           {"places", places},
-                           {"outside", QString::fromStdString(f.outside)}};
+    QJsonObject json{{"force_error_rms_N", number(f.forceErrorRms_N)},
+                     {"measured", f.measured},
+                     {"late_ticks", number(f.lateTicks)},
+                     {"worst_lateness_us", number(f.worstLateness_us)},
+                     {"saturated", number(f.saturated)},
+                     {"duration_s", number(f.duration_s)},
+                     {"peak_force_N", number(f.peakForce_N)},
+                     {"mean_speed_m_per_s", number(f.meanSpeed_m_per_s)},
+                     {"contacts", f.contacts},
+                     {"stiffness_error", number(f.stiffnessError)},
+                     {"places", places},
+                     {"outside", QString::fromStdString(f.outside)}};
+    if (f.apex)
+        json.insert("apex", apexJson(*f.apex));
     return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString(); // QJsonObject keeps its keys sorted
+}
+
+std::optional<ApexMark> apexMarkOf(const std::string& fidelityJson) {
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(fidelityJson)).object()["apex"].toObject();
+    const QJsonValue x = json["error_x_m"], y = json["error_y_m"];
+    if (!x.isDouble() || !y.isDouble())
+        return std::nullopt;
+    return ApexMark{x.toDouble(), y.toDouble(), json["radius_m"].toDouble(), json["in_contact"].toBool(), json["planned"].toBool()};
 }
 
 FidelitySample fidelitySampleOf(const core::HapticFrame& frame) noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,15 @@ struct PlaceFidelity {
     double terminalForce_N = 0.0; ///< largest, averaged over contacts (Fu et al. 2017: what stiffness is judged by)
 };
 
+/// Where a mark lies beside the true apex of a sphere, along the axes of W: mark less apex.
+struct ApexMark {
+    double errorX_m = 0.0;
+    double errorY_m = 0.0;
+    double radius_m = 0.0;   ///< of the sphere
+    bool inContact = false;  ///< it was touched when it was marked
+    bool planned = false;    ///< drawn by the observer for planning: nothing was rendered, nobody felt anything
+};
+
 /// Device fidelity and exploration of one trial (psychophysics.md §3.2).
 struct TrialFidelity {
     double forceErrorRms_N = 0.0; ///< commanded against measured, in contact; 0 with `measured` false
@@ -35,10 +45,13 @@ struct TrialFidelity {
     int contacts = 0;
     double stiffnessError = 0.0;  ///< largest |rendered/asked − 1| of places with a usable estimate
     std::vector<PlaceFidelity> places;
+    std::optional<ApexMark> apex; ///< of a study of the apex
     std::string outside;          ///< empty, or the first limit that was passed: the word stored as `spoiled`
 };
 
 /// As canonical JSON: keys sorted, no spaces; what is not a number is null.
 std::string fidelityJson(const TrialFidelity& fidelity);
+/// The mark of a stored trial; nothing where it holds none (another study, a time-out, something that cannot be read).
+std::optional<ApexMark> apexMarkOf(const std::string& fidelityJson);
 
 } // namespace chiron::session

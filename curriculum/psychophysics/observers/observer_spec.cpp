@@ -3,6 +3,7 @@
 
 #include "psychophysics/procedures/rank3_quest_plus.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -25,7 +26,20 @@ constexpr std::array<Part, 3> kParts{{{"weber", &ObserverSpec::weber, 1e-6, 100.
                                       {"lapse", &ObserverSpec::lapse, 0.0, 1.0, "a share from 0 to 1"},
                                       {"bias", &ObserverSpec::bias, -100.0, 100.0, "a number of internal noise sd, -100 to 100"}}};
 
+constexpr std::string_view kTrainee = "operator:";
+
+core::Result<void> readTrainee(std::string_view name, ObserverSpec& spec) {
+    const bool word = !name.empty() && name.size() <= 32 &&
+                      std::all_of(name.begin(), name.end(), [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; });
+    if (!word)
+        return fail(ErrorCode::badInput, "observer: operator:" + std::string(name) + ": expected the name of a scripted trainee");
+    spec.trainee = std::string(name);
+    return {};
+}
+
 core::Result<void> readPart(std::string_view text, ObserverSpec& spec) {
+    if (text.substr(0, kTrainee.size()) == kTrainee)
+        return readTrainee(text.substr(kTrainee.size()), spec);
     const std::size_t colon = text.find(':');
     for (const Part& part : kParts) {
         if (colon == std::string_view::npos || text.substr(0, colon) != part.name)
@@ -38,7 +52,7 @@ core::Result<void> readPart(std::string_view text, ObserverSpec& spec) {
         spec.*part.value = value;
         return {};
     }
-    return fail(ErrorCode::badInput, "observer: \"" + std::string(text) + "\": expected weber:W, lapse:L or bias:B, separated by commas");
+    return fail(ErrorCode::badInput, "observer: \"" + std::string(text) + "\": expected weber:W, lapse:L, bias:B or operator:NAME, separated by commas");
 }
 
 } // namespace
@@ -66,6 +80,8 @@ std::string observerText(const ObserverSpec& spec) {
         const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), spec.*part.value).ptr;
         text += (text.empty() ? "" : ",") + std::string(part.name) + ":" + std::string(digits.data(), end);
     }
+    if (!spec.trainee.empty())
+        text += "," + std::string(kTrainee) + spec.trainee;
     return text;
 }
 

@@ -89,6 +89,11 @@ RunEstimate estimateRun(const Condition& condition, const std::vector<ScoredTria
         result.warnings.emplace_back("reference: the condition has no reference above zero, so nothing can be given in its unit");
         return result;
     }
+    if (condition.stimulus.attribute == Attribute::apex) { // nothing is compared: summariseApex says what the marks say
+        result.method = "marks of an apex";
+        result.trials = static_cast<int>(trials.size());
+        return result;
+    }
     if (condition.task == Task::adjustment)
         takeSettings(result, condition, trials);
     else if (condition.task == Task::magnitude)

@@ -35,6 +35,11 @@ void TestObserversDesigns::observerText() {
     QVERIFY(std::abs(sigmaOf(*spec) - std::log10(1.12) / 0.9538725524) < 1e-10);
     const auto again = parseObserver(chiron::psychophysics::observerText(*spec));
     QVERIFY(again && again->weber == spec->weber && again->bias == spec->bias);
+    const auto trainee = parseObserver("operator:expert");
+    QVERIFY(trainee && trainee->trainee == "expert");
+    QCOMPARE(parseObserver(chiron::psychophysics::observerText(*trainee))->trainee, trainee->trainee);
+    for (const char* wrong : {"operator:", "operator:two words", "operator:expert,operator:novice"})
+        QVERIFY2(!parseObserver(wrong), wrong);
     for (const char* wrong : {"", "weber", "weber:", "weber:x", "weber:0", "weber:-1", "lapse:1.5", "weber:0.1,", "weber:0.1,weber:0.2", "speed:1", "weber:nan", "weber:0.1 "})
         QVERIFY2(!parseObserver(wrong), wrong);
 }
