@@ -3031,6 +3031,155 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Spoiled by the experimenter</source>
         <translation>Von der Versuchsleitung verworfen</translation>
     </message>
+    <message>
+        <source>No mark yet</source>
+        <translation>Noch keine Markierung</translation>
+    </message>
+    <message>
+        <source>Marks about the true apex</source>
+        <translation>Markierungen um den wahren Scheitel</translation>
+    </message>
+    <message>
+        <source>Error in x (% of radius)</source>
+        <translation>Fehler in x (% des Radius)</translation>
+    </message>
+    <message>
+        <source>Error in y (% of radius)</source>
+        <translation>Fehler in y (% des Radius)</translation>
+    </message>
+    <message>
+        <source>radius R</source>
+        <translation>Radius R</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>± 1 SD an axis</source>
+        <translation>± 1 SD je Achse</translation>
+    </message>
+    <message>
+        <source>Error in locating spheres</source>
+        <translation>Fehler beim Finden der Kugeln</translation>
+    </message>
+    <message>
+        <source>Absolute error (% of radius)</source>
+        <translation>Fehlerbetrag (% des Radius)</translation>
+    </message>
+    <message>
+        <source>mean over both axes ± SD</source>
+        <translation>Mittel beider Achsen ± SD</translation>
+    </message>
+    <message>
+        <source>published: %1 %</source>
+        <translation>veröffentlicht: %1 %</translation>
+    </message>
+    <message>
+        <source>%1 of R</source>
+        <translation>%1 von R</translation>
+    </message>
+    <message>
+        <source>%1 mm, %2</source>
+        <translation>%1 mm, %2</translation>
+    </message>
+    <message>
+        <source>Bias in x</source>
+        <translation>Verschiebung in x</translation>
+    </message>
+    <message>
+        <source>Bias in y</source>
+        <translation>Verschiebung in y</translation>
+    </message>
+    <message>
+        <source>Marks, participants</source>
+        <translation>Markierungen, Teilnehmende</translation>
+    </message>
+    <message>
+        <source>SD in x</source>
+        <translation>SD in x</translation>
+    </message>
+    <message>
+        <source>SD in y</source>
+        <translation>SD in y</translation>
+    </message>
+    <message>
+        <source>Mean absolute error ± SD</source>
+        <translation>Mittlerer Fehlerbetrag ± SD</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>There is no mark to summarise.</source>
+        <translation>Es gibt keine Markierung.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) have no mark and are left out.</source>
+        <translation>
+            <numerusform>%n Versuch ohne Markierung ist ausgelassen.</numerusform>
+            <numerusform>%n Versuche ohne Markierung sind ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n participant(s): how people differ is hardly known.</source>
+        <translation>
+            <numerusform>Nur %n Person: Wie sehr sich Menschen unterscheiden, ist kaum bekannt.</numerusform>
+            <numerusform>Nur %n Personen: Wie sehr sich Menschen unterscheiden, ist kaum bekannt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Some participants have fewer than 10 marks.</source>
+        <translation>Manche Personen haben weniger als 10 Markierungen.</translation>
+    </message>
+    <message>
+        <source>Errors in x lean to one side: the absolute error is not scatter alone.</source>
+        <translation>Fehler in x neigen zu einer Seite: Der Fehlerbetrag ist nicht Streuung allein.</translation>
+    </message>
+    <message>
+        <source>Errors in y lean to one side: the absolute error is not scatter alone.</source>
+        <translation>Fehler in y neigen zu einer Seite: Der Fehlerbetrag ist nicht Streuung allein.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) lie off the sphere.</source>
+        <translation>
+            <numerusform>%n Markierung liegt neben der Kugel.</numerusform>
+            <numerusform>%n Markierungen liegen neben der Kugel.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) are of the observer for planning: nothing was rendered.</source>
+        <translation>
+            <numerusform>%n Markierung stammt vom Beobachter für die Planung: Nichts wurde dargestellt.</numerusform>
+            <numerusform>%n Markierungen stammen vom Beobachter für die Planung: Nichts wurde dargestellt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) were set without touching anything.</source>
+        <translation>
+            <numerusform>%n Markierung wurde ohne Berührung gesetzt.</numerusform>
+            <numerusform>%n Markierungen wurden ohne Berührung gesetzt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) who withdrew are left out.</source>
+        <translation>
+            <numerusform>%n Person, die zurückgetreten ist, ist ausgelassen.</numerusform>
+            <numerusform>%n Personen, die zurückgetreten sind, sind ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated participant(s) are left out: the group is of people.</source>
+        <translation>
+            <numerusform>%n simulierte Person ist ausgelassen: Die Gruppe besteht aus Menschen.</numerusform>
+            <numerusform>%n simulierte Personen sind ausgelassen: Die Gruppe besteht aus Menschen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The group is of simulated participants alone.</source>
+        <translation>Die Gruppe besteht allein aus simulierten Personen.</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -3829,6 +3978,103 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     <message>
         <source>A number above nothing, please.</source>
         <translation>Bitte eine Zahl über null.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ApexPage</name>
+    <message>
+        <source>Nobody has done this condition yet. Each participant&apos;s marks will be here as soon as there is a run.</source>
+        <translation>Noch hat niemand diese Bedingung durchlaufen. Die Markierungen jeder Person stehen hier, sobald es einen Durchgang gibt.</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>%1 mm (%2)</source>
+        <translation>%1 mm (%2)</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>SD %1</source>
+        <translation>SD %1</translation>
+    </message>
+    <message>
+        <source>Bias in %1</source>
+        <translation>Verschiebung in %1</translation>
+    </message>
+    <message>
+        <source>Mean absolute error</source>
+        <translation>Mittlerer Fehlerbetrag</translation>
+    </message>
+    <message>
+        <source>SD %1; published: %2</source>
+        <translation>SD %1; veröffentlicht: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Per cent of the sphere&apos;s radius. %n mark(s)</source>
+        <translation>
+            <numerusform>Prozent des Kugelradius. %n Markierung</numerusform>
+            <numerusform>Prozent des Kugelradius. %n Markierungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n trial(s) repeated</source>
+        <translation>
+            <numerusform>, %n Versuch wiederholt</numerusform>
+            <numerusform>, %n Versuche wiederholt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Bias in x</source>
+        <translation>Verschiebung in x</translation>
+    </message>
+    <message>
+        <source>Bias in y</source>
+        <translation>Verschiebung in y</translation>
+    </message>
+    <message>
+        <source>SD in x</source>
+        <translation>SD in x</translation>
+    </message>
+    <message>
+        <source>SD in y</source>
+        <translation>SD in y</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchführen</translation>
+    </message>
+    <message>
+        <source>%1 (%2 repeated)</source>
+        <translation>%1 (%2 wiederholt)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Mean error</source>
+        <translation>Mittlerer Fehler</translation>
     </message>
 </context>
 <context>
@@ -7942,6 +8188,10 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
     <message>
         <source>Trials in this window are not built in. The command line runs simulated participants.</source>
         <translation>Durchgänge in diesem Fenster sind nicht eingebaut. Simulierte Personen laufen über die Befehlszeile.</translation>
+    </message>
+    <message>
+        <source>This window does not run it yet: an apex is searched for in the sphere exercise&apos;s own scene. On the command line simulated participants do it: chiron-cli study run %1 --participant CODE --observer operator:intermediate</source>
+        <translation>Dieses Fenster führt sie noch nicht durch: Ein Scheitel wird in der Szene der Kugelübung gesucht. Auf der Befehlszeile tun das simulierte Teilnehmende: chiron-cli study run %1 --participant CODE --observer operator:intermediate</translation>
     </message>
 </context>
 <context>

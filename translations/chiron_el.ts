@@ -3031,6 +3031,155 @@ Do you want to replace it?</source>
         <source>Spoiled by the experimenter</source>
         <translation>Ακυρώθηκε από τον πειραματιστή</translation>
     </message>
+    <message>
+        <source>No mark yet</source>
+        <translation>Κανένα σημάδι ακόμη</translation>
+    </message>
+    <message>
+        <source>Marks about the true apex</source>
+        <translation>Σημάδια γύρω από την πραγματική κορυφή</translation>
+    </message>
+    <message>
+        <source>Error in x (% of radius)</source>
+        <translation>Σφάλμα στο x (% της ακτίνας)</translation>
+    </message>
+    <message>
+        <source>Error in y (% of radius)</source>
+        <translation>Σφάλμα στο y (% της ακτίνας)</translation>
+    </message>
+    <message>
+        <source>radius R</source>
+        <translation>ακτίνα R</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>μετατόπιση</translation>
+    </message>
+    <message>
+        <source>± 1 SD an axis</source>
+        <translation>± 1 SD ανά άξονα</translation>
+    </message>
+    <message>
+        <source>Error in locating spheres</source>
+        <translation>Σφάλμα στον εντοπισμό των σφαιρών</translation>
+    </message>
+    <message>
+        <source>Absolute error (% of radius)</source>
+        <translation>Απόλυτο σφάλμα (% της ακτίνας)</translation>
+    </message>
+    <message>
+        <source>mean over both axes ± SD</source>
+        <translation>μέση τιμή των δύο αξόνων ± SD</translation>
+    </message>
+    <message>
+        <source>published: %1 %</source>
+        <translation>δημοσιευμένο: %1 %</translation>
+    </message>
+    <message>
+        <source>%1 of R</source>
+        <translation>%1 του R</translation>
+    </message>
+    <message>
+        <source>%1 mm, %2</source>
+        <translation>%1 mm, %2</translation>
+    </message>
+    <message>
+        <source>Bias in x</source>
+        <translation>Μετατόπιση στο x</translation>
+    </message>
+    <message>
+        <source>Bias in y</source>
+        <translation>Μετατόπιση στο y</translation>
+    </message>
+    <message>
+        <source>Marks, participants</source>
+        <translation>Σημάδια, συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>SD in x</source>
+        <translation>SD στο x</translation>
+    </message>
+    <message>
+        <source>SD in y</source>
+        <translation>SD στο y</translation>
+    </message>
+    <message>
+        <source>Mean absolute error ± SD</source>
+        <translation>Μέσο απόλυτο σφάλμα ± SD</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Σφάλμα</translation>
+    </message>
+    <message>
+        <source>There is no mark to summarise.</source>
+        <translation>Δεν υπάρχει κανένα σημάδι.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) have no mark and are left out.</source>
+        <translation>
+            <numerusform>%n δοκιμή χωρίς σημάδι παραλείπεται.</numerusform>
+            <numerusform>%n δοκιμές χωρίς σημάδι παραλείπονται.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n participant(s): how people differ is hardly known.</source>
+        <translation>
+            <numerusform>Μόνο %n συμμετέχων: οι διαφορές μεταξύ ατόμων είναι σχεδόν άγνωστες.</numerusform>
+            <numerusform>Μόνο %n συμμετέχοντες: οι διαφορές μεταξύ ατόμων είναι σχεδόν άγνωστες.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Some participants have fewer than 10 marks.</source>
+        <translation>Ορισμένοι συμμετέχοντες έχουν λιγότερα από 10 σημάδια.</translation>
+    </message>
+    <message>
+        <source>Errors in x lean to one side: the absolute error is not scatter alone.</source>
+        <translation>Τα σφάλματα στο x κλίνουν προς μία πλευρά: το απόλυτο σφάλμα δεν είναι μόνο διασπορά.</translation>
+    </message>
+    <message>
+        <source>Errors in y lean to one side: the absolute error is not scatter alone.</source>
+        <translation>Τα σφάλματα στο y κλίνουν προς μία πλευρά: το απόλυτο σφάλμα δεν είναι μόνο διασπορά.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) lie off the sphere.</source>
+        <translation>
+            <numerusform>%n σημάδι βρίσκεται εκτός της σφαίρας.</numerusform>
+            <numerusform>%n σημάδια βρίσκονται εκτός της σφαίρας.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) are of the observer for planning: nothing was rendered.</source>
+        <translation>
+            <numerusform>%n σημάδι προέρχεται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
+            <numerusform>%n σημάδια προέρχονται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) were set without touching anything.</source>
+        <translation>
+            <numerusform>%n σημάδι τέθηκε χωρίς επαφή.</numerusform>
+            <numerusform>%n σημάδια τέθηκαν χωρίς επαφή.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) who withdrew are left out.</source>
+        <translation>
+            <numerusform>%n συμμετέχων που αποσύρθηκε παραλείπεται.</numerusform>
+            <numerusform>%n συμμετέχοντες που αποσύρθηκαν παραλείπονται.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated participant(s) are left out: the group is of people.</source>
+        <translation>
+            <numerusform>%n προσομοιωμένος συμμετέχων παραλείπεται: η ομάδα είναι από ανθρώπους.</numerusform>
+            <numerusform>%n προσομοιωμένοι συμμετέχοντες παραλείπονται: η ομάδα είναι από ανθρώπους.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The group is of simulated participants alone.</source>
+        <translation>Η ομάδα αποτελείται μόνο από προσομοιωμένους συμμετέχοντες.</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -3829,6 +3978,103 @@ Recording and scores are kept; they count for nothing.</source>
     <message>
         <source>A number above nothing, please.</source>
         <translation>Παρακαλώ, αριθμό πάνω από το μηδέν.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ApexPage</name>
+    <message>
+        <source>Nobody has done this condition yet. Each participant&apos;s marks will be here as soon as there is a run.</source>
+        <translation>Κανείς δεν έχει κάνει ακόμη αυτή τη συνθήκη. Τα σημάδια κάθε συμμετέχοντα θα είναι εδώ μόλις υπάρξει μια εκτέλεση.</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Ομάδα</translation>
+    </message>
+    <message>
+        <source>%1 mm (%2)</source>
+        <translation>%1 mm (%2)</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>SD %1</source>
+        <translation>SD %1</translation>
+    </message>
+    <message>
+        <source>Bias in %1</source>
+        <translation>Μετατόπιση στο %1</translation>
+    </message>
+    <message>
+        <source>Mean absolute error</source>
+        <translation>Μέσο απόλυτο σφάλμα</translation>
+    </message>
+    <message>
+        <source>SD %1; published: %2</source>
+        <translation>SD %1· δημοσιευμένο: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Per cent of the sphere&apos;s radius. %n mark(s)</source>
+        <translation>
+            <numerusform>Επί τοις εκατό της ακτίνας της σφαίρας. %n σημάδι</numerusform>
+            <numerusform>Επί τοις εκατό της ακτίνας της σφαίρας. %n σημάδια</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n trial(s) repeated</source>
+        <translation>
+            <numerusform>, %n δοκιμή επαναλήφθηκε</numerusform>
+            <numerusform>, %n δοκιμές επαναλήφθηκαν</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Εκτελέσεις</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Κωδικός</translation>
+    </message>
+    <message>
+        <source>Bias in x</source>
+        <translation>Μετατόπιση στο x</translation>
+    </message>
+    <message>
+        <source>Bias in y</source>
+        <translation>Μετατόπιση στο y</translation>
+    </message>
+    <message>
+        <source>SD in x</source>
+        <translation>SD στο x</translation>
+    </message>
+    <message>
+        <source>SD in y</source>
+        <translation>SD στο y</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Δοκιμές</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Διεξαγωγή</translation>
+    </message>
+    <message>
+        <source>%1 (%2 repeated)</source>
+        <translation>%1 (%2 επαναλήφθηκαν)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Mean error</source>
+        <translation>Μέσο σφάλμα</translation>
     </message>
 </context>
 <context>
@@ -7942,6 +8188,10 @@ A run that was interrupted goes on at the trial where it stopped.</source>
     <message>
         <source>Trials in this window are not built in. The command line runs simulated participants.</source>
         <translation>Δοκιμές σε αυτό το παράθυρο δεν περιλαμβάνονται. Προσομοιωμένοι συμμετέχοντες τρέχουν από τη γραμμή εντολών.</translation>
+    </message>
+    <message>
+        <source>This window does not run it yet: an apex is searched for in the sphere exercise&apos;s own scene. On the command line simulated participants do it: chiron-cli study run %1 --participant CODE --observer operator:intermediate</source>
+        <translation>Αυτό το παράθυρο δεν την εκτελεί ακόμη: η κορυφή αναζητείται στη σκηνή της άσκησης της σφαίρας. Στη γραμμή εντολών το κάνουν προσομοιωμένοι συμμετέχοντες: chiron-cli study run %1 --participant CODE --observer operator:intermediate</translation>
     </message>
 </context>
 <context>

@@ -61,6 +61,55 @@
             <numerusform>%n free texts, in the exported tables</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n trial(s) have no mark and are left out.</source>
+        <translation>
+            <numerusform>%n trial has no mark and is left out.</numerusform>
+            <numerusform>%n trials have no mark and are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n participant(s): how people differ is hardly known.</source>
+        <translation>
+            <numerusform>Only %n participant: how people differ is hardly known.</numerusform>
+            <numerusform>Only %n participants: how people differ is hardly known.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) lie off the sphere.</source>
+        <translation>
+            <numerusform>%n mark lies off the sphere.</numerusform>
+            <numerusform>%n marks lie off the sphere.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) are of the observer for planning: nothing was rendered.</source>
+        <translation>
+            <numerusform>%n mark is of the observer for planning: nothing was rendered.</numerusform>
+            <numerusform>%n marks are of the observer for planning: nothing was rendered.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) were set without touching anything.</source>
+        <translation>
+            <numerusform>%n mark was set without touching anything.</numerusform>
+            <numerusform>%n marks were set without touching anything.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) who withdrew are left out.</source>
+        <translation>
+            <numerusform>%n participant who withdrew is left out.</numerusform>
+            <numerusform>%n participants who withdrew are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n simulated participant(s) are left out: the group is of people.</source>
+        <translation>
+            <numerusform>%n simulated participant is left out: the group is of people.</numerusform>
+            <numerusform>%n simulated participants are left out: the group is of people.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Verdict</name>
@@ -76,6 +125,23 @@
         <translation>
             <numerusform>The computer could not keep up and %n sample was lost. The rest is kept and can be played back. It does not count towards passing; close other programs before the next attempt.</numerusform>
             <numerusform>The computer could not keep up and %n samples were lost. The rest is kept and can be played back. It does not count towards passing; close other programs before the next attempt.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ApexPage</name>
+    <message numerus="yes">
+        <source>Per cent of the sphere&apos;s radius. %n mark(s)</source>
+        <translation>
+            <numerusform>Per cent of the sphere&apos;s radius. %n mark</numerusform>
+            <numerusform>Per cent of the sphere&apos;s radius. %n marks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n trial(s) repeated</source>
+        <translation>
+            <numerusform>, %n trial repeated</numerusform>
+            <numerusform>, %n trials repeated</numerusform>
         </translation>
     </message>
 </context>

@@ -64,6 +64,11 @@ public:
     /// Bars of one of `count` groups side by side around each x.
     void addBars(const QString& name, const std::vector<PlotPoint>& tops, PlotStyle style, int index,
                  int count);
+    /// Markers of one of many groups (people): told apart by shape and filling as well as by colour, twenty of them.
+    void addGroupMarkers(const QString& name, const std::vector<PlotPoint>& points, int group);
+    /// An outline with its axes along the plot's: a spread in two directions.
+    void addEllipse(const QString& name, const PlotPoint& centre, double halfWidth, double halfHeight);
+    void addArrow(const QString& name, const PlotPoint& from, const PlotPoint& to);
     /// A horizontal line with its name in the legend.
     void addLimit(const QString& name, double value);
     /// The same for something to compare with that is no limit.

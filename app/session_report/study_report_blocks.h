@@ -41,6 +41,8 @@ private:
     void addWeberPlot(const session::AnalysedCondition& condition);
     void addRuns(std::size_t condition);
     void addCurves(const session::AnalysedCondition& condition);
+    void addApex(std::size_t condition);
+    QString errorText(double mm, double percent) const;
     void addFidelity();
     void addQuestionnaires();
     QString answersTo(const std::string& questionnaire, const psychophysics::QuestionnaireItem& item) const;

@@ -58,6 +58,8 @@ void StudyReportBlocks::addCondition(std::size_t at) {
     addHeading(m_data.conditionName(at));
     if (condition.runs.empty())
         return addMuted(Words::tr("Nobody has done this condition yet."));
+    if (condition.apex)
+        return addApex(at);
     addGroup(at);
     addWeberPlot(condition);
     addRuns(at);

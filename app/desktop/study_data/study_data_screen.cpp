@@ -2,9 +2,11 @@
 #include "desktop/study_data/study_data_screen.h"
 
 #include "desktop/studies/study_words.h"
+#include "desktop/study_data/apex_page.h"
 #include "desktop/study_data/group_page.h"
 #include "desktop/study_data/person_page.h"
 #include "desktop/study_data/questionnaire_summary.h"
+#include "desktop/study_data/run_choice.h"
 #include "desktop/study_data/trials_page.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
@@ -164,6 +166,22 @@ void StudyDataScreen::note() {
                                 {QStringLiteral("run"), qlonglong(m_run)}});
 }
 
+ApexPage* StudyDataScreen::listening(ApexPage* page) {
+    connect(page, &ApexPage::conditionChosen, this, [this](uint condition) {
+        m_condition = condition;
+        QMetaObject::invokeMethod(this, &StudyDataScreen::showPage, Qt::QueuedConnection);
+    });
+    connect(page, &ApexPage::runOpened, this, [this](qlonglong run) {
+        m_run = run;
+        m_bar->setCurrentIndex(personTab);
+    });
+    connect(page, &ApexPage::runChosen, this, [this](qlonglong run) {
+        m_run = run;
+        QMetaObject::invokeMethod(this, &StudyDataScreen::showPage, Qt::QueuedConnection);
+    });
+    return page;
+}
+
 void StudyDataScreen::showPage() {
     note();
     if (m_page) {
@@ -172,6 +190,10 @@ void StudyDataScreen::showPage() {
     }
     switch (m_tab) {
     case personTab: {
+        if (const RunFacts* run = runOf(m_facts, m_run); run && run->apex) {
+            m_page = listening(new ApexPage(context(), m_facts, *run));
+            break;
+        }
         auto* page = new PersonPage(context(), m_facts, m_run);
         connect(page, &PersonPage::runChosen, this, [this](qlonglong run) {
             m_run = run;
@@ -193,6 +215,10 @@ void StudyDataScreen::showPage() {
         m_page = new QuestionnaireSummary(context(), m_facts);
         break;
     default: {
+        if (m_facts.apexes[m_condition]) {
+            m_page = listening(new ApexPage(context(), m_facts, m_condition));
+            break;
+        }
         auto* page = new GroupPage(context(), m_facts, m_condition);
         connect(page, &GroupPage::conditionChosen, this, [this](uint condition) {
             m_condition = condition;

@@ -15,6 +15,7 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
+class ApexPage;
 class StatePanel;
 class WorkToken;
 
@@ -45,6 +46,7 @@ private:
     void loaded(core::Result<StudyFacts> facts);
     void build();
     QWidget* headRow();
+    ApexPage* listening(ApexPage* page);
     void showPage();
     void note();
 

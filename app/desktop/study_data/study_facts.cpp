@@ -12,6 +12,15 @@ std::size_t indexOf(const OpenStudy& study, const database::Participant& partici
     return static_cast<std::size_t>(found - study.participants.begin());
 }
 
+std::optional<ApexFacts> apexFacts(const session::AnalysedCondition& condition) {
+    if (!condition.apex)
+        return std::nullopt;
+    ApexFacts facts{*condition.apex, {}};
+    for (const session::AnalysedRun& run : condition.runs)
+        facts.names.push_back(QString::fromStdString(run.participant.code));
+    return facts;
+}
+
 } // namespace
 
 core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::StudyNumber study) {
@@ -21,12 +30,14 @@ core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::Stu
     auto analysis = session::analyseStudy(reader, study, open->design.seed);
     if (!analysis)
         return tl::unexpected(analysis.error());
-    StudyFacts facts{std::move(*open), {}, {}, {}};
+    StudyFacts facts{std::move(*open), {}, {}, {}, {}};
     for (std::size_t i = 0; i < analysis->conditions.size(); ++i) {
         facts.groups.push_back(analysis->conditions[i].group);
+        facts.apexes.push_back(apexFacts(analysis->conditions[i]));
         for (session::AnalysedRun& run : analysis->conditions[i].runs)
             if (const std::size_t participant = indexOf(facts.study, run.participant); participant < facts.study.participants.size())
-                facts.runs.push_back({participant, i, std::move(run.run), std::move(run.trials), std::move(run.estimate), run.replayed, run.scored, run.spoiled});
+                facts.runs.push_back({participant, i, std::move(run.run), std::move(run.trials), std::move(run.estimate), run.replayed, run.scored, run.spoiled,
+                                      std::move(run.apex)});
     }
     auto answers = reader.questionnaireAnswers(study);
     if (!answers)

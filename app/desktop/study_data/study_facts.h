@@ -4,6 +4,7 @@
 #include "desktop/studies/study_store.h"
 #include "session/study/study_analysis.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@ struct RunFacts {
     session::ReplayedChoices replayed;
     int scored = 0;
     int spoiled = 0;
+    std::optional<psychophysics::ApexSummary> apex{}; ///< of a condition in which an apex is looked for
+};
+
+/// A condition in which an apex is looked for: everybody's marks, and whose they are by the summary's numbers.
+struct ApexFacts {
+    psychophysics::ApexSummary summary;
+    std::vector<QString> names; ///< empty: nobody has done it
 };
 
 /// Everything that the data of a study are shown from.
@@ -27,6 +35,7 @@ struct StudyFacts {
     std::vector<RunFacts> runs;
     std::vector<psychophysics::GroupEstimate> groups; ///< of each condition of the design
     std::vector<database::QuestionnaireAnswer> answers;
+    std::vector<std::optional<ApexFacts>> apexes{}; ///< of each condition of the design
 };
 
 /// Reads a study and analyses it as exports and reports do (session::analyseStudy), with the study's own seed. Blocking: a worker's task.

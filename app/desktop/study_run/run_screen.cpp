@@ -204,7 +204,8 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, int co
             started = run.state == database::StudyRunState::open;
         }
     line->addWidget(kit::label(theme, state, TextStyle::body, "muted"), 1);
-    if (next) {
+    const bool apex = open.design.conditions[static_cast<std::size_t>(condition)].stimulus.attribute == psychophysics::Attribute::apex;
+    if (next && !apex) {
         auto* go = kit::button(theme, started ? tr("Go on") : tr("Begin"), "primary", QStringLiteral("media-playback-start"));
         go->setObjectName(QStringLiteral("run.begin"));
         go->setAccessibleName(tr("Begin or go on with %1").arg(name));
@@ -212,6 +213,13 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, int co
         line->addWidget(go);
     }
     box.layout->addLayout(line);
+    if (next && apex) {
+        auto* note = kit::notice(theme, "info", tr("This window does not run it yet: an apex is searched for in the sphere exercise's own scene. On the command line simulated "
+                                                   "participants do it: chiron-cli study run %1 --participant CODE --observer operator:intermediate")
+                                                    .arg(QString::fromStdString(open.summary.key)));
+        note->setObjectName(QStringLiteral("run.apex"));
+        box.layout->addWidget(note);
+    }
     return box.frame;
 }
 

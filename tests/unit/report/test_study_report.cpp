@@ -59,6 +59,7 @@ private slots:
     void refusesDraft();
     void tellsAll();
     void blindUntilUnblinded();
+    void tellsOfMarks();
 
 private:
     template <class Job> auto write(Job job) {
@@ -143,6 +144,27 @@ void TestStudyReport::blindUntilUnblinded() {
     QVERIFY(write([&](database::StudyRepository& all) { return all.unblindStudy(study); }));
     QVERIFY(report(study, file("unblinded.pdf")));
     QVERIFY(textOf(file("unblinded.pdf")).contains(QStringLiteral("Softwood tube")));
+}
+
+/// A study of the apex: bias, sd and error instead of Weber fractions; while blind without millimetres, which would tell the radius.
+void TestStudyReport::tellsOfMarks() {
+    psychophysics::StudyDesign design = designOf("apex_report", false);
+    psychophysics::Condition& condition = design.conditions.front();
+    condition.title = {{"en", "Hidden sphere"}};
+    condition.stimulus = {psychophysics::Attribute::apex, 0.02, {0.0}, {}};
+    condition.task = psychophysics::Task::adjustment;
+    condition.procedures = {psychophysics::ConstantSpec{{0.0}, 6, true}};
+    std::string sha256;
+    QVERIFY(report(done(design, sha256), file("apex.pdf")));
+    const QString text = textOf(file("apex.pdf"));
+    for (const char* word : {"Hidden sphere", "Bias in x", "SD in y", "Marks about the true apex", "Error in locating spheres", "mm,", "ALPHA", "BRAVO", "observer for planning"})
+        QVERIFY2(text.contains(QLatin1String(word)), qPrintable(QLatin1String(word) + QStringLiteral(" is not in: ") + text));
+    QVERIFY(!text.contains(QStringLiteral("Weber fraction of the group")));
+    design.id = "apex_blind";
+    design.blindExperimenter = true;
+    QVERIFY(report(done(design, sha256), file("apex_blind.pdf")));
+    const QString blind = textOf(file("apex_blind.pdf"));
+    QVERIFY(blind.contains(QStringLiteral("Bias in x")) && !blind.contains(QStringLiteral(" mm,")));
 }
 
 QTEST_MAIN(TestStudyReport)

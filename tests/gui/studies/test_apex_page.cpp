@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A study of the apex on the data screen, as P2's figure 4; and the run screen, which says where it is run. CHIRON_KEEP_PICTURES=<folder>
+// keeps pictures of both.
+#include "desktop/study_data/study_data_screen.h"
+#include "report/plot_view.h"
+#include "session/study/study_runner.h"
+#include "support/every_place.h"
+
+#include <QDir>
+#include <QLabel>
+#include <QFrame>
+#include <QTabBar>
+#include <QTableWidget>
+
+using namespace chiron;
+using tests::DesktopFixture;
+
+namespace {
+
+psychophysics::StudyDesign apexStudy() {
+    psychophysics::StudyDesign design = tests::smallStudy("apex_small");
+    design.title = {{"en", "Finding the apex"}};
+    psychophysics::Condition condition;
+    condition.id = "sphere";
+    condition.title = {{"en", "Sphere of 20 mm radius"}};
+    condition.stimulus = {psychophysics::Attribute::apex, 0.02, {0.0}, {{"stiffness_N_per_m", 500.0}}};
+    condition.task = psychophysics::Task::adjustment;
+    condition.procedures = {psychophysics::ConstantSpec{{0.0}, 10, true}};
+    design.conditions = {condition};
+    design.questionnaires.clear();
+    return design;
+}
+
+} // namespace
+
+class TestApexPage : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        m_site = std::make_unique<DesktopFixture>();
+        m_site->logIn("rhea");
+        const psychophysics::StudyDesign design = apexStudy();
+        const database::Actor rhea = m_site->actor("rhea");
+        m_study = tests::addDraft(*m_site, rhea, design);
+        tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
+        m_person = QString::fromStdString(tests::addParticipant(*m_site, rhea, m_study, design, "somebody").code);
+    }
+    void cleanupTestCase() { m_site.reset(); }
+
+    void nobodyYet() {
+        go("study_data");
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("data.tabs")), 20000);
+        QVERIFY(!m_site->find<QTableWidget>(QStringLiteral("data.runs")));
+        keep("empty");
+    }
+    void theRunScreenSaysWhere() {
+        m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_person}});
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QFrame>(QStringLiteral("run.apex")), 20000);
+        QVERIFY(!m_site->find<QPushButton>(QStringLiteral("run.begin")));
+        keep("run");
+    }
+    void marksOfEverybody() {
+        addRuns(4);
+        go("study_data");
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), 20000);
+        const auto* table = m_site->find<QTableWidget>(QStringLiteral("data.runs"));
+        QCOMPARE(table->rowCount(), 4);
+        QVERIFY2(table->item(0, 1)->text().contains(QStringLiteral("mm (")), qPrintable(table->item(0, 1)->text()));
+        const auto* marks = m_site->find<report::PlotView>(QStringLiteral("data.apex_marks"));
+        QVERIFY(marks);
+        const QStringList legend = marks->legendTexts();
+        for (int row = 0; row < table->rowCount(); ++row)
+            QVERIFY2(legend.contains(table->item(row, 0)->text()), qPrintable(legend.join(u' ')));
+        QVERIFY(m_site->find<report::PlotView>(QStringLiteral("data.apex_errors")));
+        keep("group");
+    }
+    void onePersonAndBackAgain() {
+        auto* table = m_site->find<QTableWidget>(QStringLiteral("data.runs"));
+        emit table->activated(table->model()->index(1, 0));
+        QTRY_COMPARE(m_site->find<QTabBar>(QStringLiteral("data.tabs"))->currentIndex(), int(desktop::StudyDataScreen::personTab));
+        QTRY_VERIFY(m_site->find<QComboBox>(QStringLiteral("data.run")));
+        QVERIFY(m_site->find<report::PlotView>(QStringLiteral("data.apex_marks")));
+        keep("person");
+    }
+    void otherLooksAndLanguages() {
+        for (const char* language : {"de", "el"}) {
+            m_site->settings.setLanguage(QLatin1String(language));
+            m_site->settings.setTheme(desktop::ThemeName::dark);
+            m_site->context.applyAppearance();
+            go("study_data");
+            QTRY_VERIFY_WITH_TIMEOUT(m_site->find<report::PlotView>(QStringLiteral("data.apex_marks")), 20000);
+            keep(language);
+        }
+    }
+
+private:
+    void go(const char* screen) {
+        m_site->go(QLatin1String(screen), {{QStringLiteral("study"), qlonglong(m_study)}});
+        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), 20000);
+    }
+    void addRuns(int people) {
+        const database::Actor rhea = m_site->actor("rhea");
+        for (int person = 0; person < people; ++person) {
+            session::StudyRunRequest request;
+            request.study = m_study;
+            request.participantCode = tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.enrolParticipant(m_study, {}, 0, "weber:0.1"); })->code;
+            request.quick = true;
+            const auto run = session::runStudyHeadless(m_site->database(), rhea, request);
+            QVERIFY2(run, run ? "" : run.error().message.c_str());
+        }
+    }
+    void keep(const char* name) {
+        if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty()) {
+            m_site->window->resize(1280, 1200);
+            QTest::qWait(300);
+            m_site->window->grab().save(QDir(folder).filePath(QStringLiteral("apex_%1.png").arg(QLatin1String(name))));
+        }
+    }
+
+    std::unique_ptr<DesktopFixture> m_site;
+    database::StudyNumber m_study = 0;
+    QString m_person;
+};
+
+QTEST_MAIN(TestApexPage)
+#include "test_apex_page.moc"
