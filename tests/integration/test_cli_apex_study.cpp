@@ -20,6 +20,7 @@ private slots:
     void theRecordingHoldsWhatTheTrialsSay();
     void theAnalysisIsThatOfTheRows();
     void thePlannedObserverSaysSo();
+    void planTellsOfErrors();
     void exportsHoldTheErrors();
     void refusals();
 
@@ -176,6 +177,18 @@ void TestCliApexStudy::thePlannedObserverSaysSo() {
     }
     const QJsonObject analysis = object(runCli({"study", "analyse", "apex", "--database", elsewhere, "--json"}));
     QVERIFY(analysis["conditions"][0]["apex"]["warnings"].toVariant().toStringList().join(u' ').contains("planned:"));
+}
+
+// By the observer for planning, whose mean absolute error is the published one: 17.8 √(2/π) = 14.2 % of the radius.
+void TestCliApexStudy::planTellsOfErrors() {
+    const QJsonObject plan = object(runCli({"study", "plan", "apex", "--observer", "weber:0.1", "--runs", "200", "--database", m_folder.filePath("none.db"), "--json"}));
+    const QJsonObject apex = plan["conditions"].toArray().first()["apex"].toObject();
+    QVERIFY(std::abs(apex["mean_absolute_percent"].toDouble() - 14.2) < 0.3);
+    QCOMPARE(apex["participants"].toInt(), 12);
+    QCOMPARE(apex["marks_each"].toInt(), 10);
+    QVERIFY(apex["half_width_percent"].toDouble() > 0.5 && apex["half_width_percent"].toDouble() < 3.0);
+    QCOMPARE(apex["power"].toDouble(), 1.0); // the earlier device's 29.7 % is far away
+    QVERIFY(plan["minutes"].toDouble() > 4.0);
 }
 
 void TestCliApexStudy::exportsHoldTheErrors() {

@@ -77,6 +77,18 @@ QJsonObject apexMarkJson(const database::StudyTrial& trial) {
             {"planned", mark->planned}};
 }
 
+QJsonObject apexPlanJson(int participants, int marksEach, int studies, std::uint64_t seed) {
+    const psychophysics::ApexObserver observer;
+    const auto plan = psychophysics::planApex(observer, participants, marksEach, psychophysics::kP2EarlierMeanPercent, studies, seed);
+    return {{"observer_sd_percent", observer.sdPercent},
+            {"participants", participants},
+            {"marks_each", marksEach},
+            {"mean_absolute_percent", value(plan.meanAbsolutePercent)},
+            {"half_width_percent", value(plan.halfWidthPercent)},
+            {"against_percent", psychophysics::kP2EarlierMeanPercent},
+            {"power", value(plan.power)}};
+}
+
 TextTable apexTable(bool blinded) {
     QStringList headings{"participant", "condition", ">trials"};
     const QString unit = blinded ? QStringLiteral("%R") : QStringLiteral("mm");

@@ -2,6 +2,7 @@
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
 #include "cli/messages.h"
+#include "cli/study/apex_output.h"
 #include "cli/study/study_access.h"
 #include "cli/text_table.h"
 #include "psychophysics/planning/study_plan.h"
@@ -141,15 +142,25 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
     QJsonArray conditions;
     TextTable table({"condition", ">bias (log10)", ">sd (log10)", ">coverage", ">trials", ">minutes", ">information"});
     double minutes = 0.0;
+    QString words;
     for (const Condition& condition : design->conditions) {
         const ConditionPlan plan = planCondition(condition, design->trial, *observer, static_cast<int>(*runs), *seed);
-        conditions.append(QJsonObject{{"condition", text(condition.id)}, {"title", english(condition.title)}, {"runs", plan.runs}, {"bias_log10", plan.biasLog10}, {"sd_log10", plan.sdLog10},
+        QJsonObject json{{"condition", text(condition.id)}, {"title", english(condition.title)}, {"runs", plan.runs}, {"bias_log10", plan.biasLog10}, {"sd_log10", plan.sdLog10},
                                       {"coverage", plan.coverage}, {"trials", plan.meanTrials}, {"minutes", plan.minutes}, {"information_per_trial", plan.fisherPerTrial},
-                                      {"best_spacing_sigma", plan.bestSpacing}, {"best_difference", plan.bestDifference}, {"without_estimate", plan.withoutEstimate}, {"warnings", strings(plan.warnings)}});
+                                      {"best_spacing_sigma", plan.bestSpacing}, {"best_difference", plan.bestDifference}, {"without_estimate", plan.withoutEstimate}, {"warnings", strings(plan.warnings)}};
+        if (condition.stimulus.attribute == Attribute::apex && *runs > 0) {
+            const QJsonObject apex = apexPlanJson(design->participantsPlanned, static_cast<int>(std::lround(plan.meanTrials)), static_cast<int>(*runs), *seed);
+            json.insert("apex", apex);
+            words += QStringLiteral("%1: mean error of %2 participants %3 ± %4 % of the radius; other than %5 % in %6 % of such studies\n")
+                         .arg(text(condition.id)).arg(design->participantsPlanned)
+                         .arg(shortNumber(apex["mean_absolute_percent"].toDouble()), shortNumber(apex["half_width_percent"].toDouble()),
+                              shortNumber(apex["against_percent"].toDouble()), shortNumber(100.0 * apex["power"].toDouble()));
+        }
+        conditions.append(json);
         table.add({text(condition.id), shortNumber(plan.biasLog10), shortNumber(plan.sdLog10), shortNumber(plan.coverage), shortNumber(plan.meanTrials), shortNumber(plan.minutes), shortNumber(plan.fisherPerTrial)});
         minutes += plan.minutes;
     }
-    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(design->id)}, {"observer", text(observerText(*observer))}, {"conditions", conditions}, {"minutes", minutes}}), table.toText(), 0};
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(design->id)}, {"observer", text(observerText(*observer))}, {"conditions", conditions}, {"minutes", minutes}}), table.toText() + words, 0};
 }
 
 } // namespace chiron::cli

@@ -14,9 +14,10 @@ namespace {
 
 constexpr double kSecondsAnObject = 4.0;
 constexpr double kSecondsAnAnswer = 2.0;
+constexpr double kSecondsAnApex = 25.0; ///< scripted trainees of the exercise take 20 to 33 s (modules/operators/sphere_apex)
 
 double minutesOf(const Condition& condition, const TrialRules& rules, double trials) {
-    double exploring = kSecondsAnObject * placesOf(condition.task);
+    double exploring = condition.stimulus.attribute == Attribute::apex ? kSecondsAnApex : kSecondsAnObject * placesOf(condition.task);
     if (rules.exploreLimit_s > 0.0)
         exploring = std::min(exploring, rules.exploreLimit_s);
     const double one = exploring + kSecondsAnAnswer + rules.betweenTrials_s;

@@ -19,7 +19,7 @@ struct ConditionPlan {
     double sdLog10 = std::numeric_limits<double>::quiet_NaN();   ///< its sd from run to run
     double coverage = std::numeric_limits<double>::quiet_NaN();  ///< share of 95 % intervals that hold the true Weber fraction
     double meanTrials = 0.0; ///< scored ones, a run
-    double minutes = 0.0;    ///< a run, with practice and breaks, at 4 s an object and 2 s an answer
+    double minutes = 0.0;    ///< a run, with practice and breaks, at 4 s an object (25 s an apex) and 2 s an answer
     double fisherPerTrial = 0.0; ///< information about ln σ at the best spacing
     double bestSpacing = 0.0;    ///< D/σ with most information
     double bestDifference = std::numeric_limits<double>::quiet_NaN(); ///< the candidate nearest to it
