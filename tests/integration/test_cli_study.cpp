@@ -233,6 +233,7 @@ void TestCliStudy::refusals_data() {
     QTest::newRow("no such condition") << run + QStringList{"--observer", "weber:0.1", "--condition", "other"} << 3 << QStringList{"other"};
     QTest::newRow("wrong seed") << run + QStringList{"--observer", "weber:0.1", "--seed", "x"} << 2 << QStringList{"--seed"};
     QTest::newRow("wrong number of trials") << run + QStringList{"--observer", "weber:0.1", "--trials", "0"} << 2 << QStringList{"--trials"};
+    QTest::newRow("a plan of no runs") << QStringList{"study", "plan", kStudy, "--observer", "weber:0.1", "--runs", "0"} << 2 << QStringList{"--runs"};
     QTest::newRow("wrong format") << QStringList{"study", "export", kStudy, "--format", "xls", "--out", "/nowhere"} << 2 << QStringList{"xls", "csv, bids"};
     QTest::newRow("a design without --as") << QStringList{"study", "new", kStudy} << 2 << QStringList{"--as"};
     QTest::newRow("the key without --as") << QStringList{"study", "key", kStudy} << 2 << QStringList{"--as"};

@@ -129,7 +129,7 @@ core::Result<CommandOutput> exportStudy(const Arguments& arguments) {
 }
 
 core::Result<CommandOutput> planStudy(const Arguments& arguments) {
-    const auto runs = arguments.integer(QStringLiteral("runs"), 0, 100'000, 100);
+    const auto runs = arguments.integer(QStringLiteral("runs"), 1, 100'000, 100);
     const auto seed = arguments.seed(QStringLiteral("seed"), 1);
     if (!runs || !seed)
         return tl::unexpected(runs ? seed.error() : runs.error());
