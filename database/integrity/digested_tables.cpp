@@ -65,7 +65,11 @@ DigestedTable sessionTable() {
              "state_before_void"},
             "void_reason",
             "void_reason_hash",
-            "EXISTS (SELECT 1 FROM erasure WHERE person_id IN (session.person_id, session.voided_by))"};
+            "EXISTS (SELECT 1 FROM erasure WHERE person_id IN (session.person_id, session.voided_by))",
+            0,
+            1,
+            "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN study_trial t "
+            "ON t.run_id = r.id WHERE t.session_id = session.id)"};
 }
 
 std::vector<DigestedTable> recordTables() {
@@ -100,7 +104,10 @@ std::vector<DigestedTable> recordTables() {
          "EXISTS (SELECT 1 FROM erasure WHERE person_id IN (session_comment.author_id, (SELECT person_id "
          "FROM session "
          "WHERE id = session_comment.session_id)))",
-         1},
+         1,
+         1,
+         "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN study_trial t "
+         "ON t.run_id = r.id WHERE t.session_id = session_comment.session_id)"},
         {"erasure",
          {"person_id"},
          {"person_id", "utc", "reason", "administrator_id", "recordings_withdrawn", "digests_json"}},

@@ -29,6 +29,7 @@ struct DigestedTable {
     /// with.
     std::size_t laterColumns = 0;
     int since = 1; ///< version of the schema that brought the table
+    std::string_view erasedWithStudiesSql{}; ///< or where this is 1, which asks tables of kStudyVersion
 };
 
 inline constexpr int kStudyVersion = 3; ///< the schema that brought studies

@@ -47,6 +47,9 @@ std::string RowScan::sql() const {
     if (!m_table.hashedColumn.empty()) {
         text += ", CAST(" + std::string(m_table.hashedColumn) + " AS BLOB), " +
                 std::string(m_table.hashColumn) + ", " + std::string(m_table.erasedSql);
+        if (!m_table.erasedWithStudiesSql.empty() && schemaVersionOf(m_connection) >= kStudyVersion) {
+            text += " OR " + std::string(m_table.erasedWithStudiesSql);
+        }
     }
     return text + " FROM " + std::string(m_table.name) + " NOT INDEXED WHERE rowid > ? ORDER BY rowid";
 }

@@ -41,6 +41,18 @@ core::Result<void> overwriteTexts(Connection& connection, std::int64_t participa
     return {};
 }
 
+// What was said of the participant's sittings, whoever said it: free text, which may name who it was. Covered through its hash, too.
+core::Result<void> overwriteRemarks(Connection& connection, std::int64_t participant) {
+    const std::string sittings = "(SELECT t.session_id FROM study_trial t JOIN study_run r ON r.id = t.run_id WHERE "
+                                 "r.participant_id = ? AND t.session_id IS NOT NULL)";
+    auto comments = Query::run(connection, "UPDATE session_comment SET text = '' WHERE session_id IN " + sittings, {participant});
+    auto reasons = Query::run(connection, "UPDATE session SET void_reason = '' WHERE id IN " + sittings, {participant});
+    if (!comments || !reasons) {
+        return tl::unexpected(!comments ? comments.error() : reasons.error());
+    }
+    return {};
+}
+
 core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWhom, std::int64_t participant,
                                        std::string& digests) {
     const auto sessions = idsOf(connection,
@@ -114,6 +126,7 @@ core::Result<Erasure> overwriteParticipant(Connection& connection, const Actor& 
     erasure.utc = erasure.utc.empty() ? core::utcNowIso8601() : erasure.utc;
     std::string digests;
     auto done = overwriteTexts(connection, participant, digests);
+    done = done ? overwriteRemarks(connection, participant) : done;
     if (done && erasure.recordingsWithdrawn) {
         done = overwriteRecordings(connection, byWhom, participant, digests);
     }

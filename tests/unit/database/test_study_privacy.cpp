@@ -31,6 +31,7 @@ private slots:
     void exportHoldsParticipations();
     void erasureNeedsWithdrawalAdministratorAndPassword();
     void erasureOverwritesButKeepsTrials();
+    void erasureOverwritesWhatWasSaidOfSittings();
     void recordingsGoWhereTheParticipantWishes_data();
     void recordingsGoWhereTheParticipantWishes();
     void erasingAPersonErasesTheParticipant();
@@ -127,6 +128,26 @@ void TestStudyPrivacy::erasureOverwritesButKeepsTrials() {
     QVERIFY(PrivacyRepository(*reader(), m_admin).exportPerson(m_tim)->participations.empty());
     const auto listed = PrivacyRepository(*reader(), m_admin).listErasures();
     QVERIFY(listed->size() == 1 && listed->front().participantCode == m_code && listed->front().reason == "wish");
+    m->database.reset();
+    QVERIFY(verifyDatabase(m->path(), m->options).ok());
+}
+
+void TestStudyPrivacy::erasureOverwritesWhatWasSaidOfSittings() {
+    const auto other = storeSession(*m->database, m_ruth, 1); // of no study
+    REQUIRE(other);
+    REQUIRE(m->database->write([&](WriteContext& w) -> core::Result<void> {
+        SessionRepository sessions(w.connection(), m_admin);
+        auto said = sessions.addComment(m_session, "Krummstab trembled a little");
+        said = said ? sessions.addComment(*other, "a Wanderfalke flew past") : said;
+        return said ? sessions.voidSession(m_session, "Krummstab was called away") : core::Result<void>(tl::unexpected(said.error()));
+    }));
+    QVERIFY(onDisk(m->path(), "Krummstab"));
+    withdraw(false);
+    REQUIRE(AccountService(*m->database).eraseParticipant(m_admin, kPassword, m_participant, "wish"));
+    QVERIFY(!onDisk(m->path(), "Krummstab"));
+    const auto comments = SessionReader(*reader(), m_ruth).comments(m_session);
+    QVERIFY(comments && comments->size() == 1 && comments->front().text.empty()); // that something was said stays
+    QCOMPARE(SessionReader(*reader(), m_ruth).comments(*other)->front().text, std::string("a Wanderfalke flew past"));
     m->database.reset();
     QVERIFY(verifyDatabase(m->path(), m->options).ok());
 }
