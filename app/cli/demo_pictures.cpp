@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/demo_pictures.h"
 
+#include "database/accounts/account_service.h"
 #include "report/report_writer.h"
 #include "session_report/session_report.h"
+#include "session_report/study_report.h"
 
 #include <QDir>
 #include <algorithm>
@@ -109,10 +111,27 @@ core::Result<void> addReport(DemoPictures& drawn, database::Database& database, 
     return {};
 }
 
+/// As the demonstration's researcher, whose study it is.
+core::Result<void> addStudyReport(DemoPictures& drawn, database::Database& database, const session::DemoStudy& study, const QString& folder,
+                                  const report::PlotTheme& theme) {
+    const auto author = database::AccountService(database).login(session::kDemoResearcher, session::kDemoPassword);
+    if (!author)
+        return tl::unexpected(author.error());
+    auto connection = database.openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    database::StudyReader reader(**connection, *author);
+    const QString file = QDir(folder).filePath(QStringLiteral("study_%1.pdf").arg(study.study));
+    if (auto written = session_report::writeStudyReport(file, reader, study.study, theme); !written)
+        return written;
+    drawn.reports.push_back(file);
+    return {};
+}
+
 } // namespace
 
-core::Result<DemoPictures> drawDemo(database::Database& database, const std::vector<session::DemoResult>& results,
-                                    const QString& folder) {
+core::Result<DemoPictures> drawDemo(database::Database& database, const session::DemoSite& made, const QString& folder) {
+    const std::vector<session::DemoResult>& results = made.sessions;
     DemoPictures drawn;
     const report::PlotTheme theme = report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom));
     if (!QDir().mkpath(folder))
@@ -130,6 +149,8 @@ core::Result<DemoPictures> drawDemo(database::Database& database, const std::vec
         if (auto added = addReport(drawn, database, *cystoscopy, folder, theme, false); !added)
             return tl::unexpected(added.error());
     }
+    if (auto added = addStudyReport(drawn, database, made.study, folder, theme); !added)
+        return tl::unexpected(added.error());
     return drawn;
 }
 

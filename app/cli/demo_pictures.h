@@ -15,9 +15,8 @@ struct DemoPictures {
     std::vector<QString> pictures;
 };
 
-/// Draws into `folder`. The sessions shown are the expert's sphere found by touch alone, plots too, and its cystoscopy. Needs a
+/// Draws into `folder`. The sessions shown are the expert's sphere found by touch alone, plots too, and its cystoscopy; the study's report. Needs a
 /// QApplication.
-core::Result<DemoPictures> drawDemo(database::Database& database, const std::vector<session::DemoResult>& results,
-                                    const QString& folder);
+core::Result<DemoPictures> drawDemo(database::Database& database, const session::DemoSite& made, const QString& folder);
 
 } // namespace chiron::cli

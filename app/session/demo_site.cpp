@@ -25,7 +25,7 @@ constexpr const char* kAdministrator = "amalia";
 
 constexpr DemoPerson kPeople[] = {
     {"theo", "Theo Trainer", database::Role::trainer, ""},
-    {"rhea", "Rhea Researcher", database::Role::researcher, ""},
+    {kDemoResearcher, "Rhea Researcher", database::Role::researcher, ""},
     {"nikos", "Nikos Newcomer", database::Role::trainee, "novice"},
     {"ines", "Ines Improving", database::Role::trainee, "intermediate"},
     {"eva", "Eva Expert", database::Role::trainee, "expert"},
@@ -122,10 +122,9 @@ core::Result<void> checkAgain(database::Database& database, const database::Acto
 
 } // namespace
 
-core::Result<std::vector<DemoResult>> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,
-                                                   std::uint64_t seed,
-                                                   const std::function<void(const DemoProgress&)>& progress,
-                                                   const std::atomic<bool>* cancel) {
+core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,
+                                    std::uint64_t seed, const std::function<void(const DemoProgress&)>& progress,
+                                    const std::atomic<bool>* cancel) {
     auto planned = planOperators(catalogue, seed);
     if (!planned)
         return tl::unexpected(planned.error());
@@ -133,20 +132,29 @@ core::Result<std::vector<DemoResult>> makeDemoSite(database::Database& database,
     if (!people)
         return tl::unexpected(people.error());
     planned->insert(planned->end(), people->begin(), people->end());
-    std::vector<DemoResult> results;
+    DemoSite made;
+    int step = 0;
+    const int steps = static_cast<int>(planned->size()) + demoStudyParticipants();
     for (const Planned& plan : *planned) {
         if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
             return core::fail(core::ErrorCode::cancelled, "the demonstration was stopped before it was complete");
-        progress({static_cast<int>(results.size()) + 1, static_cast<int>(planned->size()), plan.session});
+        progress({++step, steps, plan.session.exercise + " level " + std::to_string(plan.session.level) + ", " + plan.session.operatorName});
         auto result = runScripted(database, plan.actor, catalogue, plan.session, cancel);
         if (!result)
             return tl::unexpected(result.error());
         DemoResult line{plan.person, plan.session, std::move(*result), false, false};
         if (auto checked = checkAgain(database, plan.actor, line); !checked)
             return tl::unexpected(checked.error());
-        results.push_back(std::move(line));
+        made.sessions.push_back(std::move(line));
     }
-    return results;
+    const auto researcher = database::AccountService(database).login(kDemoResearcher, kDemoPassword);
+    if (!researcher)
+        return tl::unexpected(researcher.error());
+    auto study = makeDemoStudy(database, *researcher, seed, [&](const std::string& doing) { progress({++step, steps, doing}); }, cancel);
+    if (!study)
+        return tl::unexpected(study.error());
+    made.study = std::move(*study);
+    return made;
 }
 
 core::Result<std::unique_ptr<database::Database>> createDemoSite(const std::string& file, const database::DatabaseOptions& options,

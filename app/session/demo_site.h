@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "session/demo_study.h"
 #include "session/site.h"
 
 #include <atomic>
@@ -21,23 +22,29 @@ struct DemoResult {
 
 /// How far the making of a demonstration is.
 struct DemoProgress {
-    int session = 1; ///< from 1
+    int step = 1; ///< from 1
     int of = 1;
-    const ScriptedSession& asked;
+    std::string doing; ///< what the step is: an exercise's level and its operator, a study's participant
+};
+
+/// What a demonstration holds.
+struct DemoSite {
+    std::vector<DemoResult> sessions; ///< of exercises
+    DemoStudy study;
 };
 
 /// The people of a demonstration site; their password is documented, and the database marked *demonstration*.
 inline constexpr const char* kDemoPassword = "asclepius-demo";
+inline constexpr const char* kDemoResearcher = "rhea"; ///< whose the studies are
 
 /// Fills a fresh database: an administrator, a trainer, a researcher, three trainees; four operators on every level of
-/// every exercise as the simulated account, and a few attempts of each trainee; each session replayed and scored again.
-/// `progress` hears of each session before it runs, on the calling thread. Takes about a minute of one core; `cancel` ends
+/// every exercise as the simulated account, and a few attempts of each trainee; each session replayed and scored again; the researcher's
+/// studies (makeDemoStudy). `progress` hears of each step before it runs, on the calling thread. Takes about a minute of one core; `cancel` ends
 /// it early (the database is then to be thrown away). Failure: wrongUse if there are people; cancelled; the first failing
 /// session's.
-core::Result<std::vector<DemoResult>> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,
-                                                   std::uint64_t seed,
-                                                   const std::function<void(const DemoProgress&)>& progress,
-                                                   const std::atomic<bool>* cancel = nullptr);
+core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,
+                                    std::uint64_t seed, const std::function<void(const DemoProgress&)>& progress,
+                                    const std::atomic<bool>* cancel = nullptr);
 
 /// makeDemoSite in a new file, opened for writing and marked *demonstration*. What was made goes again when it fails or is
 /// cancelled. Failure: badInput if the file exists (it is left as it is), storage, as makeDemoSite.

@@ -2,6 +2,7 @@
 #include "session/study_export_data.h"
 
 #include "catalogue/study_reader.h"
+#include "session/study/study_analysis.h"
 
 #include <algorithm>
 #include <map>
@@ -47,6 +48,7 @@ core::Result<void> addRuns(database::StudyReader& reader, const StudyExportData&
         exported.label = QString::fromStdString(data.blinded ? run.sealedCode : run.condition);
         exported.index = ++counts[run.condition];
         exported.estimate = psychophysics::estimateRun(*found, scoredTrialsOf(*trials), run.seed);
+        warnNotRendered(exported.estimate, participant.participant, *trials);
         exported.trials = std::move(*trials);
         exported.run = std::move(run);
         participant.runs.push_back(std::move(exported));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_groups.h"
 #include "cli/demo_pictures.h"
+#include "cli/demo_study_table.h"
 #include "cli/messages.h"
 #include "cli/session_output.h"
 #include "cli/site_access.h"
@@ -127,11 +128,12 @@ core::Result<DemoPlace> placeFor(const Arguments& arguments) {
     return place;
 }
 
-CommandOutput output(const DemoPlace& place, const std::vector<session::DemoResult>& results,
-                     const DemoPictures& drawn, const database::VerifyReport& verified) {
-    bool holds = verified.ok();
-    for (const session::DemoResult& r : results)
+CommandOutput output(const DemoPlace& place, const session::DemoSite& made, const DemoPictures& drawn, const database::VerifyReport& verified) {
+    bool holds = verified.ok() && made.study.replayIdentical;
+    for (const session::DemoResult& r : made.sessions)
         holds = holds && r.replayIdentical && r.scoreSame;
+    for (const session::DemoStudyRun& run : made.study.runs)
+        holds = holds && run.choicesSame;
     QJsonArray pictures;
     for (const QString& picture : drawn.pictures)
         pictures.append(picture);
@@ -142,9 +144,9 @@ CommandOutput output(const DemoPlace& place, const std::vector<session::DemoResu
         reportFiles << report;
     }
     const QJsonObject json{{"folder", place.folder}, {"database", place.database}, {"reports", reports},
-                           {"pictures", pictures}, {"sessions", resultsJson(results)}, {"verify_ok", verified.ok()},
+                           {"pictures", pictures}, {"sessions", resultsJson(made.sessions)}, {"study", demoStudyJson(made.study)}, {"verify_ok", verified.ok()},
                            {"password", session::kDemoPassword}};
-    const QString text = resultsTables(results) + kLegend + QLatin1Char('\n') +
+    const QString text = resultsTables(made.sessions) + kLegend + QLatin1Char('\n') + demoStudyTable(made.study) + QLatin1Char('\n') +
                          alignedPairs({{"verify", verified.ok() ? "nothing wrong found" : QStringLiteral("%1 findings").arg(verified.findings.size())},
                                        {"folder", place.folder}, {"database", place.database}, {"reports", reportFiles.join(QStringLiteral(", "))},
                                        {"people", QStringLiteral("amalia (administrator), theo, rhea, nikos, ines, eva; password %1").arg(session::kDemoPassword)}});
@@ -169,24 +171,19 @@ core::Result<CommandOutput> demo(const Arguments& arguments) {
     auto site = session::openSite(place->database.toStdString(), options);
     if (!site)
         return tl::unexpected(site.error());
-    auto results = session::makeDemoSite(*site->database, *catalogue, *seed,
+    auto made = session::makeDemoSite(*site->database, *catalogue, *seed,
                                          [](const session::DemoProgress& now) {
-                                             tell(QStringLiteral("session %1 of %2: %3 level %4, %5")
-                                                      .arg(now.session)
-                                                      .arg(now.of)
-                                                      .arg(QString::fromStdString(now.asked.exercise))
-                                                      .arg(now.asked.level)
-                                                      .arg(QString::fromStdString(now.asked.operatorName)));
+                                             tell(QStringLiteral("step %1 of %2: %3").arg(now.step).arg(now.of).arg(QString::fromStdString(now.doing)));
                                          });
-    if (!results)
-        return tl::unexpected(results.error());
-    auto drawn = drawDemo(*site->database, *results, place->folder);
+    if (!made)
+        return tl::unexpected(made.error());
+    auto drawn = drawDemo(*site->database, *made, place->folder);
     if (!drawn)
         return tl::unexpected(drawn.error());
     site->database.reset(); // verify looks at the file as the next program will find it
     tell(QStringLiteral("verifying"));
     const database::VerifyReport verified = session::verifyEverything(place->database.toStdString(), databaseOptions());
-    return output(*place, *results, *drawn, verified);
+    return output(*place, *made, *drawn, verified);
 }
 
 } // namespace
@@ -194,7 +191,7 @@ core::Result<CommandOutput> demo(const Arguments& arguments) {
 std::vector<CommandSpec> demoCommands() {
     CommandSpec command;
     command.group = QStringLiteral("demo");
-    command.summary = QStringLiteral("a demonstration site: people, every exercise by every scripted operator, reports");
+    command.summary = QStringLiteral("a demonstration site: people, every exercise by every scripted operator, a study by simulated participants, reports");
     command.options = {{QStringLiteral("folder"), QStringLiteral("DIR"), QStringLiteral("receives report and pictures, and the database unless --database says otherwise")},
                        {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of everything; default: 1")}};
     command.example = QStringLiteral("chiron-cli demo --folder demonstration");

@@ -61,7 +61,7 @@ core::Result<MadeSite> makeDemonstration(const std::string& file, const database
     }
     auto site = session::createDemoSite(
         file, options, made.catalogue, kDemonstrationSeed,
-        [&token](const session::DemoProgress& now) { token.setProgress(now.session - 1, now.of); }, &token.flag());
+        [&token](const session::DemoProgress& now) { token.setProgress(now.step - 1, now.of); }, &token.flag());
     if (!site)
         return tl::unexpected(site.error());
     made.database = std::move(*site);

@@ -13,6 +13,11 @@ namespace chiron::session {
 
 namespace {
 
+/// Trials of a rendered run have a session; a person's may lack one only where the study was brought in from elsewhere.
+bool wasNotRendered(const database::Participant& participant, const std::vector<database::StudyTrial>& trials) {
+    return participant.simulated && std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.session == 0; });
+}
+
 core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyAnalysis& study, const psychophysics::Condition& condition,
                                      const database::Participant& participant, const database::StudyRun& run, std::uint64_t seed) {
     AnalysedRun out;
@@ -32,6 +37,7 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
     }
     out.estimate = psychophysics::estimateRun(condition, scoredTrials(condition, out.trials),
                                               core::Random::mix(seed, "run " + participant.code + " " + condition.id));
+    warnNotRendered(out.estimate, participant, out.trials);
     if (looksForApex(condition))
         out.apex = apexOfRun(out, condition.stimulus.reference, core::Random::mix(seed, "apex " + participant.code + " " + condition.id));
     auto replayed = rerunChoices(study.design, run, out.trials);
@@ -50,7 +56,7 @@ void pool(AnalysedCondition& condition, std::uint64_t seed) {
                                   [&](const AnalysedRun& run) { return takesPart(run) && !run.participant.simulated; });
     std::vector<psychophysics::RunEstimate> estimates;
     std::vector<int> rows;
-    int withdrawn = 0, simulated = 0;
+    int withdrawn = 0, simulated = 0, notRendered = 0;
     for (std::size_t i = 0; i < condition.runs.size(); ++i) {
         const AnalysedRun& run = condition.runs[i];
         withdrawn += takesPart(run) ? 0 : 1;
@@ -59,6 +65,7 @@ void pool(AnalysedCondition& condition, std::uint64_t seed) {
             continue;
         estimates.push_back(run.estimate);
         rows.push_back(static_cast<int>(i));
+        notRendered += wasNotRendered(run.participant, run.trials) ? 1 : 0;
     }
     condition.group = psychophysics::estimateGroup(estimates, seed);
     for (psychophysics::GroupMember& member : condition.group.members)
@@ -69,9 +76,16 @@ void pool(AnalysedCondition& condition, std::uint64_t seed) {
     if (simulated > 0)
         warnings.push_back(real ? "simulated_left_out: " + people(simulated) + " simulated left out: the group is of people"
                                 : "simulated: the group is of simulated participants alone");
+    if (notRendered > 0)
+        warnings.push_back("not_rendered: " + people(notRendered) + " of the group without rendering: told the values, nothing was felt");
 }
 
 } // namespace
+
+void warnNotRendered(psychophysics::RunEstimate& estimate, const database::Participant& participant, const std::vector<database::StudyTrial>& trials) {
+    if (wasNotRendered(participant, trials))
+        estimate.warnings.emplace_back("not_rendered: a quick simulation without rendering: the observer was told the values");
+}
 
 core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber number, std::uint64_t seed) {
     StudyAnalysis study;

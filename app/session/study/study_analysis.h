@@ -28,7 +28,7 @@ struct AnalysedCondition {
     std::string condition;
     std::vector<AnalysedRun> runs; ///< by participant
     /// Of the people who still take part; of simulated participants only where there are no people. Who was left out is among its
-    /// warnings (withdrawn, simulated_left_out, simulated); its members' `index` counts `runs`.
+    /// warnings (withdrawn, simulated_left_out, simulated, not_rendered); its members' `index` counts `runs`.
     psychophysics::GroupEstimate group;
     /// Of a study of the apex: the marks of those whom the group is of; a participant's number is the row of its first run in `runs`.
     std::optional<psychophysics::ApexSummary> apex;
@@ -39,6 +39,9 @@ struct StudyAnalysis {
     psychophysics::StudyDesign design;
     std::vector<AnalysedCondition> conditions; ///< in the design's order
 };
+
+/// Says so where a simulated participant's trials were not rendered (a quick run): warning not_rendered.
+void warnNotRendered(psychophysics::RunEstimate& estimate, const database::Participant& participant, const std::vector<database::StudyTrial>& trials);
 
 /// Every run of a study with trials, analysed anew; `seed`: of bootstraps. Stopped runs of a withdrawn participant are left out.
 /// Failure: the reader's; badInput (a design or a trial that cannot be read).
