@@ -5011,6 +5011,18 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <source>95 %</source>
         <translation>95 %</translation>
     </message>
+    <message>
+        <source>Force is shown, not felt: nothing limits what is rendered.</source>
+        <translation>Kraft wird gezeigt, nicht gefühlt: Nichts begrenzt die Darstellung.</translation>
+    </message>
+    <message>
+        <source>Delay of the device, measured: %1 ms.</source>
+        <translation>Verzögerung des Geräts, gemessen: %1 ms.</translation>
+    </message>
+    <message>
+        <source>The delay of this device was never measured. %1 ms are taken, on the safe side of what it states.</source>
+        <translation>Die Verzögerung dieses Geräts wurde nie gemessen. Angenommen werden %1 ms, vorsichtig nach seiner Angabe.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::FindingsBox</name>
@@ -8184,10 +8196,6 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
     <message>
         <source>Answer %1</source>
         <translation>%1 beantworten</translation>
-    </message>
-    <message>
-        <source>Trials in this window are not built in. The command line runs simulated participants.</source>
-        <translation>Durchgänge in diesem Fenster sind nicht eingebaut. Simulierte Personen laufen über die Befehlszeile.</translation>
     </message>
     <message>
         <source>This window does not run it yet: an apex is searched for in the sphere exercise&apos;s own scene. On the command line simulated participants do it: chiron-cli study run %1 --participant CODE --observer operator:intermediate</source>

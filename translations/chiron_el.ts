@@ -5011,6 +5011,18 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <source>95 %</source>
         <translation>95 %</translation>
     </message>
+    <message>
+        <source>Force is shown, not felt: nothing limits what is rendered.</source>
+        <translation>Η δύναμη εμφανίζεται, δεν γίνεται αισθητή: τίποτα δεν περιορίζει την απόδοση.</translation>
+    </message>
+    <message>
+        <source>Delay of the device, measured: %1 ms.</source>
+        <translation>Καθυστέρηση της συσκευής, μετρημένη: %1 ms.</translation>
+    </message>
+    <message>
+        <source>The delay of this device was never measured. %1 ms are taken, on the safe side of what it states.</source>
+        <translation>Η καθυστέρηση αυτής της συσκευής δεν μετρήθηκε ποτέ. Λαμβάνονται %1 ms, με ασφάλεια από όσα δηλώνει.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::FindingsBox</name>
@@ -8184,10 +8196,6 @@ A run that was interrupted goes on at the trial where it stopped.</source>
     <message>
         <source>Answer %1</source>
         <translation>Απάντηση: %1</translation>
-    </message>
-    <message>
-        <source>Trials in this window are not built in. The command line runs simulated participants.</source>
-        <translation>Δοκιμές σε αυτό το παράθυρο δεν περιλαμβάνονται. Προσομοιωμένοι συμμετέχοντες τρέχουν από τη γραμμή εντολών.</translation>
     </message>
     <message>
         <source>This window does not run it yet: an apex is searched for in the sphere exercise&apos;s own scene. On the command line simulated participants do it: chiron-cli study run %1 --participant CODE --observer operator:intermediate</source>

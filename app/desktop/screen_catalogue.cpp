@@ -16,16 +16,12 @@
 #include "desktop/station/station_screen.h"
 #include "desktop/storage/storage_screen.h"
 #include "desktop/training/training_screen.h"
-#ifdef CHIRON_STUDY_SCREENS
 #include "desktop/questionnaire/questionnaire_screen.h"
 #include "desktop/studies/studies_screen.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/study_data/study_data_screen.h"
 #include "desktop/study_run/run_screen.h"
-#endif
-#ifdef CHIRON_STUDY_TRIALS
 #include "desktop/study_run/trials_screen.h"
-#endif
 
 #include <QCoreApplication>
 
@@ -52,16 +48,12 @@ const std::vector<ScreenEntry>& screenCatalogue() {
         {"exercises", QT_TRANSLATE_NOOP("Screens", "Exercises"), "view-list-icons", everybody, true, &make<ExercisesScreen>},
         {"exercise_setup", QT_TRANSLATE_NOOP("Screens", "Exercise"), "media-playback-start", {}, true, &make<ExerciseSetupScreen>},
         {"training", QT_TRANSLATE_NOOP("Screens", "Training"), "media-playback-start", {}, false, &make<TrainingScreen>},
-#ifdef CHIRON_STUDY_SCREENS
         {"studies", QT_TRANSLATE_NOOP("Screens", "Studies"), "view-task", {researcher}, true, &make<StudiesScreen>},
         {"study", QT_TRANSLATE_NOOP("Screens", "Study"), "view-task", {}, true, &make<StudyScreen>},
         {"study_run", QT_TRANSLATE_NOOP("Screens", "Run"), "media-playback-start", {researcher}, true, &make<RunScreen>},
         {"study_data", QT_TRANSLATE_NOOP("Screens", "Data"), "office-chart-line", {researcher}, true, &make<StudyDataScreen>},
         {"questionnaire", QT_TRANSLATE_NOOP("Screens", "Questionnaire"), "document-edit", {}, true, &make<QuestionnaireScreen>},
-#endif
-#ifdef CHIRON_STUDY_TRIALS
         {"study_trials", QT_TRANSLATE_NOOP("Screens", "Trials"), "media-playback-start", {}, false, &make<TrialsScreen>},
-#endif
         {"sessions", QT_TRANSLATE_NOOP("Screens", "Sessions"), "view-list-details", {trainer, researcher, admin}, true, &make<SessionsScreen>},
         {"people", QT_TRANSLATE_NOOP("Screens", "People"), "system-users", {admin}, true, &make<PeopleScreen>},
         {"storage", QT_TRANSLATE_NOOP("Screens", "Storage"), "drive-harddisk", {admin}, true, &make<StorageScreen>},

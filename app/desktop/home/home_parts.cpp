@@ -126,7 +126,6 @@ QWidget* HomeScreen::peopleCard(const HomeData& home) {
 }
 
 void HomeScreen::addResearcher(QVBoxLayout& column) {
-#ifdef CHIRON_STUDY_SCREENS
     column.addWidget(stateCard(QStringLiteral("studies"), tr("Studies"),
                                tr("Design a study or begin with a template, try it with simulated observers, freeze it, enrol participants."), "info", {},
                                tr("Open the studies")));
@@ -136,7 +135,6 @@ void HomeScreen::addResearcher(QVBoxLayout& column) {
     column.addWidget(stateCard(QStringLiteral("study_data"), tr("Data"),
                                tr("Curves, thresholds and intervals of each person and the group, every trial with its fidelity, exports."), "info", {},
                                tr("Open the data")));
-#endif
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Training sessions"), TextStyle::title));

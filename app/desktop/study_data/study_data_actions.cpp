@@ -31,9 +31,7 @@ QWidget* StudyDataScreen::toolRow() {
     };
     add("data.csv", tr("CSV …"), "document-export-table", [this] { askFolder(&StudyDataScreen::exportCsvTo); });
     add("data.bids", tr("BIDS …"), "document-export", [this] { askFolder(&StudyDataScreen::exportBidsTo); });
-#ifdef CHIRON_STUDY_REPORT
     add("data.pdf", tr("PDF …"), "document-print", [this] { askPdf(); });
-#endif
     const bool own = m_facts.study.summary.author == context().actor().personId() || context().has(database::Role::admin);
     if (m_facts.study.blind() && own)
         add("data.unblind", tr("Unblind …"), "object-unlocked", [this] { askUnblind(); });
@@ -42,9 +40,7 @@ QWidget* StudyDataScreen::toolRow() {
 
 std::vector<ScreenCommand> StudyDataScreen::commands() {
     return {{tr("Export as CSV"), {}, [this] { askFolder(&StudyDataScreen::exportCsvTo); }},
-#ifdef CHIRON_STUDY_REPORT
             {tr("Write a PDF"), QKeySequence(QKeySequence::Print), [this] { askPdf(); }},
-#endif
             {tr("Export as BIDS"), {}, [this] { askFolder(&StudyDataScreen::exportBidsTo); }}};
 }
 
@@ -133,10 +129,8 @@ void StudyDataScreen::exportPdfTo(const QString& file) {
     auto connection = context().site().database().openReader();
     core::Result<void> done;
     if (connection) {
-#ifdef CHIRON_STUDY_REPORT
         database::StudyReader reader(**connection, context().actor());
         done = session_report::writeStudyReport(file, reader, m_study, report::lightTheme(context().locale()), context().language().toStdString());
-#endif
     } else {
         done = tl::unexpected(connection.error());
     }

@@ -87,7 +87,7 @@ void ExperimenterPanel::show(const session::LiveStudyView& view, const session::
 
 QString ExperimenterPanel::fidelityText(const session::LiveStudyNumbers& numbers) const {
     if (m_seen <= 0)
-        return tr("The fidelity of each trial will be here.");
+        return tr("The fidelity of each trial will be here.") + QLatin1Char('\n') + delayText(numbers.limits);
     const session::TrialFidelity& trial = numbers.lastFidelity;
     QStringList words;
     words << (numbers.lastSpoiled.empty() ? tr("Last trial: counted.") : tr("Last trial: repeated. %1.").arg(study_words::spoiled(numbers.lastSpoiled)));
@@ -100,7 +100,17 @@ QString ExperimenterPanel::fidelityText(const session::LiveStudyNumbers& numbers
     words << (trial.measured ? tr("Force error %1 N.").arg(study_words::number(trial.forceErrorRms_N, m_locale)) : tr("The device measures no force."));
     if (numbers.limited)
         words << tr("The device cannot render all differences: %n are left.", nullptr, numbers.candidates);
+    words << delayText(numbers.limits);
     return words.join(QLatin1Char('\n'));
+}
+
+/// What limits of passive rendering count with.
+QString ExperimenterPanel::delayText(const session::RenderingLimits& limits) const {
+    if (!std::isfinite(limits.largestStiffness_N_per_m))
+        return tr("Force is shown, not felt: nothing limits what is rendered.");
+    const QString delay = study_words::number(1e3 * limits.delay_s, m_locale);
+    return limits.measured ? tr("Delay of the device, measured: %1 ms.").arg(delay)
+                           : tr("The delay of this device was never measured. %1 ms are taken, on the safe side of what it states.").arg(delay);
 }
 
 void ExperimenterPanel::takeEstimates(const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition) {

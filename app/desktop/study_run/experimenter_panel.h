@@ -37,6 +37,7 @@ private:
     void takeEstimates(const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition);
     void draw(const psychophysics::Condition& condition);
     QString fidelityText(const session::LiveStudyNumbers& numbers) const;
+    QString delayText(const session::RenderingLimits& limits) const;
 
     /// A procedure's estimate after a trial, as Weber fraction in percent.
     struct Point {

@@ -247,10 +247,6 @@ QWidget* RunScreen::questionnaireRow(const ParticipantRow& row, const psychophys
 }
 
 void RunScreen::run(const std::string& condition) {
-#ifndef CHIRON_STUDY_TRIALS
-    context().messages().information(tr("Trials in this window are not built in. The command line runs simulated participants."));
-    return;
-#endif
     context().navigator().go(QStringLiteral("study_trials"), {{QStringLiteral("study"), qlonglong(m_study)},
                                                               {QStringLiteral("participant"), m_participant},
                                                               {QStringLiteral("condition"), QString::fromStdString(condition)}});

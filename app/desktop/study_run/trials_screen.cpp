@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sitting from its instructions to its end.
+// A sitting from its instructions to its end. What is shown meanwhile: trials_screen_show.cpp.
 #include "desktop/study_run/trials_screen.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/station/device_delay.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/break_panel.h"
@@ -15,10 +16,8 @@
 #include <QApplication>
 #include <QLabel>
 #include <QMessageBox>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <cmath>
 
 namespace chiron::desktop {
 
@@ -62,6 +61,7 @@ void TrialsScreen::begin() {
         fail(station.error());
         return;
     }
+    request.measuredDelay_s = measuredDelay_s(context().settings(), station->devices.front()->descriptor());
     request.station = std::move(*station);
     auto live = session::LiveStudy::start(context().site().database(), context().actor(), std::move(request));
     if (!live) {
@@ -74,7 +74,7 @@ void TrialsScreen::begin() {
     connectPointer();
     if (m_live->design().trial.maskingSound)
         m_sound.open();
-    m_live->pause(); // until the instructions are read
+    m_live->pause(); // nothing is presented until the instructions are read
     m_break->say(tr("Before you begin"), study_words::text(m_live->design().instructions, context().language()), tr("Begin"));
     m_stage->setCurrentWidget(m_break);
     m_panel->showContent();
@@ -89,98 +89,10 @@ void TrialsScreen::poll() {
     const session::LiveStudyView view = m_live->view();
     if (m_begun)
         showState(view);
-    else if (view.state != State::paused && view.state != State::starting && view.state != State::finished)
-        m_live->pause(); // nothing is presented while the instructions are read
     if (m_experimenter->isVisible())
         m_experimenter->show(view, m_live->numbers(), m_live->condition());
     if (m_live->finished())
         finished();
-}
-
-void TrialsScreen::showState(const session::LiveStudyView& view) {
-    m_progress->setValue(view.ofAtMost > 0 ? 100 * view.trial / view.ofAtMost : 0);
-    m_progress->setVisible(view.ofAtMost > 0);
-    m_note->setText(view.practice ? tr("Participant %1 · practice").arg(m_participant) : tr("Participant %1").arg(m_participant));
-    const bool changed = view.state != m_state;
-    m_state = view.state;
-    const bool scene = view.state == State::coming || view.state == State::arming || view.state == State::exploring || view.state == State::answering ||
-                       view.state == State::feedback;
-    if (scene) {
-        if (m_stage->currentWidget() != m_trial) {
-            m_stage->setCurrentWidget(m_trial);
-            m_places->setFocus(Qt::OtherFocusReason); // Enter answers, and presses no button that was left behind
-            capturePointer();
-        }
-        showScene(view);
-    } else {
-        if (m_stage->currentWidget() != m_break)
-            freePointer();
-        showBreak(view);
-    }
-    m_keys->setHeld(!scene);
-    if (m_live->design().trial.maskingSound)
-        m_sound.mask(m_masking && scene);
-    if (changed && view.state == State::coming)
-        m_answers->clear();
-}
-
-QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
-    switch (view.state) {
-    case State::coming:
-        return tr("The next objects are coming. Lift the tool off.");
-    case State::arming:
-        return tr("Force is coming. Hold still for a moment.");
-    case State::feedback:
-        return view.right.value_or(false) ? tr("Right.") : tr("Not this time.");
-    case State::exploring:
-        return view.canAnswer ? QString() : tr("Touch every object first.");
-    case State::answering:
-        return tr("The time to explore is over. Answer now.");
-    default:
-        return {};
-    }
-}
-
-void TrialsScreen::showScene(const session::LiveStudyView& view) {
-    haptics::DisplayState state;
-    m_live->training().display().read(state);
-    PlacesView::Now now;
-    now.objects = view.state == State::exploring || view.state == State::arming;
-    now.touched = view.touched;
-    now.place = view.place;
-    now.feltNothing = !m_live->training().felt();
-    const core::Array6& tissue = state.tool[0].tissue;
-    now.force_N = std::hypot(tissue[0], tissue[1], tissue[2]);
-    m_places->show(state, now);
-    m_answers->setOpen(view.canAnswer, whyNoAnswer(view));
-    m_time->setVisible(view.timeLeft_s > 0.0);
-    const double most_s = m_live->design().trial.exploreLimit_s;
-    if (most_s > 0.0)
-        m_time->setValue(static_cast<int>(std::lround(100.0 * view.timeLeft_s / most_s)));
-}
-
-void TrialsScreen::showBreak(const session::LiveStudyView& view) {
-    m_stage->setCurrentWidget(m_break);
-    switch (view.state) {
-    case State::starting:
-        m_break->say(tr("One moment …"), {}, {});
-        break;
-    case State::breakDue:
-        m_break->say(tr("A break"), view.breakLeft_s > 0.0 ? tr("Rest your hand. It can go on in %n second(s).", nullptr, static_cast<int>(std::ceil(view.breakLeft_s)))
-                                                           : tr("Whenever you are ready."),
-                     tr("Go on"));
-        break;
-    case State::needsExperimenter:
-        m_break->say(tr("Please ask the experimenter"), tr("The last trial could not be shown well enough, several times."), tr("Go on"));
-        break;
-    case State::paused:
-        m_break->say(tr("Paused"), tr("Everything so far is kept."), tr("Go on"));
-        break;
-    default:
-        m_break->say(tr("Thank you"), tr("This part is done."), {});
-        break;
-    }
-    m_break->countDown(view.state == State::breakDue ? view.breakLeft_s : -1.0, m_live->design().trial.breakAtLeast_s);
 }
 
 void TrialsScreen::onBreakButton() {

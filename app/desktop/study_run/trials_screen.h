@@ -51,13 +51,15 @@ private:
     void buildKeys();
     void connectPointer();
 
-    // trials_screen.cpp
-    void begin();
-    void poll();
+    // trials_screen_show.cpp
     void showState(const session::LiveStudyView& view);
     void showScene(const session::LiveStudyView& view);
     void showBreak(const session::LiveStudyView& view);
     QString whyNoAnswer(const session::LiveStudyView& view) const;
+
+    // trials_screen.cpp
+    void begin();
+    void poll();
     void onBreakButton();
     void answer(int answer, std::optional<double> value);
     void pauseOrResume();

@@ -4,6 +4,7 @@
 #include "database/database.h"
 #include "psychophysics/study/study_design.h"
 #include "session/live_training.h"
+#include "session/study/study_limits.h"
 #include "session/study/study_progress.h"
 
 #include <filesystem>
@@ -21,7 +22,7 @@ struct LiveStudyRequest {
     std::string condition; ///< id; empty: the participant's next one in the order that is not completed
     Station station;
     std::filesystem::path ringFolder; ///< empty: the default
-    double delay_s = 0.0; ///< of the device, where it was measured; 0: taken as one period
+    std::optional<double> measuredDelay_s; ///< of the first device, where the station knows it; else statedDelay_s() counts
 };
 
 /// Where a sitting stands. The participant's screen shows this and nothing else of the run: no value, level or condition.
@@ -66,6 +67,7 @@ struct LiveStudyNumbers {
     int repeats = 0;         ///< how often the present trial was spoiled
     bool limited = false;    ///< differences were left out, because the device cannot render them
     int candidates = 0;      ///< that are left
+    RenderingLimits limits;  ///< of the device that it is done with
 };
 
 /// How a sitting ended.
@@ -100,7 +102,7 @@ public:
     core::Result<void> answer(int answer, std::optional<double> value = std::nullopt);
     void adjust(int steps);        ///< adjustment: so many candidates up (down)
     void spoil();                  ///< the experimenter's: this trial does not count and comes again
-    void pause();
+    void pause();                  ///< wished at once, also before the loop ticks; nothing is presented until resume()
     void resume();
     void breakTaken();             ///< once its shortest time is over
     void experimenterSays(bool goOn);

@@ -43,12 +43,21 @@ RenderingLimits renderingLimits(const devices::DeviceDescriptor& device, double 
     RenderingLimits limits;
     const double infinite = std::numeric_limits<double>::infinity();
     if (!device.rendersForce)
-        return {infinite, infinite, infinite, 0.0};
+        return {infinite, infinite, infinite, 0.0, false};
     const double period_s = device.inProcess ? 0.0 : device.period_us * 1e-6;
     limits.delay_s = delay_s > 0.0 ? delay_s : period_s;
     limits.largestStiffness_N_per_m = kArmDamping_Ns_per_m / (0.5 * core::kTickSeconds + limits.delay_s);
     limits.largestViscosity_Ns_per_m = device.maximumDamping_Ns_per_m;
     limits.largestForce_N = device.maximumForce_N > 0.0 ? std::min(device.maximumForce_N, kSiteForce_N) : kSiteForce_N;
+    return limits;
+}
+
+double statedDelay_s(const devices::DeviceDescriptor& device) { return device.inProcess ? 0.0 : 2.0 * device.period_us * 1e-6; }
+
+RenderingLimits limitsAt(const devices::DeviceDescriptor& device, std::optional<double> measuredDelay_s) {
+    const bool measured = measuredDelay_s && std::isfinite(*measuredDelay_s) && *measuredDelay_s > 0.0;
+    RenderingLimits limits = renderingLimits(device, measured ? *measuredDelay_s : statedDelay_s(device));
+    limits.measured = measured;
     return limits;
 }
 

@@ -20,7 +20,10 @@ private slots:
 
 private:
     desktop::TrialsScreen* sit(const QString& code);
-    void stop();
+    void press(desktop::TrialsScreen* screen, const char* button) { screen->findChild<QPushButton*>(QLatin1String(button))->click(); }
+    QString where(desktop::TrialsScreen* screen);
+    bool canAnswer(desktop::TrialsScreen* screen);
+    void stop(desktop::TrialsScreen* screen);
     std::vector<database::StudyTrial> stored();
 
     std::unique_ptr<tests::DesktopFixture> m_site;
@@ -46,6 +49,22 @@ desktop::TrialsScreen* TestStudyTrials::sit(const QString& code) {
     return m_site->screen<desktop::TrialsScreen>();
 }
 
+/// What a failure says of a sitting. Buttons are looked for on its own screen: the one before it still lives until the event loop turns.
+QString TestStudyTrials::where(desktop::TrialsScreen* screen) {
+    if (!screen->live())
+        return QStringLiteral("no sitting");
+    const session::LiveStudyView view = screen->live()->view();
+    const session::LiveStudyNumbers numbers = screen->live()->numbers();
+    const auto* panel = screen->findChild<desktop::StatePanel*>();
+    return QStringLiteral("state %1, session %2, scored %3, spoiled %4 (%5), panel %6, ended %7")
+        .arg(static_cast<int>(view.state)).arg(screen->live()->training().sessionId()).arg(numbers.scored).arg(numbers.spoiled)
+        .arg(QString::fromStdString(numbers.lastSpoiled)).arg(static_cast<int>(panel->state())).arg(screen->live()->training().finished());
+}
+
+bool TestStudyTrials::canAnswer(desktop::TrialsScreen* screen) {
+    return QTest::qWaitFor([screen] { return screen->live()->view().canAnswer; }, 30000);
+}
+
 std::vector<database::StudyTrial> TestStudyTrials::stored() {
     auto connection = m_site->database().openReader();
     database::StudyReader reader(**connection, m_site->context.actor());
@@ -53,14 +72,14 @@ std::vector<database::StudyTrial> TestStudyTrials::stored() {
     return runs && !runs->empty() ? *reader.studyTrials(runs->back().id) : std::vector<database::StudyTrial>();
 }
 
-void TestStudyTrials::stop() {
+void TestStudyTrials::stop(desktop::TrialsScreen* screen) {
     QTimer look; // the question comes when it comes
     connect(&look, &QTimer::timeout, this, [this] {
         if (auto* button = m_site->find<QPushButton>(QStringLiteral("trials.ask.stop")))
             button->click();
     });
     look.start(200);
-    m_site->find<QPushButton>(QStringLiteral("trials.stop"))->click();
+    press(screen, "trials.stop");
     QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), 20000);
 }
 
@@ -75,17 +94,17 @@ void TestStudyTrials::trialsAreAnsweredAndKept() {
     QVERIFY(screen && screen->live());
     for (const QLabel* label : screen->findChildren<QLabel*>()) // no value and no name of a condition
         QVERIFY2(!label->text().contains(QStringLiteral("N/m")) && !label->text().contains(QStringLiteral("Stiffness")), qPrintable(label->text()));
-    m_site->find<QPushButton>(QStringLiteral("break.button"))->click();
+    press(screen, "break.button");
     for (int trial = 0; trial < 3; ++trial) {
-        QTRY_VERIFY_WITH_TIMEOUT(screen->live()->view().canAnswer, 30000);
+        QVERIFY2(canAnswer(screen), qPrintable(where(screen)));
         const session::LiveStudyNumbers before = screen->live()->numbers();
         for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
-            m_site->find<QPushButton>(QLatin1String(button))->click();
+            press(screen, button);
         QTRY_VERIFY_WITH_TIMEOUT(screen->live()->numbers().scored + screen->live()->numbers().spoiled > before.scored + before.spoiled, 30000);
     }
-    m_site->find<QPushButton>(QStringLiteral("trials.experimenter"))->click();
-    QTRY_VERIFY(!m_site->find<QLabel>(QStringLiteral("experimenter.progress"))->text().isEmpty());
-    stop();
+    press(screen, "trials.experimenter");
+    QTRY_VERIFY(!screen->findChild<QLabel*>(QStringLiteral("experimenter.progress"))->text().isEmpty());
+    stop(screen);
     m_stored = stored().size();
     QVERIFY(m_stored >= 3);
 }
@@ -94,7 +113,7 @@ void TestStudyTrials::goesOnWhereItStopped() {
     desktop::TrialsScreen* screen = sit(QString::fromStdString(m_participant.code));
     QVERIFY(screen && screen->live());
     QCOMPARE(screen->live()->numbers().scored + screen->live()->numbers().spoiled, static_cast<int>(m_stored));
-    stop();
+    stop(screen);
     QVERIFY(stored().size() >= m_stored);
 }
 

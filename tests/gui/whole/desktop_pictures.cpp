@@ -193,11 +193,7 @@ int main(int argc, char** argv) {
         return QStringList{QStringLiteral("stud"), QStringLiteral("run"), QStringLiteral("data"), QStringLiteral("questionnaire"), QStringLiteral("home_researcher")}.contains(name);
     });
     const tests::VisitedSessions sessions = onlyStudies ? tests::VisitedSessions() : tests::addVisitedSessions(desktop); // they take a while
-#ifdef CHIRON_STUDY_SCREENS
     const tests::VisitedStudies studies = tests::addVisitedStudies(desktop);
-#else
-    const tests::VisitedStudies studies;
-#endif
     const auto places = tests::everyPlace(sessions, studies);
     std::string person;
     for (const Look& look : kLooks) {

@@ -12,11 +12,7 @@ private slots:
     void initTestCase() {
         m_desktop = std::make_unique<tests::DesktopFixture>();
         const tests::VisitedSessions sessions = tests::addVisitedSessions(*m_desktop);
-#ifdef CHIRON_STUDY_SCREENS
         m_places = tests::everyPlace(sessions, tests::addVisitedStudies(*m_desktop));
-#else
-        m_places = tests::everyPlace(sessions);
-#endif
     }
     void cleanupTestCase() { m_desktop.reset(); }
 

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sitting from tick to tick: what the loop did, what comes next, what the window is told.
+#include "session/study/live_study_state.h"
+
+#include "core/presentation_word.h"
+#include "core/units.h"
+
+#include <algorithm>
+
+namespace chiron::session {
+
+using core::CommandKind;
+using core::TrialPhase;
+
+namespace {
+constexpr double kFeedback_s = 1.2;
+constexpr double kStopPatience_s = 2.0;
+} // namespace
+
+/// A wish, not an event: who asks twice, or for the opposite before the loop has heard, gets what was asked for last.
+void LiveStudy::State::wantPause(bool wanted) {
+    pauseWanted = wanted && !stopping; // what ends, ends
+    tellPause();
+}
+
+/// The loop hears 64 commands at most before its first tick, which may take its time: what found no room is told again.
+void LiveStudy::State::tellPause() {
+    if (pauseTold != pauseWanted && training->post(pauseWanted ? CommandKind::pause : CommandKind::resume))
+        pauseTold = pauseWanted;
+}
+
+void LiveStudy::State::drain() {
+    FidelitySample sample;
+    while (tap.ring().tryPop(sample))
+        take(sample);
+}
+
+void LiveStudy::State::take(const FidelitySample& sample) {
+    constexpr std::uint32_t kEnds = core::event_bits::kCompleted | core::event_bits::kTimedOut | core::event_bits::kFailed;
+    last = sample;
+    if (sample.events & core::event_bits::kTrialStarted)
+        first = lastContact = sample.tick;
+    meter.add(sample);
+    if (sample.place != 0)
+        lastContact = sample.tick;
+    if (presented && (sample.events & kEnds))
+        endTrial(sample);
+}
+
+StudyAnswer LiveStudy::State::answerOf(const FidelitySample& sample) {
+    StudyAnswer answer;
+    const bool byButton = !posted && (sample.events & core::event_bits::kCompleted) != 0;
+    answer.answer = byButton ? static_cast<int>(sample.answer) - 1 : answered;
+    if ((sample.events & core::event_bits::kTimedOut) != 0)
+        answer.answer = -1;
+    answer.value = value;
+    answer.session = training->sessionId();
+    answer.firstTick = first;
+    answer.lastTick = sample.tick;
+    answer.exploration_s = static_cast<double>(sample.tick - first) * core::kTickSeconds;
+    answer.answer_s = static_cast<double>(sample.tick - std::min(sample.tick, lastContact)) * core::kTickSeconds;
+    answer.fidelity = meter.finish();
+    answer.spoiled = spoiled;
+    return answer;
+}
+
+void LiveStudy::State::endTrial(const FidelitySample& sample) {
+    presented = false;
+    const StudyAnswer answer = answerOf(sample);
+    auto trial = progress.record(answer);
+    if (!trial)
+        return fail(trial.error());
+    trial->run = run;
+    if (auto kept = storeTrial(database, actor, *trial); !kept)
+        return fail(kept.error());
+    note(*trial, answer.fidelity);
+}
+
+void LiveStudy::State::fail(const core::Error& error) {
+    result = tl::unexpected(error);
+    finish();
+}
+
+void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFidelity& fidelity) {
+    numbers.lastFidelity = fidelity;
+    numbers.lastSpoiled = trial.spoiled;
+    numbers.practice += trial.practice ? 1 : 0;
+    view.right.reset();
+    const int correct = psychophysics::correctAnswer(condition->task, trial.arrangement);
+    if ((study.design.trial.feedback || trial.practice) && correct >= 0 && trial.answer >= 0 && trial.spoiled.empty()) {
+        view.right = trial.answer == correct;
+        feedbackSince = Clock::now();
+    }
+    if (progress.breakDue())
+        breakSince = Clock::now();
+}
+
+bool LiveStudy::State::allTouched() const {
+    const auto every = (1u << static_cast<unsigned>(view.places)) - 1u;
+    return !study.design.trial.mustTouchAll || (last.touched & every) == every;
+}
+
+/// Between two trials: what comes next.
+void LiveStudy::State::goOn() {
+    if (stopping && !cut && secondsSince(stopSince) > kStopPatience_s)
+        finishing = cut = training->post(CommandKind::end); // still paused or arming: the session ends as it stands
+    if (presented || finishing || pauseWanted || last.paused != 0)
+        return;
+    if (view.right && secondsSince(feedbackSince) < kFeedback_s)
+        return;
+    view.right.reset();
+    if (stopping || progress.done())
+        finish();
+    else if (!progress.needsExperimenter() && !progress.breakDue() && (last.phase == TrialPhase::idle || last.phase == TrialPhase::between))
+        present();
+}
+
+void LiveStudy::State::present() {
+    shown = progress.next();
+    adjusted = shown.candidate;
+    meter.begin(shown.values);
+    posted = false;
+    answered = -1;
+    value.reset();
+    spoiled.clear();
+    presented = training->post(CommandKind::present, core::encode({shown.candidate, shown.arrangement}));
+}
+
+void LiveStudy::State::finish() {
+    finishing = training->post(CommandKind::answer, simulation::kAnswerFinish);
+}
+
+/// The session is stored: the run is ended, or stays open for another sitting.
+void LiveStudy::State::conclude() {
+    done = true;
+    if (!training->result()) {
+        result = tl::unexpected(training->result().error());
+        return;
+    }
+    if (!result && result.error().code != core::ErrorCode::wrongUse)
+        return; // a trial could not be stored
+    LiveStudyResult ended{run, training->result()->session, progress.done() && !stopping};
+    if (ended.completed)
+        if (auto closed = finishRun(database, actor, study, run); !closed) {
+            result = tl::unexpected(closed.error());
+            return;
+        }
+    result = ended;
+}
+
+void LiveStudy::State::describe() {
+    view.practice = presented && shown.practice;
+    view.trial = progress.scored();
+    view.ofAtMost = presented ? shown.ofAtMost : view.ofAtMost;
+    view.place = static_cast<int>(last.place) - 1;
+    view.touched = last.touched;
+    const double limit_s = study.design.trial.exploreLimit_s;
+    const double spent_s = static_cast<double>(last.tick - std::min(last.tick, first)) * core::kTickSeconds;
+    const bool running = presented && last.phase == TrialPhase::running;
+    view.timeLeft_s = running && limit_s > 0.0 ? std::max(0.0, limit_s - spent_s) : 0.0;
+    view.canAnswer = running && !posted && !pauseWanted && last.paused == 0 && allTouched();
+    view.breakLeft_s = progress.breakDue() ? std::max(0.0, study.design.trial.breakAtLeast_s - secondsSince(breakSince)) : 0.0;
+    const auto lastCandidate = static_cast<double>(condition->stimulus.differences.size() - 1);
+    view.adjusted = lastCandidate > 0.0 ? adjusted / lastCandidate : 0.0;
+    view.state = where(running, spent_s);
+    numbers.condition = blind() ? sealedCode : condition->id;
+    numbers.sealedCode = sealedCode;
+    numbers.scored = progress.scored();
+    numbers.spoiled = progress.spoiledTrials();
+    numbers.repeats = presented ? shown.repeat : 0;
+}
+
+LiveStudyView::State LiveStudy::State::where(bool running, double spent_s) const {
+    using View = LiveStudyView::State;
+    const double limit_s = study.design.trial.exploreLimit_s;
+    if (done)
+        return View::finished;
+    if (pauseWanted)
+        return View::paused;
+    if (last.paused != 0)
+        return View::arming; // it goes on: force comes back first
+    if (view.right)
+        return View::feedback;
+    if (!presented && progress.needsExperimenter())
+        return View::needsExperimenter;
+    if (!presented && progress.breakDue())
+        return View::breakDue;
+    if (running)
+        return limit_s > 0.0 && spent_s >= limit_s ? View::answering : View::exploring;
+    if (presented && last.phase == TrialPhase::ready)
+        return View::arming;
+    return training->sessionId() == 0 ? View::starting : View::coming;
+}
+
+} // namespace chiron::session

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session/study/fidelity_meter.h"
+#include "session/study/live_study.h"
+#include "session/study/sample_tap.h"
+#include "session/study/study_limits.h"
+#include "session/study/study_store.h"
+
+#include <chrono>
+
+namespace chiron::session {
+
+/// What a sitting is at, between two looks of the window. GUI thread.
+struct LiveStudy::State {
+    using Clock = std::chrono::steady_clock;
+
+    State(database::Database& data, database::Actor who, OpenedStudy opened, StudyProgress begun, catalogue::ExerciseLevel made)
+        : database(data), actor(std::move(who)), study(std::move(opened)), progress(std::move(begun)), level(std::move(made)),
+          meter(std::get<simulation::ComparisonParameters>(level.parameters), study.design.fidelity, study.design.trial.mustTouchAll) {}
+
+    database::Database& database;
+    database::Actor actor;
+    OpenedStudy study;
+    StudyProgress progress;
+    catalogue::ExerciseLevel level;
+    FidelityMeter meter;
+    const psychophysics::Condition* condition = nullptr;
+    LimitedTable table;
+    database::StudyRunNumber run = 0;
+    std::string sealedCode;
+    SampleTap tap;
+    std::unique_ptr<LiveTraining> training; ///< after the tap: it uses it
+
+    LiveStudyView view;
+    LiveStudyNumbers numbers;
+    StudyPresentation shown;
+    int adjusted = 0; ///< candidate that is set now
+    bool presented = false, posted = false, stopping = false, finishing = false, done = false;
+    bool cut = false;         ///< it was asked politely to end, and then not
+    bool pauseWanted = false; ///< by whoever asked last
+    bool pauseTold = false;   ///< what the loop was told last
+    int answered = -1;
+    std::optional<double> value;
+    std::string spoiled;
+    FidelitySample last;
+    std::uint64_t first = 0, lastContact = 0;
+    Clock::time_point feedbackSince, breakSince, stopSince;
+    core::Result<LiveStudyResult> result = core::fail(core::ErrorCode::wrongUse, "the sitting has not ended yet");
+
+    static double secondsSince(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+    void describeRun(const std::string& id, const database::StudyRun& begun, const LimitedTable& limited, const RenderingLimits& limits);
+    void wantPause(bool wanted);
+    void tellPause();
+    void drain();
+    void take(const FidelitySample& sample);
+    void endTrial(const FidelitySample& sample);
+    StudyAnswer answerOf(const FidelitySample& sample);
+    void note(const database::StudyTrial& trial, const TrialFidelity& fidelity);
+    void fail(const core::Error& error);
+    void goOn();
+    void present();
+    void finish();
+    void conclude();
+    void describe();
+    LiveStudyView::State where(bool running, double spent_s) const;
+    bool allTouched() const;
+    bool blind() const { return study.design.blindExperimenter && !study.record.summary.unblinded; }
+};
+
+} // namespace chiron::session

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sitting in real time without a window: pausing before the loop ticks, events that a sleeping window misses, the delay of a device.
+#include "catalogue/study_reader.h"
+#include "database/accounts/account_service.h"
+#include "database/repositories/study_repository.h"
+#include "session/study/live_study.h"
+#include "session/study/sample_tap.h"
+#include "support/session_fixture.h"
+#include "support/study_designs.h"
+
+#include <QtTest>
+
+using namespace chiron;
+using View = session::LiveStudyView::State;
+
+namespace {
+
+constexpr const char* kPassword = "a long password for tests";
+constexpr int kPatience_ms = 20000;
+
+/// A frozen study of one condition with one participant who has consented.
+struct Site {
+    template <class Job> auto write(Job job) {
+        auto done = fixture.database->write([&](database::WriteContext& context) {
+            database::StudyRepository studies(context.connection(), actor);
+            return job(studies);
+        });
+        if (!done)
+            qFatal("%s", done.error().message.c_str());
+        return done;
+    }
+    Site() {
+        design = testing::rank3Study();
+        design.trial.mustTouchAll = false;
+        database::AccountService accounts(*fixture.database);
+        if (!accounts.createFirstAdministrator("ada", kPassword, "Ada"))
+            qFatal("no administrator");
+        const auto ada = accounts.login("ada", kPassword);
+        if (!accounts.createPerson(*ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
+            qFatal("no researcher");
+        actor = *accounts.login("rhea", kPassword);
+        study = *write([&](database::StudyRepository& studies) { return studies.createStudy(design.id, "A study", catalogue::studyJson(design).toStdString()); });
+        write([&](database::StudyRepository& studies) { return studies.freezeStudy(study); });
+        const auto who = *write([&](database::StudyRepository& studies) { return studies.enrolParticipant(study, "somebody", 0, {}); });
+        write([&](database::StudyRepository& studies) {
+            return studies.recordConsent(who.id, catalogue::studySha256(QByteArray::fromStdString(design.consent.at("en"))));
+        });
+        code = who.code;
+    }
+    std::unique_ptr<session::LiveStudy> sit() {
+        session::LiveStudyRequest request;
+        request.study = study;
+        request.participantCode = code;
+        request.ringFolder = recording::defaultRingFolder();
+        auto station = session::keyboardMouseStation();
+        if (!station)
+            qFatal("%s", station.error().message.c_str());
+        request.station = std::move(*station);
+        auto live = session::LiveStudy::start(*fixture.database, actor, std::move(request));
+        if (!live)
+            qFatal("%s", live.error().message.c_str());
+        return std::move(*live);
+    }
+
+    tests::SessionFixture fixture;
+    database::Actor actor = database::Actor::simulated();
+    psychophysics::StudyDesign design;
+    database::StudyNumber study = 0;
+    std::string code;
+};
+
+} // namespace
+
+class TestLiveStudy : public QObject {
+    Q_OBJECT
+private slots:
+    void pausedAndResumedBeforeTheFirstTick();
+    void pausesAndGoesOn();
+    void stopsWhilePaused();
+    void stopsBeforeItBegan();
+    void noEventIsMissed();
+    void limitsOfAnUnmeasuredDeviceAreCautious();
+};
+
+/// Instructions are read before the session is up, for as long as it takes: however often a pause is asked for, going on is heard.
+void TestLiveStudy::pausedAndResumedBeforeTheFirstTick() {
+    Site site;
+    const auto live = site.sit();
+    for (int asked = 0; asked < 200; ++asked) // more often than the loop's ring holds commands
+        live->pause();
+    live->resume();
+    QTRY_VERIFY2_WITH_TIMEOUT((live->poll(), live->view().canAnswer), "paused for ever", kPatience_ms);
+}
+
+void TestLiveStudy::pausesAndGoesOn() {
+    Site site;
+    const auto live = site.sit();
+    live->pause();
+    QCOMPARE(live->view().state, View::paused); // asked for is enough: the next key press means "go on"
+    QTest::qWait(300);
+    live->poll();
+    QCOMPARE(live->view().state, View::paused);
+    QVERIFY(!live->view().canAnswer);
+    live->resume();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    QVERIFY(live->answer(0).has_value());
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+}
+
+void TestLiveStudy::stopsWhilePaused() {
+    Site site;
+    const auto live = site.sit();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    live->pause();
+    live->stop();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    QVERIFY(live->result().has_value());
+    QVERIFY(!live->result()->completed);
+}
+
+/// Stopped while the instructions are read: a pause that is asked for later does not hold it up.
+void TestLiveStudy::stopsBeforeItBegan() {
+    Site site;
+    const auto live = site.sit();
+    live->pause();
+    live->stop();
+    live->pause();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    QVERIFY(live->result().has_value());
+    QVERIFY(!live->result()->completed);
+}
+
+/// A window that sleeps for longer than the tap holds is told of a trial's end all the same.
+void TestLiveStudy::noEventIsMissed() {
+    session::SampleTap tap;
+    core::HapticFrame frame{};
+    for (std::size_t i = 0; tap.tryPush(frame); ++i)
+        QVERIFY(i <= session::SampleTap::kSamples);
+    frame.header.events = core::event_bits::kCompleted;
+    QVERIFY(!tap.tryPush(frame));
+    session::FidelitySample sample;
+    while (tap.ring().tryPop(sample))
+        QCOMPARE(sample.events, 0u);
+    frame.header.events = core::event_bits::kContactBegan;
+    QVERIFY(tap.tryPush(frame) && tap.tryPush(frame));
+    QVERIFY(tap.ring().tryPop(sample));
+    QCOMPARE(sample.events, std::uint32_t{core::event_bits::kCompleted | core::event_bits::kContactBegan});
+    QVERIFY(tap.ring().tryPop(sample));
+    QCOMPARE(sample.events, std::uint32_t{core::event_bits::kContactBegan}); // once
+}
+
+void TestLiveStudy::limitsOfAnUnmeasuredDeviceAreCautious() {
+    devices::DeviceDescriptor device;
+    device.rendersForce = true;
+    device.period_us = 1000;
+    const session::RenderingLimits unmeasured = session::limitsAt(device, std::nullopt);
+    QVERIFY(!unmeasured.measured);
+    QCOMPARE(unmeasured.delay_s, 0.002); // a period old when it is read, a period until it is sent
+    QCOMPARE(unmeasured.largestStiffness_N_per_m, 2.0 / 0.0025); // devices.md §6: 800 N/m at 2 ms
+    const session::RenderingLimits measured = session::limitsAt(device, 0.0005);
+    QVERIFY(measured.measured);
+    QCOMPARE(measured.delay_s, 0.0005);
+    QCOMPARE(measured.largestStiffness_N_per_m, 2.0 / 0.001);
+    QVERIFY(!session::limitsAt(device, std::nan("")).measured);
+    QCOMPARE(session::limitsAt(device, 0.0).delay_s, 0.002); // nothing is that quick
+    device.inProcess = true;
+    QCOMPARE(session::limitsAt(device, std::nullopt).delay_s, 0.0);
+}
+
+QTEST_MAIN(TestLiveStudy)
+#include "test_live_study.moc"
