@@ -5,6 +5,8 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <cerrno>
+#include <cstdlib>
 #include <fcntl.h>
 #include <sodium.h>
 #include <sys/stat.h>
@@ -19,19 +21,35 @@ std::string keyFile(const std::string& folder) {
     return folder + "/site.key";
 }
 
+bool putDown(int descriptor, const std::string& text) {
+    return ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) && ::fsync(descriptor) == 0;
+}
+
+/// Gives a whole file its name, never in place of another: 0, or errno.
+int nameIt(const std::string& from, const std::string& to) {
+    if (::link(from.c_str(), to.c_str()) == 0)
+        return 0;
+    const int reason = errno;
+    if (reason == EEXIST)
+        return reason;
+    // Some file systems (FAT) have no links.
+    return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : reason;
+}
+
+/// Written aside and then named: a program killed in the middle leaves a whole key or none. Where another program was
+/// faster its key stands.
 core::Result<void> writeNew(const std::string& file, const std::string& text) {
-    // O_EXCL with mode 0600 from the first moment: the key is never readable by others, not even briefly.
-    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
-    if (descriptor < 0) {
+    std::string aside = file + ".XXXXXX";
+    // Mode 0600 from the first moment: the key is never readable by others, not even briefly.
+    const int descriptor = ::mkostemp(aside.data(), O_CLOEXEC);
+    if (descriptor < 0)
         return core::fail(core::ErrorCode::storage, file + ": the site key cannot be created");
-    }
-    const bool written = ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
-                         ::fsync(descriptor) == 0;
+    const bool written = putDown(descriptor, text);
     ::close(descriptor);
-    if (!written) {
-        ::unlink(file.c_str());
+    const int refused = written ? nameIt(aside, file) : EIO;
+    ::unlink(aside.c_str());
+    if (refused != 0 && refused != EEXIST)
         return core::fail(core::ErrorCode::storage, file + ": the site key cannot be written (disk full?)");
-    }
     return {};
 }
 

@@ -12,7 +12,7 @@ set(forbidden
 set(found "")
 set(checked 0)
 foreach(object IN LISTS OBJECTS)
-    if(SKIP AND object MATCHES "${SKIP}")
+    if(object MATCHES "\\.gch$" OR (SKIP AND object MATCHES "${SKIP}")) # precompiled headers hold no code
         continue()
     endif()
     math(EXPR checked "${checked} + 1")
