@@ -3180,6 +3180,90 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>The group is of simulated participants alone.</source>
         <translation>Die Gruppe besteht allein aus simulierten Personen.</translation>
     </message>
+    <message>
+        <source>%1 (p &lt; %2)</source>
+        <translation>%1 (p &lt; %2)</translation>
+    </message>
+    <message>
+        <source>%1 (p = %2)</source>
+        <translation>%1 (p = %2)</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>D more</source>
+        <translation>D mehr</translation>
+    </message>
+    <message>
+        <source>2D more</source>
+        <translation>2D mehr</translation>
+    </message>
+    <message>
+        <source>Not estimable</source>
+        <translation>Nicht schätzbar</translation>
+    </message>
+    <message>
+        <source>estimate with its 95 % interval</source>
+        <translation>Schätzung mit 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Rankings</source>
+        <translation>Rangfolgen</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Richtig</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s τ</source>
+        <translation>Kendalls τ</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W</source>
+        <translation>Kendalls W</translation>
+    </message>
+    <message>
+        <source>Page&apos;s L</source>
+        <translation>Pages L</translation>
+    </message>
+    <message>
+        <source>Right: whole orders (guessing gives 1 in 6). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. L: trend towards the true order. Of a person each ranking is one judgement, of the group each person&apos;s mean ranks.</source>
+        <translation>Richtig: ganze Rangfolgen (Raten ergibt 1 von 6). τ: Ähnlichkeit mit der wahren Rangfolge, 1 gleich, 0 kein Zusammenhang. W: Übereinstimmung, 0 keine, 1 völlig. L: Trend zur wahren Rangfolge. Bei einer Person ist jede Rangfolge ein Urteil, bei der Gruppe sind es die mittleren Ränge jeder Person.</translation>
+    </message>
+    <message>
+        <source>No worth of an object is finite: some object was always, or never, ranked above the others.</source>
+        <translation>Kein Wert eines Objekts ist endlich: Ein Objekt stand immer oder nie über den anderen.</translation>
+    </message>
+    <message>
+        <source>Bradley-Terry</source>
+        <translation>Bradley-Terry</translation>
+    </message>
+    <message>
+        <source>ln worth</source>
+        <translation>ln Wert</translation>
+    </message>
+    <message>
+        <source>Plackett-Luce</source>
+        <translation>Plackett-Luce</translation>
+    </message>
+    <message>
+        <source>Thurstone</source>
+        <translation>Thurstone</translation>
+    </message>
+    <message>
+        <source>Scale (sd)</source>
+        <translation>Skala (SD)</translation>
+    </message>
+    <message>
+        <source>Worth of each object, of all rankings of the group: how much more often it was ranked above the others. Farther apart means easier to tell apart. All differences D are taken together.</source>
+        <translation>Wert jedes Objekts aus allen Rangfolgen der Gruppe: wie viel öfter es über den anderen stand. Je weiter auseinander, desto leichter zu unterscheiden. Alle Unterschiede D sind zusammengenommen.</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -7670,6 +7754,163 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
     <message>
         <source>Remove question %1</source>
         <translation>Frage %1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RankingBox</name>
+    <message>
+        <source>reference</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>D more</source>
+        <translation>D mehr</translation>
+    </message>
+    <message>
+        <source>2D more</source>
+        <translation>2D mehr</translation>
+    </message>
+    <message>
+        <source>p not known</source>
+        <translation>p nicht bekannt</translation>
+    </message>
+    <message>
+        <source>p &lt; %1</source>
+        <translation>p &lt; %1</translation>
+    </message>
+    <message>
+        <source>p = %1</source>
+        <translation>p = %1</translation>
+    </message>
+    <message>
+        <source>Rankings</source>
+        <translation>Rangfolgen</translation>
+    </message>
+    <message>
+        <source>No ranking counts yet. Agreement and worths will be here as soon as one does.</source>
+        <translation>Noch zählt keine Rangfolge. Übereinstimmung und Werte stehen hier, sobald eine zählt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n ranking(s) of three objects; each is one judgement.</source>
+        <translation>
+            <numerusform>%n Rangfolge von drei Objekten; jede ist ein Urteil.</numerusform>
+            <numerusform>%n Rangfolgen von drei Objekten; jede ist ein Urteil.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s); each one&apos;s mean ranks are one judgement.</source>
+        <translation>
+            <numerusform>%n Person; ihre mittleren Ränge sind ein Urteil.</numerusform>
+            <numerusform>%n Personen; die mittleren Ränge jeder Person sind ein Urteil.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no interval</source>
+        <translation>kein Intervall</translation>
+    </message>
+    <message>
+        <source>95 %: %1</source>
+        <translation>95 %: %1</translation>
+    </message>
+    <message>
+        <source>Whole orders right</source>
+        <translation>Ganze Rangfolgen richtig</translation>
+    </message>
+    <message>
+        <source>%1 of %2; guessing gives 16.7 %.</source>
+        <translation>%1 von %2; Raten ergibt 16,7 %.</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s τ</source>
+        <translation>Kendalls τ</translation>
+    </message>
+    <message>
+        <source>Likeness to the true order: 1 the same, 0 no relation, −1 reversed.</source>
+        <translation>Ähnlichkeit mit der wahren Rangfolge: 1 gleich, 0 kein Zusammenhang, −1 umgekehrt.</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W</source>
+        <translation>Kendalls W</translation>
+    </message>
+    <message>
+        <source>How far the rankings agree with each other: 0 not at all, 1 wholly.</source>
+        <translation>Wie weit die Rangfolgen übereinstimmen: 0 gar nicht, 1 völlig.</translation>
+    </message>
+    <message>
+        <source>How far the participants agree with each other: 0 not at all, 1 wholly.</source>
+        <translation>Wie weit die Personen übereinstimmen: 0 gar nicht, 1 völlig.</translation>
+    </message>
+    <message>
+        <source>Page&apos;s L</source>
+        <translation>Pages L</translation>
+    </message>
+    <message>
+        <source>Trend towards the true order; guessing gives %1 on average.</source>
+        <translation>Trend zur wahren Rangfolge; Raten ergibt im Mittel %1.</translation>
+    </message>
+    <message>
+        <source>Worth of each object</source>
+        <translation>Wert jedes Objekts</translation>
+    </message>
+    <message>
+        <source>How much more often an object was ranked above the others, by three models. Farther apart means easier to tell apart. All differences D of the run are taken together, and each ranking as independent of the others.</source>
+        <translation>Wie viel öfter ein Objekt über den anderen stand, nach drei Modellen. Je weiter auseinander, desto leichter zu unterscheiden. Alle Unterschiede D sind zusammengenommen, und jede Rangfolge gilt als unabhängig von den anderen.</translation>
+    </message>
+    <message>
+        <source>No worth is finite: some object was always, or never, ranked above the others. That is what a very clear difference looks like.</source>
+        <translation>Kein Wert ist endlich: Ein Objekt stand immer oder nie über den anderen. So sieht ein sehr deutlicher Unterschied aus.</translation>
+    </message>
+    <message>
+        <source>Bradley-Terry</source>
+        <translation>Bradley-Terry</translation>
+    </message>
+    <message>
+        <source>ln worth</source>
+        <translation>ln Wert</translation>
+    </message>
+    <message>
+        <source>Plackett-Luce</source>
+        <translation>Plackett-Luce</translation>
+    </message>
+    <message>
+        <source>Thurstone</source>
+        <translation>Thurstone</translation>
+    </message>
+    <message>
+        <source>Scale (sd of a difference)</source>
+        <translation>Skala (SD einer Differenz)</translation>
+    </message>
+    <message>
+        <source>Not estimable</source>
+        <translation>Nicht schätzbar</translation>
+    </message>
+    <message>
+        <source>estimate with its 95 % interval</source>
+        <translation>Schätzung mit 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Worth</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>not estimable</source>
+        <translation>nicht schätzbar</translation>
     </message>
 </context>
 <context>

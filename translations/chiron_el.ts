@@ -3180,6 +3180,90 @@ Do you want to replace it?</source>
         <source>The group is of simulated participants alone.</source>
         <translation>Η ομάδα αποτελείται μόνο από προσομοιωμένους συμμετέχοντες.</translation>
     </message>
+    <message>
+        <source>%1 (p &lt; %2)</source>
+        <translation>%1 (p &lt; %2)</translation>
+    </message>
+    <message>
+        <source>%1 (p = %2)</source>
+        <translation>%1 (p = %2)</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>αναφορά</translation>
+    </message>
+    <message>
+        <source>D more</source>
+        <translation>κατά D</translation>
+    </message>
+    <message>
+        <source>2D more</source>
+        <translation>κατά 2D</translation>
+    </message>
+    <message>
+        <source>Not estimable</source>
+        <translation>Δεν εκτιμάται</translation>
+    </message>
+    <message>
+        <source>estimate with its 95 % interval</source>
+        <translation>εκτίμηση με διάστημα 95 %</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Ομάδα</translation>
+    </message>
+    <message>
+        <source>Rankings</source>
+        <translation>Κατατάξεις</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Σωστές</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s τ</source>
+        <translation>τ του Kendall</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W</source>
+        <translation>W του Kendall</translation>
+    </message>
+    <message>
+        <source>Page&apos;s L</source>
+        <translation>L του Page</translation>
+    </message>
+    <message>
+        <source>Right: whole orders (guessing gives 1 in 6). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. L: trend towards the true order. Of a person each ranking is one judgement, of the group each person&apos;s mean ranks.</source>
+        <translation>Σωστές: ολόκληρες κατατάξεις (στην τύχη 1 στις 6). τ: ομοιότητα με την πραγματική σειρά, 1 ίδια, 0 καμία σχέση. W: συμφωνία, 0 καμία, 1 πλήρης. L: τάση προς την πραγματική σειρά. Για ένα άτομο κάθε κατάταξη είναι μία κρίση, για την ομάδα οι μέσες θέσεις κάθε ατόμου.</translation>
+    </message>
+    <message>
+        <source>No worth of an object is finite: some object was always, or never, ranked above the others.</source>
+        <translation>Καμία αξία αντικειμένου δεν είναι πεπερασμένη: κάποιο αντικείμενο ήταν πάντα, ή ποτέ, πάνω από τα άλλα.</translation>
+    </message>
+    <message>
+        <source>Bradley-Terry</source>
+        <translation>Bradley-Terry</translation>
+    </message>
+    <message>
+        <source>ln worth</source>
+        <translation>ln αξίας</translation>
+    </message>
+    <message>
+        <source>Plackett-Luce</source>
+        <translation>Plackett-Luce</translation>
+    </message>
+    <message>
+        <source>Thurstone</source>
+        <translation>Thurstone</translation>
+    </message>
+    <message>
+        <source>Scale (sd)</source>
+        <translation>Κλίμακα (τ.α.)</translation>
+    </message>
+    <message>
+        <source>Worth of each object, of all rankings of the group: how much more often it was ranked above the others. Farther apart means easier to tell apart. All differences D are taken together.</source>
+        <translation>Αξία κάθε αντικειμένου από όλες τις κατατάξεις της ομάδας: πόσο συχνότερα ήταν πάνω από τα άλλα. Όσο πιο μακριά, τόσο ευκολότερα ξεχωρίζουν. Όλες οι διαφορές D λαμβάνονται μαζί.</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -7670,6 +7754,163 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
     <message>
         <source>Remove question %1</source>
         <translation>Αφαίρεση ερώτησης %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RankingBox</name>
+    <message>
+        <source>reference</source>
+        <translation>αναφορά</translation>
+    </message>
+    <message>
+        <source>D more</source>
+        <translation>κατά D</translation>
+    </message>
+    <message>
+        <source>2D more</source>
+        <translation>κατά 2D</translation>
+    </message>
+    <message>
+        <source>p not known</source>
+        <translation>p άγνωστο</translation>
+    </message>
+    <message>
+        <source>p &lt; %1</source>
+        <translation>p &lt; %1</translation>
+    </message>
+    <message>
+        <source>p = %1</source>
+        <translation>p = %1</translation>
+    </message>
+    <message>
+        <source>Rankings</source>
+        <translation>Κατατάξεις</translation>
+    </message>
+    <message>
+        <source>No ranking counts yet. Agreement and worths will be here as soon as one does.</source>
+        <translation>Καμία κατάταξη δεν μετρά ακόμη. Η συμφωνία και οι αξίες θα είναι εδώ μόλις μετρήσει μία.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n ranking(s) of three objects; each is one judgement.</source>
+        <translation>
+            <numerusform>%n κατάταξη τριών αντικειμένων· καθεμία είναι μία κρίση.</numerusform>
+            <numerusform>%n κατατάξεις τριών αντικειμένων· καθεμία είναι μία κρίση.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s); each one&apos;s mean ranks are one judgement.</source>
+        <translation>
+            <numerusform>%n συμμετέχων· οι μέσες θέσεις του είναι μία κρίση.</numerusform>
+            <numerusform>%n συμμετέχοντες· οι μέσες θέσεις του καθενός είναι μία κρίση.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no interval</source>
+        <translation>χωρίς διάστημα</translation>
+    </message>
+    <message>
+        <source>95 %: %1</source>
+        <translation>95 %: %1</translation>
+    </message>
+    <message>
+        <source>Whole orders right</source>
+        <translation>Ολόκληρες σωστές</translation>
+    </message>
+    <message>
+        <source>%1 of %2; guessing gives 16.7 %.</source>
+        <translation>%1 από %2· στην τύχη 16,7 %.</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s τ</source>
+        <translation>τ του Kendall</translation>
+    </message>
+    <message>
+        <source>Likeness to the true order: 1 the same, 0 no relation, −1 reversed.</source>
+        <translation>Ομοιότητα με την πραγματική σειρά: 1 ίδια, 0 καμία σχέση, −1 αντίστροφη.</translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s W</source>
+        <translation>W του Kendall</translation>
+    </message>
+    <message>
+        <source>How far the rankings agree with each other: 0 not at all, 1 wholly.</source>
+        <translation>Πόσο συμφωνούν οι κατατάξεις μεταξύ τους: 0 καθόλου, 1 πλήρως.</translation>
+    </message>
+    <message>
+        <source>How far the participants agree with each other: 0 not at all, 1 wholly.</source>
+        <translation>Πόσο συμφωνούν οι συμμετέχοντες μεταξύ τους: 0 καθόλου, 1 πλήρως.</translation>
+    </message>
+    <message>
+        <source>Page&apos;s L</source>
+        <translation>L του Page</translation>
+    </message>
+    <message>
+        <source>Trend towards the true order; guessing gives %1 on average.</source>
+        <translation>Τάση προς την πραγματική σειρά· στην τύχη δίνει κατά μέσο όρο %1.</translation>
+    </message>
+    <message>
+        <source>Worth of each object</source>
+        <translation>Αξία κάθε αντικειμένου</translation>
+    </message>
+    <message>
+        <source>How much more often an object was ranked above the others, by three models. Farther apart means easier to tell apart. All differences D of the run are taken together, and each ranking as independent of the others.</source>
+        <translation>Πόσο συχνότερα ένα αντικείμενο ήταν πάνω από τα άλλα, κατά τρία μοντέλα. Όσο πιο μακριά, τόσο ευκολότερα ξεχωρίζουν. Όλες οι διαφορές D λαμβάνονται μαζί και κάθε κατάταξη ως ανεξάρτητη από τις άλλες.</translation>
+    </message>
+    <message>
+        <source>No worth is finite: some object was always, or never, ranked above the others. That is what a very clear difference looks like.</source>
+        <translation>Καμία αξία δεν είναι πεπερασμένη: κάποιο αντικείμενο ήταν πάντα, ή ποτέ, πάνω από τα άλλα. Έτσι φαίνεται μια πολύ καθαρή διαφορά.</translation>
+    </message>
+    <message>
+        <source>Bradley-Terry</source>
+        <translation>Bradley-Terry</translation>
+    </message>
+    <message>
+        <source>ln worth</source>
+        <translation>ln αξίας</translation>
+    </message>
+    <message>
+        <source>Plackett-Luce</source>
+        <translation>Plackett-Luce</translation>
+    </message>
+    <message>
+        <source>Thurstone</source>
+        <translation>Thurstone</translation>
+    </message>
+    <message>
+        <source>Scale (sd of a difference)</source>
+        <translation>Κλίμακα (τ.α. διαφοράς)</translation>
+    </message>
+    <message>
+        <source>Not estimable</source>
+        <translation>Δεν εκτιμάται</translation>
+    </message>
+    <message>
+        <source>estimate with its 95 % interval</source>
+        <translation>εκτίμηση με διάστημα 95 %</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Μοντέλο</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Αντικείμενο</translation>
+    </message>
+    <message>
+        <source>Worth</source>
+        <translation>Αξία</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>Διάστημα 95 %</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Μερίδιο</translation>
+    </message>
+    <message>
+        <source>not estimable</source>
+        <translation>δεν εκτιμάται</translation>
     </message>
 </context>
 <context>

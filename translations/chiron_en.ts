@@ -298,6 +298,23 @@
     </message>
 </context>
 <context>
+    <name>chiron::desktop::RankingBox</name>
+    <message numerus="yes">
+        <source>%n ranking(s) of three objects; each is one judgement.</source>
+        <translation>
+            <numerusform>%n ranking of three objects; each is one judgement.</numerusform>
+            <numerusform>%n rankings of three objects; each is one judgement.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s); each one&apos;s mean ranks are one judgement.</source>
+        <translation>
+            <numerusform>%n participant; their mean ranks are one judgement.</numerusform>
+            <numerusform>%n participants; each one's mean ranks are one judgement.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::RosterDialog</name>
     <message numerus="yes">
         <source>%n people would be added. Each must choose a password of their own at the first login.</source>

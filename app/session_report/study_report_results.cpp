@@ -63,6 +63,7 @@ void StudyReportBlocks::addCondition(std::size_t at) {
     addGroup(at);
     addWeberPlot(condition);
     addRuns(at);
+    addRankings(condition);
     if (!m_data.blind()) // their differences would tell conditions apart
         addCurves(condition);
 }

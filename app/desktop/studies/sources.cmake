@@ -11,4 +11,5 @@ set(study_screen_sources
     study_data/study_data_screen.cpp study_data/study_facts.cpp study_data/trials_page.cpp
     questionnaire/questionnaire_form.cpp questionnaire/questionnaire_screen.cpp
     study_run/break_panel.cpp study_run/experimenter_panel.cpp study_run/places_view.cpp
-    study_run/trials_screen.cpp study_run/trials_screen_build.cpp study_run/trials_screen_show.cpp)
+    study_run/trials_screen.cpp study_run/trials_screen_build.cpp study_run/trials_screen_show.cpp
+    study_data/ranking_box.cpp)

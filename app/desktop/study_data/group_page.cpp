@@ -4,6 +4,7 @@
 #include "desktop/plots/fitted_table.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/study_data/ranking_box.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
@@ -34,6 +35,8 @@ GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condi
     column->addWidget(groupBox());
     column->addWidget(plotBox());
     column->addWidget(tableBox());
+    if (facts.study.design.conditions[condition].task == psychophysics::Task::rank3)
+        column->addWidget(new RankingBox(app, facts.rankings[condition], RankingBox::Of::group));
 }
 
 std::vector<const RunFacts*> GroupPage::runs() const {

@@ -4,6 +4,7 @@
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/study_data/ranking_box.h"
 #include "desktop/study_data/run_choice.h"
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
@@ -55,6 +56,8 @@ PersonPage::PersonPage(AppContext& app, const StudyFacts& facts, database::Study
     column->addWidget(choice, 0, Qt::AlignLeft);
     column->addWidget(estimateBox(*shown));
     column->addWidget(curveBox(*shown));
+    if (facts.study.design.conditions[shown->condition].task == psychophysics::Task::rank3)
+        column->addWidget(new RankingBox(app, shown->ranking, RankingBox::Of::person));
 }
 
 QWidget* PersonPage::estimateBox(const RunFacts& run) const {

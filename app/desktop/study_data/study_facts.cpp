@@ -33,11 +33,12 @@ core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::Stu
     StudyFacts facts{std::move(*open), {}, {}, {}, {}};
     for (std::size_t i = 0; i < analysis->conditions.size(); ++i) {
         facts.groups.push_back(analysis->conditions[i].group);
+        facts.rankings.push_back(analysis->conditions[i].ranking);
         facts.apexes.push_back(apexFacts(analysis->conditions[i]));
         for (session::AnalysedRun& run : analysis->conditions[i].runs)
             if (const std::size_t participant = indexOf(facts.study, run.participant); participant < facts.study.participants.size())
                 facts.runs.push_back({participant, i, std::move(run.run), std::move(run.trials), std::move(run.estimate), run.replayed, run.scored, run.spoiled,
-                                      std::move(run.apex)});
+                                      std::move(run.apex), std::move(run.ranking)});
     }
     auto answers = reader.questionnaireAnswers(study);
     if (!answers)

@@ -21,6 +21,7 @@ struct RunFacts {
     int scored = 0;
     int spoiled = 0;
     std::optional<psychophysics::ApexSummary> apex{}; ///< of a condition in which an apex is looked for
+    psychophysics::RankingSummary ranking{}; ///< of task rank3; else of none
 };
 
 /// A condition in which an apex is looked for: everybody's marks, and whose they are by the summary's numbers.
@@ -34,6 +35,7 @@ struct StudyFacts {
     OpenStudy study;
     std::vector<RunFacts> runs;
     std::vector<psychophysics::GroupEstimate> groups; ///< of each condition of the design
+    std::vector<psychophysics::RankingSummary> rankings; ///< the same, where its task is rank3
     std::vector<database::QuestionnaireAnswer> answers;
     std::vector<std::optional<ApexFacts>> apexes{}; ///< of each condition of the design
 };

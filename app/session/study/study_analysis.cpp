@@ -18,6 +18,11 @@ bool wasNotRendered(const database::Participant& participant, const std::vector<
     return participant.simulated && std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.session == 0; });
 }
 
+/// Whether three objects are ranked in a condition.
+bool ranks(const psychophysics::Condition& condition) {
+    return condition.task == psychophysics::Task::rank3 && condition.stimulus.attribute != psychophysics::Attribute::apex;
+}
+
 core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyAnalysis& study, const psychophysics::Condition& condition,
                                      const database::Participant& participant, const database::StudyRun& run, std::uint64_t seed) {
     AnalysedRun out;
@@ -35,9 +40,11 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
         else
             ++out.scored;
     }
-    out.estimate = psychophysics::estimateRun(condition, scoredTrials(condition, out.trials),
-                                              core::Random::mix(seed, "run " + participant.code + " " + condition.id));
+    const std::vector<psychophysics::ScoredTrial> scored = scoredTrials(condition, out.trials);
+    out.estimate = psychophysics::estimateRun(condition, scored, core::Random::mix(seed, "run " + participant.code + " " + condition.id));
     warnNotRendered(out.estimate, participant, out.trials);
+    if (ranks(condition))
+        out.ranking = psychophysics::summariseRankings(psychophysics::saidRanks(scored));
     if (looksForApex(condition))
         out.apex = apexOfRun(out, condition.stimulus.reference, core::Random::mix(seed, "apex " + participant.code + " " + condition.id));
     auto replayed = rerunChoices(study.design, run, out.trials);
@@ -50,12 +57,13 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
 std::string people(int n) { return n == 1 ? "1 participant" : std::to_string(n) + " participants"; }
 
 /// The group's estimate: of people who still take part; of simulated participants where there is nobody else.
-void pool(AnalysedCondition& condition, std::uint64_t seed) {
+void pool(AnalysedCondition& condition, const psychophysics::Condition& designed, std::uint64_t seed) {
     const auto takesPart = [](const AnalysedRun& run) { return run.participant.state != database::ParticipantState::withdrawn; };
     const bool real = std::any_of(condition.runs.begin(), condition.runs.end(),
                                   [&](const AnalysedRun& run) { return takesPart(run) && !run.participant.simulated; });
     std::vector<psychophysics::RunEstimate> estimates;
     std::vector<int> rows;
+    std::vector<std::vector<psychophysics::SaidRanks>> rankings;
     int withdrawn = 0, simulated = 0, notRendered = 0;
     for (std::size_t i = 0; i < condition.runs.size(); ++i) {
         const AnalysedRun& run = condition.runs[i];
@@ -66,7 +74,10 @@ void pool(AnalysedCondition& condition, std::uint64_t seed) {
         estimates.push_back(run.estimate);
         rows.push_back(static_cast<int>(i));
         notRendered += wasNotRendered(run.participant, run.trials) ? 1 : 0;
+        if (ranks(designed))
+            rankings.push_back(psychophysics::saidRanks(scoredTrials(designed, run.trials)));
     }
+    condition.ranking = psychophysics::summariseGroupRankings(rankings);
     condition.group = psychophysics::estimateGroup(estimates, seed);
     for (psychophysics::GroupMember& member : condition.group.members)
         member.index = rows[static_cast<std::size_t>(member.index)];
@@ -98,7 +109,7 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
         return tl::unexpected(design.error());
     study.design = std::move(*design);
     for (const psychophysics::Condition& condition : study.design.conditions)
-        study.conditions.push_back({condition.id, {}, {}, {}});
+        study.conditions.push_back({condition.id, {}, {}, {}, {}});
     auto participants = reader.participants(number);
     if (!participants)
         return tl::unexpected(participants.error());
@@ -120,7 +131,7 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
     }
     for (std::size_t i = 0; i < study.conditions.size(); ++i) {
         AnalysedCondition& condition = study.conditions[i];
-        pool(condition, core::Random::mix(seed, "group " + condition.condition));
+        pool(condition, study.design.conditions[i], core::Random::mix(seed, "group " + condition.condition));
         if (looksForApex(study.design.conditions[i]))
             poolApex(condition, study.design.conditions[i].stimulus.reference, core::Random::mix(seed, "apex " + condition.condition));
     }

@@ -3,6 +3,7 @@
 
 #include "database/repositories/study_reader.h"
 #include "psychophysics/study/apex_study.h"
+#include "psychophysics/measures/ranking_summary.h"
 #include "psychophysics/study/group_estimate.h"
 #include "psychophysics/study/run_estimate.h"
 #include "session/study/study_progress.h"
@@ -22,6 +23,7 @@ struct AnalysedRun {
     psychophysics::RunEstimate estimate;
     ReplayedChoices replayed;
     std::optional<psychophysics::ApexSummary> apex; ///< of a study of the apex: this run's marks alone
+    psychophysics::RankingSummary ranking; ///< of task rank3; else of none
 };
 
 struct AnalysedCondition {
@@ -32,6 +34,7 @@ struct AnalysedCondition {
     psychophysics::GroupEstimate group;
     /// Of a study of the apex: the marks of those whom the group is of; a participant's number is the row of its first run in `runs`.
     std::optional<psychophysics::ApexSummary> apex;
+    psychophysics::RankingSummary ranking; ///< of the same members; of task rank3, else of none
 };
 
 struct StudyAnalysis {

@@ -12,6 +12,7 @@ list(APPEND psychophysics_sources
     measures/plackett_luce.cpp
     measures/questionnaire_summary.cpp
     measures/random_effects.cpp
+    measures/ranking_summary.cpp
     measures/run_curve.cpp
     measures/run_fit.cpp
     measures/run_warnings.cpp

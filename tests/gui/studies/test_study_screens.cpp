@@ -172,6 +172,10 @@ void TestStudyScreens::dataAndUnblinding() {
     for (int tab = 0; tab < desktop::StudyDataScreen::tabs; ++tab) {
         m_site->find<QTabBar>(QStringLiteral("data.tabs"))->setCurrentIndex(tab);
         QTest::qWait(50);
+        const bool ranks = tab == desktop::StudyDataScreen::groupTab || tab == desktop::StudyDataScreen::personTab;
+        const auto* worths = m_site->window->screen()->findChild<QTableWidget*>(QStringLiteral("data.worths"));
+        QCOMPARE(worths != nullptr, ranks);
+        QVERIFY(!worths || worths->rowCount() == 9); // three models of three objects
     }
     go("study_data", {{QStringLiteral("study"), qlonglong(studies.blind)}});
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.unblind")), 30000);

@@ -1,6 +1,7 @@
 chiron_test(test_run_estimate SOURCES measures/test_run_estimate.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_dprime SOURCES measures/test_dprime.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_rankings SOURCES measures/test_rankings.cpp LINKS psychophysics LABELS fast unit)
+chiron_test(test_ranking_summary SOURCES measures/test_ranking_summary.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_group_estimate SOURCES measures/test_group_estimate.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_apex_study SOURCES measures/test_apex_study.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_questionnaire_summary SOURCES measures/test_questionnaire_summary.cpp LINKS psychophysics LABELS fast unit)

@@ -124,7 +124,7 @@ void TestStudyReport::tellsAll() {
     QCOMPARE(sha256.size(), std::size_t{64});
     for (const QString& word : {QString::fromStdString(sha256), QStringLiteral("Feeling stiffness"), QStringLiteral("Softwood tube"), QStringLiteral("ALPHA"),
                                 QStringLiteral("BRAVO"), QStringLiteral("150 N/m"), QStringLiteral("2 participant"), QStringLiteral("Fidelity"),
-                                QStringLiteral("How real did it feel?"), QStringLiteral("Weber fraction of the group")})
+                                QStringLiteral("How real did it feel?"), QStringLiteral("Weber fraction of the group"), QStringLiteral("Page"), QStringLiteral("Worth of each object")})
         QVERIFY2(text.contains(word), qPrintable(word + QStringLiteral(" is not in: ") + text));
     QVERIFY(report(study, file("study_de.pdf"), "de"));
     QVERIFY(textOf(file("study_de.pdf")).contains(QStringLiteral("Steifigkeit fühlen")));

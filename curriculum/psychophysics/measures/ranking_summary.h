@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "psychophysics/measures/agreement.h"
+#include "psychophysics/measures/page_trend.h"
+#include "psychophysics/measures/pairwise_ranking.h"
+#include "psychophysics/study/run_estimate.h"
+
+#include <vector>
+
+namespace chiron::psychophysics {
+
+/// One ranking of three: the rank (1 least .. 3 most) that was said of each object in its true order (reference, D more, 2D more).
+using SaidRanks = std::vector<double>;
+
+/// What rankings of three objects say together, of one participant (a row is a trial) or of a group (a row is a participant's mean ranks).
+/// The differences of the trials are pooled: worths are of the objects as presented, and say as much of them as of who ranked.
+struct RankingSummary {
+    int rankings = 0; ///< trials used
+    int judges = 0;   ///< rows of W and L: trials of a participant, participants of a group
+    CompleteOrders complete;
+    Concordance agreement; ///< Kendall's W
+    PageTrend trend;       ///< Page's L, towards the true order
+    double tau = std::numeric_limits<double>::quiet_NaN(); ///< mean Kendall's τ with the true order; of a group the mean of its participants' means
+    double tauLow = std::numeric_limits<double>::quiet_NaN(); ///< 95 %, Student's t over trials (participants), within -1..1
+    double tauHigh = std::numeric_limits<double>::quiet_NaN();
+    WorthEstimate bradleyTerry; ///< each ranking taken apart into its three pairs
+    WorthEstimate plackettLuce; ///< most chosen first
+    WorthEstimate thurstone;    ///< case V, no standard errors
+};
+
+/// The rankings among a run's counted trials; what is none (no answer) is left out. Of task rank3.
+std::vector<SaidRanks> saidRanks(const std::vector<ScoredTrial>& trials);
+
+RankingSummary summariseRankings(const std::vector<SaidRanks>& rankings);
+/// One element a participant; those without a ranking are left out. Worths are fitted to all rankings as if each were anybody's.
+RankingSummary summariseGroupRankings(const std::vector<std::vector<SaidRanks>>& participants);
+
+} // namespace chiron::psychophysics

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rankings of three objects summed up, against counts done by hand and closed forms.
+#include "psychophysics/measures/ranking_summary.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace chiron::psychophysics;
+
+class TestRankingSummary : public QObject {
+    Q_OBJECT
+private slots:
+    void readsTrials();
+    void byHand();
+    void alwaysRight();
+    void groupIsOfPersons();
+    void nothingSaid();
+};
+
+/// Answer and arrangement count, an outcome only where there is no answer; a time-out says nothing.
+void TestRankingSummary::readsTrials() {
+    ScoredTrial right;
+    right.arrangement = right.answer = 3; // {1,2,0}, and said so
+    right.outcome = 5;                    // as a procedure of two outcomes may have heard it
+    ScoredTrial heard;
+    heard.outcome = 1; // {0,2,1}
+    ScoredTrial silent;
+    const auto rankings = saidRanks({right, heard, silent});
+    QCOMPARE(rankings.size(), std::size_t{2});
+    QCOMPARE(rankings[0], (SaidRanks{1, 2, 3}));
+    QCOMPARE(rankings[1], (SaidRanks{1, 3, 2}));
+}
+
+/// Four rankings: two right, one with the upper two changed, one reversed.
+void TestRankingSummary::byHand() {
+    const RankingSummary summary = summariseRankings({{1, 2, 3}, {1, 2, 3}, {1, 3, 2}, {3, 2, 1}});
+    QCOMPARE(summary.rankings, 4);
+    QCOMPARE(summary.judges, 4);
+    QCOMPARE(summary.complete.right, 2);
+    QVERIFY(std::abs(summary.tau - (1.0 + 1.0 + 1.0 / 3.0 - 1.0) / 4.0) < 1e-12);
+    const double sd = std::sqrt((2 * std::pow(2.0 / 3, 2) + 0 + std::pow(4.0 / 3, 2)) / 3.0); // of 1, 1, 1/3, −1 about 1/3
+    QVERIFY(std::abs(summary.tauHigh - std::min(1.0, summary.tau + 3.182446305 * sd / 2.0)) < 1e-6);
+    QVERIFY(std::abs(summary.tauLow - std::max(-1.0, summary.tau - 3.182446305 * sd / 2.0)) < 1e-6);
+    // column sums 6, 9, 9: S = 4 + 1 + 1, W = 12 S/(m²(k³−k))
+    QVERIFY(std::abs(summary.agreement.w - 12.0 * 6.0 / (16.0 * 24.0)) < 1e-12);
+    QCOMPARE(summary.trend.l, 6.0 + 2 * 9.0 + 3 * 9.0);
+    QVERIFY(summary.bradleyTerry.fitted && summary.plackettLuce.fitted && summary.thurstone.fitted);
+    // 1 over 0, 2 over 0: three of four; 2 over 1: two of four — worths of 1 and 2 are alike, three times that of 0.
+    QVERIFY(std::abs(summary.bradleyTerry.logWorth[1] - summary.bradleyTerry.logWorth[2]) < 1e-6);
+    QVERIFY(std::abs(summary.bradleyTerry.logWorth[1] - summary.bradleyTerry.logWorth[0] - std::log(3.0)) < 1e-6);
+    QVERIFY(summary.bradleyTerry.standardError[0] > 0.0);
+}
+
+/// Never wrong: no finite worth exists, and none is shown.
+void TestRankingSummary::alwaysRight() {
+    const RankingSummary summary = summariseRankings({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}});
+    QCOMPARE(summary.tau, 1.0);
+    QCOMPARE(summary.agreement.w, 1.0);
+    QVERIFY(!summary.bradleyTerry.fitted && !summary.plackettLuce.fitted && !summary.thurstone.fitted);
+}
+
+/// Who ranked more often does not count for more in W, L and τ.
+void TestRankingSummary::groupIsOfPersons() {
+    const std::vector<SaidRanks> good(30, SaidRanks{1, 2, 3});
+    const RankingSummary summary = summariseGroupRankings({good, {}, {{3, 2, 1}, {3, 2, 1}}});
+    QCOMPARE(summary.rankings, 32);
+    QCOMPARE(summary.judges, 2);
+    QVERIFY(std::abs(summary.tau) < 1e-12);
+    QVERIFY(std::abs(summary.agreement.w) < 1e-12); // two opposite judges
+    QCOMPARE(summary.trend.l, 2.0 * 3 * 16 / 4); // what guessing gives
+}
+
+void TestRankingSummary::nothingSaid() {
+    QCOMPARE(summariseRankings({}).rankings, 0);
+    QCOMPARE(summariseGroupRankings({{}, {}}).rankings, 0);
+    QVERIFY(std::isnan(summariseRankings({}).tau));
+    QVERIFY(std::isnan(summariseRankings({{1, 2, 3}}).tauLow)); // one says nothing of its scatter
+}
+
+QTEST_GUILESS_MAIN(TestRankingSummary)
+#include "test_ranking_summary.moc"
