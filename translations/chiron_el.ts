@@ -3258,7 +3258,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Scale (sd)</source>
-        <translation>Κλίμακα (τ.α.)</translation>
+        <translation>Κλίμακα (τυπική απόκλιση)</translation>
     </message>
     <message>
         <source>Worth of each object, of all rankings of the group: how much more often it was ranked above the others. Farther apart means easier to tell apart. All differences D are taken together.</source>
