@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <sodium.h>
@@ -29,11 +30,10 @@ bool putDown(int descriptor, const std::string& text) {
 int nameIt(const std::string& from, const std::string& to) {
     if (::link(from.c_str(), to.c_str()) == 0)
         return 0;
-    const int reason = errno;
-    if (reason == EEXIST)
-        return reason;
+    if (errno == EEXIST)
+        return EEXIST;
     // Some file systems (FAT) have no links.
-    return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : reason;
+    return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0 ? 0 : errno;
 }
 
 /// Written aside and then named: a program killed in the middle leaves a whole key or none. Where another program was
