@@ -10,12 +10,6 @@ namespace {
 
 constexpr int kCurvePoints = 41;
 
-int kindOfCurve(Task task) {
-    if (task == Task::rank3)
-        return 0;
-    return task == Task::yesNo || task == Task::sameDifferent ? 3 : 1;
-}
-
 void sample(RunEstimate& result, Task task, double x, const ThurstonePosterior& posterior) {
     std::vector<double> values;
     values.reserve(posterior.draws.size());
@@ -62,6 +56,12 @@ void takeThreshold(RunEstimate& result, Task task, const ThurstonePosterior& pos
 }
 
 } // namespace
+
+int kindOfCurve(Task task) noexcept {
+    if (task == Task::rank3)
+        return 0;
+    return task == Task::yesNo || task == Task::sameDifferent ? 3 : 1;
+}
 
 double quantileOf(const std::vector<double>& sorted, double share) noexcept {
     if (sorted.empty())

@@ -9,6 +9,9 @@ namespace chiron::psychophysics {
 /// lapses). rank3: of orders wholly right; yes_no: of "yes"; same_different: of "different"; others: of right answers.
 void takeCurve(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior);
 
+/// The kind of answer (see AnswerCount) that the curve of a task is of.
+int kindOfCurve(Task task) noexcept;
+
 /// The value below which `share` of the values lie, between neighbours; `sorted` ascending. Not a number where there are none.
 double quantileOf(const std::vector<double>& sorted, double share) noexcept;
 

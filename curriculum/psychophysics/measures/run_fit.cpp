@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/measures/run_fit.h"
 
+#include "psychophysics/fits/binomial_sampler.h"
+#include "psychophysics/fits/chi_square.h"
 #include "psychophysics/fits/fit.h"
+#include "psychophysics/measures/run_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +14,11 @@ namespace chiron::psychophysics {
 namespace {
 
 constexpr double kPoorFit = 0.01;
-constexpr double kTrialsForChiSquare = 5.0; ///< a level on average; else chi-square says nothing about the deviance
+constexpr double kTrialsForChiSquare = 5.0; ///< a level on average; else the deviance says nothing
+constexpr double kWorthDrawing = 0.05;  ///< a smaller p of chi-square is replaced by one from draws
+constexpr int kDraws = 1999;
+constexpr std::uint64_t kDrawSeed = 1;  ///< always the same: the same run, the same p
+constexpr double kSmallest = 1e-9;      ///< proportion that one answer against it still has a finite deviance
 
 bool saysYes(Task task) { return task == Task::yesNo || task == Task::sameDifferent; }
 
@@ -34,6 +41,48 @@ FitOptions optionsOf(Task task, bool positive) {
     options.guess = saysYes(task) ? Asymptote::fitted() : Asymptote::fixedAt(task == Task::rank3 ? 1.0 / 6.0 : 1.0 / answers(task));
     options.largestAsymptote = 0.3;
     return options;
+}
+
+/// −2 ln of the likelihood ratio of a level's own share against ψ.
+double devianceOf(double k, double n, double psi) {
+    const double wrong = n - k;
+    return 2.0 * ((k > 0.0 ? k * std::log(k / (n * psi)) : 0.0) + (wrong > 0.0 ? wrong * std::log(wrong / (n * (1.0 - psi))) : 0.0));
+}
+
+/// Share of runs, drawn from the curve itself, that lie as far from it: levels with few answers do not follow chi-square.
+double drawnTail(const std::vector<CurvePoint>& points, const std::vector<double>& psi, double deviance) {
+    core::Random random(kDrawSeed);
+    std::vector<BinomialSampler> samplers;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        samplers.emplace_back(points[i].of, psi[i]);
+    int farther = 0;
+    for (int draw = 0; draw < kDraws; ++draw) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            sum += devianceOf(samplers[i].draw(random), points[i].of, psi[i]);
+        farther += sum >= deviance ? 1 : 0;
+    }
+    return (farther + 1.0) / (kDraws + 1.0);
+}
+
+/// How far the answers lie from the Thurstone observer's own curve, which the estimate is taken from. σ and a criterion are fitted; the
+/// lapse rate hardly is, with its prior, and is not counted among them.
+void takeGoodness(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior) {
+    const ThurstonePoint at{posterior.medianLog10Sigma, posterior.meanLapse, std::isfinite(posterior.criterion) ? posterior.criterion : 0.0};
+    std::vector<double> psi;
+    double deviance = 0.0;
+    for (const CurvePoint& point : answers.points) {
+        psi.push_back(std::clamp(answerProbability(task, point.difference, kindOfCurve(task), at), kSmallest, 1.0 - kSmallest));
+        deviance += devianceOf(point.right, point.of, psi.back());
+    }
+    result.deviance = deviance;
+    const auto levels = static_cast<double>(psi.size());
+    const double freedom = levels - (saysYes(task) ? 2.0 : 1.0);
+    if (!(freedom > 0.0) || result.trials < kTrialsForChiSquare * levels)
+        return;
+    result.pValue = chiSquareTail(deviance, freedom);
+    if (result.pValue < kWorthDrawing)
+        result.pValue = drawnTail(answers.points, psi, deviance);
 }
 
 /// D at the criterion of a threshold and width taken as they are, without lapses.
@@ -67,19 +116,17 @@ void addWarnings(RunEstimate& result, const FitResult& fit) {
 
 } // namespace
 
-void takeFit(RunEstimate& result, Task task, const ScoredAnswers& answers) {
+void takeFit(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior) {
     const bool positive = !answers.points.empty() && !saysYes(task) && answers.points.front().difference > 0.0;
     const PsychometricData data = dataOf(answers, positive);
     if (data.x.size() < 2 || answers.levels < 2)
         return;
+    takeGoodness(result, task, answers, posterior);
     const FitResult fit = fitMaximumLikelihood(data, optionsOf(task, positive));
     if (!fit.fitted)
         return addWarnings(result, fit);
     result.fitThreshold = at(fit, fit.best, fit.threshold, result.criterion);
     result.fitThreshold95 = {at(fit, fit.best, fit.ci.threshold.low, result.criterion), at(fit, fit.best, fit.ci.threshold.high, result.criterion)};
-    result.deviance = fit.deviance;
-    if (result.trials >= kTrialsForChiSquare * static_cast<double>(data.x.size()))
-        result.pValue = fit.pValue;
     addWarnings(result, fit);
 }
 

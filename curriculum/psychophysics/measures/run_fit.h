@@ -5,10 +5,11 @@
 
 namespace chiron::psychophysics {
 
-/// A free psychometric curve through all trials (fits/: cumulative Gaussian, maximum likelihood, lapse free, guess at chance, for yes_no and
-/// same_different free), beside the Thurstone observer, which knows no free slope: fitThreshold with its profile interval, deviance and its
-/// p. On log10 D where all differences are above zero, else on D. Adds no_rise and not_monotone of it, poor_fit (p < 0.01) and curves_disagree (the two
-/// intervals of the threshold do not meet).
-void takeFit(RunEstimate& result, Task task, const ScoredAnswers& answers);
+/// How well the Thurstone observer's own curve (at the posterior's median σ and criterion and mean lapse) describes the answers: deviance
+/// with its p (chi-square; where that is below 0.05, from runs drawn of the curve), and poor_fit below 0.01. Beside it a free psychometric
+/// curve through all trials (fits/: cumulative Gaussian, maximum likelihood, lapse free, guess at chance, for yes_no and same_different
+/// free; on log10 D where all differences are above zero, else on D): fitThreshold with its profile interval, no_rise and not_monotone of
+/// it, and curves_disagree (the two intervals of the threshold do not meet).
+void takeFit(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior);
 
 } // namespace chiron::psychophysics

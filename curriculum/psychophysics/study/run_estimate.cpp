@@ -75,7 +75,7 @@ void fromAnswers(RunEstimate& result, const Condition& condition, const std::vec
     warnOfAnswers(result.warnings, condition.task, answers, posterior);
     warnOfPlaces(result.warnings, condition.task, trials);
     if (posterior.known)
-        takeFit(result, condition.task, answers);
+        takeFit(result, condition.task, answers, posterior);
 }
 
 } // namespace

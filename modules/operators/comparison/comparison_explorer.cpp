@@ -15,6 +15,9 @@ using simulation::ComparedAttribute;
 namespace {
 
 constexpr double kPull_N = 1.3;     ///< what it pulls a usual tube, and presses a usual pad, with
+constexpr double kTooHard_N = 2.4;  ///< felt at a tube: the next trial's pulls are shorter ...
+constexpr double kEnough_N = 1.8;   ///< ... so that they come to about this: people pull to a force, not to a place
+constexpr double kShortestPull = 0.25; ///< of the usual way
 constexpr double kAbove_m = 0.014;  ///< over a pad on the way
 constexpr double kWaiting_m = 0.050; ///< between trials
 constexpr double kOverPads_m = 0.010; ///< the same where it strokes the air meanwhile: how an instrument runs depends on its depth
@@ -36,7 +39,7 @@ Vec3 ComparisonExplorer::ring(int place) const noexcept {
 
 ComparisonExplorer::Way ComparisonExplorer::hookedWay(const Vec3& ring, int step) const noexcept {
     const bool tube = m_briefing.attribute == ComparedAttribute::stiffness;
-    const double up_m = tube ? kPull_N / m_briefing.usualStiffness_N_per_m + kPull_N / m_arm_N_per_m : 0.020;
+    const double up_m = tube ? m_pull * (kPull_N / m_briefing.usualStiffness_N_per_m + kPull_N / m_arm_N_per_m) : 0.020;
     switch (step) {
     case 0:
         return {ring + Vec3(0.0, 0.0, tube ? -0.003 : 0.0), 0.40};
@@ -125,11 +128,19 @@ void ComparisonExplorer::nextWay() noexcept {
     m_way = way(m_place, m_step);
 }
 
+/// From the trial before: the arm answers a fifth of a second after the hand has felt, too late for the pull it was felt in.
+void ComparisonExplorer::learnPull() noexcept {
+    if (m_hardest_N > kTooHard_N)
+        m_pull = std::max(kShortestPull, m_pull * kEnough_N / m_hardest_N);
+    m_hardest_N = 0.0;
+}
+
 void ComparisonExplorer::notice(const mechanisms::HandPerception& seen) noexcept {
     const bool working = seen.cues.phase == core::TrialPhase::running && seen.cues.force == core::ForceState::on;
     if (working && static_cast<int>(seen.cues.trial) != m_trial) {
         m_trial = seen.cues.trial;
         m_calm = false;
+        learnPull();
         begin();
     } else if (!m_calm && seen.cues.phase != core::TrialPhase::running) { // over: out of the way, for the next one
         m_calm = true;
@@ -209,6 +220,8 @@ void ComparisonExplorer::feel(const mechanisms::HandPerception& seen) noexcept {
         m_taken[index] = m_taken[index] || (m_takes[index] && slack && (tip - ring(place)).norm() < kTaken_m);
         if (m_places[index].samples() > 0 && tip.z() < ring(place).z() - kSetDown_m)
             m_taken[index] = m_takes[index] = false; // set down, or slack: it is about to let go
+        if (there)
+            m_hardest_N = std::max(m_hardest_N, felt.force.norm());
         if (there && (m_taken[index] || !simulation::isHooked(m_briefing.attribute)))
             m_places[index].add(m_briefing.attribute, felt, m_air, {m_briefing.usualStiffness_N_per_m, m_briefing.share});
     }

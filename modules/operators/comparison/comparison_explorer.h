@@ -31,7 +31,7 @@ mechanisms::HandParameters comparisonHand() noexcept;
 /// A simulated participant's hand: in each trial it goes to every place from left to right, does there what the attribute asks for
 /// (Lederman & Klatzky 1987: pulls a tube, hefts an object, presses and holds, strokes) and fits the attribute to what it feels
 /// (ExploredPlace). It sees its instrument's tip, so what its own grip gives is no stretch of the object. It moves by time alone:
-/// min-jerk ways from point to point. Haptic thread; no allocation.
+/// min-jerk ways from point to point; after a trial in which a tube resisted too much it pulls all tubes less far. Haptic thread; no allocation.
 class ComparisonExplorer final : public mechanisms::HandStrategy, public IParticipantMind {
 public:
     ComparisonExplorer(const ComparisonBriefing& briefing, const mechanisms::HandParameters& hand) noexcept;
@@ -55,6 +55,7 @@ private:
     Way pressedWay(const core::Vec3& pad, int step) const noexcept;
     core::Vec3 ring(int place) const noexcept;
     void begin() noexcept;
+    void learnPull() noexcept;
     void nextWay() noexcept;
     void notice(const mechanisms::HandPerception& seen) noexcept;
     void feel(const mechanisms::HandPerception& seen) noexcept;
@@ -72,6 +73,8 @@ private:
     core::Vec3 m_lastVelocity = core::Vec3::Zero();
     std::array<bool, 3> m_taken{}; ///< held now
     std::array<bool, 3> m_takes{}; ///< and not yet put down, in this trial
+    double m_pull = 1.0;      ///< share of the usual way that it pulls a tube
+    double m_hardest_N = 0.0; ///< felt in this trial
     int m_place = 0;
     int m_step = 0;
     int m_trial = -1;

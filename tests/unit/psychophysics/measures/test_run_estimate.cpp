@@ -35,6 +35,7 @@ private slots:
     void magnitudes();
     void outcomeFromArrangementAndAnswer();
     void freeCurveBeside();
+    void manyAnswersFit();
     void timeOfOne();
     void millionTrials();
 };
@@ -202,6 +203,24 @@ void TestRunEstimate::freeCurveBeside() {
         upside.push_back(trial);
     }
     QVERIFY(warns(estimateRun(condition, upside, 1), "poor_fit"));
+}
+
+/// The observer's own curve describes its own answers, however many; one that pays attention to half of the trials only is noticed.
+void TestRunEstimate::manyAnswersFit() {
+    for (const Task task : {Task::twoAfc, Task::threeAfc, Task::oddity, Task::rank3, Task::yesNo, Task::sameDifferent}) {
+        const Condition condition = conditionOf(task);
+        int poor = 0;
+        for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+            chiron::core::Random random(seed);
+            poor += warns(estimateRun(condition, runOf(condition, 10000, 0.05, 0.02, random), 1), "poor_fit") ? 1 : 0;
+        }
+        QVERIFY2(poor <= 1, qPrintable(QStringLiteral("%1: %2 of 10").arg(token(task).data()).arg(poor)));
+        chiron::core::Random random(3);
+        std::vector<ScoredTrial> mixed = runOf(condition, 2000, 0.005, 0.0, random);
+        const std::vector<ScoredTrial> blunt = runOf(condition, 2000, 0.4, 0.0, random);
+        mixed.insert(mixed.end(), blunt.begin(), blunt.end());
+        QVERIFY2(warns(estimateRun(condition, mixed, 1), "poor_fit"), token(task).data());
+    }
 }
 
 /// Reported only: planning runs thousands.

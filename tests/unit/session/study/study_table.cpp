@@ -19,11 +19,13 @@ namespace {
 constexpr Attribute kRendered[] = {Attribute::stiffness, Attribute::mass,     Attribute::deformation,
                                    Attribute::roughness, Attribute::friction, Attribute::viscosity};
 
+constexpr int kFarthest = 29;
+
 double noise(int trials, Attribute attribute, bool print) {
     const auto design = testing::rank3Study(attribute);
     double squares = 0.0;
     int n = 0;
-    for (const int candidate : {5, 12, 20, 29}) {
+    for (const int candidate : {5, 12, 20, kFarthest}) {
         const auto found = session::renderingNoise(design, "main", candidate, trials, 17);
         if (!found) {
             std::printf("%s\n", found.error().message.c_str());
@@ -34,6 +36,8 @@ double noise(int trials, Attribute attribute, bool print) {
                         psychophysics::token(attribute).data(), design.conditions[0].stimulus.differences[static_cast<std::size_t>(candidate)],
                         found->mean[0], found->mean[1], found->mean[2], found->sd[0], found->sd[1], found->sd[2], found->pooledSd,
                         found->missed, found->seconds);
+        if (candidate == kFarthest)
+            continue; // printed only: an adaptive run hardly ever goes there
         squares += found->pooledSd * found->pooledSd;
         ++n;
     }
@@ -48,10 +52,13 @@ void recovery(int seeds, Attribute attribute, double weber, bool legacy, simulat
     request.observer.weber = weber;
     request.observer.lapse = 0.02;
     request.control = control;
+    if (control == simulation::ComparisonControl::swapped || control == simulation::ComparisonControl::constant)
+        request.design.fidelity.stiffnessError = 10.0; // or fidelity sees it first and spoils every trial
     const double sigma = psychophysics::sigmaOf(request.observer);
     const double truth = std::hypot(sigma, rendering);
     double sum = 0.0, squares = 0.0, ticks = 0.0, trials = 0.0, spoiled = 0.0;
-    int inside = 0, known = 0;
+    int inside = 0, known = 0, ruled = 0;
+    double rule = 0.0, rule2 = 0.0;
     for (int seed = 1; seed <= seeds; ++seed) {
         request.seed = static_cast<std::uint64_t>(seed);
         const auto run = session::runRendered(request);
@@ -63,6 +70,12 @@ void recovery(int seeds, Attribute attribute, double weber, bool legacy, simulat
         for (const auto& trial : run->trials)
             (trial.spoiled.empty() ? trials : spoiled) += 1.0;
         const auto& e = run->estimate;
+        if (legacy && run->threshold > 0.0) {
+            const double over = std::log10(run->threshold / std::log10(1.0 + weber));
+            rule += over;
+            rule2 += over * over;
+            ++ruled;
+        }
         if (seed <= 3) {
             std::printf("  seed %d sigma %.4f [%.4f, %.4f] trials %d", seed, e.sigma_log10, e.sigma95.low, e.sigma95.high, e.trials);
             for (const auto& w : e.warnings)
@@ -82,6 +95,9 @@ void recovery(int seeds, Attribute attribute, double weber, bool legacy, simulat
                 " | %.0f s simulated a run\n",
                 psychophysics::token(attribute).data(), weber, sigma, rendering, truth, inside, seeds, known, mean,
                 std::sqrt(std::max(0.0, squares / std::max(1, known) - mean * mean)), trials / seeds, spoiled / seeds, ticks * 1e-3 / seeds);
+    if (ruled > 0)
+        std::printf("  the rule's own threshold: log10 over the 75 %% JND mean %+.3f sd %.3f, %d runs\n", rule / ruled,
+                    std::sqrt(std::max(0.0, rule2 / ruled - rule / ruled * (rule / ruled))), ruled);
 }
 
 } // namespace
