@@ -43,8 +43,8 @@ inline psychophysics::StimulusDesign stimulusOf(psychophysics::Attribute attribu
         s.fixed = {{"viscosity_Ns_per_m", 0.5}};
         break;
     case Attribute::mass:
-        s.reference = 0.06;
-        s.fixed = {{"stiffness_N_per_m", 400.0}, {"damping_Ns_per_m", 2.0}};
+        s.reference = 0.05;
+        s.fixed = {{"stiffness_N_per_m", 300.0}, {"damping_Ns_per_m", 2.0}};
         break;
     case Attribute::deformation:
         s.reference = 0.08;
