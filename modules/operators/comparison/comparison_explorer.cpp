@@ -71,7 +71,7 @@ ComparisonExplorer::Way ComparisonExplorer::pressedWay(const Vec3& pad, int step
         switch (step) {
         case 0: return {pad + Vec3(0.0, 0.0, 0.006), 0.30};
         case 1: return {pad + lower, 0.12}; // quickly, and stay
-        case 2: return {pad + lower, 0.45};
+        case 2: return {pad + lower, 0.90};
         case 3: return {pad + Vec3(0.0, 0.0, kAbove_m), 0.20};
         default: return {};
         }
