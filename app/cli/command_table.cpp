@@ -48,6 +48,10 @@ QString known(const std::vector<CommandSpec>& table, const QString& group) {
     return names.join(QStringLiteral(", "));
 }
 
+bool takesTwo(const std::vector<CommandSpec>& table, const QString& group, const QString& word) {
+    return std::any_of(table.begin(), table.end(), [&](const CommandSpec& each) { return each.group == group && each.verb.startsWith(word + u' '); });
+}
+
 } // namespace
 
 const std::vector<CommandSpec>& commandTable() {
@@ -66,15 +70,16 @@ core::Result<FoundCommand> findCommand(const QStringList& words) {
         groupExists = true;
         if (command.verb.isEmpty())
             return FoundCommand{&command, 1};
-        if (words.size() > 1 && command.verb == words[1])
-            return FoundCommand{&command, 2};
+        const auto verb = command.verb.split(u' '); // "questionnaire import": two words
+        if (words.mid(1, verb.size()) == verb)
+            return FoundCommand{&command, static_cast<int>(1 + verb.size())};
     }
     if (!groupExists)
         return wrongUse(QStringLiteral("command %1: unknown; expected one of %2; see chiron-cli --help")
                             .arg(quoted(words[0]), known(table, {})));
     return wrongUse(QStringLiteral("%1: %2; expected one of %3; see chiron-cli %1 --help")
                         .arg(words[0],
-                             words.size() > 1 ? QStringLiteral("%1 is not one of its commands").arg(quoted(words[1]))
+                             words.size() > 1 ? QStringLiteral("%1 is not one of its commands").arg(quoted(words.mid(1, takesTwo(table, words[0], words[1]) ? 2 : 1).join(u' ')))
                                               : QStringLiteral("needs a second word"),
                              known(table, words[0])));
 }

@@ -10,7 +10,7 @@ namespace chiron::cli {
 /// Every command, in the order of the help.
 const std::vector<CommandSpec>& commandTable();
 
-/// The command that the first one or two words name, and how many words that took. Failure: wrongUse, naming
+/// The command that the first one to three words name, and how many words that took. Failure: wrongUse, naming
 /// what was found and what is there.
 struct FoundCommand {
     const CommandSpec* command = nullptr;

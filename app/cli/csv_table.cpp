@@ -4,17 +4,33 @@
 #include "cli/input_file.h"
 #include "cli/messages.h"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace chiron::cli {
 
 namespace {
 
-/// The cells of one line; false where a quote is not closed.
-bool split(const QString& line, QChar separator, QStringList& cells) {
+/// The line at `next` with those that a quote in it goes on over; `next` is then the line after. Nothing where a quote is not closed. A note
+/// may hold what it likes.
+std::optional<QString> record(const QStringList& lines, qsizetype& next) {
+    const auto line = [&](qsizetype at) { return lines[at].endsWith(u'\r') ? lines[at].chopped(1) : lines[at]; };
+    QString whole = line(next++);
+    qsizetype quotes = whole.count(u'"');
+    while (quotes % 2 != 0 && !whole.startsWith(u'#')) {
+        if (next == lines.size())
+            return std::nullopt;
+        quotes += lines[next].count(u'"');
+        whole += u'\n' + line(next++);
+    }
+    return whole;
+}
+
+QStringList split(const QString& line, QChar separator) {
+    QStringList cells;
     QString cell;
     bool inside = false;
-    cells.clear();
     for (qsizetype i = 0; i < line.size(); ++i) {
         const QChar c = line[i];
         if (inside && c == u'"' && i + 1 < line.size() && line[i + 1] == u'"') {
@@ -29,8 +45,11 @@ bool split(const QString& line, QChar separator, QStringList& cells) {
             cell += c;
         }
     }
-    cells << cell.trimmed();
-    return !inside;
+    return cells << cell.trimmed();
+}
+
+bool saysNothing(const QStringList& cells) {
+    return cells[0].startsWith(u'#') || std::all_of(cells.begin(), cells.end(), [](const QString& cell) { return cell.isEmpty(); });
 }
 
 QChar separatorOf(const QString& heading) {
@@ -42,6 +61,22 @@ QChar separatorOf(const QString& heading) {
 
 tl::unexpected<core::Error> at(const QString& path, int line, const QString& what) {
     return badInput(QStringLiteral("%1:%2: %3").arg(path).arg(line).arg(what));
+}
+
+core::Result<void> add(CsvTable& table, const QStringList& cells, int line) {
+    if (!table.header.isEmpty()) {
+        if (cells.size() != table.header.size())
+            return at(table.name, line, QStringLiteral("%1 cells; expected %2 as in the heading").arg(cells.size()).arg(table.header.size()));
+        table.rows.push_back(cells);
+        table.lines.push_back(line);
+        return {};
+    }
+    for (const QString& heading : cells)
+        if (heading.isEmpty() || cells.count(heading) > 1)
+            return at(table.name, line, QStringLiteral("heading %1: expected names that are not empty and each given once").arg(quoted(heading)));
+    table.header = cells;
+    table.headerLine = line;
+    return {};
 }
 
 } // namespace
@@ -69,39 +104,33 @@ core::Result<CsvTable> readCsvTable(const QString& path) {
     const auto bytes = readInputFile(path, kLargest);
     if (!bytes)
         return tl::unexpected(bytes.error());
+    return parseCsvTable(QString::fromUtf8(*bytes), path);
+}
+
+core::Result<CsvTable> parseCsvTable(QString text, const QString& path) {
     CsvTable table;
     table.name = path;
     QChar separator = u',';
-    QString text = QString::fromUtf8(*bytes);
     if (text.startsWith(QChar(0xFEFF))) // spreadsheets put a byte-order mark before the heading
         text.remove(0, 1);
-    int number = 0;
-    for (const QString& raw : text.split(u'\n')) {
-        ++number;
-        const QString line = raw.trimmed();
-        if (line.isEmpty() || line.startsWith(u'#'))
-            continue;
-        QStringList cells;
+    const QStringList lines = text.split(u'\n');
+    for (qsizetype next = 0; next < lines.size();) {
+        const int number = static_cast<int>(next) + 1;
+        const auto line = record(lines, next);
+        if (!line)
+            return at(path, number, QStringLiteral("a quote is not closed; expected \" before the file's end"));
         if (table.header.isEmpty())
-            separator = separatorOf(line);
-        if (!split(line, separator, cells))
-            return at(path, number, QStringLiteral("a quote is not closed; expected \" before the line's end"));
-        if (table.header.isEmpty()) {
-            for (const QString& heading : cells)
-                if (heading.isEmpty() || cells.count(heading) > 1)
-                    return at(path, number, QStringLiteral("heading %1: expected names that are not empty and each given once").arg(quoted(heading)));
-            table.header = cells;
+            separator = separatorOf(*line);
+        const QStringList cells = split(*line, separator);
+        if (saysNothing(cells))
             continue;
-        }
-        if (cells.size() != table.header.size())
-            return at(path, number, QStringLiteral("%1 cells; expected %2 as in the heading").arg(cells.size()).arg(table.header.size()));
-        table.rows.push_back(cells);
-        table.lines.push_back(number);
+        if (auto added = add(table, cells, number); !added)
+            return tl::unexpected(added.error());
     }
     if (table.header.isEmpty())
         return at(path, 1, QStringLiteral("empty; expected a heading and rows"));
     if (table.rows.empty())
-        return at(path, number, QStringLiteral("no rows under the heading; expected at least one"));
+        return at(path, static_cast<int>(lines.size()), QStringLiteral("no rows under the heading; expected at least one"));
     return table;
 }
 

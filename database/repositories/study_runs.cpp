@@ -235,7 +235,7 @@ core::Result<void> StudyRepository::storeQuestionnaireAnswers(const std::vector<
         if (!design) {
             return tl::unexpected(design.error());
         }
-        good = who->state == ParticipantState::withdrawn ? mayRun(*who) : good;
+        good = good && who->state != ParticipantState::completed ? mayRun(*who) : good; // a form may be handed in after the last run
         good = good ? checkAnswer(*design, answer) : good;
         good = good ? storeAnswer(m_connection, m_actor, answer) : good;
         if (!good) {

@@ -8,6 +8,8 @@ namespace {
 
 const OptionSpec kParticipant{QStringLiteral("participant"), QStringLiteral("CODE"), QStringLiteral("the participant's code"), true};
 
+const OptionSpec kQuestionnaire{QStringLiteral("questionnaire"), QStringLiteral("ID,..."), QStringLiteral("these alone; default: all of the study")};
+
 CommandSpec row(const char* verb, const char* summary, const char* rest, decltype(CommandSpec::run) run, std::vector<OptionSpec> options = {}) {
     CommandSpec command;
     command.group = QStringLiteral("study");
@@ -29,6 +31,13 @@ CommandSpec listing() {
 CommandSpec making() {
     CommandSpec command = row("new", "a draft from a study of the content or a file", "stiffness_elastic_tube --as rosa", newStudy, {{"id", "KEY", "another key than the design's own"}});
     command.operands = {{"FROM", "id of a study of the content, or a JSON file"}};
+    return command;
+}
+
+CommandSpec importing() {
+    CommandSpec command = row("questionnaire import", "answers that were given on paper, from a filled template: the whole file is checked, then all of it is stored or nothing; answers are never changed",
+                              "surgeons filled.csv --as rosa", importQuestionnaire, {{"incomplete", {}, "questions that must be answered may be left out, as on paper"}});
+    command.operands.push_back({"FILE", "CSV (UTF-8) or JSON as study questionnaire template writes it, filled"});
     return command;
 }
 
@@ -56,6 +65,11 @@ std::vector<CommandSpec> studyCommands() {
             row("plan", "expected bias, precision and minutes before anyone is tested", "stiffness_elastic_tube --observer weber:0.12,lapse:0.02 --runs 100 --json", planStudy,
                 {{"observer", "SPEC", "weber:W[,lapse:L][,bias:B]", true}, {"runs", "N", "simulated runs a condition, 0: information alone; default: 100"}, {"seed", "S", "default: 1"}}),
             row("analyse", "what each run and each condition's group say, and whether the log chooses the same stimuli again", "3 --as rosa --json", analyseStudies, {{"seed", "S", "of bootstraps; default: 1"}}),
+            row("questionnaire template", "an empty table to be filled, with a row for each participant who has not answered", "surgeons --out answers.csv --as rosa", questionnaireTemplate,
+                {{"out", "FILE", "must not be there yet", true}, {"format", "csv|json", "default: csv"}, kQuestionnaire, {"language", "CODE", "of the questions; default: en"}}),
+            importing(),
+            row("questionnaire summary", "what was answered: medians, agreement, content validity", "surgeons --as rosa --json", summariseQuestionnaires,
+                {kQuestionnaire, {"texts", {}, "free texts, too: they may tell who wrote them"}, {"performance", {}, "how answers go with the participants' own results (Kendall's tau; more agreement with better touch: above 0)"}}),
             row("export", "pseudonymised data with a data dictionary", "3 --format csv,bids --out folder --as rosa", exportStudy,
                 {{"format", "csv,bids", "which; with both each gets a folder of its own in --out; default: csv"}, {"out", "FOLDER", "must not be there yet", true}})};
 }

@@ -48,5 +48,8 @@ core::Result<CommandOutput> enrolParticipant(const Arguments& arguments);
 core::Result<CommandOutput> consentOf(const Arguments& arguments);
 core::Result<CommandOutput> withdrawParticipant(const Arguments& arguments);
 core::Result<CommandOutput> studyKey(const Arguments& arguments);
+core::Result<CommandOutput> questionnaireTemplate(const Arguments& arguments);
+core::Result<CommandOutput> importQuestionnaire(const Arguments& arguments);
+core::Result<CommandOutput> summariseQuestionnaires(const Arguments& arguments);
 
 } // namespace chiron::cli

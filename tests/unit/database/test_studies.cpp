@@ -318,6 +318,9 @@ void TestStudies::answersMustFit() {
     QVERIFY(StudyReader(*reader(), m_ruth).questionnaireAnswers(study)->empty()); // all or nothing
     REQUIRE(store({good, {who, "face", "years", 7.5, "", ""}, {who, "face", "hand", 0.0, "", ""}, {who, "face", "remarks", {}, "weich, \"ähnlich\"", ""}}));
     QCOMPARE(store({good}).error().code, core::ErrorCode::wrongUse);
+    const auto asked = write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(study, "Jane Roe", 0, ""); });
+    REQUIRE(asked);
+    QCOMPARE(store({{asked->id, "face", "real", 5.0, "", ""}}).error().code, core::ErrorCode::wrongUse); // no consent
     const auto answers = StudyReader(*reader(), m_ruth).questionnaireAnswers(study);
     QCOMPARE(answers->size(), std::size_t{4});
     QVERIFY(answers->front().number == 5.0 && answers->back().text == "weich, \"ähnlich\"" && !answers->back().number);

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/study_reader.h"
+#include "cli/messages.h"
+#include "cli/study/questionnaire_sheet.h"
+#include "cli/study/study_access.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <algorithm>
+
+namespace chiron::cli {
+
+namespace {
+
+using psychophysics::Questionnaire;
+using psychophysics::QuestionnaireItem;
+
+/// What a template is of.
+struct Blank {
+    QString study;
+    QString sha256;
+    std::string language;
+    std::vector<const Questionnaire*> questionnaires;
+    QStringList codes; ///< of those who take part and have not answered all of them yet
+};
+
+QString inLanguage(const psychophysics::StudyText& words, const std::string& language) {
+    auto found = words.find(language);
+    found = found == words.end() ? words.find("en") : found;
+    return found == words.end() ? QString() : QString::fromStdString(found->second);
+}
+
+QString cell(QString words) {
+    words.replace(u'"', QStringLiteral("\"\""));
+    return QStringLiteral("\"%1\"").arg(words.simplified());
+}
+
+QByteArray csvOf(const Blank& blank) {
+    QStringList notes{QStringLiteral("# Study %1, design %2. One row for each participant; a cell that is left empty was not answered.").arg(blank.study, blank.sha256)};
+    QStringList heading{QStringLiteral("participant")};
+    for (const Questionnaire* questionnaire : blank.questionnaires)
+        for (const QuestionnaireItem& item : questionnaire->items) {
+            heading << questionName(*questionnaire, item);
+            notes << QStringLiteral("# %1: %2 %3%4").arg(heading.last(), inLanguage(item.text, blank.language), expectedAnswer(item, blank.language),
+                                                         item.required ? QString() : QStringLiteral("; may be left out"));
+        }
+    QString csv;
+    for (const QString& note : notes)
+        csv += cell(note) + u'\n';
+    csv += heading.join(u',') + u'\n';
+    for (const QString& code : blank.codes)
+        csv += code + QString(heading.size() - 1, u',') + u'\n';
+    return "\xef\xbb\xbf" + csv.toUtf8(); // spreadsheets take it for UTF-8 only with the mark
+}
+
+QByteArray jsonOf(const Blank& blank) {
+    QJsonObject questions, empty;
+    for (const Questionnaire* questionnaire : blank.questionnaires) {
+        QJsonObject explained, answers;
+        for (const QuestionnaireItem& item : questionnaire->items) {
+            explained.insert(QString::fromStdString(item.id), QJsonObject{{"question", inLanguage(item.text, blank.language)}, {"answer", expectedAnswer(item, blank.language)}, {"required", item.required}});
+            answers.insert(QString::fromStdString(item.id), QJsonValue::Null);
+        }
+        questions.insert(QString::fromStdString(questionnaire->id), explained);
+        empty.insert(QString::fromStdString(questionnaire->id), answers);
+    }
+    QJsonArray participants;
+    for (const QString& code : blank.codes)
+        participants.append(QJsonObject{{"participant", code}, {"answers", empty}});
+    return QJsonDocument(QJsonObject{{"study", blank.study}, {"design_sha256", blank.sha256}, {"questions", questions}, {"participants", participants}}).toJson();
+}
+
+/// By code: neither who was enrolled first nor anybody's order of conditions shows.
+QStringList openCodes(const Blank& blank, const std::vector<database::Participant>& participants, const std::vector<database::QuestionnaireAnswer>& answers) {
+    QStringList codes;
+    for (const database::Participant& each : participants) {
+        const auto hasAnswered = [&](const Questionnaire* questionnaire) {
+            return std::any_of(answers.begin(), answers.end(), [&](const auto& answer) { return answer.participant == each.id && answer.questionnaire == questionnaire->id; });
+        };
+        if (each.state != database::ParticipantState::withdrawn && !std::all_of(blank.questionnaires.begin(), blank.questionnaires.end(), hasAnswered))
+            codes << QString::fromStdString(each.code);
+    }
+    codes.sort();
+    return codes;
+}
+
+core::Result<void> writeNew(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
+        return badInput(QStringLiteral("--out: %1: %2; expected a file that is not there yet").arg(quoted(path), QFileInfo::exists(path) ? QStringLiteral("is there already") : file.errorString()));
+    if (file.write(bytes) == bytes.size() && file.flush())
+        return {};
+    file.remove();
+    return core::fail(core::ErrorCode::storage, QStringLiteral("--out: %1: %2").arg(quoted(path), file.errorString()).toStdString());
+}
+
+} // namespace
+
+core::Result<CommandOutput> questionnaireTemplate(const Arguments& arguments) {
+    const auto format = arguments.choice(QStringLiteral("format"), {"csv", "json"}, QStringLiteral("csv"));
+    if (!format)
+        return tl::unexpected(format.error());
+    auto study = openStudy(arguments, Opening::forReading);
+    if (!study)
+        return tl::unexpected(study.error());
+    const auto& summary = study->record.summary;
+    if (summary.sha256.empty())
+        return core::fail(core::ErrorCode::wrongUse, "study \"" + summary.key + "\": a draft has no participants; expected a frozen study");
+    const auto design = catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), summary.key);
+    const auto questionnaires = design ? chosenQuestionnaires(arguments, *design) : tl::unexpected(design.error());
+    if (!questionnaires)
+        return tl::unexpected(questionnaires.error());
+    const auto participants = study->reader().participants(study->number());
+    const auto answers = study->reader().questionnaireAnswers(study->number());
+    if (!participants || !answers)
+        return tl::unexpected(participants ? answers.error() : participants.error());
+    const QString language = arguments.has(QStringLiteral("language")) ? arguments.value(QStringLiteral("language")) : QStringLiteral("en");
+    Blank blank{QString::fromStdString(summary.key), QString::fromStdString(summary.sha256), language.toStdString(), *questionnaires, {}};
+    blank.codes = openCodes(blank, *participants, *answers);
+    const QString out = QFileInfo(arguments.value(QStringLiteral("out"))).absoluteFilePath();
+    if (auto written = writeNew(out, *format == u"json" ? jsonOf(blank) : csvOf(blank)); !written)
+        return tl::unexpected(written.error());
+    QJsonArray ids;
+    for (const Questionnaire* each : blank.questionnaires)
+        ids.append(QString::fromStdString(each->id));
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", blank.study}, {"file", out}, {"questionnaires", ids}, {"participants", blank.codes.size()}}),
+                         QStringLiteral("%1: %2 participants\n").arg(out).arg(blank.codes.size()), 0};
+}
+
+} // namespace chiron::cli
