@@ -36,6 +36,14 @@ inline ComparisonParameters compared(ComparedAttribute attribute) {
     return p;
 }
 
+/// Without damping, recovery and friction: what is left is conservative.
+inline ComparisonParameters lossless(ComparedAttribute attribute) {
+    ComparisonParameters p = compared(attribute);
+    p.object.damping_Ns_per_m = p.object.viscosity_Ns_per_m = 0.0;
+    p.exploreLimit_s = 0.0;
+    return p;
+}
+
 inline constexpr ComparedAttribute kComparedAttributes[] = {ComparedAttribute::stiffness, ComparedAttribute::mass,     ComparedAttribute::deformation,
                                                             ComparedAttribute::roughness, ComparedAttribute::friction, ComparedAttribute::viscosity};
 
