@@ -9,10 +9,11 @@ namespace {
 constexpr int kPatience_ms = 120000; // never asserted, only to end a hanging run
 }
 
-CliRun runCli(const QStringList& arguments, const QByteArray& input,
-              const QMap<QString, QString>& variables) {
+namespace {
+
+/// Starts it with an environment of its own.
+void start(QProcess& process, const QStringList& arguments, const QByteArray& input, const QMap<QString, QString>& variables) {
     static const QTemporaryDir home; // nothing of the person who runs the tests is read or written
-    QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char* name :
          {"CHIRON_PASSWORD", "CHIRON_NEW_PASSWORD", "CHIRON_RECOVERY_CODE", "CHIRON_CONTENT"})
@@ -26,12 +27,30 @@ CliRun runCli(const QStringList& arguments, const QByteArray& input,
     process.start(QStringLiteral(CHIRON_CLI), arguments);
     process.write(input);
     process.closeWriteChannel();
+}
+
+} // namespace
+
+CliRun runCli(const QStringList& arguments, const QByteArray& input,
+              const QMap<QString, QString>& variables) {
+    QProcess process;
+    start(process, arguments, input, variables);
     CliRun run;
     run.ended = process.waitForFinished(kPatience_ms) && process.exitStatus() == QProcess::NormalExit;
     run.exitCode = process.exitCode();
     run.out = process.readAllStandardOutput();
     run.err = process.readAllStandardError();
     return run;
+}
+
+bool killCli(const QStringList& arguments, int after_ms) {
+    QProcess process;
+    start(process, arguments, {}, {});
+    if (process.waitForFinished(after_ms))
+        return false;
+    process.kill();
+    process.waitForFinished(kPatience_ms);
+    return process.exitStatus() == QProcess::CrashExit;
 }
 
 QString refusalFault(const CliRun& run, int exitCode, const QStringList& mentions) {
