@@ -8,6 +8,8 @@ namespace chiron::simulation {
 
 namespace {
 
+constexpr double kStill_m = 1e-9; ///< less far moved, the organ has the normals it lies with: no edge is shorter than some tenths of a millimetre
+
 core::Vec3 vec(const std::array<double, 3>& a) noexcept { return {a[0], a[1], a[2]}; }
 
 } // namespace
@@ -100,9 +102,11 @@ DeformableOrgan::Answer DeformableOrgan::solve(std::uint64_t number, const Reque
         largest2 = std::max(largest2, slot[vertex].displacement.squaredNorm());
         m_places[vertex] = m_mesh.position(vertex) + slot[vertex].displacement;
     }
-    smoothNormals(m_mesh, m_places, m_normals);
-    for (std::size_t vertex = 0; vertex < slot.size(); ++vertex)
-        slot[vertex].normal = m_normals[vertex];
+    const bool still = largest2 < kStill_m * kStill_m;
+    if (!still)
+        smoothNormals(m_mesh, m_angles, m_places, m_normals);
+    for (std::uint32_t vertex = 0; vertex < slot.size(); ++vertex)
+        slot[vertex].normal = still ? m_mesh.normal(vertex) : m_normals[vertex];
     answer.largest_m = std::sqrt(largest2);
     return answer;
 }

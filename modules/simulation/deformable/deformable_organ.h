@@ -122,6 +122,7 @@ private:
     // Slow model.
     std::unique_ptr<SpringNetwork> m_network;
     std::uint32_t m_modelEpoch = 0;
+    std::vector<CornerAngles> m_angles;
     std::vector<core::Vec3> m_places;
     std::vector<core::Vec3> m_normals;
 };

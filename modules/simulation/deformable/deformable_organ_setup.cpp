@@ -30,7 +30,7 @@ core::Result<std::unique_ptr<DeformableOrgan>> DeformableOrgan::create(const Tri
 
 DeformableOrgan::DeformableOrgan(const TriangleMesh& mesh, std::unique_ptr<SpringNetwork> network, const Settings& settings)
     : m_mesh(mesh), m_settings(settings), m_blend(settings.blend_ticks, settings.prediction), m_link(settings.timing),
-      m_network(std::move(network)), m_places(mesh.vertices().size()), m_normals(mesh.vertices().size()) {
+      m_network(std::move(network)), m_angles(cornerAngles(mesh)), m_places(mesh.vertices().size()), m_normals(mesh.vertices().size()) {
     for (auto& slot : m_slots)
         slot.resize(mesh.vertices().size());
 }

@@ -68,8 +68,15 @@ private:
     double m_longestEdge_m = 0.0;
 };
 
-/// Unit normals of vertices that were moved: angle-weighted like those of TriangleMesh. `moved` and `normals` are as long as
-/// mesh.vertices(). No allocation; one pass over the triangles (0.1 ms for 2,000). Thread: any; the slow model's step.
-void smoothNormals(const TriangleMesh& mesh, std::span<const core::Vec3> moved, std::span<core::Vec3> normals) noexcept;
+/// Angles of a triangle at its three corners, rad.
+using CornerAngles = std::array<double, 3>;
+/// Of every triangle as the mesh lies. Allocates.
+std::vector<CornerAngles> cornerAngles(const TriangleMesh& mesh);
+
+/// Unit normals of vertices that were moved: angle-weighted like those of TriangleMesh, with the angles of the mesh as it lies (a push of
+/// some millimetres changes them little, and their arc tangents would take most of an organ's step). `moved` and `normals` are as long as
+/// mesh.vertices(), `weights` as mesh.triangles(). No allocation; one pass over the triangles. Thread: any; the slow model's step.
+void smoothNormals(const TriangleMesh& mesh, std::span<const CornerAngles> weights, std::span<const core::Vec3> moved,
+                   std::span<core::Vec3> normals) noexcept;
 
 } // namespace chiron::simulation

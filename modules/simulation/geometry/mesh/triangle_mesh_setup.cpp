@@ -64,13 +64,21 @@ Sorted sortedForTheTick(std::span<const core::Vec3> vertices, std::span<const Co
     return out;
 }
 
-/// The normals of one triangle, added to its corners with their angles as weights.
-void addNormals(const Corners& corners, const std::array<core::Vec3, 3>& p, std::span<core::Vec3> normals) {
-    const core::Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+/// The angles of a triangle at its corners, rad.
+CornerAngles anglesOf(const std::array<core::Vec3, 3>& p) noexcept {
+    CornerAngles angles{};
     for (std::size_t i = 0; i < 3; ++i) {
         const core::Vec3 a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
-        normals[corners[i]] += std::atan2(a.cross(b).norm(), a.dot(b)) * normal;
+        angles[i] = std::atan2(a.cross(b).norm(), a.dot(b));
     }
+    return angles;
+}
+
+/// The normal of one triangle, added to its corners with these weights.
+void addNormals(const Corners& corners, const CornerAngles& weights, const std::array<core::Vec3, 3>& p, std::span<core::Vec3> normals) noexcept {
+    const core::Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+    for (std::size_t i = 0; i < 3; ++i)
+        normals[corners[i]] += weights[i] * normal;
 }
 
 core::Result<void> checkNumbers(std::span<const core::Vec3> vertices, std::span<const Corners> triangles) {
@@ -126,7 +134,7 @@ void TriangleMesh::lay(std::span<const core::Vec3> vertices, std::span<const Cor
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         m_triangles[t].vertex = triangles[t];
         const std::array<core::Vec3, 3> p{vertices[triangles[t][0]], vertices[triangles[t][1]], vertices[triangles[t][2]]};
-        addNormals(triangles[t], p, normals);
+        addNormals(triangles[t], anglesOf(p), p, normals);
         for (std::size_t i = 0; i < 3; ++i) {
             const double edge = (p[(i + 1) % 3] - p[i]).norm();
             sum += edge;
@@ -144,10 +152,21 @@ void TriangleMesh::lay(std::span<const core::Vec3> vertices, std::span<const Cor
     }
 }
 
-void smoothNormals(const TriangleMesh& mesh, std::span<const core::Vec3> moved, std::span<core::Vec3> normals) noexcept {
-    std::fill(normals.begin(), normals.end(), core::Vec3::Zero());
+std::vector<CornerAngles> cornerAngles(const TriangleMesh& mesh) {
+    std::vector<CornerAngles> angles;
+    angles.reserve(mesh.triangles().size());
     for (const SurfaceTriangle& triangle : mesh.triangles())
-        addNormals(triangle.vertex, {moved[triangle.vertex[0]], moved[triangle.vertex[1]], moved[triangle.vertex[2]]}, normals);
+        angles.push_back(anglesOf({mesh.position(triangle.vertex[0]), mesh.position(triangle.vertex[1]), mesh.position(triangle.vertex[2])}));
+    return angles;
+}
+
+void smoothNormals(const TriangleMesh& mesh, std::span<const CornerAngles> weights, std::span<const core::Vec3> moved,
+                   std::span<core::Vec3> normals) noexcept {
+    std::fill(normals.begin(), normals.end(), core::Vec3::Zero());
+    for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
+        const Corners& v = mesh.triangles()[t].vertex;
+        addNormals(v, weights[t], {moved[v[0]], moved[v[1]], moved[v[2]]}, normals);
+    }
     for (std::size_t v = 0; v < normals.size(); ++v) {
         const double length = normals[v].norm();
         normals[v] = length > 0.0 ? core::Vec3(normals[v] / length) : mesh.normal(static_cast<std::uint32_t>(v));

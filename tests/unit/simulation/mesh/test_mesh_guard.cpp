@@ -31,10 +31,11 @@ private slots:
         const MeshContact contact(attributes, 0.001);
         MeshContactState state;
         MeshDents dents(mesh.vertices().size(), attributes.recoveryTime_s);
+        const std::vector<CornerAngles> angles = cornerAngles(mesh);
         std::vector<Vec3> positions, normals(mesh.vertices().size());
         for (const SurfaceVertex& v : mesh.vertices())
             positions.push_back(v.position);
-        smoothNormals(mesh, positions, normals);
+        smoothNormals(mesh, angles, positions, normals);
         core::Random random(6);
         Vec3 p(0.0, 0.0, 0.030);
         int touching = 0, followed = 0;
@@ -45,7 +46,7 @@ private slots:
             const MeshResponse r = moving ? contact.respond(MovedMesh(mesh, positions, normals, 1e-3), p, Vec3::Zero(), n, state, &dents)
                                           : contact.respond(mesh, p, Vec3::Zero(), n, state, &dents);
             if (moving && n % 33 == 0)
-                smoothNormals(mesh, positions, normals);
+                smoothNormals(mesh, angles, positions, normals);
             touching += r.contact.inContact ? 1 : 0;
             followed += r.foot.track == MeshTrack::followed ? 1 : 0;
         }

@@ -141,6 +141,7 @@ private slots:
     /// A surface that comes up to a tool that stands still touches it, and lets go when it sinks again.
     void aRisingSurfaceTouchesAStillTool() {
         const TriangleMesh mesh = *makeMesh(ellipsoid(0.020, 0.020, 0.020, 0.001));
+        const std::vector<CornerAngles> angles = cornerAngles(mesh);
         std::vector<Vec3> positions(mesh.vertices().size()), normals(mesh.vertices().size());
         const MeshContact contact(plain(), 0.001);
         MeshContactState state;
@@ -151,7 +152,7 @@ private slots:
                 const Vec3& x = mesh.vertices()[v].position;
                 positions[v] = x + std::max(0.0, x.z() / 0.020) * rise * Vec3::UnitZ();
             }
-            smoothNormals(mesh, positions, normals);
+            smoothNormals(mesh, angles, positions, normals);
             const MeshResponse now = contact.respond(MovedMesh(mesh, positions, normals, rise), {0.0, 0.0, 0.023}, Vec3::Zero(), n, state);
             const double depth = rise - 0.002;
             QVERIFY(std::abs(now.contact.force.z() - 500.0 * std::max(0.0, depth)) < 0.02);
@@ -164,10 +165,11 @@ private slots:
     /// Smooth normals of unmoved vertices are those of the mesh.
     void smoothNormalsAgree() {
         const TriangleMesh mesh = *makeMesh(bumpyDome());
+        const std::vector<CornerAngles> angles = cornerAngles(mesh);
         std::vector<Vec3> positions, normals(mesh.vertices().size());
         for (const SurfaceVertex& v : mesh.vertices())
             positions.push_back(v.position);
-        smoothNormals(mesh, positions, normals);
+        smoothNormals(mesh, angles, positions, normals);
         for (std::size_t v = 0; v < normals.size(); ++v)
             QVERIFY((normals[v] - mesh.vertices()[v].normal).norm() < 1e-12);
     }
