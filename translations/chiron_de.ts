@@ -3264,6 +3264,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Worth of each object, of all rankings of the group: how much more often it was ranked above the others. Farther apart means easier to tell apart. All differences D are taken together.</source>
         <translation>Wert jedes Objekts aus allen Rangfolgen der Gruppe: wie viel öfter es über den anderen stand. Je weiter auseinander, desto leichter zu unterscheiden. Alle Unterschiede D sind zusammengenommen.</translation>
     </message>
+    <message>
+        <source>Sealed reason</source>
+        <translation>Versiegelter Grund</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -3610,6 +3614,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Change of a text</source>
         <translation>Textänderung</translation>
+    </message>
+    <message>
+        <source>Sealed reason</source>
+        <translation>Versiegelter Grund</translation>
     </message>
 </context>
 <context>
@@ -5106,6 +5114,10 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     <message>
         <source>The delay of this device was never measured. %1 ms are taken, on the safe side of what it states.</source>
         <translation>Die Verzögerung dieses Geräts wurde nie gemessen. Angenommen werden %1 ms, vorsichtig nach seiner Angabe.</translation>
+    </message>
+    <message>
+        <source>Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would tell the condition.</source>
+        <translation>Mittlere Geschwindigkeit %1 mm/s, %2 Kontakte, %3 s, verspätete Takte %4. Kräfte bleiben versiegelt: Sie würden die Bedingung verraten.</translation>
     </message>
 </context>
 <context>

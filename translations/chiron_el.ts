@@ -3264,6 +3264,10 @@ Do you want to replace it?</source>
         <source>Worth of each object, of all rankings of the group: how much more often it was ranked above the others. Farther apart means easier to tell apart. All differences D are taken together.</source>
         <translation>Αξία κάθε αντικειμένου από όλες τις κατατάξεις της ομάδας: πόσο συχνότερα ήταν πάνω από τα άλλα. Όσο πιο μακριά, τόσο ευκολότερα ξεχωρίζουν. Όλες οι διαφορές D λαμβάνονται μαζί.</translation>
     </message>
+    <message>
+        <source>Sealed reason</source>
+        <translation>Σφραγισμένη αιτία</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -3610,6 +3614,10 @@ Do you want to replace it?</source>
     <message>
         <source>Change of a text</source>
         <translation>Αλλαγή κειμένου</translation>
+    </message>
+    <message>
+        <source>Sealed reason</source>
+        <translation>Σφραγισμένη αιτία</translation>
     </message>
 </context>
 <context>
@@ -5106,6 +5114,10 @@ Each level says whether you have passed it. Choose one to see what is measured a
     <message>
         <source>The delay of this device was never measured. %1 ms are taken, on the safe side of what it states.</source>
         <translation>Η καθυστέρηση αυτής της συσκευής δεν μετρήθηκε ποτέ. Λαμβάνονται %1 ms, με ασφάλεια από όσα δηλώνει.</translation>
+    </message>
+    <message>
+        <source>Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would tell the condition.</source>
+        <translation>Μέση ταχύτητα %1 mm/s, %2 επαφές, %3 s, καθυστερημένοι κύκλοι %4. Οι δυνάμεις μένουν σφραγισμένες: θα πρόδιδαν τη συνθήκη.</translation>
     </message>
 </context>
 <context>

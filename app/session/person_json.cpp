@@ -90,6 +90,8 @@ QJsonObject sessionJson(const database::PersonSession& session) {
         {QStringLiteral("trials"), trials},
         {QStringLiteral("events"), events},
         {QStringLiteral("comments"), commentsJson(session.comments)}};
+    if (session.sealed)
+        json[QStringLiteral("sealed")] = true;
     if (session.scores) {
         json[QStringLiteral("passed")] = session.scores->passed;
         json[QStringLiteral("metrics")] = metricsJson(session.scores->metrics);
@@ -120,7 +122,7 @@ QJsonObject participationJson(const database::PersonParticipation& held) {
     QJsonArray runs;
     for (const database::StudyRun& run : held.runs)
         runs.append(QJsonObject{{QStringLiteral("run"), static_cast<qint64>(run.id)},
-                                {QStringLiteral("condition"), text(run.condition)},
+                                {QStringLiteral("condition"), text(run.condition.empty() ? run.sealedCode : run.condition)},
                                 {QStringLiteral("started_utc"), text(run.startedUtc)},
                                 {QStringLiteral("ended_utc"), text(run.endedUtc)}});
     QJsonArray trials;

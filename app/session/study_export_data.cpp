@@ -3,6 +3,7 @@
 
 #include "catalogue/study_reader.h"
 #include "session/study/study_analysis.h"
+#include "session/study/study_store.h"
 
 #include <algorithm>
 #include <map>
@@ -12,15 +13,6 @@ namespace chiron::session {
 namespace {
 
 using database::StudyTrial;
-
-/// What the conditions do not share would tell them apart.
-void compareConditions(StudyExportData& data) {
-    const auto& conditions = data.design->conditions;
-    for (const psychophysics::Condition& each : conditions) {
-        data.oneTask = data.oneTask && each.task == conditions.front().task;
-        data.oneTable = data.oneTable && each.stimulus.differences == conditions.front().stimulus.differences;
-    }
-}
 
 /// Codes are random, so that neither the order of enrolment nor that of the runs shows in a table.
 void sortByCodes(StudyExportData& data) {
@@ -36,18 +28,19 @@ core::Result<void> addRuns(database::StudyReader& reader, const StudyExportData&
         return tl::unexpected(runs.error());
     std::map<std::string, int> counts;
     for (database::StudyRun& run : *runs) {
-        const auto& conditions = data.design->conditions;
-        const auto found = std::find_if(conditions.begin(), conditions.end(), [&](const auto& c) { return c.id == run.condition; });
-        if (found == conditions.end())
+        const psychophysics::Condition* condition = analysedBy(*data.design, data.blinding, run.condition);
+        if (!condition && !data.blinded)
             return core::fail(core::ErrorCode::badInput, "run " + std::to_string(run.id) + ": its condition is not in the frozen design");
         auto trials = reader.studyTrials(run.id);
         if (!trials)
             return tl::unexpected(trials.error());
         ExportedRun exported;
-        exported.condition = &*found;
-        exported.label = QString::fromStdString(data.blinded ? run.sealedCode : run.condition);
-        exported.index = ++counts[run.condition];
-        exported.estimate = psychophysics::estimateRun(*found, scoredTrialsOf(*trials), run.seed);
+        exported.condition = condition ? condition : &data.design->conditions.front();
+        exported.label = QString::fromStdString(labelOf(run));
+        exported.index = ++counts[labelOf(run)];
+        const auto scored = scoredTrialsOf(*trials);
+        exported.estimate = estimateOf(condition, scored, data.blinding, run.seed);
+        exported.estimate.trials = condition ? exported.estimate.trials : static_cast<int>(scored.size());
         warnNotRendered(exported.estimate, participant.participant, *trials);
         exported.trials = std::move(*trials);
         exported.run = std::move(run);
@@ -80,8 +73,13 @@ core::Result<StudyExportData> gatherStudy(database::StudyReader& reader, databas
     if (!design)
         return tl::unexpected(design.error());
     data.design = std::make_unique<psychophysics::StudyDesign>(std::move(*design));
-    data.blinded = data.design->blindExperimenter && !data.record.summary.unblinded;
-    compareConditions(data);
+    const auto blinding = database::blindingOf(data.record.designJson, data.record.summary.unblinded);
+    if (!blinding)
+        return tl::unexpected(blinding.error());
+    data.blinding = *blinding;
+    data.blinded = blinding->on;
+    data.oneTask = blinding->oneTask;
+    data.oneTable = blinding->oneTable;
     auto participants = reader.participants(study);
     auto answers = reader.questionnaireAnswers(study);
     if (!participants || !answers)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/result.h"
+#include "database/repositories/study_blinding.h"
 #include "database/repositories/study_reader.h"
 #include "psychophysics/study/run_estimate.h"
 #include "psychophysics/study/study_design.h"
@@ -15,7 +16,7 @@ namespace chiron::session {
 /// One run with its trials, as exports and reports tell of it.
 struct ExportedRun {
     database::StudyRun run;
-    const psychophysics::Condition* condition = nullptr; ///< never null
+    const psychophysics::Condition* condition = nullptr; ///< never null; while blinded any of the design's, so nothing is told of it that conditions do not share
     QString label;                                       ///< condition's id, or its sealed code while blinded
     int index = 1;                                       ///< from 1: among this participant's runs of this condition
     std::vector<database::StudyTrial> trials;
@@ -35,6 +36,7 @@ struct StudyExportData {
 
     database::StudyRecord record;
     std::unique_ptr<psychophysics::StudyDesign> design;
+    database::Blinding blinding;
     bool blinded = false;
     bool oneTask = true;  ///< every condition asks the same; else answers would tell conditions apart
     bool oneTable = true; ///< every condition has the same differences

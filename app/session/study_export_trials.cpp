@@ -25,7 +25,8 @@ std::vector<ExportColumn> stimulusColumns() {
             {"spoiled", "", "why it does not count; n/a where it does",
              {{"force_error", "force was not what was asked"}, {"stiffness_error", "the attribute was rendered wrongly"}, {"late_ticks", "the loop was late too often"},
               {"saturation", "force at its limit too long"}, {"speed", "explored too fast"}, {"peak_force", "pressed too hard"}, {"time", "time limit"},
-              {"untouched", "a place was not touched"}, {"experimenter", "by the experimenter"}, {"stopped", "the run was stopped"}}},
+              {"untouched", "a place was not touched"}, {"experimenter", "by the experimenter"}, {"stopped", "the run was stopped"},
+              {"withheld", "for a reason that would tell conditions apart while blinded"}}},
             {"procedure", "1", "which of the condition's interleaved procedures, from 0; n/a while blinded"},
             {"candidate", "1", "row of the design's table of differences, from 0; n/a while blinded"},
             {"arrangement", "1", "how the multiples of the difference lay on the places, counted as the task's arrangements; n/a while blinded where conditions differ in the task"},
@@ -39,7 +40,7 @@ std::vector<ExportColumn> stimulusColumns() {
 
 std::vector<ExportColumn> answerColumns() {
     return {{"response", "1", "answer: rank3 the order said (counted as arrangements), 2afc, 3afc, oddity the place from 0, same_different 0 same 1 different, yes_no 0 no 1 yes"},
-            {"correct", "", "the answer was right; n/a where none is", kYesNo},
+            {"correct", "", "the answer was right; n/a where none is, and while blinded where conditions differ in the task", kYesNo},
             {"outcome", "1", "what the procedure was told: rank3 0..5, 0 all correct; others 1 right (yes), 0 wrong (no)"},
             {"value", "", "a number said (magnitude), or the value set in SI (adjustment; n/a while blinded)"},
             {"exploration_time", "s", "until the answer"},
@@ -95,7 +96,7 @@ void addStimulus(QStringList& cells, const StudyExportData& data, const Exported
           << (trial.spoiled.empty() ? kNotAvailable : QString::fromStdString(trial.spoiled));
     const bool tasks = tellsTask(data), tables = !data.blinded || data.oneTable;
     cells << (data.blinded ? kNotAvailable : QString::number(trial.procedure)) << (data.blinded ? kNotAvailable : QString::number(trial.candidate))
-          << (tasks ? QString::number(trial.arrangement) : kNotAvailable) << (tasks && known ? multiples.join(u'|') : kNotAvailable)
+          << (tasks && known ? QString::number(trial.arrangement) : kNotAvailable) << (tasks && known ? multiples.join(u'|') : kNotAvailable)
           << (tables ? exportNumber(trial.difference) : kNotAvailable);
     for (std::size_t place = 0; place < kPlaces; ++place)
         cells << (place < places.size() && !data.blinded
@@ -105,11 +106,11 @@ void addStimulus(QStringList& cells, const StudyExportData& data, const Exported
 }
 
 void addAnswer(QStringList& cells, const StudyExportData& data, const ExportedRun& run, const StudyTrial& trial) {
-    const int right = psychophysics::correctAnswer(run.condition->task, trial.arrangement);
+    const int right = trial.arrangement < 0 ? -1 : psychophysics::correctAnswer(run.condition->task, trial.arrangement);
     const bool tells = tellsTask(data);
     const auto index = [tells](int value) { return value < 0 || !tells ? kNotAvailable : QString::number(value); };
     const bool physical = run.condition->task == psychophysics::Task::adjustment;
-    cells << index(trial.answer) << (right < 0 || trial.answer < 0 ? kNotAvailable : exportFlag(trial.answer == right)) << index(trial.outcome)
+    cells << index(trial.answer) << (right < 0 || trial.answer < 0 || !tells ? kNotAvailable : exportFlag(trial.answer == right)) << index(trial.outcome)
           << (trial.value && tells && !(data.blinded && physical) ? exportNumber(*trial.value) : kNotAvailable) << exportNumber(trial.exploration_s) << exportNumber(trial.answer_s);
 }
 

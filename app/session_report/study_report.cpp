@@ -26,13 +26,10 @@ core::Result<StudyReportData> dataOf(database::StudyReader& reader, database::St
     auto participants = reader.participants(study);
     if (!participants)
         return tl::unexpected(participants.error());
-    auto sealed = reader.sealedConditions(study);
-    if (!sealed)
-        return tl::unexpected(sealed.error());
     auto answers = reader.questionnaireAnswers(study);
     if (!answers)
         return tl::unexpected(answers.error());
-    return StudyReportData{std::move(*analysis), std::move(*participants), std::move(*sealed), std::move(*answers), language};
+    return StudyReportData{std::move(*analysis), std::move(*participants), std::move(*answers), language};
 }
 
 } // namespace

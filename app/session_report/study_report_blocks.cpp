@@ -15,20 +15,18 @@ namespace chiron::session_report {
 namespace words = study_report_words;
 
 QString StudyReportData::conditionName(std::size_t condition) const {
-    const psychophysics::Condition& designed = analysis.design.conditions[condition];
-    if (!blind())
-        return words::text(designed.title, language);
-    for (const database::SealedCondition& each : sealed)
-        if (each.condition == designed.id)
-            return QString::fromStdString(each.sealedCode);
-    return QStringLiteral("–");
+    if (blind())
+        return QString::fromStdString(analysis.conditions[condition].condition);
+    return words::text(analysis.design.conditions[condition].title, language);
+}
+
+psychophysics::Attribute StudyReportData::attribute(std::size_t condition) const {
+    return blind() ? psychophysics::Attribute::stiffness : analysis.design.conditions[condition].stimulus.attribute;
 }
 
 std::vector<std::size_t> StudyReportData::conditionsInOrder() const {
-    std::vector<std::size_t> places(analysis.design.conditions.size());
+    std::vector<std::size_t> places(analysis.conditions.size());
     std::iota(places.begin(), places.end(), std::size_t{0});
-    if (blind())
-        std::sort(places.begin(), places.end(), [this](std::size_t a, std::size_t b) { return conditionName(a) < conditionName(b); });
     return places;
 }
 

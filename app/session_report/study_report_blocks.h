@@ -13,15 +13,16 @@ namespace chiron::session_report {
 struct StudyReportData {
     session::StudyAnalysis analysis;
     std::vector<database::Participant> participants;
-    std::vector<database::SealedCondition> sealed; ///< in the design's order
     std::vector<database::QuestionnaireAnswer> answers;
     std::string language = "en"; ///< of the design's texts
 
     /// Whether conditions go by sealed codes: then neither their design nor the order in which it lists them is told.
-    bool blind() const { return analysis.design.blindExperimenter && !analysis.record.summary.unblinded; }
-    /// Title, or sealed code, of a condition by its place in the design.
+    bool blind() const { return analysis.blind(); }
+    /// Title, or sealed code, of a condition by its place in the analysis.
     QString conditionName(std::size_t condition) const;
-    /// Places in the design in the order they are told: the design's; while blind by sealed code.
+    /// What differs in a condition, for its unit; of no use while blind, where nothing is told in units.
+    psychophysics::Attribute attribute(std::size_t condition) const;
+    /// Places in the analysis in the order they are told: the design's; while blind by sealed code.
     std::vector<std::size_t> conditionsInOrder() const;
 };
 

@@ -70,7 +70,7 @@ void StudyReportBlocks::addCondition(std::size_t at) {
 
 void StudyReportBlocks::addGroup(std::size_t at) {
     const psychophysics::GroupEstimate& group = m_data.analysis.conditions[at].group;
-    const psychophysics::Attribute attribute = m_data.analysis.design.conditions[at].stimulus.attribute;
+    const psychophysics::Attribute attribute = m_data.attribute(at);
     const QLocale& locale = m_theme.locale;
     std::vector<std::pair<QString, QString>> pairs{
         {Words::tr("Weber fraction of the group"), words::percent(group.weber, locale)},
@@ -116,7 +116,7 @@ void StudyReportBlocks::addWeberPlot(const session::AnalysedCondition& condition
 
 void StudyReportBlocks::addRuns(std::size_t at) {
     const session::AnalysedCondition& condition = m_data.analysis.conditions[at];
-    const psychophysics::Attribute attribute = m_data.analysis.design.conditions[at].stimulus.attribute;
+    const psychophysics::Attribute attribute = m_data.attribute(at);
     const QLocale& locale = m_theme.locale;
     std::vector<std::vector<QString>> rows;
     for (const session::AnalysedRun& run : condition.runs)

@@ -107,7 +107,8 @@ QString spoiled(const std::string& token) {
                                                {"time", Words::tr("Time was up")},
                                                {"untouched", Words::tr("Not all were touched")},
                                                {"experimenter", Words::tr("Spoiled by the experimenter")},
-                                               {"stopped", Words::tr("Stopped")}};
+                                               {"stopped", Words::tr("Stopped")},
+                                               {"withheld", Words::tr("Sealed reason")}};
     const auto found = words.find(token);
     return found == words.end() ? spaced(token) : found->second;
 }

@@ -54,6 +54,7 @@
     X(StudyRepository, recordConsent)                                                                        \
     X(StudyRepository, completeParticipant)                                                                  \
     X(StudyRepository, withdrawParticipant)                                                                  \
+    X(StudyRepository, conductRun)                                                                           \
     X(StudyRepository, beginRun)                                                                             \
     X(StudyRepository, storeStudyTrial)                                                                      \
     X(StudyRepository, finishRun)                                                                            \
@@ -61,6 +62,7 @@
     X(StudyReader, listStudies)                                                                              \
     X(StudyReader, study)                                                                                    \
     X(StudyReader, studyByKey)                                                                               \
+    X(StudyReader, conditionCodes)                                                                           \
     X(StudyReader, sealedConditions)                                                                         \
     X(StudyReader, participants)                                                                             \
     X(StudyReader, participantByCode)                                                                        \

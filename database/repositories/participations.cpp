@@ -5,6 +5,7 @@
 #include "database/access/writer_only.h"
 #include "database/accounts/account_rules.h"
 #include "database/privacy/participant_erasure.h"
+#include "database/repositories/study_blinding.h"
 #include "database/repositories/study_rows.h"
 
 #include <QJsonDocument>
@@ -31,7 +32,7 @@ core::Result<void> addStudy(Connection& connection, PersonParticipation& held) {
 
 core::Result<PersonParticipation> participation(Connection& connection, ParticipantNumber id) {
     auto participants = participantRows(connection, "p.id = ?", {id});
-    auto runs = runRows(connection, id);
+    auto runs = shownRuns(connection, id); // an export of a person unblinds nothing
     auto answers = answerRows(connection, "p.id = ?", id);
     if (!participants || !runs || !answers || participants->empty()) {
         return !participants ? tl::unexpected(participants.error())
@@ -44,7 +45,7 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
     held.runs = *std::move(runs);
     held.answers = *std::move(answers);
     for (const StudyRun& run : held.runs) {
-        auto trials = studyTrialRows(connection, run.id);
+        auto trials = shownTrials(connection, run.id);
         if (!trials) {
             return tl::unexpected(trials.error());
         }

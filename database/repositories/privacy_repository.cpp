@@ -10,11 +10,29 @@
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "database/repositories/session_rules.h"
+#include "database/repositories/study_blinding.h"
 
 namespace chiron::database {
 namespace {
 
-core::Result<PersonSession> sessionOf(Connection& connection, const Actor& actor, SessionId id) {
+core::Result<PersonSession> sealedSession(Connection& connection, const Actor& actor, const SessionSummary& summary) {
+    auto comments = SessionReader(connection, actor).comments(summary.id);
+    if (!comments) {
+        return tl::unexpected(comments.error());
+    }
+    PersonSession session;
+    session.record.summary = summary;
+    session.comments = *std::move(comments);
+    session.sealed = true;
+    return session;
+}
+
+core::Result<PersonSession> sessionOf(Connection& connection, const Actor& actor, const SessionSummary& summary) {
+    const SessionId id = summary.id;
+    const auto closed = isSealedSitting(connection, actor, id); // whoever conducts a blinded study exports no condition of it
+    if (!closed || *closed) {
+        return closed ? sealedSession(connection, actor, summary) : tl::unexpected(closed.error());
+    }
     SessionReader reader(connection, actor);
     auto record = reader.session(id);
     auto trials = reader.trials(id);
@@ -27,7 +45,7 @@ core::Result<PersonSession> sessionOf(Connection& connection, const Actor& actor
                                         : comments.error());
     }
     PersonSession session{
-        *std::move(record), *std::move(trials), *std::move(events), *std::move(comments), {}};
+        *std::move(record), *std::move(trials), *std::move(events), *std::move(comments), {}, false};
     auto scores = ScoreRepository(connection, actor).scores(id);
     if (scores) {
         session.scores = *std::move(scores);
@@ -117,7 +135,7 @@ core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
         held.failedLogins = static_cast<int>(credential->integer(1));
     }
     for (const SessionSummary& summary : *sessions) {
-        auto session = sessionOf(m_connection, m_actor, summary.id);
+        auto session = sessionOf(m_connection, m_actor, summary);
         if (!session) {
             return tl::unexpected(session.error());
         }

@@ -23,6 +23,7 @@ struct PersonSession {
     std::vector<EventRecord> events;
     std::vector<SessionComment> comments;
     std::optional<scoring::ScoreCard> scores;
+    bool sealed = false; ///< a sitting of a blinded study: listed, without content, trials, events and scores, until it is unblinded
 };
 
 /// What is held of somebody as a participant of a study.

@@ -7,6 +7,7 @@
 #include "database/audit/audit_trail.h"
 #include "database/integrity/digested_row.h"
 #include "database/repositories/session_seal.h"
+#include "database/repositories/study_blinding.h"
 
 #include <cmath>
 
@@ -131,6 +132,12 @@ core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring:
 core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std::optional<int> wanted) {
     if (auto allowed = authoriseForSession(m_connection, m_actor, Action::scores, session); !allowed) {
         return tl::unexpected(allowed.error());
+    }
+    const auto closed = isSealedSitting(m_connection, m_actor, session);
+    if (!closed || *closed) {
+        return closed ? core::fail(core::ErrorCode::notFound, "session " + std::to_string(session) +
+                                                                  " is a sitting of a blinded study: its scores come once the study is unblinded")
+                      : tl::unexpected(closed.error());
     }
     auto set = Query::run(
         m_connection,

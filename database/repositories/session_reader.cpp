@@ -4,6 +4,7 @@
 #include "database/access/authorise.h"
 #include "database/query.h"
 #include "database/repositories/chunk_store.h"
+#include "database/repositories/study_blinding.h"
 
 #include <cstdint>
 
@@ -189,11 +190,24 @@ core::Result<std::vector<SessionRecord>> SessionReader::listUnfinished() {
     if (const auto scope = authorise(m_connection, m_actor, Action::listUnfinished); !scope) {
         return tl::unexpected(scope.error());
     }
-    return records("s.state = 'running'", {});
+    auto running = records("s.state = 'running'", {});
+    for (std::size_t i = 0; running && i < running->size(); ++i) {
+        const auto closed = isSealedSitting(m_connection, m_actor, (*running)[i].summary.id);
+        if (!closed) {
+            return tl::unexpected(closed.error());
+        }
+        if (*closed) {
+            (*running)[i].setup.contentJson.clear();
+            (*running)[i].contentSha256.clear();
+        }
+    }
+    return running;
 }
 
 core::Result<SessionRecord> SessionReader::session(SessionId id) {
-    if (auto allowed = authoriseForSession(m_connection, m_actor, Action::session, id); !allowed) {
+    auto allowed = authoriseForSession(m_connection, m_actor, Action::session, id);
+    allowed = allowed ? mayOpenSitting(m_connection, m_actor, id) : allowed;
+    if (!allowed) {
         return tl::unexpected(allowed.error());
     }
     auto found = records("s.id = ?", {id});
@@ -206,7 +220,9 @@ core::Result<SessionRecord> SessionReader::session(SessionId id) {
 }
 
 core::Result<std::unique_ptr<recording::ChunkSource>> SessionReader::openChunks(SessionId id) {
-    if (auto allowed = authoriseForSession(m_connection, m_actor, Action::openChunks, id); !allowed) {
+    auto allowed = authoriseForSession(m_connection, m_actor, Action::openChunks, id);
+    allowed = allowed ? mayOpenSitting(m_connection, m_actor, id) : allowed;
+    if (!allowed) {
         return tl::unexpected(allowed.error());
     }
     const auto erased =

@@ -3,6 +3,7 @@
 #include "database/query.h"
 #include "database/repositories/session_reader.h"
 #include "database/repositories/session_rules.h"
+#include "database/repositories/study_blinding.h"
 
 namespace chiron::database {
 namespace {
@@ -11,7 +12,11 @@ namespace {
 template <class T, class Make>
 core::Result<std::vector<T>> rowsOf(Connection& connection, const Actor& actor, Action action, SessionId id,
                                     const std::string& sql, Make make) {
-    if (auto allowed = authoriseForSession(connection, actor, action, id); !allowed) {
+    auto allowed = authoriseForSession(connection, actor, action, id);
+    if (action != Action::comments) { // what people wrote is theirs to read
+        allowed = allowed ? mayOpenSitting(connection, actor, id) : allowed;
+    }
+    if (!allowed) {
         return tl::unexpected(allowed.error());
     }
     auto query = Query::run(connection, sql, {id});

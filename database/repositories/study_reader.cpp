@@ -5,11 +5,13 @@
 #include "database/access/writer_only.h"
 #include "database/audit/audit_trail.h"
 #include "database/query.h"
+#include "database/repositories/study_blinding.h"
 #include "database/repositories/study_rows.h"
 #include "database/repositories/study_rules.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 
 namespace chiron::database {
 namespace {
@@ -88,11 +90,25 @@ core::Result<StudyRecord> StudyReader::studyByKey(const std::string& key) {
     return *id ? study(**id) : core::fail(core::ErrorCode::notFound, "there is no study \"" + key + "\" in the database");
 }
 
+core::Result<std::vector<SealedCondition>> StudyReader::conditionCodes(StudyNumber study) {
+    auto allowed = authoriseForStudy(m_connection, m_actor, Action::conditionCodes, StudyPart::study, study);
+    const auto blinding = allowed ? blindingOf(m_connection, StudyPart::study, study) : tl::unexpected(allowed.error());
+    auto codes = blinding ? sealedConditionRows(m_connection, study) : tl::unexpected(blinding.error());
+    if (!codes || !blinding->designed) {
+        return codes;
+    }
+    std::sort(codes->begin(), codes->end(),
+              [](const SealedCondition& a, const SealedCondition& b) { return a.sealedCode < b.sealedCode; });
+    for (SealedCondition& each : *codes) {
+        each.condition = blinding->on ? std::string() : std::move(each.condition);
+    }
+    return codes;
+}
+
 core::Result<std::vector<SealedCondition>> StudyReader::sealedConditions(StudyNumber study) {
-    return permittedRows<SealedCondition>(
-        m_connection, m_actor, Action::sealedConditions, StudyPart::study, study,
-        "SELECT condition, sealed_code FROM study_condition WHERE study_id = ? ORDER BY ordinal",
-        [](const Query& row) { return SealedCondition{row.text(0), row.text(1)}; });
+    auto done = mayWriteStudy(m_connection, m_actor, Action::sealedConditions, StudyPart::study, study);
+    done = done ? appendAudit(m_connection, m_actor, {"sealedConditions", "study", study, std::nullopt, "{}"}) : done;
+    return done ? sealedConditionRows(m_connection, study) : tl::unexpected(done.error());
 }
 
 core::Result<std::vector<Participant>> StudyReader::participants(StudyNumber study) {
@@ -115,12 +131,12 @@ core::Result<Participant> StudyReader::participantByCode(StudyNumber study, cons
 
 core::Result<std::vector<StudyRun>> StudyReader::runs(ParticipantNumber participant) {
     auto allowed = authoriseForStudy(m_connection, m_actor, Action::runs, StudyPart::participant, participant);
-    return allowed ? runRows(m_connection, participant) : tl::unexpected(allowed.error());
+    return allowed ? shownRuns(m_connection, participant) : tl::unexpected(allowed.error());
 }
 
 core::Result<std::vector<StudyTrial>> StudyReader::studyTrials(StudyRunNumber run) {
     auto allowed = authoriseForStudy(m_connection, m_actor, Action::studyTrials, StudyPart::run, run);
-    return allowed ? studyTrialRows(m_connection, run) : tl::unexpected(allowed.error());
+    return allowed ? shownTrials(m_connection, run) : tl::unexpected(allowed.error());
 }
 
 core::Result<std::vector<QuestionnaireAnswer>> StudyReader::questionnaireAnswers(StudyNumber study) {

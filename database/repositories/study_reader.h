@@ -10,7 +10,7 @@
 
 namespace chiron::database {
 
-/// Reads studies, on any connection but for participantKeys. Researchers and administrators read all of them, by codes; nobody logged
+/// Reads studies, on any connection but for participantKeys and sealedConditions. Researchers and administrators read all of them, by codes; nobody logged
 /// in and the simulated account read those of the simulated account. Failure: notAllowed, notFound, storage.
 class StudyReader {
 public:
@@ -21,11 +21,17 @@ public:
     core::Result<StudyRecord> study(StudyNumber study);
     /// The one of this key that the actor may read: a person's before the simulated account's. For those who read only simulated ones: theirs.
     core::Result<StudyRecord> studyByKey(const std::string& key);
-    core::Result<std::vector<SealedCondition>> sealedConditions(StudyNumber study); ///< in the design's order; empty for a draft
+    /// The conditions of a frozen study. While it is blinded: codes without conditions, by code; a design that blinds stays in that order
+    /// when it is unblinded, so that nobody's order of conditions changes. Others: in the design's order. Empty for a draft.
+    core::Result<std::vector<SealedCondition>> conditionCodes(StudyNumber study);
+    /// Which code is which condition, in the design's order; the study's author and administrators alone. The look is audited, so it
+    /// needs a writer's job, as participantKeys does.
+    core::Result<std::vector<SealedCondition>> sealedConditions(StudyNumber study);
     core::Result<std::vector<Participant>> participants(StudyNumber study);
     core::Result<Participant> participantByCode(StudyNumber study, const std::string& code); ///< case and "-" do not matter
-    core::Result<std::vector<StudyRun>> runs(ParticipantNumber participant); ///< in the order begun
-    core::Result<std::vector<StudyTrial>> studyTrials(StudyRunNumber run);   ///< by ordinal
+    /// In the order begun; by sealed codes, without conditions, while the study is blinded: for everybody.
+    core::Result<std::vector<StudyRun>> runs(ParticipantNumber participant);
+    core::Result<std::vector<StudyTrial>> studyTrials(StudyRunNumber run); ///< by ordinal; while blinded without what tells conditions apart
     core::Result<std::vector<QuestionnaireAnswer>> questionnaireAnswers(StudyNumber study);
     /// Who the codes are; the study's author and administrators alone. The look is audited, so it needs a writer's job
     /// (database.write); the erased are left out. Failure: wrongUse on a reader's connection.

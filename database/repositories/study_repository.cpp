@@ -12,6 +12,7 @@
 #include "database/repositories/study_rules.h"
 
 #include <QRegularExpression>
+#include <algorithm>
 #include <set>
 
 // Designing: drafts, freezing, closing, unblinding. Participants are in study_participants.cpp, runs in study_runs.cpp.
@@ -61,6 +62,24 @@ core::Result<void> sealConditions(Connection& connection, const StoredStudy& stu
     return {};
 }
 
+// What cannot be blinded: an order that is the design's, and exercises that any list of sessions names.
+core::Result<void> canBeBlind(const psychophysics::StudyDesign& design) {
+    if (!design.blindExperimenter || design.conditions.size() < 2) {
+        return {};
+    }
+    if (design.order == psychophysics::OrderDesign::fixed) {
+        return core::fail(core::ErrorCode::badInput, "study " + design.id + ": $.order: \"fixed\": expected another order where "
+                                                         "experimenters are blind: a fixed one tells which code is which condition");
+    }
+    const auto apex = [](const psychophysics::Condition& each) { return each.stimulus.attribute == psychophysics::Attribute::apex; };
+    const auto apexes = std::count_if(design.conditions.begin(), design.conditions.end(), apex);
+    if (apexes != 0 && apexes != static_cast<std::ptrdiff_t>(design.conditions.size())) {
+        return core::fail(core::ErrorCode::badInput, "study " + design.id + ": $.conditions: \"apex\" beside other attributes: expected "
+                                                         "one exercise where experimenters are blind: the list of sessions names it");
+    }
+    return {};
+}
+
 // What is frozen: the design as the program understands it, written out. A study that could not be run is not frozen.
 core::Result<std::string> frozenJson(const StoredStudy& study) {
     const auto design = catalogue::readStudy(QByteArray::fromStdString(study.designJson), "study " + study.key);
@@ -70,6 +89,9 @@ core::Result<std::string> frozenJson(const StoredStudy& study) {
     if (design->id != study.key) {
         return core::fail(core::ErrorCode::badInput, "study " + study.key + ": $.id: \"" + design->id + "\": expected \"" +
                                                          study.key + "\", the key it was made with");
+    }
+    if (auto blind = canBeBlind(*design); !blind) {
+        return tl::unexpected(blind.error());
     }
     return catalogue::studyJson(*design).toStdString();
 }

@@ -26,7 +26,8 @@ public:
     core::Result<void> saveDraft(StudyNumber study, const std::string& designJson);
     /// The design can never be changed again. It must read as a study (catalogue::readStudy) whose id is the key. Returns the SHA-256
     /// (64 hex digits) of its canonical JSON, which the audit chain keeps, too. Gives each condition its sealed code. Failure:
-    /// badInput with every fault of the design; wrongUse when it is frozen already.
+    /// badInput with every fault of the design, and where it blinds experimenters to what cannot be blinded (conditions in a fixed order,
+    /// an apex beside other attributes); wrongUse when it is frozen already.
     core::Result<std::string> freezeStudy(StudyNumber study);
     /// No more participants and runs; open runs can still be finished. Failure: wrongUse unless frozen.
     core::Result<void> closeStudy(StudyNumber study);
@@ -50,6 +51,10 @@ public:
     /// password: AccountService::eraseParticipant.
     core::Result<void> withdrawParticipant(ParticipantNumber participant, bool eraseRecordings);
 
+    /// What it takes to run this condition (its id; while the study is blinded its sealed code) with this participant, or to go on with
+    /// the open run: the condition, which whoever renders it must know. Of one condition at a time, and audited while the study is
+    /// blinded. Failure: as beginRun; wrongUse when the condition is completed.
+    core::Result<ConductedRun> conductRun(ParticipantNumber participant, const std::string& condition);
     /// Failure: wrongUse without consent (simulated excepted), withdrawn or completed, study not frozen, or with an open or completed
     /// run of this condition: an open one is resumed, a stopped one may be begun again.
     core::Result<StudyRunNumber> beginRun(const NewStudyRun& run);

@@ -91,6 +91,12 @@ core::Result<std::vector<Participant>> participantRows(Connection& connection, c
         values, participantOf);
 }
 
+core::Result<std::vector<SealedCondition>> sealedConditionRows(Connection& connection, StudyNumber study) {
+    return rowsOf<SealedCondition>(connection,
+                                   "SELECT condition, sealed_code FROM study_condition WHERE study_id = ? ORDER BY ordinal",
+                                   {study}, [](const Query& row) { return SealedCondition{row.text(0), row.text(1)}; });
+}
+
 core::Result<std::vector<StudyRun>> runRows(Connection& connection, ParticipantNumber participant) {
     return rowsOf<StudyRun>(connection,
                             "SELECT id, participant_id, condition, sealed_code, position, seed, procedures, state, "

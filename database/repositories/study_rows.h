@@ -31,6 +31,8 @@ core::Result<std::vector<T>> rowsOf(Connection& connection, const std::string& s
 /// Participants (alias p of study_participant), by number.
 core::Result<std::vector<Participant>> participantRows(Connection& connection, const std::string& where,
                                                        const std::vector<Value>& values);
+/// Codes with their conditions, in the design's order.
+core::Result<std::vector<SealedCondition>> sealedConditionRows(Connection& connection, StudyNumber study);
 core::Result<std::vector<StudyRun>> runRows(Connection& connection, ParticipantNumber participant);
 core::Result<std::vector<StudyTrial>> studyTrialRows(Connection& connection, StudyRunNumber run);
 /// Answers (alias a) of participants (alias p), by participant, in the order given.

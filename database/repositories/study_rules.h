@@ -50,6 +50,12 @@ struct StoredParticipant {
 };
 core::Result<StoredParticipant> storedParticipant(Connection& connection, ParticipantNumber participant);
 
+/// Failure: wrongUse unless this participant may do a run now.
+core::Result<void> mayRun(const StoredParticipant& who);
+/// The condition of this sealed code; while the study is not blinded also of this id (by that, what is begun would tell its code).
+/// Failure: badInput.
+core::Result<SealedCondition> namedCondition(Connection& connection, const StoredStudy& study, const std::string& name);
+
 /// A design as stored: read by its keys alone, so that a later program's stricter rules refuse no old study. Failure: badInput.
 core::Result<QJsonObject> designObject(const std::string& json);
 /// Ids of the conditions, in order.

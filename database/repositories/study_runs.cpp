@@ -21,23 +21,11 @@ core::Result<void> bad(const std::string& message) {
     return core::fail(core::ErrorCode::badInput, message);
 }
 
-core::Result<void> mayRun(const StoredParticipant& who) {
-    const bool may = who.state == ParticipantState::consented ||
-                     (who.simulated && who.state == ParticipantState::enrolled);
-    if (may) {
-        return {};
-    }
-    return core::fail(core::ErrorCode::wrongUse,
-                      "participant " + who.code + " is " + std::string(token(who.state)) +
-                          (who.state == ParticipantState::enrolled ? ": the consent must be recorded before a run"
-                                                                   : ": expected one who still takes part"));
-}
-
 // One open or completed run of a condition; a stopped one may be begun again.
-core::Result<void> notYetRun(Connection& connection, const NewStudyRun& run) {
+core::Result<void> notYetRun(Connection& connection, const NewStudyRun& run, const std::string& condition) {
     auto query = Query::run(
         connection, "SELECT id, state FROM study_run WHERE participant_id = ? AND condition = ? AND state <> 'stopped'",
-        {run.participant, run.condition});
+        {run.participant, condition});
     const auto row = query ? query->next() : tl::unexpected(query.error());
     if (!row) {
         return tl::unexpected(row.error());
@@ -158,14 +146,13 @@ core::Result<StudyRunNumber> StudyRepository::beginRun(const NewStudyRun& run) {
     if (!study) {
         return tl::unexpected(study.error());
     }
-    const auto sealed = selectText(m_connection, "SELECT sealed_code FROM study_condition WHERE study_id = ? AND condition = ?",
-                                   {who->study, run.condition});
+    const auto named = namedCondition(m_connection, *study, run.condition);
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM study_run");
-    if (!sealed || !last) {
-        return tl::unexpected(!sealed ? sealed.error() : last.error());
+    if (!named || !last) {
+        return tl::unexpected(!named ? named.error() : last.error());
     }
-    good = *sealed ? mayRun(*who) : bad("condition \"" + run.condition + "\": expected one of study " + study->key);
-    good = good ? notYetRun(m_connection, run) : good;
+    good = mayRun(*who);
+    good = good ? notYetRun(m_connection, run, named->condition) : good;
     good = good ? checkText("procedures", run.procedures, 1000) : good;
     if (good && (run.procedures.empty() || run.position < 0 || run.position > 1000)) {
         good = bad("run: expected the procedures' ids and a position from 0");
@@ -177,8 +164,8 @@ core::Result<StudyRunNumber> StudyRepository::beginRun(const NewStudyRun& run) {
     const auto row = insertRow(m_connection, "study_run",
                                {{"id", id},
                                 {"participant_id", run.participant},
-                                {"condition", run.condition},
-                                {"sealed_code", **sealed},
+                                {"condition", named->condition},
+                                {"sealed_code", named->sealedCode},
                                 {"position", std::int64_t{run.position}},
                                 {"seed", storedFromUnsigned(run.seed)},
                                 {"procedures", run.procedures},

@@ -71,8 +71,8 @@ struct ParticipantKey {
 struct StudyRun {
     StudyRunNumber id = 0;
     ParticipantNumber participant = 0;
-    std::string condition;   ///< id in the design
-    std::string sealedCode;  ///< what a blind experimenter is shown instead
+    std::string condition;   ///< id in the design; empty while the study is blinded
+    std::string sealedCode;  ///< what stands for it then
     int position = 0;        ///< from 0, in the participant's order
     std::uint64_t seed = 0;
     std::string procedures;  ///< ids with version, "rank3_quest_plus@1", comma-separated
@@ -84,7 +84,7 @@ struct StudyRun {
 /// What a run begins with.
 struct NewStudyRun {
     ParticipantNumber participant = 0;
-    std::string condition; ///< id in the design
+    std::string condition; ///< id in the design; while the study is blinded its sealed code
     int position = 0;      ///< from 0, in the participant's order
     std::uint64_t seed = 0;
     std::string procedures; ///< as StudyRun::procedures
@@ -97,7 +97,8 @@ struct SealedCondition {
     std::string sealedCode;
 };
 
-/// One presentation, scored or not. Its digest covers all of it; never changed or deleted.
+/// One presentation, scored or not. Its digest covers all of it; never changed or deleted. Read while the study is blinded, it lacks what
+/// would tell conditions apart (study_blinding.h).
 struct StudyTrial {
     StudyRunNumber run = 0;
     int ordinal = 0;            ///< from 0, every presentation of the run counted
@@ -118,6 +119,14 @@ struct StudyTrial {
     std::string spoiled;        ///< empty: scored; else why not: "force_error", "late_ticks", "saturation", "speed", "time", "experimenter", "stopped", ...
     std::string fidelityJson = "{}"; ///< canonical; session::TrialFidelity
     std::string utc;
+};
+
+/// What it takes to run one condition with one participant: also while the study is blinded, for whoever conducts the run.
+struct ConductedRun {
+    std::string condition; ///< id in the design
+    std::string sealedCode;
+    std::optional<StudyRun> open;   ///< to be gone on with
+    std::vector<StudyTrial> trials; ///< of the open run, complete
 };
 
 /// One answer to one question. Overwritten by an erasure: then neither number nor text.

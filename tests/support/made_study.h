@@ -89,6 +89,19 @@ inline database::Participant addParticipant(DesktopFixture& desktop, const datab
 inline constexpr const char* kGoodFidelity = R"({"contacts":5,"duration_s":7.3,"force_error_rms_N":0.03,"late_ticks":0.0004,"mean_speed_m_per_s":0.041,)"
                                              R"("measured":true,"outside":"","peak_force_N":1.9,"places":[],"saturated":0,"stiffness_error":0.031,"worst_lateness_us":180})";
 
+/// What a condition goes by until its study is unblinded, where experimenters are blind. By the study's author, who may look.
+inline std::string labelOf(DesktopFixture& desktop, const database::Actor& author, const psychophysics::StudyDesign& design, database::StudyNumber study,
+                           const std::string& condition) {
+    if (!design.blindExperimenter)
+        return condition;
+    const auto all = desktop.context.site().database().write(
+        [&](database::WriteContext& context) { return database::StudyReader(context.connection(), author).sealedConditions(study); });
+    for (const database::SealedCondition& each : all.value_or(std::vector<database::SealedCondition>{}))
+        if (each.condition == condition)
+            return each.sealedCode;
+    qFatal("no code of %s", condition.c_str());
+}
+
 /// A completed run of rankings, answered by a simulated observer without rendering. Every ninth presentation is spoiled.
 inline void addRun(DesktopFixture& desktop, const database::Actor& actor, const psychophysics::StudyDesign& design, const database::Participant& participant,
                    const std::string& condition, double weber, std::uint64_t seed) {
@@ -96,7 +109,7 @@ inline void addRun(DesktopFixture& desktop, const database::Actor& actor, const 
     if (!progress)
         qFatal("%s", progress.error().message.c_str());
     psychophysics::SimulatedObserver observer({.weber = weber, .lapse = 0.02}, seed);
-    const database::NewStudyRun asked{participant.id, condition, 0, seed, progress->procedureIds()};
+    const database::NewStudyRun asked{participant.id, labelOf(desktop, actor, design, participant.study, condition), 0, seed, progress->procedureIds()};
     const auto run = *writeAs(desktop, actor, [&](database::StudyRepository& studies) { return studies.beginRun(asked); });
     for (int ordinal = 0; !progress->done(); ++ordinal) {
         if (progress->breakDue())

@@ -48,9 +48,9 @@ QJsonObject groupJson(const GroupEstimate& g, bool blinded) {
     return json;
 }
 
-/// A condition's name, or its sealed code: every run carries it.
-QString labelOf(const session::AnalysedCondition& condition, bool blinded) {
-    return blinded ? text(condition.runs.front().run.sealedCode) : text(condition.condition);
+/// A condition's id, or its sealed code.
+QString labelOf(const session::AnalysedCondition& condition) {
+    return text(condition.condition);
 }
 
 struct Told {
@@ -121,16 +121,16 @@ core::Result<CommandOutput> analyseStudies(const Arguments& arguments) {
     auto analysis = session::analyseStudy(reader, study->number(), *seed);
     if (!analysis)
         return tl::unexpected(analysis.error());
-    const bool blinded = analysis->design.blindExperimenter && !analysis->record.summary.unblinded;
+    const bool blinded = analysis->blind();
     auto& conditions = analysis->conditions;
     std::erase_if(conditions, [](const auto& each) { return each.runs.empty(); });
     if (blinded) // neither the design's order nor that of enrolment shows
-        std::sort(conditions.begin(), conditions.end(), [](const auto& a, const auto& b) { return labelOf(a, true) < labelOf(b, true); });
+        std::sort(conditions.begin(), conditions.end(), [](const auto& a, const auto& b) { return labelOf(a) < labelOf(b); });
     Told told;
     told.marks = apexTable(blinded);
     for (const session::AnalysedCondition& condition : conditions) {
-        tellRuns(told, condition, labelOf(condition, blinded), blinded);
-        tellGroup(told, condition, labelOf(condition, blinded), blinded);
+        tellRuns(told, condition, labelOf(condition), blinded);
+        tellGroup(told, condition, labelOf(condition), blinded);
     }
     return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"sha256", text(sha256)}, {"blinded", blinded},
                                                    {"conditions", told.conditions}, {"runs", told.runs}}),

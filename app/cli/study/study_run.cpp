@@ -236,12 +236,18 @@ core::Result<CommandOutput> rerunStudy(const Arguments& arguments) {
     const auto data = session::gatherStudy(reader, study->number());
     if (!data)
         return tl::unexpected(data.error());
+    if (data->blinded && !data->blinding.analysable())
+        return core::fail(core::ErrorCode::wrongUse, "study \"" + study->record.summary.key + "\" is blinded and its conditions differ: expected it to be unblinded first");
     QJsonArray runs;
     bool identical = true;
     TextTable table({"participant", "condition", ">trials", ">same", ">ties", "first difference"});
     for (const session::ExportedParticipant& each : data->participants) {
         for (const session::ExportedRun& run : each.runs) {
-            const auto again = session::rerunChoices(*data->design, run.run, run.trials);
+            if (run.run.procedures.empty()) // sealed with the limit of the device
+                continue;
+            database::StudyRun byStandIn = run.run;
+            byStandIn.condition = run.condition->id;
+            const auto again = session::rerunChoices(*data->design, byStandIn, run.trials);
             if (!again)
                 return tl::unexpected(again.error());
             const bool same = again->same + again->ties == again->trials && again->sameProcedures;

@@ -5,6 +5,7 @@
 #include "cli/study/apex_output.h"
 #include "cli/study/study_access.h"
 #include "cli/text_table.h"
+#include "database/repositories/study_blinding.h"
 #include "psychophysics/planning/study_plan.h"
 #include "session/study_export.h"
 
@@ -56,6 +57,21 @@ core::Result<StudyDesign> designOf(const Arguments& arguments) {
                                                      .arg(quoted(arguments.operand(0)), known.join(QStringLiteral(", "))).toStdString());
 }
 
+/// Who may unblind a study may see its conditions before, though not which run had which.
+bool mayUnblind(const database::Actor& actor, const database::StudySummary& study) {
+    return actor.personId() == study.author || actor.roles().contains(database::Role::admin);
+}
+
+core::Result<QJsonArray> codesOf(database::StudyReader reader, database::StudyNumber study) {
+    const auto codes = reader.conditionCodes(study);
+    if (!codes)
+        return tl::unexpected(codes.error());
+    QJsonArray array;
+    for (const database::SealedCondition& each : *codes)
+        array.append(text(each.sealedCode));
+    return array;
+}
+
 } // namespace
 
 core::Result<CommandOutput> listStudies(const Arguments& arguments) {
@@ -94,7 +110,19 @@ core::Result<CommandOutput> showStudy(const Arguments& arguments) {
         table.add({participant["code"].toString(), QString::number(each.order), participant["state"].toString(), participant["observer"].toString()});
     }
     json.insert("participant_list", list);
-    json.insert("design", QJsonDocument::fromJson(QByteArray::fromStdString(study->record.designJson)).object());
+    const auto blinding = database::blindingOf(study->record.designJson, study->record.summary.unblinded);
+    if (!blinding)
+        return tl::unexpected(blinding.error());
+    json.insert("blinded", blinding->on);
+    const bool draft = study->record.summary.state == database::StudyState::draft;
+    if (draft || !blinding->on || mayUnblind(study->site.actor, study->record.summary)) {
+        json.insert("design", QJsonDocument::fromJson(QByteArray::fromStdString(study->record.designJson)).object());
+    } else {
+        auto codes = codesOf(study->reader(), study->number());
+        if (!codes)
+            return tl::unexpected(codes.error());
+        json.insert("conditions", std::move(*codes));
+    }
     const QString head = alignedPairs({{"study", json["key"].toString()}, {"title", json["title"].toString()}, {"state", json["state"].toString()}, {"sha256", json["sha256"].toString()}});
     return CommandOutput{QJsonDocument(json), head + table.toText(), 0};
 }

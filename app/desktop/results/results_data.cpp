@@ -94,7 +94,7 @@ core::Result<std::string> exportOwnData(database::Connection& connection, const 
         if (!progress(static_cast<double>(done++) / static_cast<double>(everything->sessions.size())))
             return stopped();
         const database::SessionSummary& summary = session.record.summary;
-        if (summary.recordingErased || summary.chunks == 0)
+        if (summary.recordingErased || summary.chunks == 0 || session.sealed)
             continue;
         if (auto written = writeSamples(connection, actor, summary.id, *folder); !written)
             return tl::unexpected(written.error());

@@ -2,7 +2,7 @@
 #include "desktop/studies/study_store.h"
 
 #include "desktop/studies/study_words.h"
-#include "psychophysics/designs/latin_square.h"
+#include "session/study/study_store.h"
 
 namespace chiron::desktop {
 
@@ -14,7 +14,7 @@ core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::Study
     if (!design)
         return tl::unexpected(design.error());
     OpenStudy open{std::move(record->summary), std::move(*design), {}, {}, {}};
-    auto sealed = reader.sealedConditions(study);
+    auto sealed = reader.conditionCodes(study);
     if (!sealed)
         return tl::unexpected(sealed.error());
     open.sealed = std::move(*sealed);
@@ -35,19 +35,29 @@ core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::Study
     return open;
 }
 
-QString conditionName(const OpenStudy& study, const std::string& condition, const QString& language) {
-    if (study.blind())
-        for (const database::SealedCondition& sealed : study.sealed)
-            if (sealed.condition == condition)
-                return QString::fromStdString(sealed.sealedCode);
+QString conditionName(const OpenStudy& study, const std::string& label, const QString& language) {
     for (const psychophysics::Condition& each : study.design.conditions)
-        if (each.id == condition)
+        if (!study.blind() && each.id == label)
             return study_words::text(each.title, language);
-    return QString::fromStdString(condition);
+    return QString::fromStdString(label);
 }
 
-std::vector<int> conditionOrder(const psychophysics::StudyDesign& design, int row) {
-    return psychophysics::orderFor(design.order, static_cast<int>(design.conditions.size()), row, design.seed);
+bool looksForApex(const OpenStudy& study, const std::string& label) {
+    for (const psychophysics::Condition& each : study.design.conditions)
+        if (study.blind() || each.id == label)
+            return each.stimulus.attribute == psychophysics::Attribute::apex;
+    return false;
+}
+
+std::vector<std::string> conditionLabels(const OpenStudy& study) {
+    std::vector<std::string> labels;
+    if (study.blind())
+        for (const database::SealedCondition& each : study.sealed)
+            labels.push_back(session::labelOf(each));
+    else
+        for (const psychophysics::Condition& each : study.design.conditions)
+            labels.push_back(each.id);
+    return labels;
 }
 
 } // namespace chiron::desktop

@@ -56,7 +56,7 @@ struct ParticipantRow {
 struct OpenStudy {
     database::StudySummary summary;
     psychophysics::StudyDesign design;
-    std::vector<database::SealedCondition> sealed;
+    std::vector<database::SealedCondition> sealed; ///< StudyReader::conditionCodes
     std::vector<ParticipantRow> participants;
     std::set<std::pair<database::ParticipantNumber, std::string>> answered; ///< who has answered which questionnaire
 
@@ -68,9 +68,11 @@ struct OpenStudy {
 /// Blocking. Failure: the reader's; badInput where the stored design does not read.
 core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::StudyNumber study);
 
-/// What a condition is called on an experimenter's screen: its title, or its sealed code.
-QString conditionName(const OpenStudy& study, const std::string& condition, const QString& language);
-/// The conditions of a participant in their order (row of the order design), as indices into design.conditions.
-std::vector<int> conditionOrder(const psychophysics::StudyDesign& design, int row);
+/// What a condition is called on an experimenter's screen: its title, or its sealed code. `label`: session::labelOf.
+QString conditionName(const OpenStudy& study, const std::string& label, const QString& language);
+/// Whether an apex is looked for in the condition of this label; known while blind, too: in all of them or in none.
+bool looksForApex(const OpenStudy& study, const std::string& label);
+/// Labels of the conditions as their analysis lists them: the design's order, while blind by code.
+std::vector<std::string> conditionLabels(const OpenStudy& study);
 
 } // namespace chiron::desktop

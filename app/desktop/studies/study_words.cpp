@@ -240,7 +240,8 @@ QString spoiled(std::string_view token) {
                                                     {"time", Words::tr("Time was up")},
                                                     {"untouched", Words::tr("Not all were touched")},
                                                     {"experimenter", Words::tr("Spoiled by the experimenter")},
-                                                    {"stopped", Words::tr("Stopped")}};
+                                                    {"stopped", Words::tr("Stopped")},
+                                                    {"withheld", Words::tr("Sealed reason")}};
     return oneOf(words, token);
 }
 

@@ -62,9 +62,9 @@ ApexPage::ApexPage(AppContext& app, const StudyFacts& facts, const RunFacts& run
 QWidget* ApexPage::chooser() {
     auto* bar = new QWidget;
     auto* row = new FlowLayout(m_app.theme().px(8), bar);
-    const auto& conditions = m_facts.study.design.conditions;
-    for (std::size_t i = 0; i < conditions.size(); ++i) {
-        auto* button = kit::button(m_app.theme(), conditionName(m_facts.study, conditions[i].id, m_app.language()));
+    const std::vector<std::string> labels = conditionLabels(m_facts.study);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        auto* button = kit::button(m_app.theme(), conditionName(m_facts.study, labels[i], m_app.language()));
         button->setObjectName(QStringLiteral("data.condition.%1").arg(i));
         button->setCheckable(true);
         button->setChecked(i == m_condition);

@@ -35,7 +35,7 @@ GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condi
     column->addWidget(groupBox());
     column->addWidget(plotBox());
     column->addWidget(tableBox());
-    if (facts.study.design.conditions[condition].task == psychophysics::Task::rank3)
+    if (facts.asks(condition, psychophysics::Task::rank3))
         column->addWidget(new RankingBox(app, facts.rankings[condition], RankingBox::Of::group));
 }
 
@@ -50,9 +50,9 @@ std::vector<const RunFacts*> GroupPage::runs() const {
 QWidget* GroupPage::chooser() {
     auto* bar = new QWidget;
     auto* row = new FlowLayout(m_app.theme().px(8), bar);
-    const auto& conditions = m_facts.study.design.conditions;
-    for (std::size_t i = 0; i < conditions.size(); ++i) {
-        auto* button = kit::button(m_app.theme(), conditionName(m_facts.study, conditions[i].id, m_app.language()));
+    const std::vector<std::string> labels = conditionLabels(m_facts.study);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        auto* button = kit::button(m_app.theme(), conditionName(m_facts.study, labels[i], m_app.language()));
         button->setObjectName(QStringLiteral("data.condition.%1").arg(i));
         button->setCheckable(true);
         button->setChecked(i == m_condition);
@@ -77,8 +77,9 @@ QWidget* GroupPage::groupBox() {
         words << tr("95 %: %1").arg(interval);
     if (!next.isEmpty())
         words << tr("a further participant: %1").arg(next);
-    if (!m_facts.study.blind() && std::isfinite(group.jnd))
-        words << tr("JND %1").arg(study_words::value(group.jnd, m_facts.study.design.conditions[m_condition].stimulus.attribute, locale));
+    const auto& designed = m_facts.designed[m_condition];
+    if (!m_facts.study.blind() && designed && std::isfinite(group.jnd))
+        words << tr("JND %1").arg(study_words::value(group.jnd, designed->stimulus.attribute, locale));
     box.layout->addWidget(kit::label(theme, words.join(QStringLiteral(" · "))));
     addAgreement(*box.layout);
     for (const std::string& warning : group.warnings)
@@ -87,7 +88,7 @@ QWidget* GroupPage::groupBox() {
 }
 
 void GroupPage::addAgreement(QVBoxLayout& layout) const {
-    if (m_facts.study.design.conditions[m_condition].task != psychophysics::Task::rank3)
+    if (!m_facts.asks(m_condition, psychophysics::Task::rank3))
         return;
     int right = 0;
     int of = 0;
@@ -141,7 +142,8 @@ QWidget* GroupPage::tableBox() {
     table->setAccessibleName(tr("Runs"));
     table->setHorizontalHeaderLabels({tr("Code"), tr("Weber fraction"), tr("95 % interval"), tr("JND"), tr("Trials"), tr("Run"), tr("Warnings")});
     const std::vector<const RunFacts*> shown = runs();
-    const psychophysics::Attribute attribute = m_facts.study.design.conditions[m_condition].stimulus.attribute;
+    const bool sealed = m_facts.study.blind() || !m_facts.designed[m_condition];
+    const psychophysics::Attribute attribute = sealed ? psychophysics::Attribute::stiffness : m_facts.designed[m_condition]->stimulus.attribute;
     table->setRowCount(static_cast<int>(shown.size()));
     for (int row = 0; row < table->rowCount(); ++row) {
         const RunFacts& run = *shown[static_cast<std::size_t>(row)];
@@ -153,7 +155,7 @@ QWidget* GroupPage::tableBox() {
         put(codeColumn, QString::fromStdString(m_facts.study.participants[run.participant].participant.code));
         put(weberColumn, study_words::percent(run.estimate.weber, locale));
         put(intervalColumn, study_words::intervalPercent(run.estimate.weber95.low, run.estimate.weber95.high, locale));
-        put(jndColumn, m_facts.study.blind() ? tr("sealed") : study_words::value(run.estimate.jnd, attribute, locale));
+        put(jndColumn, sealed ? tr("sealed") : study_words::value(run.estimate.jnd, attribute, locale));
         put(trialsColumn, run.spoiled > 0 ? tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled)) : locale.toString(run.scored));
         put(stateColumn, study_words::runState(run.run.state));
         QStringList warnings;

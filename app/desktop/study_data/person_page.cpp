@@ -8,6 +8,7 @@
 #include "desktop/study_data/run_choice.h"
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
+#include "session/study/study_store.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -34,7 +35,7 @@ QComboBox* runChoice(AppContext& app, const StudyFacts& facts, const RunFacts* c
     choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     for (const RunFacts& run : facts.runs)
         choice->addItem(QStringLiteral("%1 · %2").arg(QString::fromStdString(facts.study.participants[run.participant].participant.code),
-                                                      conditionName(facts.study, run.run.condition, app.language())),
+                                                      conditionName(facts.study, session::labelOf(run.run), app.language())),
                         qlonglong(run.run.id));
     if (chosen)
         choice->setCurrentIndex(choice->findData(qlonglong(chosen->run.id)));
@@ -56,7 +57,7 @@ PersonPage::PersonPage(AppContext& app, const StudyFacts& facts, database::Study
     column->addWidget(choice, 0, Qt::AlignLeft);
     column->addWidget(estimateBox(*shown));
     column->addWidget(curveBox(*shown));
-    if (facts.study.design.conditions[shown->condition].task == psychophysics::Task::rank3)
+    if (facts.asks(shown->condition, psychophysics::Task::rank3))
         column->addWidget(new RankingBox(app, shown->ranking, RankingBox::Of::person));
 }
 
@@ -64,7 +65,7 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
     const Theme& theme = m_app.theme();
     const QLocale locale = m_app.locale();
     const psychophysics::RunEstimate& estimate = run.estimate;
-    const psychophysics::Condition& condition = m_facts.study.design.conditions[run.condition];
+    const std::optional<psychophysics::Condition>& condition = m_facts.designed[run.condition];
     const kit::Box box = kit::box(theme);
     auto* grid = new FieldGrid(theme, locale, true);
     const auto fact = [&](const QString& name, const QString& value, const QString& interval) {
@@ -78,20 +79,22 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
         grid->cell(part);
     };
     fact(tr("Weber fraction"), study_words::percent(estimate.weber, locale), study_words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale));
-    if (!m_facts.study.blind()) {
-        const double perWeber = condition.stimulus.reference * study_words::unitOf(condition.stimulus.attribute).factor;
-        fact(tr("JND at the reference"), study_words::value(estimate.jnd, condition.stimulus.attribute, locale),
+    if (!m_facts.study.blind() && condition) {
+        const psychophysics::StimulusDesign& stimulus = condition->stimulus;
+        const double perWeber = stimulus.reference * study_words::unitOf(stimulus.attribute).factor;
+        fact(tr("JND at the reference"), study_words::value(estimate.jnd, stimulus.attribute, locale),
              study_words::interval(estimate.weber95.low * perWeber, estimate.weber95.high * perWeber, locale));
         if (std::isfinite(estimate.pse)) {
-            const double factor = study_words::unitOf(condition.stimulus.attribute).factor;
-            fact(tr("Point of equality"), study_words::value(estimate.pse, condition.stimulus.attribute, locale),
+            const double factor = study_words::unitOf(stimulus.attribute).factor;
+            fact(tr("Point of equality"), study_words::value(estimate.pse, stimulus.attribute, locale),
                  study_words::interval(estimate.pse95.low * factor, estimate.pse95.high * factor, locale));
         }
     }
     fact(tr("Internal noise, log10"), study_words::number(estimate.sigma_log10, locale), study_words::interval(estimate.sigma95.low, estimate.sigma95.high, locale));
     box.layout->addWidget(grid);
     box.layout->addWidget(kit::label(theme, tr("%1. %2. %3 scored trials, %4 repeated. %5")
-                                                .arg(study_words::task(condition.task), study_words::procedure(run.run.procedures), locale.toString(run.scored),
+                                                .arg(condition ? study_words::task(condition->task) : QStringLiteral("–"),
+                                                     run.run.procedures.empty() ? QStringLiteral("–") : study_words::procedure(run.run.procedures), locale.toString(run.scored),
                                                      locale.toString(run.spoiled), QString::fromStdString(estimate.method)),
                                      TextStyle::small, "muted"));
     const session::ReplayedChoices& again = run.replayed;

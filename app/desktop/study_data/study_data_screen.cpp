@@ -89,7 +89,7 @@ void StudyDataScreen::loaded(core::Result<StudyFacts> facts) {
         return;
     }
     m_facts = std::move(*facts);
-    m_condition = std::min(m_condition, m_facts.study.design.conditions.size() - 1);
+    m_condition = std::min(m_condition, m_facts.groups.size() - 1);
     build();
     m_panel->showContent();
 }

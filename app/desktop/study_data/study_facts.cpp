@@ -30,8 +30,10 @@ core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::Stu
     auto analysis = session::analyseStudy(reader, study, open->design.seed);
     if (!analysis)
         return tl::unexpected(analysis.error());
-    StudyFacts facts{std::move(*open), {}, {}, {}, {}};
+    StudyFacts facts;
+    facts.study = std::move(*open);
     for (std::size_t i = 0; i < analysis->conditions.size(); ++i) {
+        facts.designed.push_back(analysis->designed(i) ? std::optional(*analysis->designed(i)) : std::nullopt);
         facts.groups.push_back(analysis->conditions[i].group);
         facts.rankings.push_back(analysis->conditions[i].ranking);
         facts.apexes.push_back(apexFacts(analysis->conditions[i]));

@@ -13,7 +13,7 @@ namespace chiron::desktop {
 /// One run with what it says.
 struct RunFacts {
     std::size_t participant = 0; ///< in OpenStudy::participants
-    std::size_t condition = 0;   ///< in the design's conditions
+    std::size_t condition = 0;   ///< place in conditionLabels(), which is not the design's while blind
     database::StudyRun run;
     std::vector<database::StudyTrial> trials;
     psychophysics::RunEstimate estimate;
@@ -34,10 +34,15 @@ struct ApexFacts {
 struct StudyFacts {
     OpenStudy study;
     std::vector<RunFacts> runs;
-    std::vector<psychophysics::GroupEstimate> groups; ///< of each condition of the design
-    std::vector<psychophysics::RankingSummary> rankings; ///< the same, where its task is rank3
+    // Of each of conditionLabels():
+    std::vector<psychophysics::GroupEstimate> groups;
+    std::vector<psychophysics::RankingSummary> rankings; ///< where its task is rank3
+    std::vector<std::optional<ApexFacts>> apexes;
+    std::vector<std::optional<psychophysics::Condition>> designed; ///< what it is analysed by: StudyAnalysis::designed()
     std::vector<database::QuestionnaireAnswer> answers;
-    std::vector<std::optional<ApexFacts>> apexes{}; ///< of each condition of the design
+
+    /// The task of a condition; unknown while blind where conditions differ.
+    bool asks(std::size_t condition, psychophysics::Task task) const { return designed[condition] && designed[condition]->task == task; }
 };
 
 /// Reads a study and analyses it as exports and reports do (session::analyseStudy), with the study's own seed. Blocking: a worker's task.

@@ -50,7 +50,7 @@ QWidget* TrialsPageOfRun::table(const RunFacts& run) const {
     shown->setAccessibleName(tr("Trials"));
     shown->setHorizontalHeaderLabels({tr("No."), tr("Difference"), tr("Answer"), tr("Counts"), tr("Time (s)"), tr("Peak force (N)"), tr("Speed (mm/s)"),
                                       tr("Late ticks"), tr("Felt value off by")});
-    const psychophysics::Task task = m_facts.study.design.conditions[run.condition].task;
+    const std::optional<psychophysics::Condition>& condition = m_facts.designed[run.condition];
     shown->setRowCount(static_cast<int>(run.trials.size()));
     for (int row = 0; row < shown->rowCount(); ++row) {
         const database::StudyTrial& trial = run.trials[static_cast<std::size_t>(row)];
@@ -62,7 +62,7 @@ QWidget* TrialsPageOfRun::table(const RunFacts& run) const {
         };
         put(numberColumn, locale.toString(trial.ordinal + 1));
         put(differenceColumn, study_words::percent(study_words::ratioOf(trial.difference), locale));
-        const int right = trial.arrangement >= 0 ? psychophysics::correctAnswer(task, trial.arrangement) : -1;
+        const int right = trial.arrangement >= 0 && condition ? psychophysics::correctAnswer(condition->task, trial.arrangement) : -1;
         put(answerColumn, trial.value              ? study_words::number(*trial.value, locale)
                           : trial.answer < 0       ? tr("none")
                           : right < 0              ? tr("given")

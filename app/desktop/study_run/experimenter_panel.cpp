@@ -66,8 +66,7 @@ QPushButton* ExperimenterPanel::add(const char* name, const QString& text, const
 
 void ExperimenterPanel::show(const session::LiveStudyView& view, const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition) {
     using State = session::LiveStudyView::State;
-    const bool blind = numbers.condition != condition.id;
-    m_what->setText(blind ? tr("Condition %1 (sealed)").arg(QString::fromStdString(numbers.sealedCode)) : QString::fromStdString(numbers.condition));
+    m_what->setText(numbers.blind ? tr("Condition %1 (sealed)").arg(QString::fromStdString(numbers.sealedCode)) : QString::fromStdString(numbers.condition));
     const QString most = view.ofAtMost > 0 ? tr("%1 of at most %2 trials").arg(m_locale.toString(numbers.scored), m_locale.toString(view.ofAtMost))
                                            : tr("%n trial(s)", nullptr, numbers.scored);
     m_progress->setText(view.practice ? tr("Practice, not scored. %1").arg(most) : tr("%1, %2 repeated").arg(most, m_locale.toString(numbers.spoiled)));
@@ -79,7 +78,7 @@ void ExperimenterPanel::show(const session::LiveStudyView& view, const session::
     m_seen = seen;
     m_fidelity->setText(fidelityText(numbers));
     takeEstimates(numbers, condition);
-    if (blind)
+    if (numbers.blind)
         m_estimate->setText(tr("The estimate stays sealed until the study is unblinded."));
     else
         draw(condition);
@@ -91,6 +90,18 @@ QString ExperimenterPanel::fidelityText(const session::LiveStudyNumbers& numbers
     const session::TrialFidelity& trial = numbers.lastFidelity;
     QStringList words;
     words << (numbers.lastSpoiled.empty() ? tr("Last trial: counted.") : tr("Last trial: repeated. %1.").arg(study_words::spoiled(numbers.lastSpoiled)));
+    words << (std::isfinite(trial.peakForce_N) ? forceText(trial)
+                                               : tr("Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would tell the condition.")
+                                                     .arg(study_words::number(1e3 * trial.meanSpeed_m_per_s, m_locale), m_locale.toString(trial.contacts),
+                                                          study_words::number(trial.duration_s, m_locale), study_words::percent(trial.lateTicks, m_locale)));
+    if (numbers.limited)
+        words << tr("The device cannot render all differences: %n are left.", nullptr, numbers.candidates);
+    words << delayText(numbers.limits);
+    return words.join(QLatin1Char('\n'));
+}
+
+QString ExperimenterPanel::forceText(const session::TrialFidelity& trial) const {
+    QStringList words;
     words << tr("Peak force %1 N, mean speed %2 mm/s, %3 contacts, %4 s.")
                  .arg(study_words::number(trial.peakForce_N, m_locale), study_words::number(1e3 * trial.meanSpeed_m_per_s, m_locale),
                       m_locale.toString(trial.contacts), study_words::number(trial.duration_s, m_locale));
@@ -98,9 +109,6 @@ QString ExperimenterPanel::fidelityText(const session::LiveStudyNumbers& numbers
                  .arg(study_words::percent(trial.stiffnessError, m_locale), study_words::percent(trial.lateTicks, m_locale),
                       study_words::percent(trial.saturated, m_locale));
     words << (trial.measured ? tr("Force error %1 N.").arg(study_words::number(trial.forceErrorRms_N, m_locale)) : tr("The device measures no force."));
-    if (numbers.limited)
-        words << tr("The device cannot render all differences: %n are left.", nullptr, numbers.candidates);
-    words << delayText(numbers.limits);
     return words.join(QLatin1Char('\n'));
 }
 

@@ -36,6 +36,7 @@ private:
     QPushButton* add(const char* name, const QString& text, const char* kind, const char* icon);
     void takeEstimates(const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition);
     void draw(const psychophysics::Condition& condition);
+    QString forceText(const session::TrialFidelity& trial) const;
     QString fidelityText(const session::LiveStudyNumbers& numbers) const;
     QString delayText(const session::RenderingLimits& limits) const;
 

@@ -5,6 +5,7 @@
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
+#include "session/study/study_store.h"
 
 #include <QComboBox>
 #include <algorithm>
@@ -174,42 +175,41 @@ QWidget* RunScreen::participantBox() {
                 box.layout->addWidget(questionnaireRow(*row, each));
     };
     questionnaires(When::before);
-    const std::vector<int> order = conditionOrder(open.design, row->participant.order);
+    const std::vector<std::string> order = session::labelsInOrder(open.design, open.sealed, row->participant.order);
     bool next = row->participant.state == database::ParticipantState::consented;
     for (std::size_t position = 0; position < order.size(); ++position) {
-        const std::string& id = open.design.conditions[static_cast<std::size_t>(order[position])].id;
+        const std::string& label = order[position];
         const bool done = std::any_of(row->runs.begin(), row->runs.end(), [&](const database::StudyRun& run) {
-            return run.condition == id && run.state == database::StudyRunState::completed;
+            return session::labelOf(run) == label && run.state == database::StudyRunState::completed;
         });
-        box.layout->addWidget(conditionRow(*row, static_cast<int>(position), order[position], next && !done));
+        box.layout->addWidget(conditionRow(*row, static_cast<int>(position), label, next && !done));
         next = next && done;
     }
     questionnaires(When::after);
     return box.frame;
 }
 
-QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, int condition, bool next) {
+QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const std::string& label, bool next) {
     const Theme& theme = context().theme();
     const OpenStudy& open = *study();
-    const std::string id = open.design.conditions[static_cast<std::size_t>(condition)].id;
     const kit::Box box = kit::box(theme, "raised");
     auto* line = new QHBoxLayout;
-    const QString name = conditionName(open, id, context().language());
+    const QString name = conditionName(open, label, context().language());
     line->addWidget(kit::label(theme, tr("%1. %2").arg(context().locale().toString(position + 1), name), TextStyle::strong), 2);
     QString state = tr("to come");
     bool started = false;
     for (const database::StudyRun& run : row.runs)
-        if (run.condition == id) {
+        if (session::labelOf(run) == label) {
             state = study_words::runState(run.state);
             started = run.state == database::StudyRunState::open;
         }
     line->addWidget(kit::label(theme, state, TextStyle::body, "muted"), 1);
-    const bool apex = open.design.conditions[static_cast<std::size_t>(condition)].stimulus.attribute == psychophysics::Attribute::apex;
+    const bool apex = looksForApex(open, label);
     if (next && !apex) {
         auto* go = kit::button(theme, started ? tr("Go on") : tr("Begin"), "primary", QStringLiteral("media-playback-start"));
         go->setObjectName(QStringLiteral("run.begin"));
         go->setAccessibleName(tr("Begin or go on with %1").arg(name));
-        connect(go, &QPushButton::clicked, this, [this, id] { run(id); });
+        connect(go, &QPushButton::clicked, this, [this, label] { run(label); });
         line->addWidget(go);
     }
     box.layout->addLayout(line);

@@ -31,7 +31,7 @@ private:
     void build();
     QWidget* choiceBox();
     QWidget* participantBox();
-    QWidget* conditionRow(const ParticipantRow& row, int position, int condition, bool next);
+    QWidget* conditionRow(const ParticipantRow& row, int position, const std::string& label, bool next);
     QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire);
     void showParticipant();
     const OpenStudy* study() const;

@@ -19,7 +19,7 @@ namespace chiron::session {
 struct LiveStudyRequest {
     database::StudyNumber study = 0;
     std::string participantCode;
-    std::string condition; ///< id; empty: the participant's next one in the order that is not completed
+    std::string condition; ///< id, or sealed code while blinded; empty: the participant's next one in the order that is not completed
     Station station;
     std::filesystem::path ringFolder; ///< empty: the default
     std::optional<double> measuredDelay_s; ///< of the first device, where the station knows it; else statedDelay_s() counts
@@ -56,13 +56,14 @@ struct LiveStudyView {
 
 /// What the experimenter sees beside it.
 struct LiveStudyNumbers {
+    bool blind = false;      ///< the experimenter is
     std::string condition;   ///< id; the sealed code where the experimenter is blind
     std::string sealedCode;
     std::vector<psychophysics::ProcedureEstimate> estimates; ///< of each procedure; empty where the experimenter is blind
     int scored = 0;
     int spoiled = 0;
     int practice = 0;
-    TrialFidelity lastFidelity;
+    TrialFidelity lastFidelity; ///< without forces where the experimenter is blind to what they are
     std::string lastSpoiled; ///< empty: it counted
     int repeats = 0;         ///< how often the present trial was spoiled
     bool limited = false;    ///< differences were left out, because the device cannot render them

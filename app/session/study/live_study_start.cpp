@@ -12,49 +12,49 @@ namespace chiron::session {
 
 namespace {
 
-/// The condition that is asked for, or the next one; it is still to be done.
-core::Result<const psychophysics::Condition*> chosenCondition(const OpenedStudy& study, const std::string& asked) {
+/// The label that is asked for, or the next one; it is still to be done.
+core::Result<std::string> chosenLabel(const OpenedStudy& study, const std::string& asked) {
     const std::vector<std::string> open = openConditions(study);
-    const std::string id = !asked.empty() ? asked : open.empty() ? std::string() : open.front();
-    const psychophysics::Condition* condition = conditionOf(study.design, id);
-    if (condition && std::find(open.begin(), open.end(), id) != open.end())
-        return condition;
-    return core::fail(condition || open.empty() ? core::ErrorCode::wrongUse : core::ErrorCode::notFound,
-                      open.empty() ? "every condition is completed" : "condition \"" + id + "\" is completed, or not one of the study's");
+    if (open.empty())
+        return core::fail(core::ErrorCode::wrongUse, "every condition is completed");
+    const std::string label = asked.empty() ? open.front() : asked;
+    if (std::find(open.begin(), open.end(), label) != open.end())
+        return label;
+    const bool known = std::find(study.order.begin(), study.order.end(), label) != study.order.end();
+    return core::fail(known ? core::ErrorCode::wrongUse : core::ErrorCode::notFound,
+                      "condition \"" + label + "\" is completed, or not one of the study's");
 }
 
 /// A run with its procedures where it was left, or at its beginning.
 struct BegunRun {
-    database::StudyRun run;
+    database::StudyRunNumber number = 0;
+    std::uint64_t seed = 0;
     StudyProgress progress;
     std::size_t trials = 0; ///< stored before
 };
 
-core::Result<BegunRun> goOnWith(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
-                                const database::StudyRun& begun, double limit) {
+core::Result<BegunRun> goOnWith(const OpenedStudy& study, const database::ConductedRun& conducted, double limit) {
+    const database::StudyRun& begun = *conducted.open;
     if (auto same = sameTable(begun, limit); !same)
         return tl::unexpected(same.error());
-    const auto trials = trialsOf(database, actor, begun.id);
-    if (!trials)
-        return tl::unexpected(trials.error());
-    auto progress = StudyProgress::resume(study.design, begun.condition, begun.seed, *trials, StudyProgress::limitOf(begun.procedures));
+    auto progress = StudyProgress::resume(study.design, conducted.condition, begun.seed, conducted.trials, StudyProgress::limitOf(begun.procedures));
     if (!progress)
         return tl::unexpected(progress.error());
-    return BegunRun{begun, std::move(*progress), trials->size()};
+    return BegunRun{begun.id, begun.seed, std::move(*progress), conducted.trials.size()};
 }
 
-core::Result<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
-                                   const std::string& condition, double limit) {
-    if (const auto begun = openRun(study, condition))
-        return goOnWith(database, actor, study, *begun, limit);
-    const std::uint64_t seed = runSeed(study, condition);
-    auto progress = StudyProgress::begin(study.design, condition, seed, limit);
+core::Result<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor, const OpenedStudy& study, const std::string& label,
+                                   const database::ConductedRun& conducted, double limit) {
+    if (conducted.open)
+        return goOnWith(study, conducted, limit);
+    const std::uint64_t seed = runSeed(study, label);
+    auto progress = StudyProgress::begin(study.design, conducted.condition, seed, limit);
     if (!progress)
         return tl::unexpected(progress.error());
-    auto run = beginRun(database, actor, study, condition, seed, progress->procedureIds());
+    auto run = beginRun(database, actor, study, label, seed, progress->procedureIds());
     if (!run)
         return tl::unexpected(run.error());
-    return BegunRun{std::move(*run), std::move(*progress), 0};
+    return BegunRun{*run, seed, std::move(*progress), 0};
 }
 
 } // namespace
@@ -64,27 +64,46 @@ core::Result<std::unique_ptr<LiveStudy>> LiveStudy::start(database::Database& da
     auto study = openStudy(database, actor, request.study, request.participantCode);
     if (!study)
         return tl::unexpected(study.error());
-    const auto condition = chosenCondition(*study, request.condition);
-    if (!condition)
-        return tl::unexpected(condition.error());
+    const auto label = chosenLabel(*study, request.condition);
+    if (!label)
+        return tl::unexpected(label.error());
     if (request.station.devices.empty())
         return core::fail(core::ErrorCode::wrongUse, "a sitting needs a device");
-    if (auto possible = studyLevel(study->design, **condition); !possible)
+    const auto conducted = conduct(database, actor, *study, *label);
+    if (!conducted)
+        return tl::unexpected(conducted.error());
+    auto state = State::conducted(database, actor, *study, *label, *conducted, std::move(request));
+    if (!state)
+        return tl::unexpected(sealedError(*study, *conducted, state.error()));
+    return std::unique_ptr<LiveStudy>(new LiveStudy(std::move(*state)));
+}
+
+core::Result<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(database::Database& database, const database::Actor& actor,
+                                                                            const OpenedStudy& study, const std::string& label,
+                                                                            const database::ConductedRun& conducted, LiveStudyRequest request) {
+    const psychophysics::Condition* condition = conditionOf(study.design, conducted.condition);
+    if (!condition)
+        return core::fail(core::ErrorCode::notFound, "condition \"" + label + "\" is not one of the study's");
+    if (auto possible = studyLevel(study.design, *condition); !possible)
         return tl::unexpected(possible.error()); // before a run is begun
     const RenderingLimits limits = limitsAt(request.station.devices.front()->descriptor(), request.measuredDelay_s);
-    const LimitedTable table = limitedTable(**condition, limits);
-    auto begun = beginOrGoOn(database, actor, *study, (*condition)->id, table.limit);
+    const LimitedTable table = study.blind() ? blindTable(study.design, *condition, limits) : limitedTable(*condition, limits);
+    auto begun = beginOrGoOn(database, actor, study, label, conducted, table.limit);
     if (!begun)
         return tl::unexpected(begun.error());
-    auto level = studyLevel(study->design, **condition, simulation::ComparisonControl::none, sessionLabel(*study, begun->run.sealedCode));
+    auto level = studyLevel(study.design, *condition, simulation::ComparisonControl::none, sessionLabel(study, conducted.sealedCode));
     if (!level)
         return tl::unexpected(level.error());
-    const std::string id = (*condition)->id;
-    auto state = std::make_unique<State>(database, actor, std::move(*study), std::move(begun->progress), std::move(*level));
-    state->describeRun(id, begun->run, table, limits);
+    const auto blinding = database::blindingOf(study.record.designJson, study.record.summary.unblinded);
+    if (!blinding)
+        return tl::unexpected(blinding.error());
+    auto state = std::make_unique<State>(database, actor, study, std::move(begun->progress), std::move(*level));
+    state->blinding = *blinding;
+    state->run = begun->number;
+    state->describeRun(conducted, table, limits);
     TrainingRequest training;
     training.level = state->level;
-    training.seed = core::Random::mix(begun->run.seed, "sitting " + std::to_string(begun->trials)) >> 1;
+    training.seed = core::Random::mix(begun->seed, "sitting " + std::to_string(begun->trials)) >> 1;
     training.station = std::move(request.station);
     training.ringFolder = request.ringFolder;
     training.witness = &state->tap;
@@ -93,14 +112,12 @@ core::Result<std::unique_ptr<LiveStudy>> LiveStudy::start(database::Database& da
         return tl::unexpected(live.error());
     state->training = std::move(*live);
     state->training->post(core::CommandKind::start);
-    return std::unique_ptr<LiveStudy>(new LiveStudy(std::move(state)));
+    return state;
 }
 
-void LiveStudy::State::describeRun(const std::string& id, const database::StudyRun& begun, const LimitedTable& limited,
-                                   const RenderingLimits& limits) {
-    condition = conditionOf(study.design, id);
-    run = begun.id;
-    sealedCode = begun.sealedCode;
+void LiveStudy::State::describeRun(const database::ConductedRun& conducted, const LimitedTable& limited, const RenderingLimits& limits) {
+    condition = conditionOf(study.design, conducted.condition);
+    sealedCode = conducted.sealedCode;
     table = limited;
     numbers.limited = std::isfinite(table.limit);
     numbers.candidates = table.candidates;

@@ -82,8 +82,8 @@ void LiveStudy::State::fail(const core::Error& error) {
 }
 
 void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFidelity& fidelity) {
-    numbers.lastFidelity = fidelity;
-    numbers.lastSpoiled = trial.spoiled;
+    numbers.lastFidelity = forcesTell() ? withoutForces(fidelity) : fidelity;
+    numbers.lastSpoiled = database::shownReason(trial.spoiled, blinding);
     numbers.practice += trial.practice ? 1 : 0;
     view.right.reset();
     const int correct = psychophysics::correctAnswer(condition->task, trial.arrangement);
@@ -163,6 +163,7 @@ void LiveStudy::State::describe() {
     const auto lastCandidate = static_cast<double>(condition->stimulus.differences.size() - 1);
     view.adjusted = lastCandidate > 0.0 ? adjusted / lastCandidate : 0.0;
     view.state = where(running, spent_s);
+    numbers.blind = blind();
     numbers.condition = blind() ? sealedCode : condition->id;
     numbers.sealedCode = sealedCode;
     numbers.scored = progress.scored();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "database/repositories/study_blinding.h"
 #include "session/study/fidelity_meter.h"
 #include "session/study/live_study.h"
 #include "session/study/sample_tap.h"
@@ -29,6 +30,7 @@ struct LiveStudy::State {
     LimitedTable table;
     database::StudyRunNumber run = 0;
     std::string sealedCode;
+    database::Blinding blinding;
     SampleTap tap;
     std::unique_ptr<LiveTraining> training; ///< after the tap: it uses it
 
@@ -50,7 +52,10 @@ struct LiveStudy::State {
 
     static double secondsSince(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
-    void describeRun(const std::string& id, const database::StudyRun& begun, const LimitedTable& limited, const RenderingLimits& limits);
+    /// A sitting of this run, under way.
+    static core::Result<std::unique_ptr<State>> conducted(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
+                                                          const std::string& label, const database::ConductedRun& conducted, LiveStudyRequest request);
+    void describeRun(const database::ConductedRun& conducted, const LimitedTable& limited, const RenderingLimits& limits);
     void wantPause(bool wanted);
     void tellPause();
     void drain();
@@ -66,7 +71,9 @@ struct LiveStudy::State {
     void describe();
     LiveStudyView::State where(bool running, double spent_s) const;
     bool allTouched() const;
-    bool blind() const { return study.design.blindExperimenter && !study.record.summary.unblinded; }
+    bool blind() const { return study.blind(); }
+    /// Whether forces and felt values would tell a blind experimenter which condition this is.
+    bool forcesTell() const { return blinding.on && !blinding.oneStimulus; }
 };
 
 } // namespace chiron::session

@@ -6,8 +6,11 @@
 #include "session/study/apex_analysis.h"
 #include "session/study/apex_sitting.h"
 #include "session/study/rendered_run.h"
+#include "session/study/study_setup.h"
+#include "session/study/study_store.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace chiron::session {
 
@@ -23,7 +26,21 @@ bool ranks(const psychophysics::Condition& condition) {
     return condition.task == psychophysics::Task::rank3 && condition.stimulus.attribute != psychophysics::Attribute::apex;
 }
 
-core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyAnalysis& study, const psychophysics::Condition& condition,
+/// Of a condition in which an apex is looked for: while blind marks are shares of it, where conditions differ in it.
+double radiusOf(const StudyAnalysis& study, const psychophysics::Condition& condition) {
+    return study.blind() && !study.blinding.oneStimulus ? 1.0 : condition.stimulus.reference;
+}
+
+/// The choices made again, by the condition that the run is analysed by; none where there is no such, or its procedures are sealed.
+core::Result<ReplayedChoices> rerun(const StudyAnalysis& study, const psychophysics::Condition* condition, database::StudyRun run,
+                                    const std::vector<database::StudyTrial>& trials) {
+    if (!condition || run.procedures.empty())
+        return ReplayedChoices{};
+    run.condition = condition->id;
+    return rerunChoices(study.design, run, trials);
+}
+
+core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyAnalysis& study, const psychophysics::Condition* condition,
                                      const database::Participant& participant, const database::StudyRun& run, std::uint64_t seed) {
     AnalysedRun out;
     out.participant = participant;
@@ -40,14 +57,16 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
         else
             ++out.scored;
     }
-    const std::vector<psychophysics::ScoredTrial> scored = scoredTrials(condition, out.trials);
-    out.estimate = psychophysics::estimateRun(condition, scored, core::Random::mix(seed, "run " + participant.code + " " + condition.id));
+    const auto scored = condition ? scoredTrials(*condition, out.trials) : std::vector<psychophysics::ScoredTrial>{};
+    out.estimate = estimateOf(condition, scored, study.blinding, core::Random::mix(seed, "run " + participant.code + " " + labelOf(run)));
+    if (!condition)
+        out.estimate.trials = out.scored;
     warnNotRendered(out.estimate, participant, out.trials);
-    if (ranks(condition))
+    if (condition && ranks(*condition))
         out.ranking = psychophysics::summariseRankings(psychophysics::saidRanks(scored));
-    if (looksForApex(condition))
-        out.apex = apexOfRun(out, condition.stimulus.reference, core::Random::mix(seed, "apex " + participant.code + " " + condition.id));
-    auto replayed = rerunChoices(study.design, run, out.trials);
+    if (condition && looksForApex(*condition))
+        out.apex = apexOfRun(out, radiusOf(study, *condition), core::Random::mix(seed, "apex " + participant.code + " " + labelOf(run)));
+    auto replayed = rerun(study, condition, run, out.trials);
     if (!replayed)
         return tl::unexpected(replayed.error());
     out.replayed = *replayed;
@@ -57,7 +76,7 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
 std::string people(int n) { return n == 1 ? "1 participant" : std::to_string(n) + " participants"; }
 
 /// The group's estimate: of people who still take part; of simulated participants where there is nobody else.
-void pool(AnalysedCondition& condition, const psychophysics::Condition& designed, std::uint64_t seed) {
+void pool(AnalysedCondition& condition, const psychophysics::Condition* designed, std::uint64_t seed) {
     const auto takesPart = [](const AnalysedRun& run) { return run.participant.state != database::ParticipantState::withdrawn; };
     const bool real = std::any_of(condition.runs.begin(), condition.runs.end(),
                                   [&](const AnalysedRun& run) { return takesPart(run) && !run.participant.simulated; });
@@ -74,8 +93,8 @@ void pool(AnalysedCondition& condition, const psychophysics::Condition& designed
         estimates.push_back(run.estimate);
         rows.push_back(static_cast<int>(i));
         notRendered += wasNotRendered(run.participant, run.trials) ? 1 : 0;
-        if (ranks(designed))
-            rankings.push_back(psychophysics::saidRanks(scoredTrials(designed, run.trials)));
+        if (designed && ranks(*designed))
+            rankings.push_back(psychophysics::saidRanks(scoredTrials(*designed, run.trials)));
     }
     condition.ranking = psychophysics::summariseGroupRankings(rankings);
     condition.group = psychophysics::estimateGroup(estimates, seed);
@@ -91,6 +110,22 @@ void pool(AnalysedCondition& condition, const psychophysics::Condition& designed
         warnings.push_back("not_rendered: " + people(notRendered) + " of the group without rendering: told the values, nothing was felt");
 }
 
+/// The labels of the conditions, in the design's order; while blinded by code.
+core::Result<std::vector<std::string>> labelsOf(database::StudyReader& reader, const StudyAnalysis& study) {
+    std::vector<std::string> labels;
+    if (!study.blind()) {
+        for (const psychophysics::Condition& condition : study.design.conditions)
+            labels.push_back(condition.id);
+        return labels;
+    }
+    auto codes = reader.conditionCodes(study.record.summary.id);
+    if (!codes)
+        return tl::unexpected(codes.error());
+    for (const database::SealedCondition& each : *codes)
+        labels.push_back(labelOf(each));
+    return labels;
+}
+
 } // namespace
 
 void warnNotRendered(psychophysics::RunEstimate& estimate, const database::Participant& participant, const std::vector<database::StudyTrial>& trials) {
@@ -98,7 +133,36 @@ void warnNotRendered(psychophysics::RunEstimate& estimate, const database::Parti
         estimate.warnings.emplace_back("not_rendered: a quick simulation without rendering: the observer was told the values");
 }
 
-core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber number, std::uint64_t seed) {
+const psychophysics::Condition* StudyAnalysis::designed(std::size_t at) const {
+    return analysedBy(design, blinding, conditions[at].condition);
+}
+
+const psychophysics::Condition* analysedBy(const psychophysics::StudyDesign& design, const database::Blinding& blinding, const std::string& condition) {
+    if (blinding.on)
+        return blinding.analysable() ? &design.conditions.front() : nullptr;
+    return conditionOf(design, condition);
+}
+
+psychophysics::RunEstimate estimateOf(const psychophysics::Condition* condition, const std::vector<psychophysics::ScoredTrial>& trials,
+                                      const database::Blinding& blinding, std::uint64_t seed) {
+    psychophysics::RunEstimate estimate;
+    if (!condition) {
+        estimate.warnings.push_back("sealed: conditions differ in what an analysis needs to know: there is an estimate once the study is unblinded");
+        return estimate;
+    }
+    estimate = psychophysics::estimateRun(*condition, trials, seed);
+    if (blinding.on) { // of another condition's reference
+        estimate.jnd = estimate.pse = std::numeric_limits<double>::quiet_NaN();
+        estimate.pse95 = {};
+        estimate.unit.clear();
+    }
+    return estimate;
+}
+
+namespace {
+
+/// What is analysed: the design, and its conditions without a run yet.
+core::Result<StudyAnalysis> opened(database::StudyReader& reader, database::StudyNumber number) {
     StudyAnalysis study;
     auto record = reader.study(number);
     if (!record)
@@ -108,32 +172,53 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
     if (!design)
         return tl::unexpected(design.error());
     study.design = std::move(*design);
-    for (const psychophysics::Condition& condition : study.design.conditions)
-        study.conditions.push_back({condition.id, {}, {}, {}, {}});
+    const auto blinding = database::blindingOf(study.record.designJson, study.record.summary.unblinded);
+    if (!blinding)
+        return tl::unexpected(blinding.error());
+    study.blinding = *blinding;
+    const auto labels = labelsOf(reader, study);
+    if (!labels)
+        return tl::unexpected(labels.error());
+    for (const std::string& label : *labels)
+        study.conditions.push_back({label, {}, {}, {}, {}});
+    return study;
+}
+
+core::Result<void> addRuns(database::StudyReader& reader, StudyAnalysis& study, const database::Participant& participant, std::uint64_t seed) {
+    auto runs = reader.runs(participant.id);
+    if (!runs)
+        return tl::unexpected(runs.error());
+    for (const database::StudyRun& run : *runs) {
+        const auto at = std::find_if(study.conditions.begin(), study.conditions.end(), [&](const auto& each) { return each.condition == labelOf(run); });
+        if (at == study.conditions.end() || run.state == database::StudyRunState::stopped)
+            continue;
+        auto analysed = analyseRun(reader, study, analysedBy(study.design, study.blinding, run.condition), participant, run, seed);
+        if (!analysed)
+            return tl::unexpected(analysed.error());
+        if (!analysed->trials.empty())
+            at->runs.push_back(std::move(*analysed));
+    }
+    return {};
+}
+
+} // namespace
+
+core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber number, std::uint64_t seed) {
+    auto study = opened(reader, number);
+    if (!study)
+        return study;
     auto participants = reader.participants(number);
     if (!participants)
         return tl::unexpected(participants.error());
-    for (const database::Participant& participant : *participants) {
-        auto runs = reader.runs(participant.id);
-        if (!runs)
-            return tl::unexpected(runs.error());
-        for (const database::StudyRun& run : *runs) {
-            const auto at = std::find_if(study.design.conditions.begin(), study.design.conditions.end(),
-                                         [&](const psychophysics::Condition& c) { return c.id == run.condition; });
-            if (at == study.design.conditions.end() || run.state == database::StudyRunState::stopped)
-                continue;
-            auto analysed = analyseRun(reader, study, *at, participant, run, seed);
-            if (!analysed)
-                return tl::unexpected(analysed.error());
-            if (!analysed->trials.empty())
-                study.conditions[static_cast<std::size_t>(at - study.design.conditions.begin())].runs.push_back(std::move(*analysed));
-        }
-    }
-    for (std::size_t i = 0; i < study.conditions.size(); ++i) {
-        AnalysedCondition& condition = study.conditions[i];
-        pool(condition, study.design.conditions[i], core::Random::mix(seed, "group " + condition.condition));
-        if (looksForApex(study.design.conditions[i]))
-            poolApex(condition, study.design.conditions[i].stimulus.reference, core::Random::mix(seed, "apex " + condition.condition));
+    for (const database::Participant& participant : *participants)
+        if (auto added = addRuns(reader, *study, participant, seed); !added)
+            return tl::unexpected(added.error());
+    for (std::size_t i = 0; i < study->conditions.size(); ++i) {
+        AnalysedCondition& condition = study->conditions[i];
+        const psychophysics::Condition* designed = study->designed(i);
+        pool(condition, designed, core::Random::mix(seed, "group " + condition.condition));
+        if (designed && looksForApex(*designed))
+            poolApex(condition, radiusOf(*study, *designed), core::Random::mix(seed, "apex " + condition.condition));
     }
     return study;
 }

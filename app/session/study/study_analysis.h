@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "database/repositories/study_blinding.h"
 #include "database/repositories/study_reader.h"
 #include "psychophysics/study/apex_study.h"
 #include "psychophysics/measures/ranking_summary.h"
@@ -27,7 +28,7 @@ struct AnalysedRun {
 };
 
 struct AnalysedCondition {
-    std::string condition;
+    std::string condition; ///< id, or sealed code while blinded
     std::vector<AnalysedRun> runs; ///< by participant
     /// Of the people who still take part; of simulated participants only where there are no people. Who was left out is among its
     /// warnings (withdrawn, simulated_left_out, simulated, not_rendered); its members' `index` counts `runs`.
@@ -40,11 +41,23 @@ struct AnalysedCondition {
 struct StudyAnalysis {
     database::StudyRecord record;
     psychophysics::StudyDesign design;
-    std::vector<AnalysedCondition> conditions; ///< in the design's order
+    std::vector<AnalysedCondition> conditions; ///< in the design's order; while blinded by sealed code
+    database::Blinding blinding;
+
+    bool blind() const { return blinding.on; }
+    /// What the runs of conditions[at] are analysed by: analysedBy() of it.
+    const psychophysics::Condition* designed(std::size_t at) const;
 };
 
 /// Says so where a simulated participant's trials were not rendered (a quick run): warning not_rendered.
 void warnNotRendered(psychophysics::RunEstimate& estimate, const database::Participant& participant, const std::vector<database::StudyTrial>& trials);
+
+/// The condition that a run is analysed by: its own; while the study is blinded any, where the analysis of all of them is the same, else
+/// null: nothing but its trials can be counted then.
+const psychophysics::Condition* analysedBy(const psychophysics::StudyDesign& design, const database::Blinding& blinding, const std::string& condition);
+/// What a run says, without what is known of a condition in physical units while the study is blinded. `condition`: null as above.
+psychophysics::RunEstimate estimateOf(const psychophysics::Condition* condition, const std::vector<psychophysics::ScoredTrial>& trials,
+                                      const database::Blinding& blinding, std::uint64_t seed);
 
 /// Every run of a study with trials, analysed anew; `seed`: of bootstraps. Stopped runs of a withdrawn participant are left out.
 /// Failure: the reader's; badInput (a design or a trial that cannot be read).

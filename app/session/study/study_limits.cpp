@@ -86,4 +86,14 @@ LimitedTable limitedTable(const psychophysics::Condition& condition, const Rende
     return table;
 }
 
+LimitedTable blindTable(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, const RenderingLimits& limits) {
+    const std::vector<double>& differences = condition.stimulus.differences;
+    LimitedTable table = limitedTable(condition, limits);
+    for (const psychophysics::Condition& each : design.conditions)
+        if (each.stimulus.differences == differences)
+            if (LimitedTable other = limitedTable(each, limits); other.limit < table.limit)
+                table = std::move(other);
+    return table;
+}
+
 } // namespace chiron::session

@@ -37,5 +37,7 @@ struct LimitedTable {
 /// The largest multiple of the task counts: a difference whose value the device cannot render passively or without saturation is
 /// never shown. `why` "reference": not even the reference (candidates 0).
 LimitedTable limitedTable(const psychophysics::Condition& condition, const RenderingLimits& limits);
+/// The same where experimenters are blind: what is left in every condition with this table, as what is left of one would tell which it is.
+LimitedTable blindTable(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, const RenderingLimits& limits);
 
 } // namespace chiron::session

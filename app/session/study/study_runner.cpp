@@ -153,59 +153,63 @@ core::Result<void> sameKind(const database::StudyRun& run, const std::vector<dat
                  : core::Result<void>();
 }
 
-core::Result<BegunRun> beginOrResume(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
-                                     const std::string& condition, const StudyRunRequest& request, double limit) {
-    if (const auto open = openRun(study, condition)) {
-        auto trials = trialsOf(database, actor, open->id);
-        if (!trials)
-            return tl::unexpected(trials.error());
-        auto alike = sameKind(*open, *trials, request.quick);
+core::Result<BegunRun> beginOrResume(database::Database& database, const database::Actor& actor, const OpenedStudy& study, const std::string& label,
+                                     database::ConductedRun conducted, const StudyRunRequest& request, double limit) {
+    if (const auto& open = conducted.open) {
+        auto alike = sameKind(*open, conducted.trials, request.quick);
         if (alike)
             alike = sameTable(*open, limit);
         if (!alike)
             return tl::unexpected(alike.error());
-        auto progress = StudyProgress::resume(study.design, condition, open->seed, *trials, StudyProgress::limitOf(open->procedures));
+        auto progress =
+            StudyProgress::resume(study.design, conducted.condition, open->seed, conducted.trials, StudyProgress::limitOf(open->procedures));
         if (!progress)
             return tl::unexpected(progress.error());
-        return BegunRun{open->id, open->sealedCode, open->seed, std::move(*trials), std::move(*progress)};
+        return BegunRun{open->id, open->sealedCode, open->seed, std::move(conducted.trials), std::move(*progress)};
     }
-    const std::uint64_t seed = core::Random::mix(runSeed(study, condition), std::to_string(request.seed)) >> 1;
-    auto progress = StudyProgress::begin(study.design, condition, seed, limit);
+    const std::uint64_t seed = core::Random::mix(runSeed(study, label), std::to_string(request.seed)) >> 1;
+    auto progress = StudyProgress::begin(study.design, conducted.condition, seed, limit);
     if (!progress)
         return tl::unexpected(progress.error());
-    const auto begun = beginRun(database, actor, study, condition, seed, progress->procedureIds());
+    const auto begun = beginRun(database, actor, study, label, seed, progress->procedureIds());
     if (!begun)
         return tl::unexpected(begun.error());
-    return BegunRun{begun->id, begun->sealedCode, seed, {}, std::move(*progress)};
+    return BegunRun{*begun, conducted.sealedCode, seed, {}, std::move(*progress)};
+}
+
+/// The limits of the simulated device.
+core::Result<RenderingLimits> stationLimits(const OpenedStudy& study, const psychophysics::Condition& condition) {
+    auto level = looksForApex(condition) ? apexStudyLevel(study.design, condition, 1) : studyLevel(study.design, condition);
+    if (!level)
+        return tl::unexpected(level.error());
+    if (looksForApex(condition)) {
+        const auto station = apexStation(*level, {}, 1);
+        return station ? core::Result<RenderingLimits>(renderingLimits(station->devices.front()->descriptor())) : tl::unexpected(station.error());
+    }
+    auto participant = participantStation(*level, 1);
+    return participant ? core::Result<RenderingLimits>(renderingLimits(participant->station.devices.front()->descriptor()))
+                       : tl::unexpected(participant.error());
 }
 
 /// Largest difference that the simulated device renders; a quick run has no device.
 core::Result<double> limitOnStation(const OpenedStudy& study, const psychophysics::Condition& condition, bool quick) {
     if (quick)
         return StudyProgress::kNoLimit;
-    auto level = looksForApex(condition) ? apexStudyLevel(study.design, condition, 1) : studyLevel(study.design, condition);
-    if (!level)
-        return tl::unexpected(level.error());
-    if (looksForApex(condition)) {
-        const auto station = apexStation(*level, {}, 1);
-        return station ? core::Result<double>(limitedTable(condition, renderingLimits(station->devices.front()->descriptor())).limit)
-                       : tl::unexpected(station.error());
-    }
-    auto participant = participantStation(*level, 1);
-    if (!participant)
-        return tl::unexpected(participant.error());
-    return limitedTable(condition, renderingLimits(participant->station.devices.front()->descriptor())).limit;
+    const auto limits = stationLimits(study, condition);
+    if (!limits)
+        return tl::unexpected(limits.error());
+    return (study.blind() ? blindTable(study.design, condition, *limits) : limitedTable(condition, *limits)).limit;
 }
 
-core::Result<StudyRunSummary> runCondition(database::Database& database, const database::Actor& actor, const StudyRunRequest& request,
-                                           const OpenedStudy& study, const std::string& condition) {
-    const psychophysics::Condition* found = conditionOf(study.design, condition);
+core::Result<StudyRunSummary> runConducted(database::Database& database, const database::Actor& actor, const StudyRunRequest& request,
+                                           const OpenedStudy& study, const std::string& label, const database::ConductedRun& conducted) {
+    const psychophysics::Condition* found = conditionOf(study.design, conducted.condition);
     if (!found)
-        return core::fail(core::ErrorCode::notFound, "condition \"" + condition + "\" is not one of the study's");
+        return core::fail(core::ErrorCode::notFound, "condition \"" + label + "\" is not one of the study's");
     const auto limit = limitOnStation(study, *found, request.quick);
     if (!limit)
         return tl::unexpected(limit.error());
-    auto run = beginOrResume(database, actor, study, condition, request, *limit);
+    auto run = beginOrResume(database, actor, study, label, conducted, request, *limit);
     if (!run)
         return tl::unexpected(run.error());
     // Each sitting has its own streams: what a first one has drawn already, a second one must not draw again.
@@ -214,7 +218,7 @@ core::Result<StudyRunSummary> runCondition(database::Database& database, const d
                     psychophysics::SimulatedObserver(request.observer, core::Random::mix(seed, "observer")), run->number, run->sealedCode, run->seed,
                     static_cast<int>(run->trials.size()), 0, {}};
     StudyRunSummary summary;
-    summary.condition = condition;
+    summary.condition = label;
     summary.run = run->number;
     if (request.quick) {
         runQuick(sitting);
@@ -234,6 +238,15 @@ core::Result<StudyRunSummary> runCondition(database::Database& database, const d
         if (auto ended = finishRun(database, actor, study, run->number); !ended)
             return tl::unexpected(ended.error());
     return summary;
+}
+
+core::Result<StudyRunSummary> runCondition(database::Database& database, const database::Actor& actor, const StudyRunRequest& request,
+                                           const OpenedStudy& study, const std::string& label) {
+    const auto conducted = conduct(database, actor, study, label);
+    if (!conducted)
+        return tl::unexpected(conducted.error());
+    auto run = runConducted(database, actor, request, study, label, *conducted);
+    return run ? std::move(run) : tl::unexpected(sealedError(study, *conducted, run.error()));
 }
 
 /// A simulated participant, as it was enrolled.
@@ -268,8 +281,8 @@ core::Result<StudyRunReport> runStudyHeadless(database::Database& database, cons
     if (!request.condition.empty())
         conditions = {request.condition};
     StudyRunReport report;
-    for (const std::string& condition : conditions) {
-        auto run = runCondition(database, actor, request, *study, condition);
+    for (const std::string& label : conditions) {
+        auto run = runCondition(database, actor, request, *study, label);
         if (!run)
             return tl::unexpected(run.error());
         report.runs.push_back(std::move(*run));

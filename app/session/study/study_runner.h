@@ -21,7 +21,7 @@ struct StudyRunRequest {
     psychophysics::ObserverSpec observer;
     std::uint64_t seed = 1;   ///< of participant and runs; the stored seed of a run that is resumed holds
     bool quick = false;       ///< no rendering: the observer is told the values; trials have no session
-    std::string condition;    ///< id; empty: all that are not completed, in the participant's order
+    std::string condition;    ///< id, or sealed code while blinded; empty: all that are not completed, in the participant's order
     int trialsAtMost = 0;     ///< > 0: stops after so many presentations of a run, as an interruption does (it is resumed by another call)
     std::filesystem::path ringFolder; ///< empty: the default
     simulation::ComparisonControl control = simulation::ComparisonControl::none; ///< deliberate faults (psychophysics.md §6)
@@ -30,7 +30,7 @@ struct StudyRunRequest {
 };
 
 struct StudyRunSummary {
-    std::string condition;
+    std::string condition; ///< id, or sealed code while blinded
     database::StudyRunNumber run = 0;
     database::SessionId session = 0; ///< of this sitting; 0: quick
     int scored = 0;     ///< of the whole run

@@ -14,9 +14,9 @@ namespace chiron::session {
 
 namespace {
 
-bool hasRun(const OpenedStudy& study, const std::string& condition, database::StudyRunState state) {
+bool hasRun(const OpenedStudy& study, const std::string& label, database::StudyRunState state) {
     return std::any_of(study.runs.begin(), study.runs.end(),
-                       [&](const database::StudyRun& run) { return run.condition == condition && run.state == state; });
+                       [&](const database::StudyRun& run) { return labelOf(run) == label && run.state == state; });
 }
 
 } // namespace
@@ -46,10 +46,22 @@ core::Result<OpenedStudy> openStudy(database::Database& database, const database
     if (!runs)
         return tl::unexpected(runs.error());
     study.runs = std::move(*runs);
-    for (const int index : psychophysics::orderFor(study.design.order, static_cast<int>(study.design.conditions.size()),
-                                                   study.participant.order, study.design.seed))
-        study.order.push_back(study.design.conditions[static_cast<std::size_t>(index)].id);
+    const auto conditions = reader.conditionCodes(number);
+    if (!conditions)
+        return tl::unexpected(conditions.error());
+    study.order = labelsInOrder(study.design, *conditions, study.participant.order);
     return study;
+}
+
+std::string labelOf(const database::SealedCondition& condition) { return condition.condition.empty() ? condition.sealedCode : condition.condition; }
+
+std::string labelOf(const database::StudyRun& run) { return run.condition.empty() ? run.sealedCode : run.condition; }
+
+std::vector<std::string> labelsInOrder(const psychophysics::StudyDesign& design, const std::vector<database::SealedCondition>& conditions, int row) {
+    std::vector<std::string> labels;
+    for (const int index : psychophysics::orderFor(design.order, static_cast<int>(conditions.size()), row, design.seed))
+        labels.push_back(labelOf(conditions[static_cast<std::size_t>(index)]));
+    return labels;
 }
 
 std::vector<std::string> openConditions(const OpenedStudy& study) {
@@ -61,7 +73,7 @@ std::vector<std::string> openConditions(const OpenedStudy& study) {
 }
 
 std::string sessionLabel(const OpenedStudy& study, const std::string& sealedCode) {
-    return study.design.blindExperimenter && !study.record.summary.unblinded ? sealedCode : std::string();
+    return study.blind() ? sealedCode : std::string();
 }
 
 core::Result<void> sameTable(const database::StudyRun& run, double limit) {
@@ -71,40 +83,30 @@ core::Result<void> sameTable(const database::StudyRun& run, double limit) {
     return {};
 }
 
-std::optional<database::StudyRun> openRun(const OpenedStudy& study, const std::string& condition) {
-    for (const database::StudyRun& run : study.runs)
-        if (run.condition == condition && run.state == database::StudyRunState::open)
-            return run;
-    return std::nullopt;
+core::Result<database::ConductedRun> conduct(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
+                                             const std::string& label) {
+    return database.write([&](database::WriteContext& context) {
+        return database::StudyRepository(context.connection(), actor).conductRun(study.participant.id, label);
+    });
 }
 
-core::Result<std::vector<database::StudyTrial>> trialsOf(database::Database& database, const database::Actor& actor,
-                                                         database::StudyRunNumber run) {
-    auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
-    return database::StudyReader(**connection, actor).studyTrials(run);
+core::Error sealedError(const OpenedStudy& study, const database::ConductedRun& run, core::Error error) {
+    const std::string& name = run.condition;
+    for (std::size_t at = 0; study.blind() && !name.empty() && (at = error.message.find(name, at)) != std::string::npos; at += run.sealedCode.size())
+        error.message.replace(at, name.size(), run.sealedCode);
+    return error;
 }
 
-core::Result<database::StudyRun> beginRun(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
-                                          const std::string& condition, std::uint64_t seed, const std::string& procedures) {
+core::Result<database::StudyRunNumber> beginRun(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
+                                                const std::string& label, std::uint64_t seed, const std::string& procedures) {
     database::NewStudyRun run;
     run.participant = study.participant.id;
-    run.condition = condition;
-    run.position = static_cast<int>(std::find(study.order.begin(), study.order.end(), condition) - study.order.begin());
+    run.condition = label;
+    run.position = static_cast<int>(std::find(study.order.begin(), study.order.end(), label) - study.order.begin());
     run.seed = seed;
     run.procedures = procedures;
-    auto number = database.write(
+    return database.write(
         [&](database::WriteContext& context) { return database::StudyRepository(context.connection(), actor).beginRun(run); });
-    if (!number)
-        return tl::unexpected(number.error());
-    auto now = openStudy(database, actor, study.record.summary.id, study.participant.code);
-    if (!now)
-        return tl::unexpected(now.error());
-    auto begun = openRun(*now, condition);
-    if (!begun || begun->id != *number)
-        return core::fail(core::ErrorCode::storage, "run " + std::to_string(*number) + " was begun, but is not open");
-    return std::move(*begun);
 }
 
 core::Result<void> storeTrial(database::Database& database, const database::Actor& actor, const database::StudyTrial& trial) {
@@ -127,8 +129,8 @@ core::Result<void> finishRun(database::Database& database, const database::Actor
     });
 }
 
-std::uint64_t runSeed(const OpenedStudy& study, const std::string& condition) {
-    return core::Random::mix(study.design.seed, "run " + study.participant.code + " " + condition) >> 1; // SQLite's integers have a sign
+std::uint64_t runSeed(const OpenedStudy& study, const std::string& label) {
+    return core::Random::mix(study.design.seed, "run " + study.participant.code + " " + label) >> 1; // SQLite's integers have a sign
 }
 
 } // namespace chiron::session

@@ -39,6 +39,14 @@ template <class Whole> Whole whole(double value) noexcept { return static_cast<W
 
 } // namespace
 
+TrialFidelity withoutForces(TrialFidelity fidelity) {
+    fidelity.forceErrorRms_N = fidelity.saturated = fidelity.peakForce_N = fidelity.stiffnessError = std::nan("");
+    fidelity.places.clear();
+    fidelity.apex.reset();
+    fidelity.outside.clear();
+    return fidelity;
+}
+
 std::string fidelityJson(const TrialFidelity& f) {
     QJsonArray places;
     for (const PlaceFidelity& place : f.places)

@@ -49,6 +49,9 @@ struct TrialFidelity {
     std::string outside;          ///< empty, or the first limit that was passed: the word stored as `spoiled`
 };
 
+/// Without what is told of forces and of the values felt: those are no numbers, places, mark and the limit that was passed are left out.
+TrialFidelity withoutForces(TrialFidelity fidelity);
+
 /// As canonical JSON: keys sorted, no spaces; what is not a number is null.
 std::string fidelityJson(const TrialFidelity& fidelity);
 /// The mark of a stored trial; nothing where it holds none (another study, a time-out, something that cannot be read).

@@ -10,6 +10,7 @@
 #include "desktop/studies/study_draft.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
+#include "desktop/study_run/experimenter_panel.h"
 #include "support/made_study.h"
 
 #include <QLineEdit>
@@ -32,6 +33,7 @@ private slots:
     void requiredItemsAreMissed();
     void previewKnowsItsObserver();
     void numbersWithUnits();
+    void experimentersAreBlindToForces();
 
 private:
     desktop::Theme m_theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
@@ -55,6 +57,46 @@ void listen(desktop::AnswerPanel& panel, Given& given) {
 }
 
 } // namespace
+
+/// Blind, the panel beside the trials tells neither condition nor estimate nor forces; what has to do with neither is told. CHIRON_KEEP_PICTURES=<folder>
+/// keeps a picture.
+void TestStudyParts::experimentersAreBlindToForces() {
+    psychophysics::Condition condition;
+    condition.id = "craggy";
+    session::LiveStudyView view;
+    view.state = session::LiveStudyView::State::exploring;
+    session::LiveStudyNumbers numbers;
+    numbers.condition = numbers.sealedCode = "Q7M";
+    numbers.blind = true;
+    numbers.scored = 3;
+    numbers.lastFidelity.contacts = 5;
+    numbers.lastFidelity.meanSpeed_m_per_s = 0.0435;
+    numbers.lastFidelity.peakForce_N = 3.21;
+    numbers.lastFidelity = session::withoutForces(numbers.lastFidelity);
+    numbers.lastSpoiled = "withheld";
+    const auto told = [&] {
+        desktop::ExperimenterPanel panel(m_theme, m_locale);
+        panel.resize(360, 640);
+        panel.show(view, numbers, condition);
+        QString words;
+        for (const QLabel* label : panel.findChildren<QLabel*>())
+            words += label->text() + QLatin1Char('\n');
+        if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty())
+            panel.grab().save(folder + (numbers.blind ? QStringLiteral("/experimenter_blind.png") : QStringLiteral("/experimenter_open.png")));
+        return words;
+    };
+    const QString blind = told();
+    for (const char* word : {"Q7M", "sealed", "43.5", "5 contacts", "Sealed reason"})
+        QVERIFY2(blind.contains(QLatin1String(word)), qPrintable(blind));
+    for (const char* word : {"craggy", "Peak force", "Felt value", "Force error", "nan"})
+        QVERIFY2(!blind.contains(QLatin1String(word)), qPrintable(blind));
+    numbers.blind = false;
+    numbers.condition = "craggy";
+    numbers.lastFidelity.peakForce_N = 3.21;
+    const QString open = told();
+    for (const char* word : {"craggy", "Peak force 3.21 N"})
+        QVERIFY2(open.contains(QLatin1String(word)), qPrintable(open));
+}
 
 void TestStudyParts::rankingsBecomeAnswers() {
     const auto& all = psychophysics::arrangements(Task::rank3);

@@ -15,6 +15,12 @@ using C = Connection;
 using A = const Actor&;
 using N = std::int64_t;
 
+// The sealed code of "soft" in this participant's study, as a blind experimenter has it from the list.
+std::string codeFor(C& c, N participant) {
+    const auto study = selectInteger(c, "SELECT study_id FROM study_participant WHERE id = ?", {participant});
+    return study ? codeOf(c, study->value_or(0), "soft") : std::string();
+}
+
 void addWriting(Calls& map) {
     const auto add = [&](Action action, Touches touches, auto run) { map[action] = {touches, true, run}; };
     add(Action::createStudy, Touches::nothing,
@@ -34,9 +40,13 @@ void addWriting(Calls& map) {
         [](C& c, A a, N n) { return StudyRepository(c, a).completeParticipant(n); });
     add(Action::withdrawParticipant, Touches::participant,
         [](C& c, A a, N n) { return StudyRepository(c, a).withdrawParticipant(n, false); });
+    add(Action::conductRun, Touches::ready,
+        [](C& c, A a, N n) { return drop(StudyRepository(c, a).conductRun(n, codeFor(c, n))); });
     add(Action::beginRun, Touches::ready, [](C& c, A a, N n) {
-        return drop(StudyRepository(c, a).beginRun({n, "soft", 1, 3, "descending@1"}));
+        return drop(StudyRepository(c, a).beginRun({n, codeFor(c, n), 1, 3, "descending@1"}));
     });
+    add(Action::sealedConditions, Touches::frozen,
+        [](C& c, A a, N n) { return drop(StudyReader(c, a).sealedConditions(n)); });
     add(Action::storeStudyTrial, Touches::run,
         [](C& c, A a, N n) { return StudyRepository(c, a).storeStudyTrial(someTrial(n, 1)); });
     add(Action::finishRun, Touches::run,
@@ -54,8 +64,8 @@ void addReading(Calls& map) {
     add(Action::listStudies, Touches::nothing, [](C& c, A a, N) { return drop(StudyReader(c, a).listStudies(true)); });
     add(Action::studyByKey, Touches::nothing, [](C& c, A a, N) { return drop(StudyReader(c, a).studyByKey("simulated")); });
     add(Action::study, Touches::frozen, [](C& c, A a, N n) { return drop(StudyReader(c, a).study(n)); });
-    add(Action::sealedConditions, Touches::frozen,
-        [](C& c, A a, N n) { return drop(StudyReader(c, a).sealedConditions(n)); });
+    add(Action::conditionCodes, Touches::frozen,
+        [](C& c, A a, N n) { return drop(StudyReader(c, a).conditionCodes(n)); });
     add(Action::participants, Touches::frozen, [](C& c, A a, N n) { return drop(StudyReader(c, a).participants(n)); });
     add(Action::participantByCode, Touches::frozen, [](C& c, A a, N n) {
         const auto code = selectText(c, "SELECT code FROM study_participant WHERE study_id = ?", {n});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/canonical_json.h"
+#include "database/query.h"
 #include "database/repositories/privacy_repository.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
@@ -55,6 +56,13 @@ inline database::StudyTrial someTrial(database::StudyRunNumber run, int ordinal,
     return trial;
 }
 
+/// What a condition goes by while the study is blinded, whoever may know it; empty: there is none.
+inline std::string codeOf(database::Connection& connection, database::StudyNumber study, const std::string& condition) {
+    const auto code = database::selectText(connection, "SELECT sealed_code FROM study_condition WHERE study_id = ? AND condition = ?",
+                                           {study, condition});
+    return code ? code->value_or("") : std::string();
+}
+
 /// A study with somebody in each state, of one author. Participants of the simulated account are simulated.
 struct StudyTargets {
     database::StudyNumber draft = 0, frozen = 0;
@@ -96,7 +104,7 @@ inline core::Result<StudyTargets> makeStudies(database::Database& site, const da
             }
             *target = *who;
         }
-        const auto run = studies.beginRun({made.running, "hard", 0, 0xfedcba9876543210ULL, "descending@1"});
+        const auto run = studies.beginRun({made.running, codeOf(w.connection(), *frozen, "hard"), 0, 0xfedcba9876543210ULL, "descending@1"});
         auto done = run ? studies.storeStudyTrial(someTrial(*run, 0)) : tl::unexpected(run.error());
         done = done ? studies.withdrawParticipant(made.withdrawn, true) : done;
         if (!done) {

@@ -61,6 +61,10 @@ void TestAccessRules::whatMattersMostIsSpeltOut() {
             QCOMPARE(scopeOf(action, K::person, {role}), Scope::none);
         }
     }
+    // Which code is which condition: the study's author and administrators alone.
+    QCOMPARE(scopeOf(Action::sealedConditions, K::person, {Role::researcher}), Scope::own);
+    QCOMPARE(scopeOf(Action::sealedConditions, K::person, {Role::trainer}), Scope::none);
+    QCOMPARE(scopeOf(Action::sealedConditions, K::anonymous, {}), Scope::none);
     QCOMPARE(scopeOf(Action::session, K::person, {Role::trainee}), Scope::ownAndSimulated);
     QCOMPARE(scopeOf(Action::listPeople, K::person, {Role::trainee}), Scope::none);
     QCOMPARE(scopeOf(Action::voidSession, K::person, {Role::trainee}), Scope::none);

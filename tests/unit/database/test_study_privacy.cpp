@@ -69,7 +69,7 @@ void TestStudyPrivacy::init() {
         m_participant = who.id;
         m_code = who.code;
         auto good = studies.recordConsent(who.id, consentDigest());
-        m_run = studies.beginRun({who.id, "soft", 0, 1, "descending@1"}).value();
+        m_run = studies.beginRun({who.id, codeOf(w.connection(), m_study, "soft"), 0, 1, "descending@1"}).value();
         good = good ? studies.storeStudyTrial(someTrial(m_run, 0, m_session)) : good;
         good = good ? studies.finishRun(m_run, StudyRunState::completed) : good;
         return good ? studies.storeQuestionnaireAnswers({{who.id, "face", "remarks", {}, "Schmetterlingseffekt", ""},
@@ -162,7 +162,7 @@ void TestStudyPrivacy::recordingsGoWhereTheParticipantWishes() {
     QFETCH(bool, recordings);
     withdraw(recordings);
     REQUIRE(AccountService(*m->database).eraseParticipant(m_admin, kPassword, m_participant, "wish"));
-    QCOMPARE(SessionReader(*reader(), m_ruth).session(m_session)->summary.recordingErased, recordings);
+    QCOMPARE(SessionReader(*reader(), Actor::maintenance()).session(m_session)->summary.recordingErased, recordings);
     m->database.reset();
     QVERIFY(verifyDatabase(m->path(), m->options).ok());
 }
@@ -171,7 +171,7 @@ void TestStudyPrivacy::erasingAPersonErasesTheParticipant() {
     REQUIRE(AccountService(*m->database).erasePerson(m_admin, kPassword, m_tim, "wish", false));
     QVERIFY(!onDisk(m->path(), "Unverwechselbar") && !onDisk(m->path(), "Schmetterlingseffekt"));
     QVERIFY(StudyReader(*reader(), m_ruth).participantByCode(m_study, m_code)->erased);
-    QVERIFY(!SessionReader(*reader(), m_ruth).session(m_session)->summary.recordingErased);
+    QVERIFY(!SessionReader(*reader(), Actor::maintenance()).session(m_session)->summary.recordingErased);
     m->database.reset();
     QVERIFY(verifyDatabase(m->path(), m->options).ok());
 }
@@ -179,7 +179,7 @@ void TestStudyPrivacy::erasingAPersonErasesTheParticipant() {
 void TestStudyPrivacy::erasingAnExperimenterKeepsParticipantsRecordings() {
     const auto own = storeSession(*m->database, m_ruth, 1);
     REQUIRE(AccountService(*m->database).erasePerson(m_admin, kPassword, m_ruth.personId(), "left", true));
-    QVERIFY(!SessionReader(*reader(), m_admin).session(m_session)->summary.recordingErased);
+    QVERIFY(!SessionReader(*reader(), Actor::maintenance()).session(m_session)->summary.recordingErased);
     QVERIFY(SessionReader(*reader(), m_admin).session(*own)->summary.recordingErased);
     m->database.reset();
     QVERIFY(verifyDatabase(m->path(), m->options).ok());
@@ -199,7 +199,7 @@ void TestStudyPrivacy::restoredBackupsStayErased() {
     QVERIFY(!onDisk(m->path(), "Unverwechselbar") && !onDisk(m->path(), "Schmetterlingseffekt"));
     QVERIFY(verifyDatabase(m->path(), m->options).ok());
     REQUIRE(m->reopen());
-    QVERIFY(SessionReader(*reader(), m_admin).session(m_session)->summary.recordingErased);
+    QVERIFY(SessionReader(*reader(), Actor::maintenance()).session(m_session)->summary.recordingErased);
     QVERIFY(StudyReader(*reader(), m_admin).participantByCode(m_study, m_code)->erased);
 }
 

@@ -27,7 +27,7 @@ inline core::Result<void> addStudies(DatabaseFixture& f, const database::Actor& 
     }
     const auto done = f.database->write([&](WriteContext& w) -> core::Result<void> {
         StudyRepository studies(w.connection(), ada);
-        const auto run = studies.beginRun({made->ready, "soft", 0, 5, "descending@1"});
+        const auto run = studies.beginRun({made->ready, codeOf(w.connection(), made->frozen, "soft"), 0, 5, "descending@1"});
         auto good = run ? core::Result<void>() : tl::unexpected(run.error());
         for (int i = 0; good && i < 3; ++i) {
             good = studies.storeStudyTrial(someTrial(*run, i));

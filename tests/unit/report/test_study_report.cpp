@@ -59,6 +59,7 @@ private slots:
     void refusesDraft();
     void tellsAll();
     void blindUntilUnblinded();
+    void blindToUnlikeConditions();
     void tellsOfMarks();
 
 private:
@@ -134,7 +135,7 @@ void TestStudyReport::blindUntilUnblinded() {
     std::string sha256;
     const auto study = done(designOf("jnd_blind", true), sha256);
     auto connection = m_site.database->openReader();
-    const auto sealed = database::StudyReader(**connection, database::Actor::simulated()).sealedConditions(study);
+    const auto sealed = database::StudyReader(**connection, database::Actor::simulated()).conditionCodes(study);
     QVERIFY(sealed && sealed->size() == 1);
     QVERIFY(report(study, file("blind.pdf")));
     const QString blind = textOf(file("blind.pdf"));
@@ -144,6 +145,37 @@ void TestStudyReport::blindUntilUnblinded() {
     QVERIFY(write([&](database::StudyRepository& all) { return all.unblindStudy(study); }));
     QVERIFY(report(study, file("unblinded.pdf")));
     QVERIFY(textOf(file("unblinded.pdf")).contains(QStringLiteral("Softwood tube")));
+}
+
+/// Conditions that no analysis has in common: counts, by code, until the study is unblinded.
+void TestStudyReport::blindToUnlikeConditions() {
+    psychophysics::StudyDesign design = designOf("jnd_unlike", true);
+    psychophysics::Condition other = design.conditions.front();
+    other.id = "weighty";
+    other.title = {{"en", "Leaden tube"}};
+    other.stimulus = testing::stimulusOf(psychophysics::Attribute::mass);
+    other.stimulus.reference = 0.06;
+    other.stimulus.differences.pop_back();
+    other.procedures = {testing::rank3(other.stimulus.differences, 24, 12)};
+    design.conditions.push_back(other);
+    std::string sha256;
+    const auto study = done(design, sha256);
+    auto connection = m_site.database->openReader();
+    const auto sealed = database::StudyReader(**connection, database::Actor::simulated()).conditionCodes(study);
+    QVERIFY(sealed && sealed->size() == 2);
+    QVERIFY(report(study, file("unlike.pdf")));
+    const QString blind = textOf(file("unlike.pdf"));
+    const QStringList known{"Softwood", "Leaden", "150 N/m", "60.0 g", "Kendall"};
+    for (const database::SealedCondition& each : *sealed)
+        QVERIFY2(blind.contains(QString::fromStdString(each.sealedCode)), qPrintable(blind));
+    for (const QString& told : known)
+        QVERIFY2(!blind.contains(told), qPrintable(told));
+    QVERIFY(blind.contains(QStringLiteral("an estimate once the study is unblinded")));
+    QVERIFY(write([&](database::StudyRepository& all) { return all.unblindStudy(study); }));
+    QVERIFY(report(study, file("unlike_open.pdf")));
+    const QString open = textOf(file("unlike_open.pdf"));
+    for (const QString& told : known)
+        QVERIFY2(open.contains(told), qPrintable(told + ": " + open));
 }
 
 /// A study of the apex: bias, sd and error instead of Weber fractions; while blind without millimetres, which would tell the radius.

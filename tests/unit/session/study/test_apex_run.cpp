@@ -2,6 +2,7 @@
 #include "catalogue/apex_study_content.h"
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
+#include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
 #include "session/study/apex_analysis.h"
 #include "session/study/apex_sitting.h"
@@ -58,7 +59,8 @@ struct Site {
     }
     std::vector<database::StudyTrial> trials(const std::string& code) {
         const auto opened = session::openStudy(*fixture.database, actor, study, code);
-        return *session::trialsOf(*fixture.database, actor, opened->runs.front().id);
+        auto connection = fixture.database->openReader();
+        return *database::StudyReader(**connection, actor).studyTrials(opened->runs.front().id);
     }
 
     tests::SessionFixture fixture;

@@ -2,6 +2,7 @@
 // A sitting in real time without a window: pausing before the loop ticks, events that a sleeping window misses, the delay of a device.
 #include "catalogue/study_reader.h"
 #include "database/accounts/account_service.h"
+#include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
 #include "session/study/live_study.h"
 #include "session/study/sample_tap.h"
@@ -9,6 +10,9 @@
 #include "support/study_designs.h"
 
 #include <QtTest>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace chiron;
 using View = session::LiveStudyView::State;
@@ -29,8 +33,14 @@ struct Site {
             qFatal("%s", done.error().message.c_str());
         return done;
     }
-    Site() {
+    explicit Site(bool blind = false) {
         design = testing::rank3Study();
+        if (blind) {
+            design.conditions.push_back(design.conditions.front());
+            design.conditions.back().id = "stiffer";
+            design.conditions.back().stimulus.reference = 437.5;
+            design.blindExperimenter = true;
+        }
         design.trial.mustTouchAll = false;
         database::AccountService accounts(*fixture.database);
         if (!accounts.createFirstAdministrator("ada", kPassword, "Ada"))
@@ -78,6 +88,7 @@ private slots:
     void pausesAndGoesOn();
     void stopsWhilePaused();
     void stopsBeforeItBegan();
+    void aBlindExperimenterIsToldNoCondition();
     void noEventIsMissed();
     void limitsOfAnUnmeasuredDeviceAreCautious();
 };
@@ -128,6 +139,30 @@ void TestLiveStudy::stopsBeforeItBegan() {
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
     QVERIFY(live->result().has_value());
     QVERIFY(!live->result()->completed);
+}
+
+/// Beside the trials: the sealed code, no estimate, and nothing of forces, which are those of the condition. It is rendered all the same.
+void TestLiveStudy::aBlindExperimenterIsToldNoCondition() {
+    Site site(true);
+    const auto live = site.sit();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    QVERIFY(live->answer(0).has_value());
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+    const session::LiveStudyNumbers numbers = live->numbers();
+    const auto looked = site.fixture.database->write([&](database::WriteContext& w) { return database::StudyReader(w.connection(), site.actor).sealedConditions(site.study); });
+    QVERIFY(looked);
+    const auto mine = std::find_if(looked->begin(), looked->end(), [&](const auto& each) { return each.sealedCode == numbers.sealedCode; });
+    QVERIFY(mine != looked->end());
+    QCOMPARE(live->condition().id, mine->condition);
+    QVERIFY(numbers.blind);
+    QCOMPARE(numbers.condition, numbers.sealedCode);
+    QVERIFY(numbers.estimates.empty());
+    const session::TrialFidelity& fidelity = numbers.lastFidelity;
+    QVERIFY(std::isnan(fidelity.peakForce_N) && std::isnan(fidelity.stiffnessError) && std::isnan(fidelity.forceErrorRms_N) && std::isnan(fidelity.saturated));
+    QVERIFY(fidelity.places.empty() && fidelity.duration_s > 0.0);
+    Site open;
+    QVERIFY(!open.sit()->numbers().blind);
+    QCOMPARE(open.sit()->numbers().condition, std::string("main"));
 }
 
 /// A window that sleeps for longer than the tap holds is told of a trial's end all the same.

@@ -93,7 +93,7 @@ void addRun(Site& site, const std::string& code, std::uint64_t seed) {
         session::StudyAnswer answer;
         answer.answer = observer.answer(psychophysics::Task::rank3, felt);
         auto trial = progress->record(answer);
-        trial->run = run->id;
+        trial->run = *run;
         if (!session::storeTrial(*site.fixture.database, site.actor, *trial))
             qFatal("not stored");
     }
@@ -140,8 +140,13 @@ private slots:
         QVERIFY(opened);
         const std::string sealed = opened->runs.front().sealedCode;
         QVERIFY(!sealed.empty());
-        const tests::OpenStored stored(*site.fixture.database, report->runs.front().session);
-        const QJsonObject level = QJsonDocument::fromJson(QByteArray::fromStdString(stored.session->record().setup.contentJson)).object()["level"].toObject();
+        auto connection = site.fixture.database->openReader();
+        const auto id = report->runs.front().session;
+        const auto closed = session::StoredSession::open(**connection, site.actor, id);
+        QVERIFY(!closed && closed.error().code == core::ErrorCode::notAllowed); // to whom it belongs, too
+        const auto stored = session::StoredSession::open(**connection, database::Actor::maintenance(), id);
+        QVERIFY(stored);
+        const QJsonObject level = QJsonDocument::fromJson(QByteArray::fromStdString((*stored)->record().setup.contentJson)).object()["level"].toObject();
         QCOMPARE(level["id"].toString().toStdString(), sealed);
         QCOMPARE(level["title"]["en"].toString().toStdString(), design.id + " / " + sealed);
     }

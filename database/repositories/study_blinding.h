@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "database/access/authorise.h"
+#include "database/connection.h"
+#include "database/repositories/study_types.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// What a blinded study's lists leave out until it is unblinded: the condition, and what only one of the conditions can have.
+namespace chiron::database {
+
+struct Blinding {
+    bool designed = false; ///< the design blinds experimenters
+    bool on = false;       ///< and the study is not unblinded
+    // What all conditions have in common, and what therefore says nothing of a run.
+    bool oneTask = true;
+    bool oneTable = true;     ///< of differences
+    bool oneProcedure = true; ///< procedures, their scale and criterion
+    bool oneStimulus = true;  ///< attribute, reference and what the objects otherwise are
+    bool adjusts = false;     ///< a condition's answers are values in SI (those of an apex are told as shares of its radius)
+    bool oneExercise = true;  ///< all of an apex, or none
+
+    /// Whether a run can be analysed without its condition: by any of them.
+    bool analysable() const { return oneTask && oneTable && oneProcedure && (oneStimulus || !adjusts); }
+};
+
+/// Of a design as stored; read by its keys alone. Failure: badInput.
+core::Result<Blinding> blindingOf(const std::string& designJson, bool unblinded);
+/// Of the study that this belongs to. Failure: notFound, storage, badInput.
+core::Result<Blinding> blindingOf(Connection& connection, StudyPart part, std::int64_t number);
+
+/// Without the condition while blinded. Where a run cannot be analysed without it, also without what chose its presentations.
+StudyRun sealed(StudyRun run, const Blinding& blinding);
+/// Without what tells conditions apart while blinded; where runs cannot be analysed without it, that there was an answer is left.
+StudyTrial sealed(StudyTrial trial, const Blinding& blinding);
+
+/// Why a trial is spoiled; "withheld" while blinded where the reason comes of forces that conditions differ in.
+std::string shownReason(const std::string& spoiled, const Blinding& blinding);
+
+/// Rows as lists give them. Who may read them is asked before.
+core::Result<std::vector<StudyRun>> shownRuns(Connection& connection, ParticipantNumber participant);
+core::Result<std::vector<StudyTrial>> shownTrials(Connection& connection, StudyRunNumber run);
+
+/// Whether a session is a sitting of a blinded study: its content and its recording are the condition in numbers, so they are closed to
+/// everybody. Known by its trials, and before the first of them by its level's title, "study / sealed code". False for maintenance: the
+/// program itself ends, recovers and verifies what it recorded.
+core::Result<bool> isSealedSitting(Connection& connection, const Actor& actor, SessionId session);
+/// Failure: notAllowed where it is one.
+core::Result<void> mayOpenSitting(Connection& connection, const Actor& actor, SessionId session);
+
+} // namespace chiron::database

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/audit/audit_trail.h"
+#include "database/query.h"
+#include "database/repositories/study_blinding.h"
+#include "database/repositories/study_repository.h"
+#include "database/repositories/study_rows.h"
+#include "database/repositories/study_rules.h"
+
+#include <algorithm>
+
+// The one way to a condition of a blinded study for those who are blind: to conduct a run of it.
+namespace chiron::database {
+
+core::Result<void> mayRun(const StoredParticipant& who) {
+    const bool may = who.state == ParticipantState::consented ||
+                     (who.simulated && who.state == ParticipantState::enrolled);
+    if (may) {
+        return {};
+    }
+    return core::fail(core::ErrorCode::wrongUse,
+                      "participant " + who.code + " is " + std::string(token(who.state)) +
+                          (who.state == ParticipantState::enrolled ? ": the consent must be recorded before a run"
+                                                                   : ": expected one who still takes part"));
+}
+
+core::Result<SealedCondition> namedCondition(Connection& connection, const StoredStudy& study, const std::string& name) {
+    const auto blinding = blindingOf(connection, StudyPart::study, study.id);
+    const auto all = blinding ? sealedConditionRows(connection, study.id) : tl::unexpected(blinding.error());
+    if (!all) {
+        return tl::unexpected(all.error());
+    }
+    const auto found = std::find_if(all->begin(), all->end(), [&](const SealedCondition& each) {
+        return each.sealedCode == name || (!blinding->on && each.condition == name);
+    });
+    if (found != all->end()) {
+        return *found;
+    }
+    return core::fail(core::ErrorCode::badInput, "condition \"" + name + "\": expected " +
+                                                     (blinding->on ? "the sealed code of one of study " : "one of study ") + study.key);
+}
+
+core::Result<ConductedRun> StudyRepository::conductRun(ParticipantNumber participant, const std::string& condition) {
+    auto good = mayWriteStudy(m_connection, m_actor, Action::conductRun, StudyPart::participant, participant);
+    const auto who = good ? storedParticipant(m_connection, participant) : tl::unexpected(good.error());
+    const auto study = who ? storedStudy(m_connection, who->study) : tl::unexpected(who.error());
+    const auto named = study ? namedCondition(m_connection, *study, condition) : tl::unexpected(study.error());
+    const auto blinding = named ? blindingOf(m_connection, StudyPart::study, study->id) : tl::unexpected(named.error());
+    auto runs = blinding ? runRows(m_connection, participant) : tl::unexpected(blinding.error());
+    good = runs ? mayRun(*who) : tl::unexpected(runs.error());
+    if (!good) {
+        return tl::unexpected(good.error());
+    }
+    ConductedRun conducted{named->condition, named->sealedCode, {}, {}};
+    for (StudyRun& run : *runs) {
+        if (run.condition != named->condition || run.state == StudyRunState::stopped) {
+            continue;
+        }
+        if (run.state == StudyRunState::completed) {
+            return core::fail(core::ErrorCode::wrongUse, "condition " + condition + " is completed");
+        }
+        auto trials = studyTrialRows(m_connection, run.id);
+        if (!trials) {
+            return tl::unexpected(trials.error());
+        }
+        conducted.open = std::move(run);
+        conducted.trials = std::move(*trials);
+    }
+    if (!conducted.open && study->state != "frozen") {
+        return core::fail(core::ErrorCode::wrongUse, "study " + study->key + " is " + study->state + ": no run is begun any more");
+    }
+    if (blinding->on) {
+        good = appendAudit(m_connection, m_actor, {"conductRun", "study_participant", participant, std::nullopt,
+                                                   "{\"sealed_code\":\"" + named->sealedCode + "\"}"});
+    }
+    return good ? core::Result<ConductedRun>(std::move(conducted)) : tl::unexpected(good.error());
+}
+
+} // namespace chiron::database

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_process.h"
+
+#include <QDirIterator>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+
+#include <algorithm>
+
+// The surgeons' study is blinded: who is not its author learns no condition from any command, and runs by sealed codes.
+class TestCliBlindedStudy : public QObject {
+    Q_OBJECT
+private slots:
+    void aBlindedStudyTellsNoCondition();
+
+private:
+    QTemporaryDir m_folder;
+};
+
+namespace {
+
+QJsonObject object(const CliRun& run) {
+    if (run.exitCode != 0)
+        qWarning("%s", run.err.constData());
+    return QJsonDocument::fromJson(run.out).object();
+}
+
+/// The names of all files with what is in those of this kind.
+QByteArray filesIn(const QString& folder, const QStringList& ends) {
+    QDirIterator files(folder, QDir::Files, QDirIterator::Subdirectories);
+    QByteArray all;
+    while (files.hasNext()) {
+        QFile file(files.next());
+        const bool wanted = std::any_of(ends.begin(), ends.end(), [&](const QString& end) { return file.fileName().endsWith(end); });
+        all += QFileInfo(file).fileName().toUtf8() + '\n';
+        all += wanted && file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    return all;
+}
+
+} // namespace
+
+void TestCliBlindedStudy::aBlindedStudyTellsNoCondition() {
+    const QString database = m_folder.filePath("blind.db");
+    const QMap<QString, QString> password{{"CHIRON_PASSWORD", "correct horse battery"}, {"CHIRON_NEW_PASSWORD", "correct horse battery"}};
+    const auto as = [&](const QString& name, const QStringList& arguments) { return runCli(arguments + QStringList{"--database", database, "--as", name, "--json"}, {}, password); };
+    QCOMPARE(runCli({"init", "--admin", "alice", "--database", database}, {}, password).exitCode, 0);
+    for (const char* name : {"ruth", "rob"})
+        QCOMPARE(as("alice", {"user", "add", name, "--role", "researcher"}).exitCode, 0);
+    QCOMPARE(as("ruth", {"study", "new", "surgeons"}).exitCode, 0);
+    QCOMPARE(as("ruth", {"study", "freeze", "surgeons"}).exitCode, 0);
+    const CliRun run = as("rob", {"study", "run", "surgeons", "--participant", "S01", "--observer", "weber:0.12", "--quick", "--trials", "5"});
+    QVERIFY2(run.exitCode == 0, run.err.constData());
+    const CliRun rendered = as("rob", {"study", "run", "surgeons", "--participant", "S02", "--observer", "weber:0.12", "--trials", "1"});
+    QVERIFY2(rendered.exitCode == 0, rendered.err.constData());
+    QByteArray told = run.out + rendered.out;
+    for (const QStringList& command : {QStringList{"study", "show", "surgeons"}, {"study", "analyse", "surgeons"},
+                                       {"study", "export", "surgeons", "--format", "csv,bids", "--out", m_folder.filePath("blind")}}) {
+        const CliRun read = as("rob", command);
+        QVERIFY2(read.exitCode == 0, read.err.constData());
+        told += read.out;
+    }
+    const CliRun shown = as("rob", {"session", "list"});
+    const QJsonArray sessions = object(shown)["sessions"].toArray();
+    QCOMPARE(sessions.size(), 1);
+    const CliRun opened = as("rob", {"session", "show", QString::number(sessions[0]["session_id"].toInt())});
+    QVERIFY2(opened.exitCode != 0 && opened.err.contains("blinded"), opened.out.constData());
+    told += shown.out + opened.out + opened.err;
+    const QJsonObject show = object(as("rob", {"study", "show", "surgeons"}));
+    QVERIFY(show["blinded"].toBool() && !show.contains("design"));
+    QCOMPARE(show["conditions"].toArray().size(), 3);
+    QVERIFY(object(as("ruth", {"study", "show", "surgeons"})).contains("design")); // who may unblind it
+    const QJsonObject analysis = object(as("rob", {"study", "analyse", "surgeons"}));
+    QCOMPARE(analysis["runs"].toArray().size(), 2);
+    const QString code = analysis["runs"][0]["condition"].toString();
+    QCOMPARE(code.size(), 3);
+    for (const QJsonValue& each : analysis["runs"].toArray()) { // tables differ: counts alone
+        QVERIFY(each["estimate"]["weber"].isNull());
+        QCOMPARE(each["estimate"]["trials"].toInt(), each["participant"].toString() == QLatin1String("S01") ? 1 : 0); // without practice
+    }
+    // What columns mean is said beside them, in words that hold for all attributes ("stiffness_error").
+    const QByteArray exported = filesIn(m_folder.filePath("blind"), {"runs.csv", "trials.csv", "estimates.csv", "participants.csv", ".tsv"});
+    told += filesIn(m_folder.filePath("blind"), {".json"});
+    QVERIFY(exported.contains(code.toLatin1()));
+    for (const char* condition : {"stiffness", "mass", "friction"}) {
+        QVERIFY2(!told.contains(QByteArray("\"") + condition + "\""), condition);
+        QVERIFY2(!exported.contains(condition), condition);
+    }
+    QVERIFY(!QFile::exists(m_folder.filePath("blind/csv/design.json")));
+    QVERIFY(as("rob", {"study", "unblind", "surgeons"}).exitCode != 0);
+    QCOMPARE(as("ruth", {"study", "unblind", "surgeons"}).exitCode, 0);
+    QCOMPARE(as("rob", {"session", "show", QString::number(sessions[0]["session_id"].toInt())}).exitCode, 0);
+    QVERIFY(object(as("rob", {"study", "show", "surgeons"})).contains("design"));
+    const QString after = object(as("rob", {"study", "analyse", "surgeons"}))["runs"][0]["condition"].toString();
+    QVERIFY2((QStringList{"stiffness", "mass", "friction"}).contains(after), qPrintable(after));
+}
+
+QTEST_GUILESS_MAIN(TestCliBlindedStudy)
+#include "test_cli_blinded_study.moc"

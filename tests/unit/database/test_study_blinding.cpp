@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study_site.h"
+
+#include "database/query.h"
+#include "database/repositories/score_repository.h"
+#include "database/repositories/session_reader.h"
+#include "database/repositories/session_repository.h"
+#include "database/repositories/study_blinding.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+#include <cmath>
+
+using namespace chiron;
+using namespace chiron::database;
+using namespace chiron::test;
+
+/// Which sealed code is which condition: nobody gets it from a list until the study is unblinded, its author and administrators by an
+/// audited look, whoever conducts a run for that run.
+class TestStudyBlinding : public QObject {
+    Q_OBJECT
+private slots:
+    void init();
+    void listsHoldCodesAlone();
+    void authorAndAdministratorsLook();
+    void aRunIsConductedByItsCode();
+    void unblindingTells();
+    void trialsLackWhatTellsConditionsApart();
+    void fixedOrderIsNotBlind();
+    void oneExerciseIsBlind();
+    void sittingsAreClosed();
+    void unlikeConditionsAreOnlyCounted();
+    void marksAreSharesOfTheRadius();
+
+private:
+    template <class Job>
+    auto as(const Actor& actor, Job job) {
+        return m->database->write([&](WriteContext& w) {
+            StudyRepository studies(w.connection(), actor);
+            return job(studies);
+        });
+    }
+    core::Result<std::vector<SealedCondition>> look(const Actor& actor) {
+        return m->database->write([&](WriteContext& w) { return StudyReader(w.connection(), actor).sealedConditions(m_of.frozen); });
+    }
+    std::int64_t audited(const char* action) {
+        auto connection = m->database->openReader();
+        return selectInteger(**connection, "SELECT count(*) FROM audit WHERE action = ?", {std::string(action)})->value_or(0);
+    }
+    std::string code(const std::string& condition) {
+        auto connection = m->database->openReader();
+        return codeOf(**connection, m_of.frozen, condition);
+    }
+
+    std::unique_ptr<DatabaseFixture> m;
+    Actor m_admin = Actor::anonymous(), m_ruth = Actor::anonymous(), m_rob = Actor::anonymous();
+    StudyTargets m_of; ///< ruth's
+};
+
+void TestStudyBlinding::init() {
+    m = std::make_unique<DatabaseFixture>();
+    REQUIRE(m->create());
+    m_admin = m->administrator().value();
+    m_ruth = m->person(m_admin, "ruth", {Role::researcher}).value();
+    m_rob = m->person(m_admin, "rob", {Role::researcher}).value();
+    const auto made = makeStudies(*m->database, m_ruth, "blinded");
+    REQUIRE(made);
+    m_of = *made;
+}
+
+void TestStudyBlinding::listsHoldCodesAlone() {
+    auto connection = m->database->openReader();
+    for (const Actor& actor : {m_rob, m_ruth, m_admin}) { // no list tells anybody: a look is audited
+        const auto codes = StudyReader(**connection, actor).conditionCodes(m_of.frozen);
+        REQUIRE(codes);
+        QCOMPARE(codes->size(), std::size_t{2});
+        QVERIFY(codes->at(0).sealedCode < codes->at(1).sealedCode); // not the design's order
+        for (const SealedCondition& each : *codes) {
+            QVERIFY(each.condition.empty());
+        }
+        const auto runs = StudyReader(**connection, actor).runs(m_of.running);
+        REQUIRE(runs);
+        QVERIFY(runs->front().condition.empty());
+        QCOMPARE(runs->front().sealedCode, code("hard"));
+    }
+}
+
+void TestStudyBlinding::authorAndAdministratorsLook() {
+    QCOMPARE(look(m_rob).error().code, core::ErrorCode::notAllowed);
+    auto connection = m->database->openReader();
+    QCOMPARE(StudyReader(**connection, m_ruth).sealedConditions(m_of.frozen).error().code, core::ErrorCode::wrongUse); // unaudited
+    QCOMPARE(audited("sealedConditions"), std::int64_t{0});
+    for (const Actor& actor : {m_ruth, m_admin}) {
+        const auto all = look(actor);
+        REQUIRE(all);
+        QVERIFY(all->front().condition == "soft" && all->front().sealedCode == code("soft"));
+    }
+    QCOMPARE(audited("sealedConditions"), std::int64_t{2});
+}
+
+void TestStudyBlinding::aRunIsConductedByItsCode() {
+    const auto conduct = [&](const Actor& actor, ParticipantNumber who, const std::string& name) {
+        return as(actor, [&](StudyRepository& s) { return s.conductRun(who, name); });
+    };
+    for (const Actor& actor : {m_rob, m_ruth}) { // by name it would tell the code
+        QCOMPARE(conduct(actor, m_of.ready, "soft").error().code, core::ErrorCode::badInput);
+    }
+    QCOMPARE(as(m_rob, [&](StudyRepository& s) { return s.beginRun({m_of.ready, "soft", 0, 1, "descending@1"}); }).error().code,
+             core::ErrorCode::badInput);
+    QCOMPARE(conduct(m_rob, m_of.enrolled, code("soft")).error().code, core::ErrorCode::wrongUse); // no consent, no run, no look
+    QCOMPARE(audited("conductRun"), std::int64_t{0});
+    const auto fresh = conduct(m_rob, m_of.ready, code("soft"));
+    REQUIRE(fresh);
+    QVERIFY(fresh->condition == "soft" && !fresh->open);
+    const auto open = conduct(m_rob, m_of.running, code("hard"));
+    REQUIRE(open);
+    QVERIFY(open->condition == "hard" && open->open && open->open->id == m_of.run && open->trials.size() == 1);
+    QCOMPARE(audited("conductRun"), std::int64_t{2});
+    REQUIRE(as(m_rob, [&](StudyRepository& s) { return s.beginRun({m_of.ready, code("soft"), 0, 1, "descending@1"}); }));
+    REQUIRE(as(m_rob, [&](StudyRepository& s) { return s.finishRun(m_of.run, StudyRunState::completed); }));
+    QCOMPARE(conduct(m_rob, m_of.running, code("hard")).error().code, core::ErrorCode::wrongUse); // done: nothing to conduct
+}
+
+void TestStudyBlinding::unblindingTells() {
+    QCOMPARE(as(m_rob, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen); }).error().code, core::ErrorCode::notAllowed);
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen); }));
+    auto connection = m->database->openReader();
+    QCOMPARE(StudyReader(**connection, m_rob).runs(m_of.running)->front().condition, std::string("hard"));
+    const auto codes = StudyReader(**connection, m_rob).conditionCodes(m_of.frozen);
+    REQUIRE(codes);
+    for (const SealedCondition& each : *codes) {
+        QCOMPARE(each.sealedCode, code(each.condition));
+    }
+    QCOMPARE(audited("unblindStudy"), std::int64_t{1});
+}
+
+void TestStudyBlinding::trialsLackWhatTellsConditionsApart() {
+    StudyTrial trial = someTrial(m_of.run, 1);
+    trial.fidelityJson = R"({"contacts":3,"peak_force_N":2.5,"places":[{"place":0,"rendered":812.5,"contacts":1}]})";
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.storeStudyTrial(trial); }));
+    auto connection = m->database->openReader();
+    const auto shown = [&] { return StudyReader(**connection, m_rob).studyTrials(m_of.run)->at(1); };
+    // Soft and hard differ in their reference: forces tell, the ratios of one table do not.
+    QVERIFY(shown().difference == 0.1 && shown().answer == 3);
+    QCOMPARE(shown().fidelityJson, std::string(R"({"contacts":3,"places":[{"contacts":1,"place":0}]})"));
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen); }));
+    QCOMPARE(shown().fidelityJson, trial.fidelityJson);
+}
+
+void TestStudyBlinding::fixedOrderIsNotBlind() {
+    const auto freeze = [&](const std::string& key, const std::string& order) {
+        std::string design = someDesign(key);
+        design.insert(design.size() - 1, ",\"order\":\"" + order + "\"");
+        return as(m_ruth, [&](StudyRepository& s) -> core::Result<std::string> {
+            const auto made = s.createStudy(key, "Order", design);
+            return made ? s.freezeStudy(*made) : tl::unexpected(made.error());
+        });
+    };
+    const auto fixed = freeze("fixed_one", "fixed");
+    QVERIFY(!fixed && fixed.error().code == core::ErrorCode::badInput && fixed.error().message.find("order") != std::string::npos);
+    REQUIRE(freeze("mixed_one", "latin_square"));
+}
+
+void TestStudyBlinding::oneExerciseIsBlind() {
+    std::string design = someDesign("two_exercises");
+    const std::string stimulus = R"("attribute":"stiffness","reference":800,"differences":[0.02,0.05,0.1]},"task":"rank3","procedures":[{"kind":"descending","levels":[0.1,0.05,0.02]}])";
+    const std::string apex = R"("attribute":"apex","reference":0.02,"differences":[0.1]},"task":"adjustment","procedures":[{"kind":"constant","levels":[0.1],"repeats":3}])";
+    design.replace(design.find(stimulus), stimulus.size(), apex);
+    const auto freeze = [&] {
+        return as(m_ruth, [&](StudyRepository& s) -> core::Result<std::string> {
+            const auto made = s.createStudy("two_exercises", "Two", design);
+            return made ? s.freezeStudy(*made) : tl::unexpected(made.error());
+        });
+    };
+    const auto mixed = freeze();
+    QVERIFY(!mixed && mixed.error().code == core::ErrorCode::badInput);
+    QVERIFY2(mixed.error().message.find("apex") != std::string::npos, mixed.error().message.c_str());
+}
+
+// Content and recording of a sitting are its condition in numbers. Before its first trial it is known by its title alone.
+void TestStudyBlinding::sittingsAreClosed() {
+    NewSession setup = someSession();
+    setup.exercise = "comparison";
+    setup.contentJson = R"({"level":{"id":")" + code("hard") + R"(","parameters":{"value":800},"title":{"en":"blinded / )" + code("hard") + R"("}}})";
+    const auto begin = [&](const NewSession& of) {
+        return m->database->write([&](WriteContext& w) { return SessionRepository(w.connection(), m_rob).beginSession(of); });
+    };
+    const auto untouched = begin(setup);
+    const auto other = begin(someSession());
+    REQUIRE(untouched);
+    REQUIRE(other);
+    auto connection = m->database->openReader();
+    const auto everywhere = [&](const Actor& actor, SessionId id) {
+        SessionReader sessions(**connection, actor);
+        std::vector<core::ErrorCode> codes;
+        const auto note = [&](const auto& result) { codes.push_back(result ? core::ErrorCode::wrongUse : result.error().code); };
+        note(sessions.session(id));
+        note(sessions.trials(id));
+        note(sessions.events(id));
+        note(sessions.secondSummaries(id));
+        note(sessions.openChunks(id));
+        return codes;
+    };
+    const std::vector<core::ErrorCode> closed(5, core::ErrorCode::notAllowed), open(5, core::ErrorCode::wrongUse);
+    for (const Actor& actor : {m_rob, m_ruth, m_admin}) {
+        QVERIFY(everywhere(actor, *untouched) == closed);
+        QVERIFY(everywhere(actor, *other) == open);
+        QCOMPARE(ScoreRepository(**connection, actor).scores(*untouched).error().code, core::ErrorCode::notFound);
+        REQUIRE(SessionReader(**connection, actor).comments(*untouched));
+    }
+    QVERIFY(everywhere(Actor::maintenance(), *untouched) == open);
+    const auto running = SessionReader(**connection, m_admin).listUnfinished();
+    REQUIRE(running);
+    QVERIFY(running->front().summary.id == *untouched && running->front().setup.contentJson.empty() && !running->back().setup.contentJson.empty());
+    const auto held = PrivacyRepository(**connection, m_rob).exportPerson(m_rob.personId());
+    REQUIRE(held);
+    QVERIFY(held->sessions.size() == 2 && held->sessions[0].sealed && held->sessions[0].record.setup.contentJson.empty());
+    QVERIFY(!held->sessions[1].sealed && !held->sessions[1].record.setup.contentJson.empty());
+    REQUIRE(as(m_rob, [&](StudyRepository& s) { return s.storeStudyTrial(someTrial(m_of.run, 1, *other)); }));
+    QVERIFY(everywhere(m_rob, *other) == closed); // by its trial
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen); }));
+    QVERIFY(everywhere(m_rob, *untouched) == open && everywhere(m_rob, *other) == open);
+}
+
+// Where tasks, tables or procedures differ, whatever chose or answered a presentation would tell: that there was one is left.
+void TestStudyBlinding::unlikeConditionsAreOnlyCounted() {
+    std::string design = someDesign("unlike");
+    const std::string table = "[0.02,0.05,0.1]}";
+    design.replace(design.rfind(table), table.size(), "[0.02,0.05,0.2]}");
+    StudyNumber study = 0;
+    StudyRunNumber run = 0;
+    ParticipantNumber who = 0;
+    REQUIRE(m->database->write([&](WriteContext& w) -> core::Result<void> {
+        StudyRepository s(w.connection(), m_ruth);
+        study = s.createStudy("unlike", "Unlike", design).value();
+        (void)s.freezeStudy(study).value();
+        who = enrol(s, m_ruth, study, true).value();
+        run = s.beginRun({who, codeOf(w.connection(), study, "soft"), 0, 17, "descending@1"}).value();
+        return s.storeStudyTrial(someTrial(run, 0));
+    }));
+    auto connection = m->database->openReader();
+    const auto shownRun = [&] { return StudyReader(**connection, m_ruth).runs(who)->front(); };
+    const auto shown = [&] { return StudyReader(**connection, m_ruth).studyTrials(run)->front(); };
+    QVERIFY(shownRun().seed == 0 && shownRun().procedures.empty());
+    const StudyTrial blind = shown();
+    QVERIFY(std::isnan(blind.difference) && std::isnan(blind.entropyMargin) && blind.candidate == -1 && blind.arrangement == -1);
+    QVERIFY(blind.outcome == -1 && blind.answer == 0 && blind.practice && blind.exploration_s == 4.5);
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(study); }));
+    QVERIFY(shownRun().seed == 17 && shownRun().procedures == "descending@1");
+    QVERIFY(shown().difference == 0.1 && shown().candidate == 2 && shown().answer == 3);
+}
+
+// Marks beside an apex are told as shares of the radius, which is what conditions differ in.
+void TestStudyBlinding::marksAreSharesOfTheRadius() {
+    Blinding blinding;
+    blinding.on = true;
+    blinding.oneStimulus = false;
+    StudyTrial trial = someTrial(1, 0);
+    trial.value = 0.005;
+    trial.fidelityJson = R"({"apex":{"error_x_m":0.003,"error_y_m":-0.004,"radius_m":0.02},"peak_force_N":2.5})";
+    const StudyTrial shown = sealed(trial, blinding);
+    QVERIFY(!shown.value);
+    const QJsonObject apex = QJsonDocument::fromJson(QByteArray::fromStdString(shown.fidelityJson)).object()["apex"].toObject();
+    QCOMPARE(apex["error_x_m"].toDouble(), 0.15);
+    QCOMPARE(apex["error_y_m"].toDouble(), -0.2);
+    QCOMPARE(apex["radius_m"].toDouble(), 1.0);
+    trial.spoiled = "saturation"; // hard objects reach the limit of the force
+    QCOMPARE(sealed(trial, blinding).spoiled, std::string("withheld"));
+    trial.spoiled = "speed";
+    QCOMPARE(sealed(trial, blinding).spoiled, std::string("speed"));
+}
+
+QTEST_GUILESS_MAIN(TestStudyBlinding)
+#include "test_study_blinding.moc"
