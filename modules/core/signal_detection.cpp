@@ -14,6 +14,8 @@ namespace {
 double varianceOfZ(double rate, int n) noexcept {
     if (n <= 0)
         return std::numeric_limits<double>::infinity();
+    if (!(rate > 0.0 && rate < 1.0))
+        return std::numeric_limits<double>::quiet_NaN();
     const double density = normalDensity(normalQuantile(rate));
     return rate * (1.0 - rate) / (n * density * density);
 }
@@ -21,6 +23,12 @@ double varianceOfZ(double rate, int n) noexcept {
 } // namespace
 
 double correctedRate(int yes, int of) noexcept { return (yes + 0.5) / (of + 1.0); }
+
+double rateOf(int yes, int of, RateCorrection correction) noexcept {
+    if (correction == RateCorrection::logLinear)
+        return correctedRate(yes, of);
+    return of > 0 ? static_cast<double>(yes) / of : std::numeric_limits<double>::quiet_NaN();
+}
 
 double dPrime(double hitRate, double falseAlarmRate) noexcept { return normalQuantile(hitRate) - normalQuantile(falseAlarmRate); }
 
@@ -36,14 +44,14 @@ double criterion(const DetectionCounts& n) noexcept {
     return criterion(correctedRate(n.hits, n.ofSignal), correctedRate(n.falseAlarms, n.ofNoise));
 }
 
-double dPrimeStandardError(const DetectionCounts& n) noexcept {
-    return std::sqrt(varianceOfZ(correctedRate(n.hits, n.ofSignal), n.ofSignal) +
-                     varianceOfZ(correctedRate(n.falseAlarms, n.ofNoise), n.ofNoise));
+double dPrimeStandardError(const DetectionCounts& n, RateCorrection correction) noexcept {
+    return std::sqrt(varianceOfZ(rateOf(n.hits, n.ofSignal, correction), n.ofSignal) +
+                     varianceOfZ(rateOf(n.falseAlarms, n.ofNoise, correction), n.ofNoise));
 }
 
-DetectionInterval dPrimeInterval(const DetectionCounts& counts, double level) noexcept {
-    const double middle = dPrime(counts);
-    const double reach = normalQuantile(0.5 * (1.0 + level)) * dPrimeStandardError(counts);
+DetectionInterval dPrimeInterval(const DetectionCounts& counts, double level, RateCorrection correction) noexcept {
+    const double middle = dPrime(rateOf(counts.hits, counts.ofSignal, correction), rateOf(counts.falseAlarms, counts.ofNoise, correction));
+    const double reach = normalQuantile(0.5 * (1.0 + level)) * dPrimeStandardError(counts, correction);
     return {middle - reach, middle + reach};
 }
 

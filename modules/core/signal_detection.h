@@ -28,6 +28,10 @@ inline bool isUsable(const DetectionCounts& n) noexcept { return n.ofSignal >= k
 /// Research Methods 27:46–51; models.md §6).
 double correctedRate(int yes, int of) noexcept;
 
+enum class RateCorrection { logLinear, none };
+/// The rate of counts; without correction not a number where nothing was asked.
+double rateOf(int yes, int of, RateCorrection correction) noexcept;
+
 /// d′ = z(H) − z(F) and c = −½(z(H) + z(F)) of the equal-variance Gaussian model; c > 0: rather no. Macmillan & Creelman, Detection
 /// Theory (2nd ed. 2005), eq. 1.5 and 2.1. Of rates as they are: infinite at 0 and 1.
 double dPrime(double hitRate, double falseAlarmRate) noexcept;
@@ -37,9 +41,9 @@ double dPrime(const DetectionCounts& counts) noexcept;
 double criterion(const DetectionCounts& counts) noexcept;
 
 /// Standard error of d′ of counts (Gourevitch & Galanter 1967, Psychometrika 32:25–33; Macmillan & Creelman 2005, eq. 13.4):
-/// var = H(1−H)/(n₁ φ(z(H))²) + F(1−F)/(n₀ φ(z(F))²), with corrected rates and the true n₁ and n₀ places with and without a signal. Infinite where
-/// either is none.
-double dPrimeStandardError(const DetectionCounts& counts) noexcept;
+/// var = H(1−H)/(n₁ φ(z(H))²) + F(1−F)/(n₀ φ(z(F))²), with rates so corrected and the true n₁ and n₀ places with and without a signal. Infinite where
+/// either is none; not a number for uncorrected rates of 0 or 1.
+double dPrimeStandardError(const DetectionCounts& counts, RateCorrection correction = RateCorrection::logLinear) noexcept;
 
 struct DetectionInterval {
     double low = 0.0;
@@ -47,6 +51,7 @@ struct DetectionInterval {
 };
 
 /// d′ ± z((1 + level)/2) standard errors; 0 < level < 1. An approximation for large samples: unusable below kUsableCounts.
-DetectionInterval dPrimeInterval(const DetectionCounts& counts, double level = 0.95) noexcept;
+DetectionInterval dPrimeInterval(const DetectionCounts& counts, double level = 0.95,
+                                 RateCorrection correction = RateCorrection::logLinear) noexcept;
 
 } // namespace chiron::core

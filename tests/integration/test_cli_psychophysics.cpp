@@ -15,6 +15,9 @@ private slots:
     void fitPrintsTheContract_data();
     void fitPrintsTheContract();
     void fitWarnsOfDegenerateData();
+    void dPrimeWithoutCorrection();
+    void dPrimeOfNothing();
+    void intervalsAreThereOrMissed();
     void fitNamesThePlace_data();
     void fitNamesThePlace();
     void adaptiveAnswersLineByLine();
@@ -85,6 +88,47 @@ void TestCliPsychophysics::fitWarnsOfDegenerateData() {
     QVERIFY2(!warnings.isEmpty(), run.out.constData());
     for (const QJsonValue& warning : warnings)
         QVERIFY2(warning.toString().contains(": "), qPrintable(warning.toString()));
+}
+
+/// Interval and standard error belong to the rates that d' is of.
+void TestCliPsychophysics::dPrimeWithoutCorrection() {
+    const auto dprime = [](const QStringList& counts, const QStringList& more = {}) {
+        return object(runCli(QStringList{"psychophysics", "dprime", "--hits", counts[0], "--misses", counts[1], "--false-alarms", counts[2], "--correct-rejections", counts[3],
+                                         "--uncorrected", "--json"} + more).out);
+    };
+    const QJsonObject some = dprime({"40", "10", "10", "40"});
+    const double d = some["d_prime"].toDouble();
+    QVERIFY(std::abs(d - 2.0 * 0.8416212335729143) < 1e-9);
+    QVERIFY(std::abs(0.5 * (some["ci_low"].toDouble() + some["ci_high"].toDouble()) - d) < 1e-9);
+    const QJsonObject whole = dprime({"50", "0", "0", "50"});
+    QVERIFY(whole["d_prime"].isNull() && whole["ci_low"].isNull() && whole["se"].isNull() && !whole["warnings"].toArray().isEmpty());
+    const QJsonObject pairs = dprime({"40", "10", "10", "40"}, {"--task", "same-different"});
+    QCOMPARE(pairs["correction"].toString(), QStringLiteral("none"));
+    QCOMPARE(pairs["proportion_correct"].toDouble(), 0.8);
+    QVERIFY(dprime({"50", "0", "0", "50"}, {"--task", "same-different"})["d_prime"].isNull());
+}
+
+void TestCliPsychophysics::dPrimeOfNothing() {
+    const QJsonObject none = object(runCli({"psychophysics", "dprime", "--hits", "0", "--misses", "0", "--false-alarms", "0", "--correct-rejections", "50", "--json"}).out);
+    QVERIFY(none["d_prime"].isNull() && !none["warnings"].toArray().isEmpty());
+    const QJsonObject perfect = object(runCli({"psychophysics", "dprime", "--task", "2afc", "--proportion", "1", "--json"}).out);
+    QVERIFY(perfect["d_prime"].isNull() && !perfect["warnings"].toArray().isEmpty());
+}
+
+/// What was asked for has an interval, or a warning says how to get one.
+void TestCliPsychophysics::intervalsAreThereOrMissed() {
+    const auto fit = [this](const QStringList& options) {
+        return object(runCli(QStringList{"psychophysics", "fit", file("asked.csv", kLevels), "--threshold-at", "0.75", "--json"} + options).out);
+    };
+    const auto missed = [](const QJsonObject& fitted) {
+        const QJsonArray warnings = fitted["warnings"].toArray();
+        return std::any_of(warnings.begin(), warnings.end(), [](const QJsonValue& w) { return w.toString().startsWith(QLatin1String("no_interval: ")); });
+    };
+    const QJsonObject bayes = fit({});
+    const QJsonArray ci = bayes["threshold_at"]["ci"].toArray();
+    const double value = bayes["threshold_at"]["value"].toDouble();
+    QVERIFY(ci[0].toDouble() < value && value < ci[1].toDouble() && !missed(bayes));
+    QVERIFY(missed(fit({"--method", "ml"})) && missed(fit({"--method", "ml", "--bootstrap", "50"})) && !missed(fit({"--method", "ml", "--bootstrap", "200"})));
 }
 
 void TestCliPsychophysics::fitNamesThePlace_data() {

@@ -115,16 +115,23 @@ QJsonObject estimateJson(const DPrimeEstimate& e) {
 
 QJsonObject yesNoJson(const std::array<long long, 4>& c, bool corrected) {
     const core::DetectionCounts counts{static_cast<int>(c[0]), static_cast<int>(c[0] + c[1]), static_cast<int>(c[2]), static_cast<int>(c[2] + c[3])};
-    const auto rate = [&](int yes, int of) { return corrected ? core::correctedRate(yes, of) : static_cast<double>(yes) / of; };
+    const core::RateCorrection correction = corrected ? core::RateCorrection::logLinear : core::RateCorrection::none;
+    const bool any = counts.ofSignal > 0 && counts.ofNoise > 0; // a correction must not make a number out of nothing
+    const auto rate = [&](int yes, int of) { return any ? core::rateOf(yes, of, correction) : std::numeric_limits<double>::quiet_NaN(); };
     const double hit = rate(counts.hits, counts.ofSignal), alarm = rate(counts.falseAlarms, counts.ofNoise);
     QJsonArray warnings;
-    if (counts.ofSignal == 0 || counts.ofNoise == 0)
+    if (any && !std::isfinite(core::dPrime(hit, alarm)))
+        warnings.append(QStringLiteral("no_limit: a rate is 0 or 1, so d' has no finite value without a correction"));
+    if (!any)
         warnings.append(QStringLiteral("no_trials: there are no trials with, or none without, the stimulus"));
     else if (!core::isUsable(counts))
         warnings.append(QStringLiteral("few_trials: fewer than %1 trials with, or without, the stimulus; d' is uncertain").arg(core::kUsableCounts));
-    const core::DetectionInterval interval = core::dPrimeInterval(counts);
+    core::DetectionInterval interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+    if (any)
+        interval = core::dPrimeInterval(counts, 0.95, correction);
+    const double error = any ? core::dPrimeStandardError(counts, correction) : std::numeric_limits<double>::quiet_NaN();
     return {{"d_prime", core::dPrime(hit, alarm)}, {"criterion", core::criterion(hit, alarm)}, {"log_beta", core::dPrime(hit, alarm) * core::criterion(hit, alarm)},
-            {"se", core::dPrimeStandardError(counts)}, {"ci_low", interval.low}, {"ci_high", interval.high},
+            {"se", error}, {"ci_low", interval.low}, {"ci_high", interval.high},
             {"hit_rate", hit}, {"false_alarm_rate", alarm}, {"correction", corrected ? "log-linear" : "none"}, {"warnings", warnings}};
 }
 
@@ -135,7 +142,9 @@ core::Result<QJsonObject> rowJson(const Arguments& arguments, const QString& tas
         json = yesNoJson(*row.counts, corrected);
     } else if (row.counts && arguments.value(QStringLiteral("rule")) != u"independent") {
         const auto& c = *row.counts;
-        json = estimateJson(sameDifferentOfCounts(c[0], c[0] + c[1], c[2], c[2] + c[3]));
+        json = estimateJson(sameDifferentOfCounts(c[0], c[0] + c[1], c[2], c[2] + c[3], 0.95,
+                                                  corrected ? core::RateCorrection::logLinear : core::RateCorrection::none));
+        json.insert("correction", corrected ? "log-linear" : "none");
         json.insert("rule", "differencing");
     } else {
         const auto rule = ruleOf(arguments, task);
@@ -146,7 +155,11 @@ core::Result<QJsonObject> rowJson(const Arguments& arguments, const QString& tas
             json = {{"d_prime", dPrimeOfRates(*rule, rates["hit_rate"].toDouble(), rates["false_alarm_rate"].toDouble())},
                     {"hit_rate", rates["hit_rate"]}, {"false_alarm_rate", rates["false_alarm_rate"]}, {"rule", "independent"}, {"warnings", rates["warnings"]}};
         } else if (std::isfinite(row.proportion)) {
-            json = {{"d_prime", dPrimeAt(*rule, row.proportion)}, {"proportion_correct", row.proportion}, {"warnings", QJsonArray()}};
+            const double found = dPrimeAt(*rule, row.proportion);
+            QJsonArray warnings;
+            if (!std::isfinite(found))
+                warnings.append(QStringLiteral("no_limit: at this proportion d' has no finite value"));
+            json = {{"d_prime", found}, {"proportion_correct", row.proportion}, {"warnings", warnings}};
         } else {
             json = estimateJson(dPrimeOfCounts(*rule, row.right, row.of));
         }

@@ -15,6 +15,8 @@ namespace {
 
 using namespace psychophysics;
 
+constexpr int kDrawsOfDerived = 2000; ///< of the posterior, for the interval of a threshold at another proportion
+
 QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
 
 QStringList sigmoidNames() {
@@ -108,6 +110,8 @@ core::Result<FitOptions> readOptions(const Arguments& arguments) {
     options.lapse = *lapse;
     if (auto read = readSimulations(arguments, options); !read)
         return tl::unexpected(read.error());
+    if (arguments.has(QStringLiteral("threshold-at")))
+        options.draws = kDrawsOfDerived;
     return options;
 }
 
@@ -204,7 +208,9 @@ core::Result<CommandOutput> fitCurve(const Arguments& arguments) {
     const auto data = readLevels(arguments.operand(0));
     if (!data)
         return tl::unexpected(data.error());
-    const FitResult fit = *method == u"ml" ? fitMaximumLikelihood(*data, *options) : fitBayesian(*data, *options);
+    FitResult fit = *method == u"ml" ? fitMaximumLikelihood(*data, *options) : fitBayesian(*data, *options);
+    if (fit.fitted && *method == u"ml" && options->bootstrap == Bootstrap::none && (options->curvePoints > 1 || arguments.has(QStringLiteral("threshold-at"))))
+        fit.warnings.emplace_back("no_interval: a curve and a threshold at another proportion have intervals with --bootstrap only, by this method");
     QJsonObject json = fitJson(fit);
     if (auto added = addDerived(arguments, fit, json); !added)
         return tl::unexpected(added.error());

@@ -12,6 +12,8 @@
 namespace chiron::psychophysics {
 namespace {
 
+constexpr double kFewestForInterval = 100.0; ///< repetitions: below, its ends at 2.5 % are single ones
+
 /// Fits data sets that differ from the first one in their answers only.
 class Refits {
 public:
@@ -151,7 +153,9 @@ void addBootstrapIntervals(FitResult& result, const PreparedLevels& levels, cons
                                   " of " + std::to_string(options.bootstrapSamples) +
                                   " simulated repetitions had no threshold; the interval is too narrow");
     }
-    if (had < 100.0) {
+    if (had < kFewestForInterval) {
+        result.warnings.push_back("no_interval: " + std::to_string(static_cast<int>(had)) + " simulated repetitions give no interval; expected at least " +
+                                  std::to_string(static_cast<int>(kFewestForInterval)));
         return;
     }
     const auto leftOut = leaveOneOut(levels, options);

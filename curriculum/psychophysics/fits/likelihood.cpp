@@ -66,8 +66,8 @@ FreeParameters freeParameters(const FitOptions& options) noexcept {
     free.largestLapse = std::min(asked, (free.equal ? 0.5 : 1.0) * (1.0 - fixedGuess - kLeastReach));
     free.largestGuess = std::min(asked, 1.0 - fixedLapse - kLeastReach);
     if (free.lapse && free.guess) {
-        free.largestLapse = std::min(free.largestLapse, 0.5 * (1.0 - kLeastReach));
-        free.largestGuess = std::min(free.largestGuess, 0.5 * (1.0 - kLeastReach));
+        free.largestLapse = std::min(free.largestLapse, 0.5 - kLeastReach);
+        free.largestGuess = std::min(free.largestGuess, 0.5); // whole: it is what two alternatives leave to chance
     }
     return free;
 }

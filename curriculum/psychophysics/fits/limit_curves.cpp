@@ -76,7 +76,9 @@ StepCurve bestStep(const LevelsView& levels, const FreeParameters& free, double 
             StepCurve step{i, atLevel, 0.0, lapse, guess, 0.0};
             chooseEnds(step, below, above, free);
             weigh(step, below, above, at);
-            if (step.logLikelihood > best.logLikelihood) {
+            const double alike = std::isfinite(best.logLikelihood) ? 1e-9 * std::max(1.0, std::abs(best.logLikelihood)) : 0.0;
+            const bool freer = best.atLevel && !step.atLevel; // of two as likely the one that stands between levels: halfway, as mirrored data say
+            if (step.logLikelihood > best.logLikelihood + alike || (freer && step.logLikelihood > best.logLikelihood - alike)) {
                 best = step;
             }
         }

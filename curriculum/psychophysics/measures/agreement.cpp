@@ -14,6 +14,7 @@ namespace chiron::psychophysics {
 namespace {
 
 constexpr std::size_t kMostStates = 200000;
+constexpr std::size_t kMostWork = 2000000; ///< sums that are made: about a second
 constexpr std::size_t kMostPermuted = 7; ///< objects: 5,040 orders
 
 bool allFinite(const std::vector<double>& values) {
@@ -51,6 +52,7 @@ double exactConcordance(const std::vector<std::vector<int>>& doubledRanks) {
         return std::numeric_limits<double>::quiet_NaN();
     std::map<std::vector<int>, double> states{{std::vector<int>(doubledRanks.front().size(), 0), 1.0}};
     std::vector<int> observed(doubledRanks.front().size(), 0);
+    std::size_t work = 0;
     for (std::vector<int> ranks : doubledRanks) {
         std::transform(observed.begin(), observed.end(), ranks.begin(), observed.begin(), std::plus<>());
         std::sort(ranks.begin(), ranks.end());
@@ -58,7 +60,8 @@ double exactConcordance(const std::vector<std::vector<int>>& doubledRanks) {
         do
             orders.push_back(ranks);
         while (std::next_permutation(ranks.begin(), ranks.end()));
-        if (states.size() * orders.size() > 20 * kMostStates)
+        work += states.size() * orders.size();
+        if (work > kMostWork)
             return std::numeric_limits<double>::quiet_NaN();
         std::map<std::vector<int>, double> next;
         for (const auto& [sums, share] : states)

@@ -87,16 +87,22 @@ double sameDifferentDPrime(double hitRate, double falseAlarmRate) noexcept {
     return 0.5 * (low + high);
 }
 
-DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long long falseAlarms, long long ofSame, double level) {
+DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long long falseAlarms, long long ofSame, double level,
+                                     core::RateCorrection correction) {
     DPrimeEstimate result;
     if (ofDifferent <= 0 || ofSame <= 0 || hits < 0 || hits > ofDifferent || falseAlarms < 0 || falseAlarms > ofSame) {
         result.warnings.emplace_back("no_trials: both equal and different pairs are needed");
         return result;
     }
-    const auto corrected = [](long long yes, long long of) { return (static_cast<double>(yes) + 0.5) / (static_cast<double>(of) + 1.0); };
-    const double h = corrected(hits, ofDifferent);
-    const double f = corrected(falseAlarms, ofSame);
+    const double more = correction == core::RateCorrection::logLinear ? 0.5 : 0.0;
+    const auto rate = [more](long long yes, long long of) { return (static_cast<double>(yes) + more) / (static_cast<double>(of) + 2.0 * more); };
+    const double h = rate(hits, ofDifferent);
+    const double f = rate(falseAlarms, ofSame);
     result.proportion = 0.5 * (h + 1.0 - f);
+    if (!(h > 0.0 && h < 1.0 && f > 0.0 && f < 1.0)) {
+        result.warnings.emplace_back("no_limit: a rate is 0 or 1, so d' has no finite value without a correction");
+        return result;
+    }
     result.dPrime = sameDifferentDPrime(h, f);
     if (ofDifferent < kFewCounts || ofSame < kFewCounts)
         result.warnings.emplace_back("few_trials: fewer than 20 equal or different pairs");

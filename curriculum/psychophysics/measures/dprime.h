@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/signal_detection.h"
 #include "psychophysics/measures/discrimination.h"
 
 #include <limits>
@@ -41,8 +42,10 @@ struct SameDifferentRates {
 SameDifferentRates sameDifferentRates(double dPrime, double criterion) noexcept;
 /// d′ of rates in ]0, 1[; 0 where H ≤ F.
 double sameDifferentDPrime(double hitRate, double falseAlarmRate) noexcept;
-/// Of counts with log-linear correction (Hautus 1995); SE by the delta method. Yes–no: core/signal_detection.h.
-DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long long falseAlarms, long long ofSame, double level = 0.95);
+/// Of counts with log-linear correction (Hautus 1995) or as they are; SE by the delta method. Without correction nothing is finite at rates
+/// of 0 and 1 (warning no_limit). Yes–no: core/signal_detection.h.
+DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long long falseAlarms, long long ofSame, double level = 0.95,
+                                     core::RateCorrection correction = core::RateCorrection::logLinear);
 
 /// Exact power of a one-sided binomial test against guessing at level α, of n trials with true d′.
 double discriminationPower(const DiscriminationTask& task, double dPrime, int trials, double alpha = 0.05) noexcept;

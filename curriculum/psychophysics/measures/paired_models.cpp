@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace chiron::psychophysics {
 
@@ -104,12 +106,103 @@ std::vector<PairCount> prepare(TiedWorthEstimate& result, int objects, const std
     return pairs;
 }
 
-double probit(const std::vector<Selection>& pairs, const std::vector<double>& scale) {
-    double sum = 0.0;
-    for (const Selection& pair : pairs)
-        sum += counted(pair.count, core::normalCumulative(scale[static_cast<std::size_t>(pair.winner)] -
-                                                          scale[static_cast<std::size_t>(pair.losers.front())]));
-    return sum;
+/// φ(z)/Φ(z): the slope of ln Φ.
+double mills(double z) {
+    constexpr double kFar = -30.0; // beyond, Φ runs out of digits and the series is exact to 1e-6
+    if (z < kFar)
+        return -z - 1.0 / z;
+    return core::normalDensity(z) / core::normalCumulative(z);
+}
+
+/// Thurstone case V of a table of wins: the log-likelihood with its first and second derivatives, over scale values of mean 0.
+class ProbitPairs {
+public:
+    ProbitPairs(std::size_t objects, const std::vector<Selection>& pairs) : m_wins(objects, std::vector<double>(objects, 0.0)) {
+        for (const Selection& pair : pairs)
+            m_wins[static_cast<std::size_t>(pair.winner)][static_cast<std::size_t>(pair.losers.front())] += pair.count;
+    }
+
+    double value(const std::vector<double>& free) const {
+        const std::vector<double> scale = centredOf(free, m_wins.size());
+        double sum = 0.0;
+        forEach([&](std::size_t i, std::size_t j) { sum += counted(m_wins[i][j], core::normalCumulative(scale[i] - scale[j])); });
+        return sum;
+    }
+    /// Gradient over the free values, and minus the Hessian.
+    void derivatives(const std::vector<double>& free, std::vector<double>& gradient, Matrix& information) const {
+        const std::vector<double> scale = centredOf(free, m_wins.size());
+        const std::size_t n = m_wins.size();
+        std::vector<double> g(n, 0.0);
+        Matrix h(n, std::vector<double>(n, 0.0));
+        forEach([&](std::size_t i, std::size_t j) {
+            const double z = scale[i] - scale[j];
+            const double slope = mills(z);
+            const double bend = m_wins[i][j] * slope * (z + slope);
+            g[i] += m_wins[i][j] * slope;
+            g[j] -= m_wins[i][j] * slope;
+            h[i][i] += bend;
+            h[j][j] += bend;
+            h[i][j] -= bend;
+            h[j][i] -= bend;
+        });
+        const std::size_t last = n - 1; // x_last = −Σ of the others
+        gradient.assign(last, 0.0);
+        information.assign(last, std::vector<double>(last, 0.0));
+        for (std::size_t i = 0; i < last; ++i) {
+            gradient[i] = g[i] - g[last];
+            for (std::size_t j = 0; j < last; ++j)
+                information[i][j] = h[i][j] - h[i][last] - h[last][j] + h[last][last];
+        }
+    }
+
+private:
+    template <typename Action> void forEach(Action&& action) const {
+        for (std::size_t i = 0; i < m_wins.size(); ++i)
+            for (std::size_t j = 0; j < m_wins.size(); ++j)
+                if (m_wins[i][j] > 0.0)
+                    action(i, j);
+    }
+    Matrix m_wins; ///< [winner][loser]
+};
+
+/// Newton's method: ln Φ is concave, so there is one maximum and a step that is halved where it does not rise gets there.
+Maximum climb(const ProbitPairs& pairs, std::vector<double> start) {
+    constexpr int kMostSteps = 100;
+    constexpr double kSettled = 1e-12;
+    Maximum best;
+    best.at = std::move(start);
+    best.value = pairs.value(best.at);
+    std::vector<double> gradient;
+    Matrix information;
+    for (; best.iterations < kMostSteps && !best.found; ++best.iterations) {
+        pairs.derivatives(best.at, gradient, information);
+        best.covariance = inverseOf(information);
+        if (best.covariance.empty())
+            return best;
+        std::vector<double> step(gradient.size(), 0.0);
+        double longest = 0.0;
+        for (std::size_t i = 0; i < step.size(); ++i) {
+            for (std::size_t j = 0; j < step.size(); ++j)
+                step[i] += best.covariance[i][j] * gradient[j];
+            longest = std::max(longest, std::abs(step[i]));
+        }
+        best.found = longest < kSettled;
+        for (double share = std::min(1.0, 2.0 / std::max(longest, 1e-300)); !best.found; share *= 0.5) {
+            std::vector<double> at = best.at;
+            for (std::size_t i = 0; i < at.size(); ++i)
+                at[i] += share * step[i];
+            const double value = pairs.value(at);
+            best.found = share * longest < kSettled;
+            if (value < best.value - 1e-13 * std::abs(best.value))
+                continue;
+            best.at = std::move(at);
+            best.value = value;
+            break;
+        }
+    }
+    pairs.derivatives(best.at, gradient, information);
+    best.covariance = inverseOf(information);
+    return best;
 }
 
 } // namespace
@@ -154,17 +247,20 @@ WorthEstimate fitThurstonePairs(int objects, const std::vector<Selection>& given
     std::vector<double> start(result.logWorth.begin(), result.logWorth.end() - 1);
     for (double& value : start)
         value /= 1.7; // logistic against normal
-    const Maximum best = maximise([&](const std::vector<double>& at) { return probit(pairs, centredOf(at, n)); }, start);
+    const Maximum best = climb(ProbitPairs(n, pairs), start);
     takeWorths(result, best, n);
     return result;
 }
 
 WorthEstimate fitThurstoneOrders(int objects, const std::vector<std::vector<int>>& bestFirst) {
-    std::vector<Selection> pairs;
+    std::map<std::pair<int, int>, double> wins; // judges agree on few pairs: counted, they cost nothing
     for (const std::vector<int>& order : bestFirst)
         for (std::size_t i = 0; i < order.size(); ++i)
             for (std::size_t j = i + 1; j < order.size(); ++j)
-                pairs.push_back({order[i], {order[j]}, 1.0});
+                wins[{order[i], order[j]}] += 1.0;
+    std::vector<Selection> pairs;
+    for (const auto& [pair, count] : wins)
+        pairs.push_back({pair.first, {pair.second}, count});
     WorthEstimate result = fitThurstonePairs(objects, pairs);
     std::fill(result.standardError.begin(), result.standardError.end(), std::numeric_limits<double>::quiet_NaN());
     return result;

@@ -146,7 +146,7 @@ bool prepare(WorthEstimate& result, int objects, const std::vector<Selection>& g
              std::vector<Selection>& all) {
     std::copy_if(given.begin(), given.end(), std::back_inserter(data), [&](const Selection& s) { return isUsable(s, objects); });
     if (data.size() < given.size())
-        result.warnings.push_back("left_out: " + std::to_string(given.size() - data.size()) + " choices name unknown or repeated objects");
+        result.warnings.push_back("left_out: " + std::to_string(given.size() - data.size()) + " choices name unknown or repeated objects, or are counted by no number above zero");
     if (objects < 2 || (data.empty() && !(regularisation > 0.0))) {
         result.warnings.emplace_back("no_data: there is nothing to estimate from");
         return false;

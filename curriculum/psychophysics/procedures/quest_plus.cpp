@@ -60,8 +60,16 @@ int QuestPlus::candidateOf(const Stimulus& presented) const {
     };
     if (m_choice && same(m_choice->stimulus))
         return m_choice->candidate;
-    const auto found = std::find_if(m_model->stimuli.begin(), m_model->stimuli.end(), same);
-    return found == m_model->stimuli.end() ? -1 : static_cast<int>(found - m_model->stimuli.begin());
+    const auto end = m_model->stimuli.end();
+    const auto found = std::find_if(m_model->stimuli.begin(), end, same);
+    if (found == end)
+        return -1;
+    if (std::find_if(found + 1, end, same) != end) { // given twice: it was the row that was chosen, also when trials are taken anew
+        const Choice chosen = choose();
+        if (same(chosen.stimulus))
+            return chosen.candidate;
+    }
+    return static_cast<int>(found - m_model->stimuli.begin());
 }
 
 /// The grid's row nearest to a stimulus, dimensions weighed by their ranges; the first of two alike.

@@ -52,6 +52,33 @@ core::Result<std::vector<ParameterGrid>> ordered(const std::vector<ParameterGrid
     return inOrder;
 }
 
+/// For each dimension of the function its place in the stimuli as they were given: by name where there is more than one.
+core::Result<std::vector<std::size_t>> placesOf(const QuestPlusSpec& spec, const PsychometricFunction& function) {
+    const std::vector<std::string_view>& names = function.stimuli;
+    std::string expected;
+    for (const std::string_view name : names)
+        expected += (expected.empty() ? "" : ", ") + std::string(name);
+    if (spec.stimuli.size() != names.size())
+        return fail(ErrorCode::badInput, "stimuli: expected " + std::to_string(names.size()) + " dimensions (" + expected + ")");
+    if (names.size() == 1)
+        return std::vector<std::size_t>{0};
+    std::vector<std::size_t> places;
+    for (const std::string_view name : names) {
+        const auto found = std::find_if(spec.stimuli.begin(), spec.stimuli.end(), [name](const auto& dimension) { return dimension.first == name; });
+        if (found == spec.stimuli.end())
+            return fail(ErrorCode::badInput, "stimuli: " + std::string(name) + " is missing; expected " + expected);
+        places.push_back(static_cast<std::size_t>(found - spec.stimuli.begin()));
+    }
+    return places;
+}
+
+Stimulus arranged(const Stimulus& given, const std::vector<std::size_t>& places) {
+    Stimulus out;
+    for (const std::size_t place : places)
+        out.push_back(given[place]);
+    return out;
+}
+
 core::Result<void> checkRules(const QuestPlusSpec& spec) {
     if (spec.repeatLimit < 0)
         return fail(ErrorCode::badInput, "repeat_limit: expected at least 0");
@@ -85,8 +112,9 @@ core::Result<void> addFunction(QuestPlusModel& model, const QuestPlusSpec& spec)
         return fail(ErrorCode::badInput, "function: \"" + spec.function + "\" is not known");
     if (spec.outcomes != 2)
         return fail(ErrorCode::badInput, "outcomes: expected 2 with this function");
-    if (model.stimuli.front().size() != function->stimuli.size())
-        return fail(ErrorCode::badInput, "stimuli: expected " + std::to_string(function->stimuli.size()) + " dimensions");
+    const auto places = placesOf(spec, *function);
+    if (!places)
+        return tl::unexpected(places.error());
     auto parameters = ordered(spec.parameters, function->parameters());
     if (!parameters)
         return tl::unexpected(parameters.error());
@@ -95,12 +123,15 @@ core::Result<void> addFunction(QuestPlusModel& model, const QuestPlusSpec& spec)
         return tl::unexpected(prior.error());
     if (prior->cells() > kMostEntries / model.stimuli.size())
         return fail(ErrorCode::badInput, "stimuli times parameter cells: more than " + std::to_string(kMostEntries));
-    auto tables = psychometricTables(*function, model.stimuli, *prior);
+    std::vector<Stimulus> stimuli;
+    for (const Stimulus& given : model.stimuli)
+        stimuli.push_back(arranged(given, *places));
+    auto tables = psychometricTables(*function, stimuli, *prior);
     if (!tables)
         return tl::unexpected(tables.error());
     model.prior = std::move(*prior);
     model.tables = std::move(*tables);
-    model.tablesAt = [function, grid = model.prior](const Stimulus& x) { return psychometricTables(*function, {x}, grid); };
+    model.tablesAt = [function, grid = model.prior, order = *places](const Stimulus& x) { return psychometricTables(*function, {arranged(x, order)}, grid); };
     return {};
 }
 

@@ -71,6 +71,8 @@ private slots:
     void nuisanceByBruteForce();
     void offsetChangesNothing();
     void capHoldsForRoundedStimuli();
+    void undoTakesTheRowThatWasChosen();
+    void dimensionsGoByName();
 };
 
 void TestQuestPlus::entropyByBruteForce() {
@@ -238,6 +240,55 @@ void TestQuestPlus::capHoldsForRoundedStimuli() {
         }
         QVERIFY2(limit == 0 ? most > 4 : most == 4, qPrintable(QString::number(most)));
     }
+}
+
+/// Two rows of the same value with different probabilities: a trial taken back leaves what the chosen row said of the others.
+void TestQuestPlus::undoTakesTheRowThatWasChosen() {
+    QuestPlusSpec spec;
+    spec.function = "table";
+    spec.outcomes = 2;
+    spec.stimuli = {{"intensity", {1.0, 1.0, 2.0}}};
+    spec.parameters = {{"level", {1.0, 2.0}, {}, false}};
+    // [outcome][stimulus][cell]: the first row says nothing, the second much
+    spec.table = {{{0.5, 0.5}, {0.9, 0.2}, {0.6, 0.4}}, {{0.5, 0.5}, {0.1, 0.8}, {0.4, 0.6}}};
+    spec.stop = {.trials = 10};
+    const auto model = questPlusModel(spec);
+    QVERIFY2(model, model ? "" : model.error().message.c_str());
+    QuestPlus run(*model, 1), without(*model, 1);
+    for (const int given : {1, 1, 0}) {
+        const Choice choice = run.next();
+        QCOMPARE(choice.candidate, 1);
+        QVERIFY(run.record(given, choice.stimulus));
+    }
+    QVERIFY(run.undo());
+    for (const int given : {1, 1})
+        QVERIFY(without.record(given, without.next().stimulus));
+    QVERIFY(run.posterior().probability() == without.posterior().probability());
+    QVERIFY(run.posterior().probability()[1] > 0.9);
+}
+
+/// The dimensions of csf in any order choose the same stimuli; one that it does not have is refused.
+void TestQuestPlus::dimensionsGoByName() {
+    const std::pair<std::string, std::vector<double>> contrast{"contrast", {-50, -40, -30, -20, -10, 0}}, spatial{"spatial_freq", {0, 8, 16, 24, 32, 40}},
+        temporal{"temporal_freq", {0}};
+    QuestPlusSpec spec;
+    spec.function = "csf";
+    spec.parameters = {{"min_thresh", {-50, -40, -30}, {}, false}, {"c0", {-60, -50, -40}, {}, false}, {"cf", {0.8, 1.2, 1.6}, {}, false},
+                       {"cw", {0}, {}, false}, {"slope", {3}, {}, false}, {"lower_asymptote", {0.5}, {}, false}, {"lapse_rate", {0.01}, {}, false}};
+    spec.stop = {.trials = 20};
+    spec.stimuli = {contrast, spatial, temporal};
+    auto named = makeProcedure(spec, 1);
+    spec.stimuli = {spatial, temporal, contrast};
+    auto turned = makeProcedure(spec, 1);
+    QVERIFY(named && turned);
+    for (int trial = 0; trial < 12; ++trial) {
+        const Stimulus a = (*named)->next().stimulus, b = (*turned)->next().stimulus;
+        QVERIFY((a == Stimulus{b[2], b[0], b[1]}));
+        QVERIFY((*named)->record(trial % 3 == 0 ? 0 : 1, a) && (*turned)->record(trial % 3 == 0 ? 0 : 1, b));
+    }
+    spec.stimuli[0].first = "frequency";
+    const auto refused = makeProcedure(spec, 1);
+    QVERIFY(!refused && refused.error().message.find("spatial_freq is missing") != std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestQuestPlus)

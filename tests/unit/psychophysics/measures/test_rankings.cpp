@@ -272,6 +272,22 @@ void TestRankings::thurstone() {
     const WorthEstimate orders = fitThurstoneOrders(3, {{0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {0, 2, 1}});
     QVERIFY(orders.fitted && std::isnan(orders.standardError[0]) && orders.logWorth[0] > orders.logWorth[1]);
     QVERIFY(!fitThurstoneOrders(3, {{0, 1, 2}}).fitted);
+    // Many judges of many objects: pairs are counted, not gone through again and again (this took minutes).
+    chiron::core::Random random(9);
+    std::vector<std::vector<int>> many;
+    for (int judge = 0; judge < 300; ++judge) {
+        std::vector<std::pair<double, int>> felt;
+        for (int object = 0; object < 30; ++object)
+            felt.emplace_back(0.1 * object + random.normal(), object);
+        std::sort(felt.begin(), felt.end());
+        many.emplace_back();
+        for (const auto& [value, object] : felt)
+            many.back().push_back(object);
+    }
+    const WorthEstimate wide = fitThurstoneOrders(30, many);
+    QVERIFY(wide.fitted && wide.warnings.empty());
+    for (std::size_t i = 0; i < 30; ++i) // best first is smallest first here; case V of differences: sd √2 a difference
+        QVERIFY(std::abs(wide.logWorth[i] * std::sqrt(2.0) - (1.45 - 0.1 * static_cast<double>(i))) < 0.2);
 }
 
 QTEST_APPLESS_MAIN(TestRankings)
