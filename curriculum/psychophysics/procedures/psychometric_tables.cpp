@@ -185,6 +185,9 @@ private:
 
 core::Result<std::shared_ptr<const OutcomeTables>> psychometricTables(const PsychometricFunction& function,
                                                                       const std::vector<Stimulus>& stimuli, const PosteriorGrid& grid) {
+    for (std::size_t k = 0; k < function.shape.size(); ++k)
+        if (function.shape[k] == "sd" && std::any_of(grid.parameter(k).values.begin(), grid.parameter(k).values.end(), [](double sd) { return !(sd > 0.0); }))
+            return fail(ErrorCode::badInput, "parameters: sd: expected values above 0");
     for (std::size_t k = function.shape.size(); k < grid.parameters(); ++k)
         for (const double a : grid.parameter(k).values)
             if (a < 0.0 || a > 1.0)

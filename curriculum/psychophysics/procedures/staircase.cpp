@@ -11,6 +11,8 @@ using core::fail;
 
 namespace {
 
+constexpr double kLeastRatio = 1e-300; ///< of a level on a log or dB axis
+
 double sizeAt(const std::vector<double>& sizes, int reversals) {
     return sizes[std::min(static_cast<std::size_t>(reversals), sizes.size() - 1)];
 }
@@ -117,6 +119,8 @@ void Staircase::step(Direction direction, int reversalsForSize) {
         m_level *= std::pow(10.0, sign * size / 20.0);
         break;
     }
+    if (m_spec.stepType != StaircaseSpec::StepType::linear)
+        m_level = std::clamp(m_level, kLeastRatio, 1.0 / kLeastRatio); // from 0 or infinity no step would lead back
     if (m_spec.truncate)
         m_level = clamped(m_level);
 }

@@ -69,6 +69,7 @@ private slots:
     void pestBySteps();
     void descendingSaysItsBias();
     void questStaysInRange();
+    void logStepsComeBackFromTheEnd();
 };
 
 void TestProcedures::undoLeavesNoTrace() {
@@ -159,6 +160,28 @@ void TestProcedures::descendingSaysItsBias() {
     QVERIFY(procedure->estimate().method.find("overestimates") != std::string::npos);
     QVERIFY(procedure->id().find("legacy") != std::string_view::npos);
     QVERIFY(!procedure->record(1, {0.2}));
+}
+
+/// Down for thousands of trials and up again: never 0, never infinite.
+void TestProcedures::logStepsComeBackFromTheEnd() {
+    StaircaseSpec spec;
+    spec.stepType = StaircaseSpec::StepType::log;
+    spec.start = 1.0;
+    spec.up = spec.down = 1;
+    spec.stepsUp = {0.5};
+    spec.truncate = false;
+    spec.stop = {.trials = 5000};
+    for (const int first : {1, 0}) {
+        auto run = makeProcedure(spec, 1);
+        QVERIFY2(run, run ? "" : run.error().message.c_str());
+        for (int trial = 0; trial < 1500; ++trial)
+            QVERIFY((*run)->record(first, (*run)->next().stimulus));
+        const double end = (*run)->next().stimulus[0];
+        QVERIFY(end > 0.0 && std::isfinite(end));
+        for (int trial = 0; trial < 100; ++trial)
+            QVERIFY((*run)->record(1 - first, (*run)->next().stimulus));
+        QVERIFY(std::abs(std::log10((*run)->next().stimulus[0] / end)) > 30.0);
+    }
 }
 
 void TestProcedures::questStaysInRange() {
