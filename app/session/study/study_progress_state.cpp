@@ -130,10 +130,10 @@ core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& des
             progress->experimenterSays(true);
         const StudyPresentation shown = progress->next();
         ++replayed.trials;
-        if (shown.candidate == trial.candidate && shown.arrangement == trial.arrangement && shown.procedure == trial.procedure &&
-            shown.practice == trial.practice)
+        const bool sameOtherwise = shown.arrangement == trial.arrangement && shown.procedure == trial.procedure && shown.practice == trial.practice;
+        if (sameOtherwise && shown.candidate == trial.candidate)
             ++replayed.same;
-        else if (trial.entropyMargin < kTie)
+        else if (sameOtherwise && trial.entropyMargin < kTie) // only the candidate is chosen by entropy
             ++replayed.ties;
         else if (replayed.firstDifference < 0)
             replayed.firstDifference = trial.ordinal;

@@ -90,6 +90,13 @@ private slots:
         QCOMPARE(replayed->same, replayed->trials);
         QCOMPARE(replayed->firstDifference, -1);
         QVERIFY(replayed->sameProcedures);
+        // A log that says otherwise is found; a margin of nothing excuses another candidate, not another order of places.
+        auto changed = trials;
+        changed.back().arrangement = (changed.back().arrangement + 1) % 2;
+        changed.back().entropyMargin = 0.0;
+        const auto found = session::rerunChoices(design, stored, changed);
+        QVERIFY(found);
+        QCOMPARE(found->firstDifference, changed.back().ordinal);
     }
     /// A run that stops after any trial and is resumed goes on as it would have.
     void resumedRunGoesOnAlike() {
