@@ -48,16 +48,16 @@ std::vector<ExportColumn> answerColumns() {
 }
 
 std::vector<ExportColumn> fidelityColumns() {
-    std::vector<ExportColumn> columns{{"force_measured", "", "the device measures force", kYesNo},
-                                      {"force_error_rms", "N", "commanded against measured force in contact, RMS"},
+    std::vector<ExportColumn> columns{{"force_measured", "", "the device measures force; n/a, as all that follows, where nothing was rendered (quick runs)", kYesNo},
+                                      {"force_error_rms", "N", "commanded against measured force in contact, RMS; n/a where no force is measured"},
                                       {"late_ticks", "1", "share of ticks that were late"},
                                       {"worst_lateness", "us", "of a tick"},
                                       {"saturated", "1", "share of contact ticks with the force at its limit"},
                                       {"duration", "s", "of the presentation"},
                                       {"peak_force", "N", "largest force; n/a while blinded"},
-                                      {"mean_speed", "m/s", "of the tool in contact"},
+                                      {"mean_speed", "m/s", "of the tool over the whole presentation, in contact or not"},
                                       {"contacts", "1", "number of contacts"},
-                                      {"rendering_error", "1", "largest |rendered/asked - 1| of places with a usable estimate"}};
+                                      {"rendering_error", "1", "largest |rendered/asked - 1| of places with a usable estimate; a limit for stiffness, mass and viscosity, told for friction, n/a for the others"}};
     for (int place = 1; place <= kPlaces; ++place) {
         const QString end = QStringLiteral("_%1").arg(place);
         columns.push_back({"rendered" + end, "SI", QStringLiteral("the attribute as rendered at place %1, by regression of force on motion; n/a while blinded").arg(place)});
@@ -134,7 +134,7 @@ void addFidelity(QStringList& cells, const StudyExportData& data, const StudyTri
     const auto number = [](const QJsonObject& json, const char* key) {
         return exportNumber(json.value(QLatin1String(key)).toDouble(std::numeric_limits<double>::quiet_NaN()));
     };
-    cells << (fidelity.contains("measured") ? exportFlag(fidelity["measured"].toBool()) : kNotAvailable);
+    cells << (fidelity["measured"].isBool() ? exportFlag(fidelity["measured"].toBool()) : kNotAvailable);
     for (const char* key : {"force_error_rms_N", "late_ticks", "worst_lateness_us", "saturated", "duration_s", "peak_force_N", "mean_speed_m_per_s", "contacts", "stiffness_error"})
         cells << (data.blinded && QLatin1String(key) == QLatin1String("peak_force_N") ? kNotAvailable : number(fidelity, key));
     const QJsonArray places = fidelity["places"].toArray();

@@ -197,19 +197,21 @@ TrialFidelity FidelityMeter::finish() const {
     TrialFidelity out;
     out.measured = m_measured;
     const auto ticks = static_cast<double>(std::max<std::uint64_t>(1, m_ticks));
-    const auto contact = static_cast<double>(std::max<std::uint64_t>(1, m_contactTicks));
-    out.forceErrorRms_N = std::sqrt(m_sumError2 / contact);
+    const auto contact = static_cast<double>(m_contactTicks);
+    if (m_measured && m_contactTicks > 0)
+        out.forceErrorRms_N = std::sqrt(m_sumError2 / contact);
     out.lateTicks = static_cast<double>(m_late) / ticks;
     out.worstLateness_us = m_worst_us;
-    out.saturated = static_cast<double>(m_saturated) / contact;
+    if (m_contactTicks > 0)
+        out.saturated = static_cast<double>(m_saturated) / contact;
     out.duration_s = static_cast<double>(m_ticks) * core::kTickSeconds;
     out.peakForce_N = m_peak_N;
     out.meanSpeed_m_per_s = m_sumSpeed / ticks;
     for (std::size_t i = 0; i < std::min(m_asked.size(), m_places.size()); ++i) {
         PlaceFidelity place = summary(i);
         out.contacts += place.contacts;
-        if (limited(m_parameters.attribute) && place.asked > 0.0 && place.standardError < kUsableError * std::abs(place.rendered))
-            out.stiffnessError = std::max(out.stiffnessError, std::abs(place.rendered / place.asked - 1.0));
+        if (place.asked > 0.0 && place.standardError < kUsableError * std::abs(place.rendered))
+            out.stiffnessError = std::fmax(out.stiffnessError, std::abs(place.rendered / place.asked - 1.0)); // of NaN and a number the number
         out.places.push_back(place);
     }
     out.outside = outsideOf(out);
@@ -224,9 +226,9 @@ std::string FidelityMeter::outsideOf(const TrialFidelity& f) const {
         return "late_ticks";
     if (f.saturated > m_limits.saturated)
         return "saturation";
-    if (f.measured && f.forceErrorRms_N > m_limits.forceErrorRms_N)
+    if (f.forceErrorRms_N > m_limits.forceErrorRms_N)
         return "force_error";
-    if (f.stiffnessError > m_limits.stiffnessError)
+    if (limited(m_parameters.attribute) && f.stiffnessError > m_limits.stiffnessError)
         return "stiffness_error";
     if (f.peakForce_N > m_limits.peakForce_N)
         return "peak_force";

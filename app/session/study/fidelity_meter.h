@@ -20,8 +20,8 @@ namespace chiron::session {
 ///   roughness    rms of f_z = k d + c + b v_z while sliding, over the fixed k     → rms height
 ///   friction     −f_t·v̂ = μ f_z while sliding                                 → μ
 ///   viscosity    −f_t·v = b v² + c |v|                                        → b
-/// Only stiffness, mass and viscosity count for `stiffnessError`: those of a short stroke over a random surface, and of a
-/// time constant, scatter by more than any sensible limit. Not for the haptic thread. Source: psychophysics.md §3.2; the
+/// Only of stiffness, mass and viscosity is `stiffnessError` a limit, and of friction it is told: those of a short stroke over a random surface,
+/// and of a time constant, scatter by more than any sensible limit. Not for the haptic thread. Source: psychophysics.md §3.2; the
 /// regressions are our choice.
 class FidelityMeter {
 public:

@@ -52,14 +52,14 @@ std::string fidelityJson(const TrialFidelity& f) {
     for (const PlaceFidelity& place : f.places)
         places.append(placeJson(place));
     QJsonObject json{{"force_error_rms_N", number(f.forceErrorRms_N)},
-                     {"measured", f.measured},
+                     {"measured", f.rendered() ? QJsonValue(f.measured) : QJsonValue()},
                      {"late_ticks", number(f.lateTicks)},
                      {"worst_lateness_us", number(f.worstLateness_us)},
                      {"saturated", number(f.saturated)},
                      {"duration_s", number(f.duration_s)},
                      {"peak_force_N", number(f.peakForce_N)},
                      {"mean_speed_m_per_s", number(f.meanSpeed_m_per_s)},
-                     {"contacts", f.contacts},
+                     {"contacts", f.rendered() ? QJsonValue(f.contacts) : QJsonValue()},
                      {"stiffness_error", number(f.stiffnessError)},
                      {"places", places},
                      {"outside", QString::fromStdString(f.outside)}};

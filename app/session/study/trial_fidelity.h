@@ -19,7 +19,7 @@ struct PlaceFidelity {
     int contacts = 0;
     double contact_s = 0.0;
     double peakForce_N = 0.0;
-    double meanSpeed_m_per_s = 0.0;
+    double meanSpeed_m_per_s = 0.0; ///< while it was touched
     double terminalForce_N = 0.0; ///< largest, averaged over contacts (Fu et al. 2017: what stiffness is judged by)
 };
 
@@ -32,18 +32,24 @@ struct ApexMark {
     bool planned = false;    ///< drawn by the observer for planning: nothing was rendered, nobody felt anything
 };
 
-/// Device fidelity and exploration of one trial (psychophysics.md §3.2).
+/// Device fidelity and exploration of one trial (psychophysics.md §3.2). What was not measured is NaN: all of it where nothing was rendered.
 struct TrialFidelity {
-    double forceErrorRms_N = 0.0; ///< commanded against measured, in contact; 0 with `measured` false
-    bool measured = false;        ///< whether the device measures force
-    double lateTicks = 0.0;       ///< share
-    double worstLateness_us = 0.0;
-    double saturated = 0.0;       ///< share of contact ticks
-    double duration_s = 0.0;
-    double peakForce_N = 0.0;
-    double meanSpeed_m_per_s = 0.0;
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+    bool rendered() const { return duration_s >= 0.0; } ///< else `measured` and `contacts` say nothing
+
+    double forceErrorRms_N = kNone; ///< commanded against measured, in contact; NaN with `measured` false
+    bool measured = false;          ///< whether the device measures force
+    double lateTicks = kNone;       ///< share
+    double worstLateness_us = kNone;
+    double saturated = kNone;       ///< share of contact ticks
+    double duration_s = kNone;
+    double peakForce_N = kNone;
+    double meanSpeed_m_per_s = kNone; ///< of the tool over the whole trial, touching or not
     int contacts = 0;
-    double stiffnessError = 0.0;  ///< largest |rendered/asked − 1| of places with a usable estimate
+    /// Largest |rendered/asked − 1| of places with a usable estimate; NaN where none has one, and for roughness and deformation, whose fits have
+    /// no standard error.
+    double stiffnessError = kNone;
     std::vector<PlaceFidelity> places;
     std::optional<ApexMark> apex; ///< of a study of the apex
     std::string outside;          ///< empty, or the first limit that was passed: the word stored as `spoiled`
