@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalogue/study_catalogue.h"
-#include "catalogue/study_reader.h"
 #include "cli/messages.h"
 #include "cli/session_output.h"
 #include "cli/study/apex_output.h"
 #include "cli/study/study_access.h"
+#include "cli/study/study_to_run.h"
 #include "cli/text_table.h"
 #include "database/accounts/account_service.h"
-#include "database/repositories/study_repository.h"
 #include "session/site.h"
 #include "session/study/study_runner.h"
 #include "session/study_export_data.h"
 
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <atomic>
@@ -29,52 +28,6 @@ std::atomic<bool> g_cancel{false}; // the one thing a signal handler may touch
 void onSignal(int) { g_cancel.store(true, std::memory_order_relaxed); }
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
-
-/// The study, made of the content's one of that id and frozen where there is none yet.
-core::Result<database::StudyRecord> studyToRun(database::Database& database, const database::Actor& actor, const QString& name) {
-    auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
-    database::StudyReader reader(**connection, actor);
-    auto found = findStudy(reader, name);
-    if (found || found.error().code != core::ErrorCode::notFound)
-        return found;
-    const auto content = catalogue::StudyCatalogue::load();
-    if (!content)
-        return tl::unexpected(content.error());
-    const StudyDesign* design = content->find(name.toStdString());
-    if (!design)
-        return tl::unexpected(found.error());
-    const std::string json = catalogue::studyJson(*design).toStdString();
-    auto number = database.write([&](database::WriteContext& context) -> core::Result<database::StudyNumber> {
-        database::StudyRepository repository(context.connection(), actor);
-        auto made = repository.createStudy(design->id, design->title.at("en"), json);
-        if (!made)
-            return made;
-        if (auto frozen = repository.freezeStudy(*made); !frozen)
-            return tl::unexpected(frozen.error());
-        return made;
-    });
-    if (!number)
-        return tl::unexpected(number.error());
-    return reader.study(*number);
-}
-
-core::Result<database::Participant> participantToRun(database::Database& database, const database::Actor& actor, database::StudyNumber study,
-                                                     const std::string& code, const ObserverSpec& observer) {
-    auto connection = database.openReader();
-    if (!connection)
-        return tl::unexpected(connection.error());
-    database::StudyReader reader(**connection, actor);
-    auto found = reader.participantByCode(study, code);
-    if (found && !found->simulated)
-        return core::fail(core::ErrorCode::wrongUse, "--participant " + code + ": a person; expected a simulated participant, or a code that is not taken");
-    if (found || found.error().code != core::ErrorCode::notFound)
-        return found;
-    return database.write([&](database::WriteContext& context) {
-        return database::StudyRepository(context.connection(), actor).enrolParticipant(study, {}, 0, observerText(observer), code);
-    });
-}
 
 QJsonValue number(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); }
 
@@ -152,23 +105,13 @@ core::Result<CommandOutput> told(database::Database& database, const database::A
         json.insert("trials", runs.first()["trials"]);
         json.insert("estimate", runs.first()["estimate"]);
     }
-    TextTable table({"condition", "completed", ">trials", ">Weber", ">low", ">high"});
+    TextTable table({"condition", "completed", ">trials", ">Weber", ">low", ">high", ">exponent"});
     for (const QJsonValue& run : runs) {
         const QJsonObject e = run["estimate"].toObject();
         const auto shown = [&](const char* key) { return shortNumber(e[QLatin1String(key)].toDouble(std::nan(""))); };
-        table.add({run["condition"].toString(), run["completed"].toBool() ? "yes" : "no", QString::number(e["trials"].toInt()), shown("weber"), shown("ci_low"), shown("ci_high")});
+        table.add({run["condition"].toString(), run["completed"].toBool() ? "yes" : "no", QString::number(e["trials"].toInt()), shown("weber"), shown("ci_low"), shown("ci_high"), shown("exponent")});
     }
     return CommandOutput{QJsonDocument(json), table.toText() + marksText(runs), 0};
-}
-
-/// Blind experimenters do not choose: the sealed code beside the condition's name would tell which is which.
-core::Result<void> refuseChoosing(const database::StudyRecord& study, const session::StudyRunRequest& request) {
-    const auto design = catalogue::readStudy(QByteArray::fromStdString(study.designJson), study.summary.key);
-    if (!design)
-        return tl::unexpected(design.error());
-    if (request.condition.empty() || !design->blindExperimenter || study.summary.unblinded)
-        return {};
-    return core::fail(core::ErrorCode::wrongUse, "--condition: study \"" + study.summary.key + "\" is blinded; expected none, or the study to be unblinded first");
 }
 
 core::Result<session::StudyRunRequest> requestOf(const Arguments& arguments) {
@@ -203,29 +146,36 @@ core::Result<CommandOutput> runStudy(const Arguments& arguments) {
             return tl::unexpected(read.error());
         secrets = std::move(*read);
     }
-    auto site = session::openSite(databasePath(arguments).toStdString(), databaseOptions());
+    const QString file = databasePath(arguments);
+    const QString name = arguments.operand(0);
+    if (!QFileInfo::exists(file)) { // one is made only for a run that can be done
+        if (!secrets.empty())
+            return core::fail(core::ErrorCode::notFound, QStringLiteral("--database %1: no such file; expected a database with the account of --as").arg(quoted(file)).toStdString());
+        const auto wanted = findStudyToRun(nullptr, database::Actor::simulated(), name);
+        if (auto may = wanted ? mayBeRun(*wanted, *request) : tl::unexpected(wanted.error()); !may)
+            return tl::unexpected(may.error());
+    }
+    auto site = session::openSite(file.toStdString(), databaseOptions());
     if (!site)
         return tl::unexpected(site.error());
     const auto actor = secrets.empty() ? core::Result<database::Actor>(database::Actor::simulated())
                                        : database::AccountService(*site->database).login(arguments.value(QStringLiteral("as")).toStdString(), secrets[0]);
     if (!actor)
         return tl::unexpected(actor.error());
-    const auto study = studyToRun(*site->database, *actor, arguments.operand(0));
-    if (!study)
-        return tl::unexpected(study.error());
-    if (auto allowed = refuseChoosing(*study, *request); !allowed)
-        return tl::unexpected(allowed.error());
-    const auto participant = participantToRun(*site->database, *actor, study->summary.id, request->participantCode, request->observer);
-    if (!participant)
-        return tl::unexpected(participant.error());
-    request->study = study->summary.id;
-    request->participantCode = participant->code;
+    const auto wanted = findStudyToRun(site->database.get(), *actor, name);
+    if (auto may = wanted ? mayBeRun(*wanted, *request) : tl::unexpected(wanted.error()); !may)
+        return tl::unexpected(may.error());
+    const auto ready = makeReady(*site->database, *actor, *wanted, *request);
+    if (!ready)
+        return tl::unexpected(ready.error());
+    request->study = ready->study.summary.id;
+    request->participantCode = ready->participant.code;
     std::signal(SIGINT, onSignal);
     std::signal(SIGTERM, onSignal);
     auto report = session::runStudyHeadless(*site->database, *actor, *request);
     if (!report)
         return tl::unexpected(report.error());
-    return told(*site->database, *actor, *study, *participant);
+    return told(*site->database, *actor, ready->study, ready->participant);
 }
 
 core::Result<CommandOutput> rerunStudy(const Arguments& arguments) {

@@ -5,8 +5,8 @@
 #include "core/random.h"
 #include "session/study/apex_sitting.h"
 #include "session/study/rendered_run.h"
+#include "session/study/study_check.h"
 #include "session/study/study_director.h"
-#include "session/study/study_limits.h"
 #include "session/study/study_setup.h"
 #include "session/study/study_store.h"
 #include "session/training_run.h"
@@ -177,36 +177,12 @@ core::Result<BegunRun> beginOrResume(database::Database& database, const databas
     return BegunRun{*begun, conducted.sealedCode, seed, {}, std::move(*progress)};
 }
 
-/// The limits of the simulated device.
-core::Result<RenderingLimits> stationLimits(const OpenedStudy& study, const psychophysics::Condition& condition) {
-    auto level = looksForApex(condition) ? apexStudyLevel(study.design, condition, 1) : studyLevel(study.design, condition);
-    if (!level)
-        return tl::unexpected(level.error());
-    if (looksForApex(condition)) {
-        const auto station = apexStation(*level, {}, 1);
-        return station ? core::Result<RenderingLimits>(renderingLimits(station->devices.front()->descriptor())) : tl::unexpected(station.error());
-    }
-    auto participant = participantStation(*level, 1);
-    return participant ? core::Result<RenderingLimits>(renderingLimits(participant->station.devices.front()->descriptor()))
-                       : tl::unexpected(participant.error());
-}
-
-/// Largest difference that the simulated device renders; a quick run has no device.
-core::Result<double> limitOnStation(const OpenedStudy& study, const psychophysics::Condition& condition, bool quick) {
-    if (quick)
-        return StudyProgress::kNoLimit;
-    const auto limits = stationLimits(study, condition);
-    if (!limits)
-        return tl::unexpected(limits.error());
-    return (study.blind() ? blindTable(study.design, condition, *limits) : limitedTable(condition, *limits)).limit;
-}
-
 core::Result<StudyRunSummary> runConducted(database::Database& database, const database::Actor& actor, const StudyRunRequest& request,
                                            const OpenedStudy& study, const std::string& label, const database::ConductedRun& conducted) {
     const psychophysics::Condition* found = conditionOf(study.design, conducted.condition);
     if (!found)
         return core::fail(core::ErrorCode::notFound, "condition \"" + label + "\" is not one of the study's");
-    const auto limit = limitOnStation(study, *found, request.quick);
+    const auto limit = limitOnStation(study.design, study.blind(), *found, request);
     if (!limit)
         return tl::unexpected(limit.error());
     auto run = beginOrResume(database, actor, study, label, conducted, request, *limit);
@@ -274,9 +250,8 @@ core::Result<StudyRunReport> runStudyHeadless(database::Database& database, cons
         return tl::unexpected(study.error());
     if (auto may = mayBeSimulated(*study, request); !may)
         return tl::unexpected(may.error());
-    const auto& all = study->design.conditions;
-    if (!request.observer.trainee.empty() && std::none_of(all.begin(), all.end(), looksForApex))
-        return core::fail(core::ErrorCode::wrongUse, "observer: operator:" + request.observer.trainee + ": only a study of the apex has one");
+    if (auto suits = checkObserver(study->design, request.observer); !suits)
+        return tl::unexpected(suits.error());
     std::vector<std::string> conditions = openConditions(*study);
     if (!request.condition.empty())
         conditions = {request.condition};

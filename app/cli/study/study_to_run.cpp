@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/study/study_to_run.h"
+
+#include "catalogue/study_catalogue.h"
+#include "catalogue/study_reader.h"
+#include "cli/messages.h"
+#include "cli/study/study_access.h"
+#include "database/repositories/study_repository.h"
+#include "session/study/study_check.h"
+
+namespace chiron::cli {
+
+namespace {
+
+using psychophysics::StudyDesign;
+
+core::Result<StudyToRun> ofContent(const QString& name) {
+    const auto content = catalogue::StudyCatalogue::load();
+    if (!content)
+        return tl::unexpected(content.error());
+    if (const StudyDesign* design = content->find(name.toStdString()))
+        return StudyToRun{*design, std::nullopt};
+    return core::fail(core::ErrorCode::notFound, QStringLiteral("STUDY %1: no such study; expected one of the database or of the content").arg(quoted(name)).toStdString());
+}
+
+core::Result<database::StudyNumber> frozen(database::StudyRepository& repository, const StudyDesign& design) {
+    auto made = repository.createStudy(design.id, design.title.at("en"), catalogue::studyJson(design).toStdString());
+    if (!made)
+        return made;
+    if (auto done = repository.freezeStudy(*made); !done)
+        return tl::unexpected(done.error());
+    return made;
+}
+
+/// The participant of that code, a new one where there is none.
+core::Result<database::Participant> enrolled(database::WriteContext& context, const database::Actor& actor, database::StudyNumber study,
+                                             const session::StudyRunRequest& request) {
+    const std::string& code = request.participantCode;
+    auto found = database::StudyReader(context.connection(), actor).participantByCode(study, code);
+    if (found && !found->simulated)
+        return core::fail(core::ErrorCode::wrongUse, "--participant " + code + ": a person; expected a simulated participant, or a code that is not taken");
+    if (found || found.error().code != core::ErrorCode::notFound)
+        return found;
+    return database::StudyRepository(context.connection(), actor).enrolParticipant(study, {}, 0, psychophysics::observerText(request.observer), code);
+}
+
+} // namespace
+
+core::Result<StudyToRun> findStudyToRun(database::Database* database, const database::Actor& actor, const QString& name) {
+    if (!database)
+        return ofContent(name);
+    auto connection = database->openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    auto found = findStudy(database::StudyReader(**connection, actor), name);
+    if (!found)
+        return found.error().code == core::ErrorCode::notFound ? ofContent(name) : tl::unexpected(found.error());
+    auto design = catalogue::readStudy(QByteArray::fromStdString(found->designJson), found->summary.key);
+    if (!design)
+        return tl::unexpected(design.error());
+    return StudyToRun{std::move(*design), std::move(*found)};
+}
+
+core::Result<void> mayBeRun(const StudyToRun& study, const session::StudyRunRequest& request) {
+    const bool blind = study.design.blindExperimenter && !(study.stored && study.stored->summary.unblinded);
+    if (blind && !request.condition.empty()) { // the sealed code beside the condition's name would tell which is which
+        const std::string key = study.stored ? study.stored->summary.key : study.design.id;
+        return core::fail(core::ErrorCode::wrongUse, "--condition: study \"" + key + "\" is blinded; expected none, or the study to be unblinded first");
+    }
+    return session::checkStudyRun(study.design, blind, request);
+}
+
+core::Result<ReadyToRun> makeReady(database::Database& database, const database::Actor& actor, const StudyToRun& study, const session::StudyRunRequest& request) {
+    return database.write([&](database::WriteContext& context) -> core::Result<ReadyToRun> {
+        database::StudyRepository repository(context.connection(), actor);
+        auto number = study.stored ? core::Result<database::StudyNumber>(study.stored->summary.id) : frozen(repository, study.design);
+        if (!number)
+            return tl::unexpected(number.error());
+        auto participant = enrolled(context, actor, *number, request);
+        if (!participant)
+            return tl::unexpected(participant.error());
+        auto record = database::StudyReader(context.connection(), actor).study(*number);
+        if (!record)
+            return tl::unexpected(record.error());
+        return ReadyToRun{std::move(*record), std::move(*participant)};
+    });
+}
+
+} // namespace chiron::cli
