@@ -6,7 +6,9 @@
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <array>
+#include <set>
 
 namespace chiron::session {
 
@@ -187,6 +189,23 @@ QString bidsLabel(const QString& words) {
         upper = !kept && !label.isEmpty();
     }
     return label.isEmpty() ? QStringLiteral("x") : label;
+}
+
+std::map<QString, QString> bidsLabels(QStringList words) {
+    std::sort(words.begin(), words.end());
+    std::stable_partition(words.begin(), words.end(), [](const QString& word) { return bidsLabel(word) == word; });
+    std::map<QString, QString> labels;
+    std::set<QString> taken;
+    for (const QString& word : words) {
+        if (labels.count(word) > 0)
+            continue;
+        const QString wished = bidsLabel(word);
+        QString label = wished;
+        for (int number = 2; !taken.insert(label.toLower()).second; ++number)
+            label = wished + QStringLiteral("x%1").arg(number);
+        labels[word] = label;
+    }
+    return labels;
 }
 
 core::Result<void> writeBidsMotion(NewFolder& folder, StoredSession& session, const BidsRecording& recording, const std::vector<BidsEvent>& events) {

@@ -6,6 +6,7 @@
 #include "session/stored_session.h"
 
 #include <QString>
+#include <QStringList>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -34,6 +35,9 @@ struct BidsEvent {
 
 /// The letters and digits of a word; "x" where it has none.
 QString bidsLabel(const QString& words);
+/// A label for each word, none twice whatever the case (file systems may not tell it): a word that is a label already keeps it, others
+/// of the same letters and digits get "x2", "x3", … in the order of the words' characters. The same for the same words in any order.
+std::map<QString, QString> bidsLabels(QStringList words);
 
 /// Writes sub-X/motion/..._motion.tsv (no heading), _motion.json, _channels.tsv, _channels.json and _events.tsv of one stored session:
 /// each executed tick of tool 0, position and orientation in the workspace's frame, time since the first tick, tissue, commanded and

@@ -17,14 +17,25 @@ tl::unexpected<core::Error> alreadyThere(const QString& folder) {
     return core::fail(core::ErrorCode::badInput, folder.toStdString() + ": exists already; expected a folder that is not there yet");
 }
 
+QFileInfo cleaned(const std::filesystem::path& folder) {
+    return QFileInfo(QDir::cleanPath(QFileInfo(QString::fromStdString(folder.string())).absoluteFilePath()));
+}
+
 } // namespace
+
+core::Result<void> NewFolder::isFree(const std::filesystem::path& folder) {
+    const QFileInfo info = cleaned(folder);
+    if (info.exists() || info.isSymLink())
+        return alreadyThere(info.filePath());
+    return {};
+}
 
 core::Result<NewFolder> NewFolder::begin(const std::filesystem::path& folder) {
     NewFolder made;
-    const QFileInfo info(QDir::cleanPath(QFileInfo(QString::fromStdString(folder.string())).absoluteFilePath()));
+    const QFileInfo info = cleaned(folder);
     made.m_folder = info.filePath();
-    if (info.exists() || info.isSymLink())
-        return alreadyThere(made.m_folder);
+    if (auto free = isFree(folder); !free)
+        return tl::unexpected(free.error());
     if (!QDir().mkpath(info.path()))
         return tl::unexpected(storageError(info.path(), QStringLiteral("the folder cannot be made")));
     made.m_partial = std::make_unique<QTemporaryDir>(info.path() + u'/' + info.fileName() + QStringLiteral(".partial-XXXXXX"));

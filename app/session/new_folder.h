@@ -14,6 +14,8 @@ namespace chiron::session {
 /// A folder that appears whole or not at all: written beside its place under another name, then renamed. Gone where it is not committed.
 class NewFolder {
 public:
+    /// Whether nothing is there. Failure: badInput.
+    static core::Result<void> isFree(const std::filesystem::path& folder);
     /// Failure: badInput where `folder` exists; storage where nothing can be written beside it.
     static core::Result<NewFolder> begin(const std::filesystem::path& folder);
 

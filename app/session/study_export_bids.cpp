@@ -26,12 +26,32 @@ QString taskWords(psychophysics::Task task) {
     return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
 }
 
+/// What participants and conditions are called in names of files, where only letters and digits may be.
+struct Labels {
+    std::map<QString, QString> subject; ///< by code
+    std::map<QString, QString> task;    ///< by the condition's label
+
+    QString participantId(const QString& code) const { return QStringLiteral("sub-") + subject.at(code); }
+};
+
+Labels labelsOf(const StudyExportData& data) {
+    QStringList codes, conditions;
+    for (const ExportedParticipant& each : data.participants) {
+        codes << QString::fromStdString(each.participant.code);
+        for (const ExportedRun& run : each.runs)
+            conditions << run.label;
+    }
+    return {bidsLabels(codes), bidsLabels(conditions)};
+}
+
+const ExportColumn kParticipantId{"participant_id", "", "sub- and the letters and digits of the participant's random code (x2, x3, … behind them where codes differ in other signs alone)"};
+
 /// The columns of a table without the first, which say whose it is: BIDS says that by names of files, and by participant_id.
-ExportTable asParticipants(const ExportTable& table) {
-    ExportTable result{table.name, table.description, {{"participant_id", "", "sub- and the participant's random code"}}, {}};
+ExportTable asParticipants(const ExportTable& table, const Labels& labels) {
+    ExportTable result{table.name, table.description, {kParticipantId, {"code", "", "the participant's random code, as it was given"}}, {}};
     result.columns.insert(result.columns.end(), table.columns.begin() + 2, table.columns.end());
     for (const QStringList& row : table.rows)
-        result.rows.push_back(QStringList{QStringLiteral("sub-") + bidsLabel(row[1])} + row.mid(2));
+        result.rows.push_back(QStringList{labels.participantId(row[1]), row[1]} + row.mid(2));
     return result;
 }
 
@@ -44,18 +64,21 @@ core::Result<void> writeTable(NewFolder& folder, const QString& stem, const Expo
     return folder.write(stem + ".json", QJsonDocument(json).toJson());
 }
 
-core::Result<void> writeRun(NewFolder& folder, const StudyExportData& data, const ExportedRun& run, const BidsRecording& recording) {
+core::Result<void> writeRun(NewFolder& folder, const StudyExportData& data, const ExportedParticipant& participant, const ExportedRun& run,
+                            const BidsRecording& recording) {
     ExportTable table{"beh", "every presentation of the run", trialColumns(), {}};
     for (const StudyTrial& trial : run.trials)
         table.rows.push_back(trialCells(data, run, trial));
     const auto& e = run.estimate;
     const bool sameWay = !data.blinded || data.oneTask;
     const auto number = [](double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue("n/a"); };
+    const auto ofTask = [&](double value) { return sameWay ? number(value) : QJsonValue("n/a"); };
     const QJsonObject estimate{{"weber", number(e.weber)}, {"weber_low", number(e.weber95.low)}, {"weber_high", number(e.weber95.high)},
-                               {"sigma_log10", number(e.sigma_log10)}, {"criterion", sameWay ? QJsonValue(e.criterion) : QJsonValue("n/a")},
+                               {"sigma_log10", number(e.sigma_log10)}, {"exponent", ofTask(e.exponent)}, {"exponent_low", ofTask(e.exponent95.low)},
+                               {"exponent_high", ofTask(e.exponent95.high)}, {"criterion", ofTask(e.criterion)},
                                {"method", sameWay ? QString::fromStdString(e.method) : kNotAvailable}};
     QJsonObject head{{"TaskName", recording.task}, {"TaskDescription", recording.taskDescription}, {"ProtocolSHA256", data.sha256()},
-                     {"Instructions", english(data.design->instructions)}, {"Estimate", estimate}};
+                     {"Participant", QString::fromStdString(participant.participant.code)}, {"Condition", run.label}, {"Instructions", english(data.design->instructions)}, {"Estimate", estimate}};
     if (!data.blinded) {
         const auto& stimulus = run.condition->stimulus;
         const std::string_view attribute = psychophysics::token(stimulus.attribute), unit = psychophysics::unitOf(stimulus.attribute);
@@ -90,21 +113,21 @@ core::Result<void> writeSittings(NewFolder& folder, database::Connection& connec
     return {};
 }
 
-core::Result<void> writeParticipants(NewFolder& folder, const StudyExportData& data) {
-    ExportTable table = asParticipants(participantsTable(data));
+core::Result<void> writeParticipants(NewFolder& folder, const StudyExportData& data, const Labels& labels) {
+    ExportTable table = asParticipants(participantsTable(data), labels);
     // Of participants without data there is no folder, and BIDS wants one for each line.
     std::set<QString> withData;
     for (const ExportedParticipant& each : data.participants)
         if (std::any_of(each.runs.begin(), each.runs.end(), [](const ExportedRun& run) { return !run.trials.empty(); }))
-            withData.insert(QStringLiteral("sub-") + bidsLabel(QString::fromStdString(each.participant.code)));
+            withData.insert(labels.participantId(QString::fromStdString(each.participant.code)));
     std::erase_if(table.rows, [&](const QStringList& row) { return withData.count(row[0]) == 0; });
     return writeTable(folder, "participants", table, {});
 }
 
 /// phenotype/ID.tsv: a line a participant, a column a question.
-core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData& data) {
+core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData& data, const Labels& labels) {
     for (const psychophysics::Questionnaire& questionnaire : data.design->questionnaires) {
-        ExportTable table{QString::fromStdString(questionnaire.id), english(questionnaire.title), {{"participant_id", "", "sub- and the participant's random code"}}, {}};
+        ExportTable table{QString::fromStdString(questionnaire.id), english(questionnaire.title), {kParticipantId}, {}};
         for (const auto& item : questionnaire.items)
             if (item.kind != psychophysics::QuestionnaireItem::Kind::text)
                 table.columns.push_back({QString::fromStdString(item.id), "", english(item.text)});
@@ -115,7 +138,7 @@ core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData&
                     given[QString::fromStdString(answer.item)] = exportNumber(*answer.number);
             if (given.empty() || each.runs.empty())
                 continue;
-            QStringList row{QStringLiteral("sub-") + bidsLabel(QString::fromStdString(each.participant.code))};
+            QStringList row{labels.participantId(QString::fromStdString(each.participant.code))};
             for (std::size_t i = 1; i < table.columns.size(); ++i)
                 row << (given.count(table.columns[i].name) > 0 ? given.at(table.columns[i].name) : kNotAvailable);
             table.rows.push_back(row);
@@ -128,7 +151,7 @@ core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData&
     return {};
 }
 
-core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data) {
+core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data, const Labels& labels) {
     const QString blinded = data.blinded ? QStringLiteral("The study is blinded: conditions go by sealed codes; what would tell them apart (values, orders, procedures, forces and motion, the protocol itself) is left out.\n")
                                          : QStringLiteral("sourcedata/design.json is the frozen protocol.\n");
     const QJsonObject description{{"Name", english(data.design->title)}, {"BIDSVersion", "1.9.0"}, {"DatasetType", "raw"}, {"ProtocolSHA256", data.sha256()},
@@ -142,9 +165,9 @@ core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data) {
                                          .arg(english(data.design->title), english(data.design->objective), data.sha256(), blinded).toUtf8()}})
         if (auto written = folder.write(name, bytes); !written)
             return written;
-    if (auto written = writeParticipants(folder, data); !written)
+    if (auto written = writeParticipants(folder, data, labels); !written)
         return written;
-    return writeQuestionnaires(folder, data);
+    return writeQuestionnaires(folder, data, labels);
 }
 
 } // namespace
@@ -157,15 +180,16 @@ core::Result<void> exportStudyBids(database::StudyReader& reader, database::Conn
     const auto data = gatherStudy(reader, study);
     if (!data)
         return tl::unexpected(data.error());
-    if (auto written = writeHead(*made, *data); !written)
+    const Labels labels = labelsOf(*data);
+    if (auto written = writeHead(*made, *data, labels); !written)
         return written;
     for (const ExportedParticipant& each : data->participants) {
         for (const ExportedRun& run : each.runs) {
             if (run.trials.empty())
                 continue;
-            BidsRecording recording{bidsLabel(QString::fromStdString(each.participant.code)), bidsLabel(run.label), {}, run.index, {}, data->sha256()};
+            BidsRecording recording{labels.subject.at(QString::fromStdString(each.participant.code)), labels.task.at(run.label), {}, run.index, {}, data->sha256()};
             recording.taskDescription = data->blinded ? (data->oneTask ? taskWords(run.condition->task) : QStringLiteral("sealed")) : english(run.condition->title);
-            if (auto written = writeRun(*made, *data, run, recording); !written)
+            if (auto written = writeRun(*made, *data, each, run, recording); !written)
                 return written;
             if (data->blinded)
                 continue;

@@ -142,7 +142,7 @@ ExportTable questionnairesTable(const StudyExportData& data) {
 ExportTable estimatesTable(const StudyExportData& data) {
     ExportTable table{"estimates", "what each run says", runOwnerColumns(), {}};
     const std::vector<ExportColumn> more{{"trials", "1", "scored ones that it rests on"},
-                                         {"weber", "1", "Weber fraction, 75 % correct in 2AFC"},
+                                         {"weber", "1", "Weber fraction, of 75 % correct in 2AFC whatever the task and its criterion"},
                                          {"weber_low", "1", "lower end of its 95 % interval"},
                                          {"weber_high", "1", "upper end"},
                                          {"jnd", "SI", "just noticeable difference at the reference; n/a while blinded"},
@@ -151,7 +151,10 @@ ExportTable estimatesTable(const StudyExportData& data) {
                                          {"sigma_low", "log10", "lower end of its 95 % interval"},
                                          {"sigma_high", "log10", "upper end"},
                                          {"pse", "SI", "point of subjective equality, where the task has one; n/a while blinded"},
-                                         {"criterion", "1", "proportion correct that the threshold is given for"},
+                                         {"exponent", "1", "of the power law that numbers follow (magnitude estimation alone); n/a while blinded where conditions differ in the task"},
+                                         {"exponent_low", "1", "lower end of its 95 % interval"},
+                                         {"exponent_high", "1", "upper end"},
+                                         {"criterion", "1", "proportion correct that the condition's own procedure and curve go by; weber, jnd and sigma are of 75 % correct in 2AFC whatever it is"},
                                          {"method", "", "how it was got"},
                                          {"warnings", "", "what to know before using it, separated by |"}};
     table.columns.insert(table.columns.end(), more.begin(), more.end());
@@ -166,7 +169,9 @@ ExportTable estimatesTable(const StudyExportData& data) {
                                  QStringList{QString::number(e.trials), exportNumber(e.weber), exportNumber(e.weber95.low), exportNumber(e.weber95.high),
                                              data.blinded ? kNotAvailable : exportNumber(e.jnd), data.blinded ? kNotAvailable : text(e.unit),
                                              exportNumber(e.sigma_log10), exportNumber(e.sigma95.low), exportNumber(e.sigma95.high),
-                                             data.blinded ? kNotAvailable : exportNumber(e.pse), sameWay ? exportNumber(e.criterion) : kNotAvailable, sameWay ? text(e.method) : kNotAvailable,
+                                             data.blinded ? kNotAvailable : exportNumber(e.pse),
+                                             sameWay ? exportNumber(e.exponent) : kNotAvailable, sameWay ? exportNumber(e.exponent95.low) : kNotAvailable,
+                                             sameWay ? exportNumber(e.exponent95.high) : kNotAvailable, sameWay ? exportNumber(e.criterion) : kNotAvailable, sameWay ? text(e.method) : kNotAvailable,
                                              warnings.isEmpty() ? kNotAvailable : warnings.join(u'|')});
         }
     }

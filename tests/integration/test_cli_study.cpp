@@ -21,6 +21,8 @@ private slots:
     void analyseTellsEachRun();
     void listAndShowTellOfIt();
     void planNeedsNoDatabase();
+    void planOfNoRunsIsInformationAlone();
+    void planTellsWhyNoSpacingIsBest();
     void exportHoldsTheFrozenDesign();
     void bidsHoldsMotion();
     void draftIsFrozenByAResearcher();
@@ -166,6 +168,25 @@ void TestCliStudy::planNeedsNoDatabase() {
     QVERIFY(!QFile::exists(m_folder.filePath("none.db")));
 }
 
+void TestCliStudy::planOfNoRunsIsInformationAlone() {
+    const QJsonObject plan = object(runCli({"study", "plan", kStudy, "--observer", "weber:0.12", "--runs", "0", "--database", m_folder.filePath("none.db"), "--json"}));
+    const QJsonObject condition = plan["conditions"][0].toObject();
+    QVERIFY(condition["information_per_trial"].toDouble() > 0.0);
+    QVERIFY(condition["best_spacing_sigma"].toDouble() > 0.0);
+    for (const char* key : {"bias_log10", "trials", "minutes"}) // of simulated runs
+        QVERIFY2(condition.contains(QLatin1String(key)) && condition[QLatin1String(key)].isNull(), key);
+    QVERIFY(plan["minutes"].isNull());
+}
+
+void TestCliStudy::planTellsWhyNoSpacingIsBest() {
+    for (const char* study : {"stiffness_adjustment", "stiffness_magnitude"}) {
+        const QJsonObject plan = object(runCli({"study", "plan", study, "--observer", "weber:0.12", "--runs", "2", "--database", m_folder.filePath("none.db"), "--json"}));
+        const QJsonObject condition = plan["conditions"][0].toObject();
+        QVERIFY2(condition.contains("best_spacing_sigma") && condition["best_spacing_sigma"].isNull() && condition["best_difference"].isNull(), study);
+        QVERIFY2(condition["best_spacing_why"].toString().contains("no difference"), study);
+    }
+}
+
 void TestCliStudy::exportHoldsTheFrozenDesign() {
     QCOMPARE(cli({"study", "export", kStudy, "--format", "csv", "--out", m_folder.filePath("csv")}).exitCode, 0);
     for (const char* name : {"trials.csv", "runs.csv", "participants.csv", "questionnaires.csv", "estimates.csv", "data_dictionary.csv", "data_dictionary.json", "dataset_description.json", "README.txt"})
@@ -233,7 +254,7 @@ void TestCliStudy::refusals_data() {
     QTest::newRow("no such condition") << run + QStringList{"--observer", "weber:0.1", "--condition", "other"} << 3 << QStringList{"other"};
     QTest::newRow("wrong seed") << run + QStringList{"--observer", "weber:0.1", "--seed", "x"} << 2 << QStringList{"--seed"};
     QTest::newRow("wrong number of trials") << run + QStringList{"--observer", "weber:0.1", "--trials", "0"} << 2 << QStringList{"--trials"};
-    QTest::newRow("a plan of no runs") << QStringList{"study", "plan", kStudy, "--observer", "weber:0.1", "--runs", "0"} << 2 << QStringList{"--runs"};
+    QTest::newRow("a plan of fewer runs than none") << QStringList{"study", "plan", kStudy, "--observer", "weber:0.1", "--runs", "-1"} << 2 << QStringList{"--runs"};
     QTest::newRow("wrong format") << QStringList{"study", "export", kStudy, "--format", "xls", "--out", "/nowhere"} << 2 << QStringList{"xls", "csv, bids"};
     QTest::newRow("a design without --as") << QStringList{"study", "new", kStudy} << 2 << QStringList{"--as"};
     QTest::newRow("the key without --as") << QStringList{"study", "key", kStudy} << 2 << QStringList{"--as"};

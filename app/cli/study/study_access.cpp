@@ -56,6 +56,8 @@ QJsonObject estimateJson(const psychophysics::RunEstimate& e, bool blinded) {
     json.insert("jnd", number(e.jnd));
     json.insert("unit", QString::fromStdString(e.unit));
     json.insert("pse", number(e.pse));
+    json.insert("exponent", number(e.exponent));
+    json.insert("exponent_ci", QJsonArray{number(e.exponent95.low), number(e.exponent95.high)});
     return json;
 }
 

@@ -27,7 +27,8 @@ core::Result<database::StudyRecord> findStudy(database::StudyReader reader, cons
 QString stateWord(database::StudyState state);
 /// id, key, title, state, sha256, blinded, participants, completed, trials.
 QJsonObject studyJson(const database::StudySummary& summary);
-/// cli.md: weber, jnd, sigma_log10, ci_low, ci_high, criterion, unit; while blinded nothing in physical units.
+/// cli.md: weber, jnd, sigma_log10, ci_low, ci_high, criterion, unit; exponent, exponent_ci of a magnitude estimation; while blinded nothing in physical
+/// units.
 QJsonObject estimateJson(const psychophysics::RunEstimate& estimate, bool blinded);
 QJsonObject participantJson(const database::Participant& participant);
 

@@ -7,6 +7,7 @@
 #include "cli/text_table.h"
 #include "database/repositories/study_blinding.h"
 #include "psychophysics/planning/study_plan.h"
+#include "session/new_folder.h"
 #include "session/study_export.h"
 
 #include <QDir>
@@ -70,6 +71,30 @@ core::Result<QJsonArray> codesOf(database::StudyReader reader, database::StudyNu
     for (const database::SealedCondition& each : *codes)
         array.append(text(each.sealedCode));
     return array;
+}
+
+QJsonValue numberOrNull(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); }
+
+/// Why no difference is the best to present; empty where one is.
+QString withoutSpacing(Task task) {
+    if (task == Task::adjustment)
+        return QStringLiteral("adjustment: the participant sets the level, no difference is presented");
+    return task == Task::magnitude ? QStringLiteral("magnitude estimation: single values are presented, no difference") : QString();
+}
+
+/// Without simulated runs how many trials a run has, and how long it takes, is not known.
+QJsonObject planJson(const Condition& condition, const ConditionPlan& plan) {
+    const QString why = withoutSpacing(condition.task);
+    const bool simulated = plan.runs > 0;
+    QJsonObject json{{"condition", text(condition.id)}, {"title", english(condition.title)}, {"runs", plan.runs}, {"bias_log10", numberOrNull(plan.biasLog10)},
+                     {"sd_log10", numberOrNull(plan.sdLog10)}, {"coverage", numberOrNull(plan.coverage)}, {"trials", numberOrNull(simulated ? plan.meanTrials : std::nan(""))},
+                     {"minutes", numberOrNull(simulated ? plan.minutes : std::nan(""))}, {"information_per_trial", numberOrNull(condition.task == Task::magnitude ? std::nan("") : plan.fisherPerTrial)},
+                     {"best_spacing_sigma", numberOrNull(why.isEmpty() ? plan.bestSpacing : std::nan(""))},
+                     {"best_difference", numberOrNull(why.isEmpty() ? plan.bestDifference : std::nan(""))}, {"without_estimate", plan.withoutEstimate},
+                     {"warnings", strings(plan.warnings)}};
+    if (!why.isEmpty())
+        json.insert("best_spacing_why", why);
+    return json;
 }
 
 } // namespace
@@ -142,8 +167,12 @@ core::Result<CommandOutput> exportStudy(const Arguments& arguments) {
     const QString out = QFileInfo(arguments.value(QStringLiteral("out"))).absoluteFilePath();
     QJsonArray folders;
     QString words;
+    const auto folderOf = [&](const QString& format) { return formats->size() == 1 ? out : out + u'/' + format; };
+    for (const QString& format : *formats) // all of them before any is written
+        if (auto free = session::NewFolder::isFree(folderOf(format).toStdString()); !free)
+            return tl::unexpected(free.error());
     for (const QString& format : *formats) {
-        const QString folder = formats->size() == 1 ? out : out + u'/' + format;
+        const QString folder = folderOf(format);
         database::StudyReader reader = study->reader();
         const std::filesystem::path path(folder.toStdString());
         const auto written = format == u"csv" ? session::exportStudyCsv(reader, study->number(), path)
@@ -157,7 +186,7 @@ core::Result<CommandOutput> exportStudy(const Arguments& arguments) {
 }
 
 core::Result<CommandOutput> planStudy(const Arguments& arguments) {
-    const auto runs = arguments.integer(QStringLiteral("runs"), 1, 100'000, 100);
+    const auto runs = arguments.integer(QStringLiteral("runs"), 0, 100'000, 100);
     const auto seed = arguments.seed(QStringLiteral("seed"), 1);
     if (!runs || !seed)
         return tl::unexpected(runs ? seed.error() : runs.error());
@@ -173,9 +202,7 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
     QString words;
     for (const Condition& condition : design->conditions) {
         const ConditionPlan plan = planCondition(condition, design->trial, *observer, static_cast<int>(*runs), *seed);
-        QJsonObject json{{"condition", text(condition.id)}, {"title", english(condition.title)}, {"runs", plan.runs}, {"bias_log10", plan.biasLog10}, {"sd_log10", plan.sdLog10},
-                                      {"coverage", plan.coverage}, {"trials", plan.meanTrials}, {"minutes", plan.minutes}, {"information_per_trial", plan.fisherPerTrial},
-                                      {"best_spacing_sigma", plan.bestSpacing}, {"best_difference", plan.bestDifference}, {"without_estimate", plan.withoutEstimate}, {"warnings", strings(plan.warnings)}};
+        QJsonObject json = planJson(condition, plan);
         if (condition.stimulus.attribute == Attribute::apex && *runs > 0) {
             const QJsonObject apex = apexPlanJson(design->participantsPlanned, static_cast<int>(std::lround(plan.meanTrials)), static_cast<int>(*runs), *seed);
             json.insert("apex", apex);
@@ -185,10 +212,11 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
                               shortNumber(apex["against_percent"].toDouble()), shortNumber(100.0 * apex["power"].toDouble()));
         }
         conditions.append(json);
-        table.add({text(condition.id), shortNumber(plan.biasLog10), shortNumber(plan.sdLog10), shortNumber(plan.coverage), shortNumber(plan.meanTrials), shortNumber(plan.minutes), shortNumber(plan.fisherPerTrial)});
-        minutes += plan.minutes;
+        const auto shown = [&](const char* key) { return shortNumber(json[QLatin1String(key)].toDouble(std::nan(""))); };
+        table.add({text(condition.id), shown("bias_log10"), shown("sd_log10"), shown("coverage"), shown("trials"), shown("minutes"), shown("information_per_trial")});
+        minutes += plan.runs > 0 ? plan.minutes : std::nan("");
     }
-    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(design->id)}, {"observer", text(observerText(*observer))}, {"conditions", conditions}, {"minutes", minutes}}), table.toText() + words, 0};
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(design->id)}, {"observer", text(observerText(*observer))}, {"conditions", conditions}, {"minutes", numberOrNull(minutes)}}), table.toText() + words, 0};
 }
 
 } // namespace chiron::cli

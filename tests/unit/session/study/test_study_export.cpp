@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What leaves a study: nobody's data over another's, and no number where nothing was measured.
+#include "catalogue/study_reader.h"
+#include "database/repositories/study_reader.h"
+#include "database/repositories/study_repository.h"
+#include "session/bids_motion.h"
+#include "session/study/fidelity_meter.h"
+#include "session/study/study_runner.h"
+#include "session/study_export.h"
+#include "support/session_fixture.h"
+#include "support/study_designs.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace chiron;
+
+namespace {
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// The cells of a column.
+QList<QByteArray> column(const QByteArray& table, char separator, const char* name) {
+    QList<QByteArray> lines = table.trimmed().split('\n');
+    const qsizetype at = lines.takeFirst().split(separator).indexOf(name);
+    QList<QByteArray> cells;
+    for (const QByteArray& line : lines)
+        cells << (at < 0 ? QByteArray("no such column") : line.split(separator).value(at));
+    return cells;
+}
+
+/// A study whose conditions and participants differ in signs that names of BIDS' files cannot have, done without a rendering.
+struct Site {
+    Site() {
+        design = testing::rank3Study(psychophysics::Attribute::stiffness, 4, 4);
+        design.conditions.front().id = "a_b";
+        design.conditions.push_back(design.conditions.front());
+        design.conditions.back().id = "a__b";
+        const auto made = fixture.database->write([&](database::WriteContext& context) -> core::Result<database::StudyNumber> {
+            database::StudyRepository studies(context.connection(), actor);
+            auto number = studies.createStudy(design.id, "Two", catalogue::studyJson(design).toStdString());
+            if (number)
+                if (auto frozen = studies.freezeStudy(*number); !frozen)
+                    return tl::unexpected(frozen.error());
+            for (const char* code : {"S_01", "S01"})
+                if (number)
+                    if (auto who = studies.enrolParticipant(*number, "", 0, "weber:0.12", code); !who)
+                        return tl::unexpected(who.error());
+            return number;
+        });
+        if (!made)
+            qFatal("%s", made.error().message.c_str());
+        study = *made;
+        for (const char* code : {"S_01", "S01"}) {
+            session::StudyRunRequest request;
+            request.study = study;
+            request.participantCode = code;
+            request.observer = {.weber = 0.12};
+            request.quick = true;
+            if (const auto report = session::runStudyHeadless(*fixture.database, actor, request); !report)
+                qFatal("%s", report.error().message.c_str());
+        }
+    }
+    core::Result<void> writeTo(const QString& folder, bool bids) {
+        auto connection = fixture.database->openReader();
+        database::StudyReader reader(**connection, actor);
+        const std::filesystem::path path(folder.toStdString());
+        return bids ? session::exportStudyBids(reader, **connection, actor, study, path) : session::exportStudyCsv(reader, study, path);
+    }
+
+    tests::SessionFixture fixture;
+    database::Actor actor = database::Actor::simulated();
+    psychophysics::StudyDesign design;
+    database::StudyNumber study = 0;
+};
+
+/// Half a second on one place: pressed with 1 N, slid with friction.
+session::TrialFidelity stroked(simulation::ComparedAttribute attribute, double asked, bool measures, bool touches = true) {
+    simulation::ComparisonParameters parameters;
+    parameters.attribute = attribute;
+    parameters.places = 1;
+    session::FidelityMeter meter(parameters, {}, false);
+    meter.begin({asked});
+    session::FidelitySample sample;
+    sample.phase = core::TrialPhase::running;
+    sample.full = true;
+    sample.measures = measures;
+    for (int i = 0; i < 1000; ++i) {
+        sample.now_ns = (i + 1) * 1'000'000;
+        sample.place = touches && i < 500 ? 1 : 0;
+        const double push_N = 1.0 + 0.2 * std::sin(0.05 * i);
+        sample.depth_m = push_N / 400.0;
+        sample.velocity_m_per_s = {i < 500 ? 0.05 : 0.0, 0.0, 0.0};
+        sample.commanded_N = {-0.1 * push_N, 0.0, push_N}; // μ of 0.1
+        sample.measured_N = {-0.1 * push_N, 0.0, push_N + 0.05};
+        meter.add(sample);
+    }
+    return meter.finish();
+}
+
+} // namespace
+
+class TestStudyExport : public QObject {
+    Q_OBJECT
+private slots:
+    void labelsAreNeverTheSame() {
+        using Labels = std::map<QString, QString>;
+        auto made = session::bidsLabels({"S_01", "S01", "K7M", "S-01", "S01"});
+        QCOMPARE(made, (Labels{{"S01", "S01"}, {"S-01", "S01x2"}, {"S_01", "S01x3"}, {"K7M", "K7M"}}));
+        QCOMPARE(session::bidsLabels({"S-01", "K7M", "S01", "S_01"}), made); // in any order
+        made = session::bidsLabels({"S01", "s01", "S01x2"}); // file systems may not tell case
+        QCOMPARE(made, (Labels{{"S01", "S01"}, {"S01x2", "S01x2"}, {"s01", "s01x3"}}));
+    }
+    void bidsKeepsEverybodyApart() {
+        Site site;
+        const QString folder = QString::fromStdString(site.fixture.folder()) + "/bids";
+        const auto written = site.writeTo(folder, true);
+        QVERIFY2(written, written ? "" : written.error().message.c_str());
+        const QByteArray participants = bytesOf(folder + "/participants.tsv");
+        QCOMPARE(column(participants, '\t', "participant_id"), (QList<QByteArray>{"sub-S01x2", "sub-S01"}));
+        QCOMPARE(column(participants, '\t', "code"), (QList<QByteArray>{"S_01", "S01"}));
+        std::set<QString> conditions;
+        for (const char* subject : {"S01", "S01x2"}) {
+            const QDir beh(folder + "/sub-" + subject + "/beh");
+            QCOMPARE(beh.entryList({"*_beh.tsv"}, QDir::Files).size(), 2);
+            for (const QString& name : beh.entryList({"*_beh.json"}, QDir::Files)) {
+                const QJsonObject sidecar = QJsonDocument::fromJson(bytesOf(beh.filePath(name))).object();
+                QCOMPARE(sidecar["Participant"].toString(), QLatin1String(subject) == QLatin1String("S01") ? QStringLiteral("S01") : QStringLiteral("S_01"));
+                conditions.insert(sidecar["Condition"].toString());
+                QVERIFY(name.contains("_task-" + sidecar["TaskName"].toString() + "_"));
+            }
+        }
+        QCOMPARE(conditions, (std::set<QString>{"a_b", "a__b"}));
+    }
+    void quickRunsMeasureNothing() {
+        Site site;
+        const QString folder = QString::fromStdString(site.fixture.folder()) + "/csv";
+        const auto written = site.writeTo(folder, false);
+        QVERIFY2(written, written ? "" : written.error().message.c_str());
+        const QByteArray trials = bytesOf(folder + "/trials.csv");
+        for (const char* name : {"force_measured", "force_error_rms", "late_ticks", "worst_lateness", "saturated", "duration", "peak_force", "mean_speed", "contacts", "rendering_error"}) {
+            const QList<QByteArray> cells = column(trials, ',', name);
+            QVERIFY(!cells.isEmpty());
+            for (const QByteArray& cell : cells)
+                QVERIFY2(cell == "n/a", (QByteArray(name) + ": " + cell).constData());
+        }
+    }
+    void fidelityHasNoNumberOfWhatWasNotMeasured() {
+        using simulation::ComparedAttribute;
+        QVERIFY(std::isnan(stroked(ComparedAttribute::friction, 0.1, false).forceErrorRms_N));
+        QVERIFY(std::abs(stroked(ComparedAttribute::friction, 0.1, true).forceErrorRms_N - 0.05) < 1e-9);
+        const session::TrialFidelity untouched = stroked(ComparedAttribute::stiffness, 150.0, true, false);
+        QVERIFY(std::isnan(untouched.forceErrorRms_N) && std::isnan(untouched.saturated) && std::isnan(untouched.stiffnessError));
+        QCOMPARE(untouched.contacts, 0);
+        for (const auto attribute : {ComparedAttribute::roughness, ComparedAttribute::deformation})
+            QVERIFY(std::isnan(stroked(attribute, 0.1, true).stiffnessError));
+    }
+    /// Friction that is rendered at half of what was asked for is told, though it is no limit.
+    void frictionIsToldAndNoLimit() {
+        const session::TrialFidelity half = stroked(simulation::ComparedAttribute::friction, 0.2, false);
+        QVERIFY2(std::abs(half.stiffnessError - 0.5) < 1e-6, qPrintable(QString::number(half.stiffnessError)));
+        QCOMPARE(half.outside, std::string());
+    }
+    /// Of the whole trial, as the limit is: half of it slid at 50 mm/s, half at rest.
+    void meanSpeedIsOfTheWholeTrial() {
+        const session::TrialFidelity fidelity = stroked(simulation::ComparedAttribute::friction, 0.1, false);
+        QVERIFY(std::abs(fidelity.meanSpeed_m_per_s - 0.025) < 1e-9);
+        QVERIFY(std::abs(fidelity.places.front().meanSpeed_m_per_s - 0.05) < 1e-9);
+        Site site;
+        const QString folder = QString::fromStdString(site.fixture.folder()) + "/csv";
+        QVERIFY(site.writeTo(folder, false));
+        const QJsonObject files = QJsonDocument::fromJson(bytesOf(folder + "/data_dictionary.json")).object()["files"].toObject();
+        QVERIFY(files["trials.csv"]["columns"]["mean_speed"]["Description"].toString().contains("whole presentation"));
+        QVERIFY(files["estimates.csv"]["columns"]["criterion"]["Description"].toString().contains("75 % correct in 2AFC whatever it is"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestStudyExport)
+#include "test_study_export.moc"
