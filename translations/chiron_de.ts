@@ -3268,6 +3268,220 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Sealed reason</source>
         <translation>Versiegelter Grund</translation>
     </message>
+    <message numerus="yes">
+        <source>%n trial(s) could not be used: the difference or the answer is missing.</source>
+        <translation>
+            <numerusform>%n Durchgang ist nicht verwendbar: Unterschied oder Antwort fehlt.</numerusform>
+            <numerusform>%n Durchgänge sind nicht verwendbar: Unterschied oder Antwort fehlt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no scored trial yet, so nothing can be said.</source>
+        <translation>Es gibt noch keinen gewerteten Durchgang; es lässt sich nichts sagen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n trial(s): the interval is wide and rests partly on what was assumed beforehand.</source>
+        <translation>
+            <numerusform>Nur %n Durchgang: Das Intervall ist breit und beruht zum Teil auf Annahmen von vornherein.</numerusform>
+            <numerusform>Nur %n Durchgänge: Das Intervall ist breit und beruht zum Teil auf Annahmen von vornherein.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The objects never differed, so nothing can be said about telling them apart.</source>
+        <translation>Die Objekte unterschieden sich nie; darüber, wie gut sie unterschieden werden, lässt sich nichts sagen.</translation>
+    </message>
+    <message>
+        <source>Only one difference was presented: slips of attention cannot be told from a high threshold.</source>
+        <translation>Es wurde nur ein Unterschied dargeboten: Unaufmerksamkeit und eine hohe Schwelle sind nicht auseinanderzuhalten.</translation>
+    </message>
+    <message>
+        <source>Very many different differences were presented; neighbouring ones were put together.</source>
+        <translation>Es wurden sehr viele verschiedene Unterschiede dargeboten; benachbarte wurden zusammengefasst.</translation>
+    </message>
+    <message>
+        <source>The same answer was given every time: it says nothing about what was felt.</source>
+        <translation>Jedes Mal wurde dasselbe geantwortet: Das sagt nichts darüber, was gefühlt wurde.</translation>
+    </message>
+    <message>
+        <source>Every answer was right: the threshold is below the smallest difference, how far is not known.</source>
+        <translation>Jede Antwort war richtig: Die Schwelle liegt unter dem kleinsten Unterschied, wie weit, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>No better than guessing: the threshold may be above the largest difference presented.</source>
+        <translation>Nicht besser als geraten: Die Schwelle liegt vielleicht über dem größten dargebotenen Unterschied.</translation>
+    </message>
+    <message>
+        <source>More than a tenth of the answers look like guesses even where the difference was easy.</source>
+        <translation>Mehr als ein Zehntel der Antworten sieht auch dort nach Raten aus, wo der Unterschied leicht war.</translation>
+    </message>
+    <message>
+        <source>Answers jump from guessing to always right between two neighbouring differences: what lies between is not known.</source>
+        <translation>Zwischen zwei benachbarten Unterschieden springen die Antworten von geraten auf immer richtig: Was dazwischen liegt, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Wrong answers fall on one place much more often than chance allows.</source>
+        <translation>Falsche Antworten fallen viel öfter auf einen Platz, als der Zufall es erlaubt.</translation>
+    </message>
+    <message>
+        <source>Conditions differ in what an analysis needs to know: there are values once the study is unblinded.</source>
+        <translation>Die Bedingungen unterscheiden sich in dem, was eine Auswertung wissen muss: Werte gibt es nach der Entblindung.</translation>
+    </message>
+    <message>
+        <source>A quick simulation without rendering: the observer was told the values.</source>
+        <translation>Eine schnelle Simulation ohne Darstellung: Dem Beobachter wurden die Werte gesagt.</translation>
+    </message>
+    <message>
+        <source>The answers do not tell how small the threshold is: the value shown is what was assumed beforehand.</source>
+        <translation>Die Antworten sagen nicht, wie klein die Schwelle ist: Der gezeigte Wert ist die Annahme von vornherein.</translation>
+    </message>
+    <message>
+        <source>The answers do not tell how large the threshold is: the value shown is what was assumed beforehand.</source>
+        <translation>Die Antworten sagen nicht, wie groß die Schwelle ist: Der gezeigte Wert ist die Annahme von vornherein.</translation>
+    </message>
+    <message>
+        <source>The lower end of the interval comes from what was assumed beforehand, not from the answers.</source>
+        <translation>Das untere Ende des Intervalls stammt aus der Annahme von vornherein, nicht aus den Antworten.</translation>
+    </message>
+    <message>
+        <source>The upper end of the interval comes from what was assumed beforehand, not from the answers.</source>
+        <translation>Das obere Ende des Intervalls stammt aus der Annahme von vornherein, nicht aus den Antworten.</translation>
+    </message>
+    <message>
+        <source>The curve does not describe the answers well: attention or strategy may have changed.</source>
+        <translation>Die Kurve beschreibt die Antworten schlecht: Aufmerksamkeit oder Vorgehen haben sich vielleicht geändert.</translation>
+    </message>
+    <message>
+        <source>Another curve through the same answers puts the threshold elsewhere: take the value with care.</source>
+        <translation>Eine andere Kurve durch dieselben Antworten legt die Schwelle anderswohin: Der Wert ist mit Vorsicht zu nehmen.</translation>
+    </message>
+    <message>
+        <source>Answers do not get better as the difference grows, so there is no threshold to find.</source>
+        <translation>Die Antworten werden mit wachsendem Unterschied nicht besser; eine Schwelle ist nicht zu finden.</translation>
+    </message>
+    <message>
+        <source>Answers get worse as the difference grows: do differences and answers belong together?</source>
+        <translation>Die Antworten werden mit wachsendem Unterschied schlechter: Gehören Unterschiede und Antworten zusammen?</translation>
+    </message>
+    <message>
+        <source>The condition has no reference above zero, so nothing can be given in its unit.</source>
+        <translation>Die Bedingung hat keinen Bezugswert über null; in ihrer Einheit lässt sich nichts angeben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) are not above zero and are left out.</source>
+        <translation>
+            <numerusform>%n Einstellung liegt nicht über null und ist ausgelassen.</numerusform>
+            <numerusform>%n Einstellungen liegen nicht über null und sind ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing has been set yet, so nothing can be said.</source>
+        <translation>Es wurde noch nichts eingestellt; es lässt sich nichts sagen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n setting(s): how much they scatter is hardly known.</source>
+        <translation>
+            <numerusform>Nur %n Einstellung: Wie sehr sie streuen, ist kaum bekannt.</numerusform>
+            <numerusform>Nur %n Einstellungen: Wie sehr sie streuen, ist kaum bekannt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All settings are the same: the step of the adjustment may be too coarse.</source>
+        <translation>Alle Einstellungen sind gleich: Der Schritt beim Einstellen ist vielleicht zu grob.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n answer(s) are not numbers above zero and are left out.</source>
+        <translation>
+            <numerusform>%n Antwort ist keine Zahl über null und ist ausgelassen.</numerusform>
+            <numerusform>%n Antworten sind keine Zahlen über null und sind ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No number has been said yet, so nothing can be said.</source>
+        <translation>Es wurde noch keine Zahl genannt; es lässt sich nichts sagen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n answer(s): the result is hardly known.</source>
+        <translation>
+            <numerusform>Nur %n Antwort: Das Ergebnis ist kaum bekannt.</numerusform>
+            <numerusform>Nur %n Antworten: Das Ergebnis ist kaum bekannt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Only one strength was presented, so there is no exponent.</source>
+        <translation>Es wurde nur eine Stärke dargeboten; einen Exponenten gibt es nicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n participant(s) with an exponent: how people differ is hardly known.</source>
+        <translation>
+            <numerusform>Nur %n Person mit Exponent: Wie sehr sich Menschen unterscheiden, ist kaum bekannt.</numerusform>
+            <numerusform>Nur %n Personen mit Exponent: Wie sehr sich Menschen unterscheiden, ist kaum bekannt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) are left out: their answers give no value.</source>
+        <translation>
+            <numerusform>%n Person ist ausgelassen: Ihre Antworten ergeben keinen Wert.</numerusform>
+            <numerusform>%n Personen sind ausgelassen: Ihre Antworten ergeben keinen Wert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody&apos;s answers give a value.</source>
+        <translation>Von niemandem ergeben die Antworten einen Wert.</translation>
+    </message>
+    <message>
+        <source>One participant is not a group: there is no interval.</source>
+        <translation>Eine Person ist keine Gruppe: Es gibt kein Intervall.</translation>
+    </message>
+    <message>
+        <source>People differ by more than their own uncertainty: see also what is expected of a further participant.</source>
+        <translation>Menschen unterscheiden sich um mehr als ihre eigene Unsicherheit: Sehen Sie auch, was von einer weiteren Person zu erwarten ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) of the group were simulated without rendering: told the values, nothing was felt.</source>
+        <translation>
+            <numerusform>%n Person der Gruppe wurde ohne Darstellung simuliert: Ihr wurden die Werte gesagt, gefühlt wurde nichts.</numerusform>
+            <numerusform>%n Personen der Gruppe wurden ohne Darstellung simuliert: Ihnen wurden die Werte gesagt, gefühlt wurde nichts.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The sphere has no radius above zero.</source>
+        <translation>Die Kugel hat keinen Radius über null.</translation>
+    </message>
+    <message>
+        <source>This condition cannot be simulated: it needs a procedure and differences.</source>
+        <translation>Diese Bedingung lässt sich nicht simulieren: Sie braucht ein Verfahren und Unterschiede.</translation>
+    </message>
+    <message>
+        <source>The largest difference is below what this observer needs.</source>
+        <translation>Der größte Unterschied ist kleiner, als dieser Beobachter ihn braucht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 simulated run(s) gave no value.</source>
+        <translation>
+            <numerusform>%n von %1 simulierten Läufen ergab keinen Wert.</numerusform>
+            <numerusform>%n von %1 simulierten Läufen ergaben keinen Wert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Estimated from all answers together, right and wrong</source>
+        <translation>Geschätzt aus allen Antworten zusammen, richtigen wie falschen</translation>
+    </message>
+    <message>
+        <source>Estimated from all orders said together</source>
+        <translation>Geschätzt aus allen genannten Reihenfolgen zusammen</translation>
+    </message>
+    <message>
+        <source>Mean and spread of what was set</source>
+        <translation>Mittel und Streuung des Eingestellten</translation>
+    </message>
+    <message>
+        <source>A power law through the numbers said</source>
+        <translation>Ein Potenzgesetz durch die genannten Zahlen</translation>
+    </message>
+    <message>
+        <source>Errors of the marks</source>
+        <translation>Fehler der Markierungen</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>

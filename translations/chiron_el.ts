@@ -3268,6 +3268,220 @@ Do you want to replace it?</source>
         <source>Sealed reason</source>
         <translation>Σφραγισμένη αιτία</translation>
     </message>
+    <message numerus="yes">
+        <source>%n trial(s) could not be used: the difference or the answer is missing.</source>
+        <translation>
+            <numerusform>%n δοκιμή δεν χρησιμοποιείται: λείπει η διαφορά ή η απάντηση.</numerusform>
+            <numerusform>%n δοκιμές δεν χρησιμοποιούνται: λείπει η διαφορά ή η απάντηση.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no scored trial yet, so nothing can be said.</source>
+        <translation>Δεν υπάρχει ακόμη δοκιμή που να μετρά, οπότε δεν προκύπτει τίποτα.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n trial(s): the interval is wide and rests partly on what was assumed beforehand.</source>
+        <translation>
+            <numerusform>Μόνο %n δοκιμή: το διάστημα είναι ευρύ και στηρίζεται εν μέρει σε όσα είχαν υποτεθεί από πριν.</numerusform>
+            <numerusform>Μόνο %n δοκιμές: το διάστημα είναι ευρύ και στηρίζεται εν μέρει σε όσα είχαν υποτεθεί από πριν.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The objects never differed, so nothing can be said about telling them apart.</source>
+        <translation>Τα αντικείμενα δεν διέφεραν ποτέ, οπότε δεν προκύπτει τίποτα για τη διάκρισή τους.</translation>
+    </message>
+    <message>
+        <source>Only one difference was presented: slips of attention cannot be told from a high threshold.</source>
+        <translation>Παρουσιάστηκε μόνο μία διαφορά: η απροσεξία δεν ξεχωρίζει από ένα υψηλό κατώφλι.</translation>
+    </message>
+    <message>
+        <source>Very many different differences were presented; neighbouring ones were put together.</source>
+        <translation>Παρουσιάστηκαν πάρα πολλές διαφορετικές διαφορές· οι γειτονικές ενώθηκαν.</translation>
+    </message>
+    <message>
+        <source>The same answer was given every time: it says nothing about what was felt.</source>
+        <translation>Δόθηκε κάθε φορά η ίδια απάντηση: δεν λέει τίποτα για το τι έγινε αισθητό.</translation>
+    </message>
+    <message>
+        <source>Every answer was right: the threshold is below the smallest difference, how far is not known.</source>
+        <translation>Όλες οι απαντήσεις ήταν σωστές: το κατώφλι είναι κάτω από τη μικρότερη διαφορά, πόσο κάτω δεν είναι γνωστό.</translation>
+    </message>
+    <message>
+        <source>No better than guessing: the threshold may be above the largest difference presented.</source>
+        <translation>Όχι καλύτερα από την τύχη: το κατώφλι ίσως είναι πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε.</translation>
+    </message>
+    <message>
+        <source>More than a tenth of the answers look like guesses even where the difference was easy.</source>
+        <translation>Πάνω από το ένα δέκατο των απαντήσεων μοιάζουν τυχαίες ακόμη και όπου η διαφορά ήταν εύκολη.</translation>
+    </message>
+    <message>
+        <source>Answers jump from guessing to always right between two neighbouring differences: what lies between is not known.</source>
+        <translation>Ανάμεσα σε δύο γειτονικές διαφορές οι απαντήσεις περνούν από τυχαίες σε πάντα σωστές: το ενδιάμεσο δεν είναι γνωστό.</translation>
+    </message>
+    <message>
+        <source>Wrong answers fall on one place much more often than chance allows.</source>
+        <translation>Οι λανθασμένες απαντήσεις πέφτουν σε μία θέση πολύ συχνότερα από όσο επιτρέπει η τύχη.</translation>
+    </message>
+    <message>
+        <source>Conditions differ in what an analysis needs to know: there are values once the study is unblinded.</source>
+        <translation>Οι συνθήκες διαφέρουν σε όσα χρειάζεται μια ανάλυση: τιμές υπάρχουν μετά την άρση της τύφλωσης.</translation>
+    </message>
+    <message>
+        <source>A quick simulation without rendering: the observer was told the values.</source>
+        <translation>Γρήγορη προσομοίωση χωρίς απόδοση: ο παρατηρητής γνώριζε τις τιμές.</translation>
+    </message>
+    <message>
+        <source>The answers do not tell how small the threshold is: the value shown is what was assumed beforehand.</source>
+        <translation>Οι απαντήσεις δεν δείχνουν πόσο μικρό είναι το κατώφλι: η τιμή είναι ό,τι είχε υποτεθεί από πριν.</translation>
+    </message>
+    <message>
+        <source>The answers do not tell how large the threshold is: the value shown is what was assumed beforehand.</source>
+        <translation>Οι απαντήσεις δεν δείχνουν πόσο μεγάλο είναι το κατώφλι: η τιμή είναι ό,τι είχε υποτεθεί από πριν.</translation>
+    </message>
+    <message>
+        <source>The lower end of the interval comes from what was assumed beforehand, not from the answers.</source>
+        <translation>Το κάτω άκρο του διαστήματος προέρχεται από όσα είχαν υποτεθεί από πριν, όχι από τις απαντήσεις.</translation>
+    </message>
+    <message>
+        <source>The upper end of the interval comes from what was assumed beforehand, not from the answers.</source>
+        <translation>Το πάνω άκρο του διαστήματος προέρχεται από όσα είχαν υποτεθεί από πριν, όχι από τις απαντήσεις.</translation>
+    </message>
+    <message>
+        <source>The curve does not describe the answers well: attention or strategy may have changed.</source>
+        <translation>Η καμπύλη δεν περιγράφει καλά τις απαντήσεις: ίσως άλλαξε η προσοχή ή η στρατηγική.</translation>
+    </message>
+    <message>
+        <source>Another curve through the same answers puts the threshold elsewhere: take the value with care.</source>
+        <translation>Μια άλλη καμπύλη στις ίδιες απαντήσεις τοποθετεί αλλού το κατώφλι: δείτε την τιμή με επιφύλαξη.</translation>
+    </message>
+    <message>
+        <source>Answers do not get better as the difference grows, so there is no threshold to find.</source>
+        <translation>Οι απαντήσεις δεν βελτιώνονται όσο μεγαλώνει η διαφορά, οπότε δεν υπάρχει κατώφλι να βρεθεί.</translation>
+    </message>
+    <message>
+        <source>Answers get worse as the difference grows: do differences and answers belong together?</source>
+        <translation>Οι απαντήσεις χειροτερεύουν όσο μεγαλώνει η διαφορά: αντιστοιχούν οι διαφορές στις απαντήσεις;</translation>
+    </message>
+    <message>
+        <source>The condition has no reference above zero, so nothing can be given in its unit.</source>
+        <translation>Η συνθήκη δεν έχει τιμή αναφοράς πάνω από το μηδέν, οπότε τίποτα δεν δίνεται στη μονάδα της.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) are not above zero and are left out.</source>
+        <translation>
+            <numerusform>%n ρύθμιση δεν είναι πάνω από το μηδέν και παραλείπεται.</numerusform>
+            <numerusform>%n ρυθμίσεις δεν είναι πάνω από το μηδέν και παραλείπονται.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing has been set yet, so nothing can be said.</source>
+        <translation>Δεν έχει ρυθμιστεί ακόμη τίποτα, οπότε δεν προκύπτει τίποτα.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n setting(s): how much they scatter is hardly known.</source>
+        <translation>
+            <numerusform>Μόνο %n ρύθμιση: η διασπορά τους είναι σχεδόν άγνωστη.</numerusform>
+            <numerusform>Μόνο %n ρυθμίσεις: η διασπορά τους είναι σχεδόν άγνωστη.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All settings are the same: the step of the adjustment may be too coarse.</source>
+        <translation>Όλες οι ρυθμίσεις είναι ίδιες: το βήμα της ρύθμισης ίσως είναι πολύ μεγάλο.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n answer(s) are not numbers above zero and are left out.</source>
+        <translation>
+            <numerusform>%n απάντηση δεν είναι αριθμός πάνω από το μηδέν και παραλείπεται.</numerusform>
+            <numerusform>%n απαντήσεις δεν είναι αριθμοί πάνω από το μηδέν και παραλείπονται.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No number has been said yet, so nothing can be said.</source>
+        <translation>Δεν έχει ειπωθεί ακόμη αριθμός, οπότε δεν προκύπτει τίποτα.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n answer(s): the result is hardly known.</source>
+        <translation>
+            <numerusform>Μόνο %n απάντηση: το αποτέλεσμα είναι σχεδόν άγνωστο.</numerusform>
+            <numerusform>Μόνο %n απαντήσεις: το αποτέλεσμα είναι σχεδόν άγνωστο.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Only one strength was presented, so there is no exponent.</source>
+        <translation>Παρουσιάστηκε μόνο μία ένταση, οπότε δεν υπάρχει εκθέτης.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n participant(s) with an exponent: how people differ is hardly known.</source>
+        <translation>
+            <numerusform>Μόνο %n συμμετέχων με εκθέτη: οι διαφορές μεταξύ ατόμων είναι σχεδόν άγνωστες.</numerusform>
+            <numerusform>Μόνο %n συμμετέχοντες με εκθέτη: οι διαφορές μεταξύ ατόμων είναι σχεδόν άγνωστες.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) are left out: their answers give no value.</source>
+        <translation>
+            <numerusform>%n συμμετέχων παραλείπεται: οι απαντήσεις του δεν δίνουν τιμή.</numerusform>
+            <numerusform>%n συμμετέχοντες παραλείπονται: οι απαντήσεις τους δεν δίνουν τιμή.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody&apos;s answers give a value.</source>
+        <translation>Οι απαντήσεις κανενός δεν δίνουν τιμή.</translation>
+    </message>
+    <message>
+        <source>One participant is not a group: there is no interval.</source>
+        <translation>Ένας συμμετέχων δεν είναι ομάδα: δεν υπάρχει διάστημα.</translation>
+    </message>
+    <message>
+        <source>People differ by more than their own uncertainty: see also what is expected of a further participant.</source>
+        <translation>Τα άτομα διαφέρουν περισσότερο από τη δική τους αβεβαιότητα: δείτε και τι αναμένεται από έναν ακόμη συμμετέχοντα.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) of the group were simulated without rendering: told the values, nothing was felt.</source>
+        <translation>
+            <numerusform>%n συμμετέχων της ομάδας προσομοιώθηκε χωρίς απόδοση: γνώριζε τις τιμές, τίποτα δεν έγινε αισθητό.</numerusform>
+            <numerusform>%n συμμετέχοντες της ομάδας προσομοιώθηκαν χωρίς απόδοση: γνώριζαν τις τιμές, τίποτα δεν έγινε αισθητό.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The sphere has no radius above zero.</source>
+        <translation>Η σφαίρα δεν έχει ακτίνα πάνω από το μηδέν.</translation>
+    </message>
+    <message>
+        <source>This condition cannot be simulated: it needs a procedure and differences.</source>
+        <translation>Η συνθήκη δεν μπορεί να προσομοιωθεί: χρειάζεται διαδικασία και διαφορές.</translation>
+    </message>
+    <message>
+        <source>The largest difference is below what this observer needs.</source>
+        <translation>Η μεγαλύτερη διαφορά είναι μικρότερη από όση χρειάζεται αυτός ο παρατηρητής.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 simulated run(s) gave no value.</source>
+        <translation>
+            <numerusform>%n από τις %1 προσομοιωμένες εκτελέσεις δεν έδωσε τιμή.</numerusform>
+            <numerusform>%n από τις %1 προσομοιωμένες εκτελέσεις δεν έδωσαν τιμή.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Estimated from all answers together, right and wrong</source>
+        <translation>Εκτίμηση από όλες μαζί τις απαντήσεις, σωστές και λανθασμένες</translation>
+    </message>
+    <message>
+        <source>Estimated from all orders said together</source>
+        <translation>Εκτίμηση από όλες μαζί τις σειρές που ειπώθηκαν</translation>
+    </message>
+    <message>
+        <source>Mean and spread of what was set</source>
+        <translation>Μέση τιμή και διασπορά όσων ρυθμίστηκαν</translation>
+    </message>
+    <message>
+        <source>A power law through the numbers said</source>
+        <translation>Νόμος δύναμης από τους αριθμούς που ειπώθηκαν</translation>
+    </message>
+    <message>
+        <source>Errors of the marks</source>
+        <translation>Σφάλματα των σημαδιών</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>

@@ -110,6 +110,76 @@
             <numerusform>%n simulated participants are left out: the group is of people.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n trial(s) could not be used: the difference or the answer is missing.</source>
+        <translation>
+            <numerusform>%n trial could not be used: the difference or the answer is missing.</numerusform>
+            <numerusform>%n trials could not be used: the difference or the answer is missing.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n trial(s): the interval is wide and rests partly on what was assumed beforehand.</source>
+        <translation>
+            <numerusform>Only %n trial: the interval is wide and rests partly on what was assumed beforehand.</numerusform>
+            <numerusform>Only %n trials: the interval is wide and rests partly on what was assumed beforehand.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) are not above zero and are left out.</source>
+        <translation>
+            <numerusform>%n setting is not above zero and is left out.</numerusform>
+            <numerusform>%n settings are not above zero and are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n setting(s): how much they scatter is hardly known.</source>
+        <translation>
+            <numerusform>Only %n setting: how much they scatter is hardly known.</numerusform>
+            <numerusform>Only %n settings: how much they scatter is hardly known.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n answer(s) are not numbers above zero and are left out.</source>
+        <translation>
+            <numerusform>%n answer is not a number above zero and is left out.</numerusform>
+            <numerusform>%n answers are not numbers above zero and are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n answer(s): the result is hardly known.</source>
+        <translation>
+            <numerusform>Only %n answer: the result is hardly known.</numerusform>
+            <numerusform>Only %n answers: the result is hardly known.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %n participant(s) with an exponent: how people differ is hardly known.</source>
+        <translation>
+            <numerusform>Only %n participant with an exponent: how people differ is hardly known.</numerusform>
+            <numerusform>Only %n participants with an exponent: how people differ is hardly known.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) are left out: their answers give no value.</source>
+        <translation>
+            <numerusform>%n participant is left out: their answers give no value.</numerusform>
+            <numerusform>%n participants are left out: their answers give no value.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) of the group were simulated without rendering: told the values, nothing was felt.</source>
+        <translation>
+            <numerusform>%n participant of the group was simulated without rendering: told the values, nothing was felt.</numerusform>
+            <numerusform>%n participants of the group were simulated without rendering: told the values, nothing was felt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 simulated run(s) gave no value.</source>
+        <translation>
+            <numerusform>%n of %1 simulated runs gave no value.</numerusform>
+            <numerusform>%n of %1 simulated runs gave no value.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Verdict</name>
@@ -310,7 +380,7 @@
         <source>%n participant(s); each one&apos;s mean ranks are one judgement.</source>
         <translation>
             <numerusform>%n participant; their mean ranks are one judgement.</numerusform>
-            <numerusform>%n participants; each one's mean ranks are one judgement.</numerusform>
+            <numerusform>%n participants; each one&apos;s mean ranks are one judgement.</numerusform>
         </translation>
     </message>
 </context>

@@ -76,7 +76,7 @@ core::Result<void> writeRun(NewFolder& folder, const StudyExportData& data, cons
     const QJsonObject estimate{{"weber", number(e.weber)}, {"weber_low", number(e.weber95.low)}, {"weber_high", number(e.weber95.high)},
                                {"sigma_log10", number(e.sigma_log10)}, {"exponent", ofTask(e.exponent)}, {"exponent_low", ofTask(e.exponent95.low)},
                                {"exponent_high", ofTask(e.exponent95.high)}, {"criterion", ofTask(e.criterion)},
-                               {"method", sameWay ? QString::fromStdString(e.method) : kNotAvailable}};
+                               {"method", sameWay ? QString::fromUtf8(methodText(e.method)) : kNotAvailable}};
     QJsonObject head{{"TaskName", recording.task}, {"TaskDescription", recording.taskDescription}, {"ProtocolSHA256", data.sha256()},
                      {"Participant", QString::fromStdString(participant.participant.code)}, {"Condition", run.label}, {"Instructions", english(data.design->instructions)}, {"Estimate", estimate}};
     if (!data.blinded) {

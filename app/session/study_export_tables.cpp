@@ -162,8 +162,8 @@ ExportTable estimatesTable(const StudyExportData& data) {
         for (const ExportedRun& run : participant.runs) {
             const psychophysics::RunEstimate& e = run.estimate;
             QStringList warnings;
-            for (const std::string& warning : e.warnings)
-                warnings << (data.blinded ? QString::fromStdString(warning).section(u':', 0, 0) : QString::fromStdString(warning));
+            for (const psychophysics::Warning& warning : e.warnings)
+                warnings << (data.blinded ? QString::fromUtf8(warningToken(warning.kind)) : text(warningText(warning)));
             const bool sameWay = !data.blinded || data.oneTask;
             table.rows.push_back(runOwner(data, participant, run) +
                                  QStringList{QString::number(e.trials), exportNumber(e.weber), exportNumber(e.weber95.low), exportNumber(e.weber95.high),
@@ -171,7 +171,7 @@ ExportTable estimatesTable(const StudyExportData& data) {
                                              exportNumber(e.sigma_log10), exportNumber(e.sigma95.low), exportNumber(e.sigma95.high),
                                              data.blinded ? kNotAvailable : exportNumber(e.pse),
                                              sameWay ? exportNumber(e.exponent) : kNotAvailable, sameWay ? exportNumber(e.exponent95.low) : kNotAvailable,
-                                             sameWay ? exportNumber(e.exponent95.high) : kNotAvailable, sameWay ? exportNumber(e.criterion) : kNotAvailable, sameWay ? text(e.method) : kNotAvailable,
+                                             sameWay ? exportNumber(e.exponent95.high) : kNotAvailable, sameWay ? exportNumber(e.criterion) : kNotAvailable, sameWay ? QString::fromUtf8(methodText(e.method)) : kNotAvailable,
                                              warnings.isEmpty() ? kNotAvailable : warnings.join(u'|')});
         }
     }

@@ -21,7 +21,4 @@ std::unique_ptr<report::PlotView> apexMarksPlot(const psychophysics::ApexSummary
 std::unique_ptr<report::PlotView> apexErrorPlot(const psychophysics::ApexSummary& summary, const std::vector<QString>& names,
                                                 const report::PlotTheme& theme);
 
-/// What to know before the numbers are used, in the language of the program; `warning`: one of the summary's.
-QString apexWarning(const std::string& warning);
-
 } // namespace chiron::session_report

@@ -4,6 +4,7 @@
 #include "session_report/study_report_blocks.h"
 #include "session_report/study_report_text.h"
 #include "session_report/study_report_words.h"
+#include "session_report/study_warning_words.h"
 
 #include <cmath>
 #include <qcustomplot.h>
@@ -56,8 +57,8 @@ void StudyReportBlocks::addApex(std::size_t at) {
     addPlotRow(std::move(row), kPlotHeight);
     addTable({Words::tr("Code"), Words::tr("Bias in x"), Words::tr("Bias in y"), Words::tr("SD in x"), Words::tr("SD in y"), Words::tr("Error"), Words::tr("Scored")},
              rows, {0.13, 0.24, 0.24, 0.1, 0.1, 0.1, 0.09}, {false, true, true, true, true, true, true});
-    for (const std::string& warning : group.warnings)
-        addMuted(QStringLiteral("! ") + apexWarning(warning));
+    for (const psychophysics::Warning& warning : group.warnings)
+        addMuted(QStringLiteral("! ") + warningWords(warning));
 }
 
 } // namespace chiron::session_report

@@ -3,6 +3,7 @@
 #include "session_report/study_report_blocks.h"
 #include "session_report/study_report_text.h"
 #include "session_report/study_report_words.h"
+#include "session_report/study_warning_words.h"
 
 #include <cmath>
 #include <qcustomplot.h>
@@ -84,8 +85,8 @@ void StudyReportBlocks::addGroup(std::size_t at) {
     if (std::isfinite(group.exponent))
         pairs.emplace_back(Words::tr("Exponent of the power law"), words::number(group.exponent, locale));
     addPairs(pairs, 3);
-    for (const std::string& warning : group.warnings)
-        addMuted(QStringLiteral("! ") + words::warning(warning));
+    for (const psychophysics::Warning& warning : group.warnings)
+        addMuted(QStringLiteral("! ") + warningWords(warning));
 }
 
 void StudyReportBlocks::addWeberPlot(const session::AnalysedCondition& condition) {
@@ -128,8 +129,8 @@ void StudyReportBlocks::addRuns(std::size_t at) {
               Words::tr("Repeated"), Words::tr("Run")},
              rows, {0.14, 0.16, 0.2, 0.14, 0.11, 0.11, 0.14}, {false, true, true, true, true, true, false});
     for (const session::AnalysedRun& run : condition.runs)
-        for (const std::string& warning : run.estimate.warnings)
-            addMuted(QStringLiteral("! %1: %2").arg(QString::fromStdString(run.participant.code), words::warning(warning)));
+        for (const psychophysics::Warning& warning : run.estimate.warnings)
+            addMuted(QStringLiteral("! %1: %2").arg(QString::fromStdString(run.participant.code), warningWords(warning)));
 }
 
 void StudyReportBlocks::addCurves(const session::AnalysedCondition& condition) {

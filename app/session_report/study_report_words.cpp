@@ -113,11 +113,6 @@ QString spoiled(const std::string& token) {
     return found == words.end() ? spaced(token) : found->second;
 }
 
-QString warning(const std::string& warning) {
-    const std::size_t colon = warning.find(": ");
-    return QString::fromStdString(colon == std::string::npos ? warning : warning.substr(colon + 2));
-}
-
 QString number(double value, const QLocale& locale) {
     constexpr int kDigits = 3;
     if (!std::isfinite(value))

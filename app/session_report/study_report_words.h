@@ -22,7 +22,6 @@ QString state(database::StudyState state);
 QString participantState(database::ParticipantState state);
 QString runState(database::StudyRunState state);
 QString spoiled(const std::string& token); ///< why a trial was repeated
-QString warning(const std::string& warning); ///< "token: words" without the token
 
 /// A number in three significant digits; a dash where it is none.
 QString number(double value, const QLocale& locale);

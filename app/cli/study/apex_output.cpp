@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/study/apex_output.h"
 
+#include "cli/study/study_access.h"
 #include "session/study/trial_fidelity.h"
 
 #include <QJsonArray>
@@ -33,19 +34,9 @@ QJsonObject axisJson(const ApexAxis& axis, bool blinded) {
     return json;
 }
 
-QStringList tokens(const ApexSummary& summary) {
-    QStringList out;
-    for (const std::string& warning : summary.warnings)
-        out << QString::fromStdString(warning).section(u':', 0, 0);
-    return out;
-}
-
 } // namespace
 
 QJsonObject apexJson(const ApexSummary& summary, bool blinded) {
-    QJsonArray warnings;
-    for (const std::string& warning : summary.warnings)
-        warnings.append(blinded ? QString::fromStdString(warning).section(u':', 0, 0) : QString::fromStdString(warning));
     QJsonObject json{{"participants", summary.participants},
                      {"trials", summary.trials},
                      {"axes", QJsonObject{{"x", axisJson(summary.axes[0], blinded)}, {"y", axisJson(summary.axes[1], blinded)}}},
@@ -55,7 +46,7 @@ QJsonObject apexJson(const ApexSummary& summary, bool blinded) {
                      {"mean_absolute_bootstrap_percent", ends(summary.meanAbsoluteBootstrap95)},
                      {"sd_over_mean", value(summary.sdOverMean)},
                      {"implied_sd_percent", value(summary.impliedSdPercent)},
-                     {"warnings", warnings}};
+                     {"warnings", warningsJson(summary.warnings, blinded)}};
     if (blinded)
         return json;
     json.insert("mean_absolute_mm", value(summary.meanAbsolute_mm));
@@ -101,7 +92,7 @@ void addApexRow(TextTable& table, const QString& who, const QString& condition, 
     QStringList cells{who, condition, QString::number(summary.trials)};
     for (const ApexAxis& axis : summary.axes)
         cells << shortNumber(blinded ? axis.biasPercent : axis.bias_mm) << shortNumber(blinded ? axis.sdPercent : axis.sd_mm);
-    table.add(cells + QStringList{shortNumber(summary.meanAbsolutePercent), shortNumber(summary.sdAbsolutePercent), tokens(summary).join(QStringLiteral(", "))});
+    table.add(cells + QStringList{shortNumber(summary.meanAbsolutePercent), shortNumber(summary.sdAbsolutePercent), warningTokens(summary.warnings)});
 }
 
 } // namespace chiron::cli

@@ -40,19 +40,28 @@ QJsonObject studyJson(const database::StudySummary& s) {
             {"participants", s.participants}, {"completed", s.completed}, {"trials", s.trials}};
 }
 
+QJsonArray warningsJson(const std::vector<psychophysics::Warning>& warnings, bool tokensAlone) {
+    QJsonArray array;
+    for (const psychophysics::Warning& warning : warnings)
+        array.append(tokensAlone ? QString::fromUtf8(warningToken(warning.kind)) : QString::fromStdString(warningText(warning)));
+    return array;
+}
+
+QString warningTokens(const std::vector<psychophysics::Warning>& warnings) {
+    QStringList tokens;
+    for (const psychophysics::Warning& warning : warnings)
+        tokens << QString::fromUtf8(warningToken(warning.kind));
+    return tokens.join(QStringLiteral(", "));
+}
+
 QJsonObject estimateJson(const psychophysics::RunEstimate& e, bool blinded) {
     const auto number = [](double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); };
-    QJsonArray warnings;
-    for (const std::string& warning : e.warnings) {
-        const QString words = QString::fromStdString(warning);
-        warnings.append(blinded ? words.section(u':', 0, 0) : words);
-    }
     QJsonObject json{{"weber", number(e.weber)}, {"sigma_log10", number(e.sigma_log10)}, {"ci_low", number(e.weber95.low)}, {"ci_high", number(e.weber95.high)},
-                     {"trials", e.trials}, {"warnings", warnings}};
+                     {"trials", e.trials}, {"warnings", warningsJson(e.warnings, blinded)}};
     if (blinded)
         return json;
     json.insert("criterion", e.criterion);
-    json.insert("method", QString::fromStdString(e.method));
+    json.insert("method", QString::fromUtf8(methodText(e.method)));
     json.insert("jnd", number(e.jnd));
     json.insert("unit", QString::fromStdString(e.unit));
     json.insert("pse", number(e.pse));

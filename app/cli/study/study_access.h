@@ -5,6 +5,7 @@
 #include "database/repositories/study_reader.h"
 #include "psychophysics/study/run_estimate.h"
 
+#include <QJsonArray>
 #include <QJsonObject>
 
 namespace chiron::cli {
@@ -30,6 +31,9 @@ QJsonObject studyJson(const database::StudySummary& summary);
 /// cli.md: weber, jnd, sigma_log10, ci_low, ci_high, criterion, unit; exponent, exponent_ci of a magnitude estimation; while blinded nothing in physical
 /// units.
 QJsonObject estimateJson(const psychophysics::RunEstimate& estimate, bool blinded);
+/// "token: words" each, in English; by tokens alone where words could tell what is blinded.
+QJsonArray warningsJson(const std::vector<psychophysics::Warning>& warnings, bool tokensAlone);
+QString warningTokens(const std::vector<psychophysics::Warning>& warnings); ///< separated by commas
 QJsonObject participantJson(const database::Participant& participant);
 
 // Handlers of the study commands.

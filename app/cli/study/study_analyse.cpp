@@ -29,13 +29,10 @@ QJsonObject replayedJson(const session::ReplayedChoices& r) {
 
 /// Without physical units and methods while blinded.
 QJsonObject groupJson(const GroupEstimate& g, bool blinded) {
-    QJsonArray warnings;
-    for (const std::string& warning : g.warnings)
-        warnings.append(blinded ? text(warning).section(u':', 0, 0) : text(warning));
     QJsonObject json{{"weber", number(g.weber)}, {"ci_low", number(g.weber95.low)}, {"ci_high", number(g.weber95.high)}, {"bootstrap", interval(g.bootstrap95)},
                      {"prediction", interval(g.prediction95)}, {"sigma_log10", number(g.sigma_log10)}, {"sd_between_log10", number(g.sdBetweenLog10)},
                      {"i_squared", number(g.iSquared)}, {"heterogeneity_p", number(g.heterogeneityP)}, {"participants", g.participants}, {"left_out", g.leftOut},
-                     {"warnings", warnings}};
+                     {"warnings", warningsJson(g.warnings, blinded)}};
     if (blinded)
         return json;
     json.insert("jnd", number(g.jnd));
@@ -75,11 +72,8 @@ void tellRuns(Told& told, const session::AnalysedCondition& condition, const QSt
             continue;
         }
         told.compared = true;
-        QStringList warnings;
-        for (const std::string& warning : e.warnings)
-            warnings << text(warning).section(u':', 0, 0);
         told.table.add({text(run.participant.code), label, QString::number(e.trials), shortNumber(e.weber), shortNumber(e.weber95.low), shortNumber(e.weber95.high),
-                        QStringLiteral("%1/%2").arg(run.replayed.same + run.replayed.ties).arg(run.replayed.trials), warnings.join(QStringLiteral(", "))});
+                        QStringLiteral("%1/%2").arg(run.replayed.same + run.replayed.ties).arg(run.replayed.trials), warningTokens(e.warnings)});
     }
 }
 
@@ -98,11 +92,8 @@ void tellGroup(Told& told, const session::AnalysedCondition& condition, const QS
         addApexRow(told.marks, QStringLiteral("(group of %1)").arg(condition.apex->participants), label, *condition.apex, blinded);
         return;
     }
-    QStringList warnings;
-    for (const std::string& warning : g.warnings)
-        warnings << text(warning).section(u':', 0, 0);
     told.table.add({QStringLiteral("(group of %1)").arg(g.participants), label, QString(), shortNumber(g.weber), shortNumber(g.weber95.low), shortNumber(g.weber95.high),
-                    QStringLiteral("%1/%2").arg(same).arg(trials), warnings.join(QStringLiteral(", "))});
+                    QStringLiteral("%1/%2").arg(same).arg(trials), warningTokens(g.warnings)});
 }
 
 } // namespace

@@ -29,13 +29,6 @@ QString english(const StudyText& words) {
     return found == words.end() ? QString() : QString::fromStdString(found->second);
 }
 
-QJsonArray strings(const std::vector<std::string>& list) {
-    QJsonArray array;
-    for (const std::string& each : list)
-        array.append(QString::fromStdString(each));
-    return array;
-}
-
 /// Of the database, or else of the content that comes with the program.
 core::Result<StudyDesign> designOf(const Arguments& arguments) {
     if (QFileInfo::exists(databasePath(arguments))) {
@@ -91,7 +84,7 @@ QJsonObject planJson(const Condition& condition, const ConditionPlan& plan) {
                      {"minutes", numberOrNull(simulated ? plan.minutes : std::nan(""))}, {"information_per_trial", numberOrNull(condition.task == Task::magnitude ? std::nan("") : plan.fisherPerTrial)},
                      {"best_spacing_sigma", numberOrNull(why.isEmpty() ? plan.bestSpacing : std::nan(""))},
                      {"best_difference", numberOrNull(why.isEmpty() ? plan.bestDifference : std::nan(""))}, {"without_estimate", plan.withoutEstimate},
-                     {"warnings", strings(plan.warnings)}};
+                     {"warnings", warningsJson(plan.warnings, false)}};
     if (!why.isEmpty())
         json.insert("best_spacing_why", why);
     return json;

@@ -7,6 +7,7 @@
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
+#include "session_report/study_warning_words.h"
 
 #include <QProgressBar>
 #include <QTimer>
@@ -157,8 +158,8 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) const {
     fact(tr("smallest ratio found with 80 % power by %n participant(s)", nullptr, m_page.draft.design().participantsPlanned),
          QStringLiteral("× %1").arg(study_words::number(result.detectable, locale)));
     box.layout->addWidget(grid);
-    for (const std::string& warning : plan.warnings)
-        box.layout->addWidget(kit::notice(theme, "warning", study_words::warning(warning)));
+    for (const psychophysics::Warning& warning : plan.warnings)
+        box.layout->addWidget(kit::notice(theme, "warning", session_report::warningWords(warning)));
     if (!result.curve.empty())
         box.layout->addWidget(plotOf(result));
     return box.frame;

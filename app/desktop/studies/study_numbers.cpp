@@ -94,11 +94,6 @@ QString moment(const std::string& utc, const QLocale& locale) {
     return time.isValid() ? locale.toString(time.toLocalTime(), QLocale::ShortFormat) : QString();
 }
 
-QString warning(const std::string& warning) {
-    const std::size_t colon = warning.find(": ");
-    return QString::fromStdString(colon == std::string::npos ? warning : warning.substr(colon + 2));
-}
-
 QString parameter(const std::string& name) {
     if (name == "threshold")
         return Words::tr("Threshold");

@@ -30,8 +30,6 @@ QString participantState(database::ParticipantState state);
 QString runState(database::StudyRunState state);
 /// Why a trial did not count ("force_error"); several separated by commas.
 QString spoiled(std::string_view token);
-/// The words of a warning ("token: words") without its token.
-QString warning(const std::string& warning);
 QString parameter(const std::string& name); ///< of a procedure's estimate
 
 /// What numbers of an attribute are shown in: shown = SI · factor.

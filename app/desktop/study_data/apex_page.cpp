@@ -9,6 +9,7 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "session_report/apex_study_plots.h"
+#include "session_report/study_warning_words.h"
 
 #include <QComboBox>
 #include <algorithm>
@@ -121,8 +122,8 @@ QWidget* ApexPage::summaryBox(const ApexSummary& summary, const QString& title, 
 }
 
 void ApexPage::addWarnings(QVBoxLayout& column, const ApexSummary& summary) const {
-    for (const std::string& warning : summary.warnings)
-        column.addWidget(kit::notice(m_app.theme(), "warning", session_report::apexWarning(warning)));
+    for (const psychophysics::Warning& warning : summary.warnings)
+        column.addWidget(kit::notice(m_app.theme(), "warning", session_report::warningWords(warning)));
 }
 
 QWidget* ApexPage::plots(const ApexSummary& summary, const std::vector<QString>& names) {

@@ -8,6 +8,7 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
+#include "session_report/study_warning_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,8 +83,8 @@ QWidget* GroupPage::groupBox() {
         words << tr("JND %1").arg(study_words::value(group.jnd, designed->stimulus.attribute, locale));
     box.layout->addWidget(kit::label(theme, words.join(QStringLiteral(" · "))));
     addAgreement(*box.layout);
-    for (const std::string& warning : group.warnings)
-        box.layout->addWidget(kit::notice(theme, "warning", study_words::warning(warning)));
+    for (const psychophysics::Warning& warning : group.warnings)
+        box.layout->addWidget(kit::notice(theme, "warning", session_report::warningWords(warning)));
     return box.frame;
 }
 
@@ -159,8 +160,8 @@ QWidget* GroupPage::tableBox() {
         put(trialsColumn, run.spoiled > 0 ? tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled)) : locale.toString(run.scored));
         put(stateColumn, study_words::runState(run.run.state));
         QStringList warnings;
-        for (const std::string& warning : run.estimate.warnings)
-            warnings << study_words::warning(warning);
+        for (const psychophysics::Warning& warning : run.estimate.warnings)
+            warnings << session_report::warningWords(warning);
         put(warningColumn, warnings.join(QStringLiteral("; ")));
     }
     table->setRowsSeen(std::clamp(table->rowCount(), kFewestRows, kMostRows));

@@ -9,6 +9,7 @@
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
 #include "session/study/study_store.h"
+#include "session_report/study_warning_words.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -95,7 +96,7 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
     box.layout->addWidget(kit::label(theme, tr("%1. %2. %3 scored trials, %4 repeated. %5")
                                                 .arg(condition ? study_words::task(condition->task) : QStringLiteral("–"),
                                                      run.run.procedures.empty() ? QStringLiteral("–") : study_words::procedure(run.run.procedures), locale.toString(run.scored),
-                                                     locale.toString(run.spoiled), QString::fromStdString(estimate.method)),
+                                                     locale.toString(run.spoiled), session_report::methodWords(estimate.method)),
                                      TextStyle::small, "muted"));
     const session::ReplayedChoices& again = run.replayed;
     if (again.trials > 0)
@@ -104,8 +105,8 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
                                                     : tr("Run again from its log, the procedure chooses differently: %1 of %2 are the same.")
                                                           .arg(locale.toString(again.same + again.ties), locale.toString(again.trials)),
                                          TextStyle::small, again.same + again.ties == again.trials ? "muted" : "warning"));
-    for (const std::string& warning : estimate.warnings)
-        box.layout->addWidget(kit::notice(theme, "warning", study_words::warning(warning)));
+    for (const psychophysics::Warning& warning : estimate.warnings)
+        box.layout->addWidget(kit::notice(theme, "warning", session_report::warningWords(warning)));
     return box.frame;
 }
 

@@ -8,6 +8,8 @@ namespace chiron::session {
 
 namespace {
 
+using psychophysics::WarningKind;
+
 bool counts(const database::StudyTrial& trial) {
     return !trial.practice && !trial.undone && trial.spoiled.empty() && trial.outcome >= 0;
 }
@@ -21,9 +23,9 @@ void warnOfMarks(psychophysics::ApexSummary& summary, const std::vector<const An
                 untouched += !mark->planned && !mark->inContact ? 1 : 0;
             }
     if (planned > 0)
-        summary.warnings.push_back("planned: " + std::to_string(planned) + " marks are of the observer for planning; nothing was rendered");
+        summary.warnings.push_back({WarningKind::plannedMarks, planned});
     if (untouched > 0)
-        summary.warnings.push_back("out_of_contact: " + std::to_string(untouched) + " marks were set without touching anything");
+        summary.warnings.push_back({WarningKind::untouchedMarks, untouched});
 }
 
 /// The rows of those whom the group is of: what GroupEstimate's members are, without their estimates.
@@ -50,7 +52,7 @@ std::vector<psychophysics::ApexTrial> apexTrials(const std::vector<database::Stu
 
 psychophysics::ApexSummary apexOfRun(const AnalysedRun& run, double radius_m, std::uint64_t seed) {
     auto summary = psychophysics::summariseApex(apexTrials(run.trials, 0), radius_m, seed);
-    std::erase_if(summary.warnings, [](const std::string& warning) { return warning.rfind("few_participants", 0) == 0; });
+    std::erase_if(summary.warnings, [](const psychophysics::Warning& warning) { return warning.kind == WarningKind::fewMarkers; });
     warnOfMarks(summary, {&run});
     return summary;
 }
@@ -69,10 +71,10 @@ void poolApex(AnalysedCondition& condition, double radius_m, std::uint64_t seed)
     condition.apex = psychophysics::summariseApex(trials, radius_m, seed);
     warnOfMarks(*condition.apex, runs);
     psychophysics::GroupEstimate& group = condition.group; // says nothing of its own here: nothing was compared
-    std::vector<std::string> who;
-    for (const std::string& warning : group.warnings)
-        for (const char* token : {"withdrawn:", "simulated_left_out:", "simulated:"})
-            if (warning.rfind(token, 0) == 0)
+    std::vector<psychophysics::Warning> who;
+    for (const psychophysics::Warning& warning : group.warnings)
+        for (const WarningKind kind : {WarningKind::withdrawn, WarningKind::simulatedLeftOut, WarningKind::simulatedOnly})
+            if (warning.kind == kind)
                 who.push_back(warning);
     group.warnings = who;
     group.participants = condition.apex->participants;

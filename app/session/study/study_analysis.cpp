@@ -16,6 +16,9 @@ namespace chiron::session {
 
 namespace {
 
+using psychophysics::Warning;
+using psychophysics::WarningKind;
+
 /// Trials of a rendered run have a session; a person's may lack one only where the study was brought in from elsewhere.
 bool wasNotRendered(const database::Participant& participant, const std::vector<database::StudyTrial>& trials) {
     return participant.simulated && std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.session == 0; });
@@ -73,8 +76,6 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
     return out;
 }
 
-std::string people(int n) { return n == 1 ? "1 participant" : std::to_string(n) + " participants"; }
-
 /// The group's estimate: of people who still take part; of simulated participants where there is nobody else.
 void pool(AnalysedCondition& condition, const psychophysics::Condition* designed, std::uint64_t seed) {
     const auto takesPart = [](const AnalysedRun& run) { return run.participant.state != database::ParticipantState::withdrawn; };
@@ -102,12 +103,11 @@ void pool(AnalysedCondition& condition, const psychophysics::Condition* designed
         member.index = rows[static_cast<std::size_t>(member.index)];
     auto& warnings = condition.group.warnings;
     if (withdrawn > 0)
-        warnings.push_back("withdrawn: " + people(withdrawn) + " who withdrew left out");
+        warnings.push_back({WarningKind::withdrawn, withdrawn});
     if (simulated > 0)
-        warnings.push_back(real ? "simulated_left_out: " + people(simulated) + " simulated left out: the group is of people"
-                                : "simulated: the group is of simulated participants alone");
+        warnings.push_back(real ? Warning{WarningKind::simulatedLeftOut, simulated} : Warning{WarningKind::simulatedOnly});
     if (notRendered > 0)
-        warnings.push_back("not_rendered: " + people(notRendered) + " of the group without rendering: told the values, nothing was felt");
+        warnings.push_back({WarningKind::notRenderedOfGroup, notRendered});
 }
 
 /// The labels of the conditions, in the design's order; while blinded by code.
@@ -130,7 +130,7 @@ core::Result<std::vector<std::string>> labelsOf(database::StudyReader& reader, c
 
 void warnNotRendered(psychophysics::RunEstimate& estimate, const database::Participant& participant, const std::vector<database::StudyTrial>& trials) {
     if (wasNotRendered(participant, trials))
-        estimate.warnings.emplace_back("not_rendered: a quick simulation without rendering: the observer was told the values");
+        estimate.warnings.push_back({psychophysics::WarningKind::notRenderedRun});
 }
 
 const psychophysics::Condition* StudyAnalysis::designed(std::size_t at) const {
@@ -147,7 +147,7 @@ psychophysics::RunEstimate estimateOf(const psychophysics::Condition* condition,
                                       const database::Blinding& blinding, std::uint64_t seed) {
     psychophysics::RunEstimate estimate;
     if (!condition) {
-        estimate.warnings.push_back("sealed: conditions differ in what an analysis needs to know: there is an estimate once the study is unblinded");
+        estimate.warnings.push_back({psychophysics::WarningKind::sealed});
         return estimate;
     }
     estimate = psychophysics::estimateRun(*condition, trials, seed);

@@ -16,13 +16,13 @@ constexpr int kFewSettings = 5;
 void warn(AdjustmentSummary& result, std::size_t given) {
     const int leftOut = static_cast<int>(given) - result.settings;
     if (leftOut > 0)
-        result.warnings.push_back("left_out: " + std::to_string(leftOut) + " settings are not numbers above zero and were left out");
+        result.warnings.push_back({WarningKind::leftOutSettings, leftOut});
     if (result.settings == 0)
-        result.warnings.emplace_back("no_trials: there is no setting, so there is nothing to estimate");
+        result.warnings.push_back({WarningKind::noSettings});
     else if (result.settings < kFewSettings)
-        result.warnings.push_back("few_trials: only " + std::to_string(result.settings) + " settings; their spread is hardly known");
+        result.warnings.push_back({WarningKind::fewSettings, result.settings});
     if (result.settings > 1 && result.sdLog10 <= 0.0)
-        result.warnings.emplace_back("no_spread: all settings are the same; the step of the adjustment may be too coarse");
+        result.warnings.push_back({WarningKind::noSpread});
 }
 
 } // namespace
@@ -30,7 +30,7 @@ void warn(AdjustmentSummary& result, std::size_t given) {
 AdjustmentSummary summariseSettings(double reference, const std::vector<double>& settings) {
     AdjustmentSummary result;
     if (!(reference > 0.0) || !std::isfinite(reference)) {
-        result.warnings.emplace_back("reference: the condition has no reference above zero");
+        result.warnings.push_back({WarningKind::noSettingReference});
         return result;
     }
     std::vector<double> ratios;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "psychophysics/study/warning.h"
+
 #include <limits>
 #include <string>
 #include <vector>
@@ -18,7 +20,7 @@ struct AdjustmentSummary {
     double sdLow = std::numeric_limits<double>::quiet_NaN();
     double sdHigh = std::numeric_limits<double>::quiet_NaN();
     double jndLog10 = std::numeric_limits<double>::quiet_NaN();     ///< z(0.75) sd: half of the settings lie within it (probable error)
-    std::vector<std::string> warnings; ///< left_out, few_trials, no_spread
+    std::vector<Warning> warnings;
 };
 
 /// Settings and reference in SI, above zero; others are left out. PSE from one setting on; spread from two on.

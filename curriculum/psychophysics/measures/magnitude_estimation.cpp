@@ -92,9 +92,9 @@ void takeExponent(MagnitudeScale& result, const std::map<int, Logs>& subjects) {
         result.exponentHigh = m.mean + studentQuantile(0.975, degrees) * error;
     }
     if (m.count == 0)
-        result.warnings.emplace_back("one_level: nobody was given two different stimuli, so there is no exponent");
+        result.warnings.push_back({WarningKind::oneStimulus});
     else if (m.count < 3)
-        result.warnings.push_back("few_subjects: " + std::to_string(m.count) + " with an exponent; the interval is not one of a population");
+        result.warnings.push_back({WarningKind::fewSubjects, m.count});
 }
 
 } // namespace
@@ -114,9 +114,9 @@ MagnitudeScale magnitudeScale(const std::vector<MagnitudeAnswer>& answers) {
         logs.byStimulus[answer.stimulus].push_back(logs.y.back());
     }
     if (leftOut > 0)
-        result.warnings.push_back("left_out: " + std::to_string(leftOut) + " answers are not numbers above zero and were left out");
+        result.warnings.push_back({WarningKind::leftOutNumbers, leftOut});
     if (subjects.empty()) {
-        result.warnings.emplace_back("no_trials: there is no answer, so there is nothing to estimate");
+        result.warnings.push_back({WarningKind::noNumbers});
         return result;
     }
     takeExponent(result, subjects);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "psychophysics/study/warning.h"
+
 #include <limits>
 #include <string>
 #include <vector>
@@ -37,7 +39,7 @@ struct MagnitudeScale {
     double constant = std::numeric_limits<double>::quiet_NaN();  ///< k of the line through all levels
     std::vector<SubjectPower> subjects;
     std::vector<MagnitudeLevel> levels;
-    std::vector<std::string> warnings; ///< left_out, no_trials, few_subjects, one_level
+    std::vector<Warning> warnings;
 };
 
 /// Log–log regression a subject, moduli made equal by moving each subject's mean log to the mean of all (Lane, Catania & Stevens 1961),

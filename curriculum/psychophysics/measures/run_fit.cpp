@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
 namespace chiron::psychophysics {
 
@@ -94,24 +96,23 @@ double at(const FitResult& fit, CurveParameters parameters, double threshold, do
 
 bool meet(const Interval& a, const Interval& b) { return !(a.high < b.low) && !(b.high < a.low); }
 
-std::string tokenOf(const std::string& warning) { return warning.substr(0, warning.find(':')); }
-
 /// What the fit says of the answers is passed on; what it says of its own lapse and slope is not: the estimate is not taken from it.
-bool concernsTheAnswers(const std::string& token) { return token == "no_rise" || token == "not_monotone"; }
+std::optional<WarningKind> concernsTheAnswers(const std::string& warning) {
+    for (const WarningKind kind : {WarningKind::noRise, WarningKind::notMonotone})
+        if (warning.starts_with(std::string(warningToken(kind)) + ": "))
+            return kind;
+    return std::nullopt;
+}
 
 void addWarnings(RunEstimate& result, const FitResult& fit) {
-    for (const std::string& warning : fit.warnings) {
-        if (!concernsTheAnswers(tokenOf(warning)))
-            continue;
-        const auto same = [&](const std::string& known) { return tokenOf(known) == tokenOf(warning); };
-        if (std::none_of(result.warnings.begin(), result.warnings.end(), same))
-            result.warnings.push_back(warning);
-    }
+    for (const std::string& warning : fit.warnings)
+        if (const auto kind = concernsTheAnswers(warning); kind && !hasWarning(result.warnings, *kind))
+            result.warnings.push_back({*kind});
     if (result.pValue < kPoorFit)
-        result.warnings.emplace_back("poor_fit: the curve does not describe the answers; attention or strategy may have changed");
+        result.warnings.push_back({WarningKind::poorFit});
     const bool both = std::isfinite(result.fitThreshold95.low) && std::isfinite(result.threshold95.low);
     if (both && !meet(result.fitThreshold95, result.threshold95))
-        result.warnings.emplace_back("curves_disagree: the free curve puts the threshold elsewhere than the Thurstone observer");
+        result.warnings.push_back({WarningKind::curvesDisagree});
 }
 
 } // namespace

@@ -14,36 +14,36 @@ constexpr double kAtEdge = 0.147; ///< density at the end of the prior against t
 constexpr double kTouchesEdge = 0.02;
 constexpr double kManyLapses = 0.1;
 
-void warnOfSize(std::vector<std::string>& warnings, const ScoredAnswers& answers) {
+void warnOfSize(std::vector<Warning>& warnings, const ScoredAnswers& answers) {
     if (answers.leftOut > 0)
-        warnings.push_back("left_out: " + std::to_string(answers.leftOut) + " trials have no usable difference or answer and were left out");
+        warnings.push_back({WarningKind::leftOutTrials, answers.leftOut});
     if (answers.used == 0)
-        warnings.emplace_back("no_trials: there is no scored trial, so there is nothing to estimate");
+        warnings.push_back({WarningKind::noTrials});
     else if (answers.used < kFewTrials)
-        warnings.push_back("few_trials: only " + std::to_string(answers.used) + " trials; the interval is wide and leans on the prior");
+        warnings.push_back({WarningKind::fewTrials, answers.used});
     if (answers.used > 0 && answers.levels == 0)
-        warnings.emplace_back("no_difference: the objects never differed, so nothing can be told about differences");
+        warnings.push_back({WarningKind::noDifference});
     else if (answers.levels == 1)
-        warnings.emplace_back("one_level: only one difference was presented; lapses cannot be told from a high threshold");
+        warnings.push_back({WarningKind::oneLevel});
     if (answers.binned)
-        warnings.emplace_back("binned: very many different differences were presented; neighbouring ones were put together");
+        warnings.push_back({WarningKind::binned});
 }
 
-void warnOfLevel(std::vector<std::string>& warnings, Task task, const ScoredAnswers& answers) {
+void warnOfLevel(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers) {
     if (task == Task::yesNo || task == Task::sameDifferent) {
         const bool oneAnswer = std::all_of(answers.points.begin(), answers.points.end(), [](const CurvePoint& p) { return p.right == 0; }) ||
                                std::all_of(answers.points.begin(), answers.points.end(), [](const CurvePoint& p) { return p.right == p.of; });
         if (oneAnswer)
-            warnings.emplace_back("one_answer: the same answer was given every time; the data say nothing about sensitivity");
+            warnings.push_back({WarningKind::oneAnswer});
         return;
     }
     if (answers.right == answers.used) {
-        warnings.emplace_back("all_right: every answer was right; the threshold is below the smallest difference, how far is not known");
+        warnings.push_back({WarningKind::allRight});
         return;
     }
     const double chance = task == Task::rank3 ? 1.0 / 6.0 : 1.0 / psychophysics::answers(task);
     if (binomialUpperTail(answers.right, answers.used, chance) > 0.05)
-        warnings.emplace_back("chance: no better than guessing; the threshold may be above the largest difference presented");
+        warnings.push_back({WarningKind::chance});
 }
 
 /// From never better than chance to always right with nothing between.
@@ -57,32 +57,31 @@ bool isStep(const ScoredAnswers& answers, double chance) {
                        [](const CurvePoint& point) { return point.right == point.of; });
 }
 
-void warnOfPosterior(std::vector<std::string>& warnings, const ThurstonePosterior& posterior) {
+void warnOfPosterior(std::vector<Warning>& warnings, const ThurstonePosterior& posterior) {
     const double atEdge = std::max(posterior.densityAtLowSigma, posterior.densityAtHighSigma);
-    const char* end = posterior.densityAtLowSigma > posterior.densityAtHighSigma ? "lower" : "upper";
+    const bool low = posterior.densityAtLowSigma > posterior.densityAtHighSigma;
     if (atEdge >= kAtEdge)
-        warnings.push_back(std::string("prior_edge: the data say nothing at the ") + end + " end: the estimate is where the prior put it");
+        warnings.push_back({low ? WarningKind::priorEdgeLow : WarningKind::priorEdgeHigh});
     else if (atEdge >= kTouchesEdge)
-        warnings.push_back(std::string("prior_bound: the ") + end + " end of the interval is set by the prior, not by the data");
+        warnings.push_back({low ? WarningKind::priorBoundLow : WarningKind::priorBoundHigh});
     if (posterior.meanLapse > kManyLapses)
-        warnings.emplace_back("lapses: more than a tenth of the answers look like guesses even where the difference was easy");
+        warnings.push_back({WarningKind::lapses});
 }
 
 } // namespace
 
-void warnOfAnswers(std::vector<std::string>& warnings, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior) {
+void warnOfAnswers(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior) {
     warnOfSize(warnings, answers);
     if (answers.used == 0)
         return;
     warnOfLevel(warnings, task, answers);
     if (isStep(answers, task == Task::yesNo || task == Task::sameDifferent ? 0.0 : 1.0 / psychophysics::answers(task)))
-        warnings.emplace_back("step_function: answers jump from guessing to always right between two neighbouring differences; the slope is "
-                              "not known");
+        warnings.push_back({WarningKind::stepFunction});
     if (posterior.known)
         warnOfPosterior(warnings, posterior);
 }
 
-void warnOfPlaces(std::vector<std::string>& warnings, Task task, const std::vector<ScoredTrial>& trials) {
+void warnOfPlaces(std::vector<Warning>& warnings, Task task, const std::vector<ScoredTrial>& trials) {
     if (task != Task::twoAfc && task != Task::threeAfc && task != Task::oddity)
         return;
     const int places = placesOf(task);
@@ -107,7 +106,7 @@ void warnOfPlaces(std::vector<std::string>& warnings, Task task, const std::vect
             sum += (said[place] - expected[place]) * (said[place] - expected[place]) / expected[place];
     }
     if (wrong >= 10.0 && chiSquareUpperTail(sum, places - 1) < 0.001)
-        warnings.emplace_back("position_bias: wrong answers fall on one place much more often than chance allows");
+        warnings.push_back({WarningKind::positionBias});
 }
 
 } // namespace chiron::psychophysics

@@ -25,7 +25,7 @@ void takeSettings(RunEstimate& result, const Condition& condition, const std::ve
     const AdjustmentSummary summary = summariseSettings(condition.stimulus.reference, settings);
     const double perSd = summary.jndLog10 / summary.sdLog10;
     result.trials = summary.settings;
-    result.method = "geometric mean and standard deviation of the settings";
+    result.method = EstimateMethod::settings;
     result.warnings = summary.warnings;
     result.pse = summary.pse;
     result.pse95 = {summary.pseLow, summary.pseHigh};
@@ -43,16 +43,16 @@ void takeMagnitudes(RunEstimate& result, const Condition& condition, const std::
     for (const ScoredTrial& trial : trials)
         answers.push_back({0, condition.stimulus.reference * std::pow(10.0, trial.difference), valueOf(trial)});
     const MagnitudeScale scale = magnitudeScale(answers);
-    result.method = "log-log regression of the numbers said";
+    result.method = EstimateMethod::numbersSaid;
     result.exponent = scale.exponent;
     result.exponent95 = {scale.exponentLow, scale.exponentHigh};
     for (const SubjectPower& subject : scale.subjects)
         result.trials += subject.answers;
-    for (const std::string& warning : scale.warnings)
-        if (!warning.starts_with("few_subjects"))
+    for (const Warning& warning : scale.warnings)
+        if (warning.kind != WarningKind::fewSubjects)
             result.warnings.push_back(warning);
     if (result.trials > 0 && result.trials < 10)
-        result.warnings.push_back("few_trials: only " + std::to_string(result.trials) + " answers");
+        result.warnings.push_back({WarningKind::fewNumbers, result.trials});
 }
 
 } // namespace chiron::psychophysics

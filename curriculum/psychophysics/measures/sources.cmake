@@ -21,4 +21,5 @@ list(APPEND psychophysics_sources
     measures/thurstone_posterior.cpp
     study/apex_study.cpp
     study/group_estimate.cpp
-    study/run_estimate.cpp)
+    study/run_estimate.cpp
+    study/warning.cpp)

@@ -28,7 +28,7 @@ double minutesOf(const Condition& condition, const TrialRules& rules, double tri
 void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpec& observer, std::uint64_t seed) {
     const auto simulator = RunSimulator::make(condition);
     if (!simulator) {
-        plan.warnings.push_back("not_simulated: " + simulator.error().message);
+        plan.warnings.push_back({WarningKind::notSimulated, 0, 0, simulator.error().message});
         plan.runs = 0;
         return;
     }
@@ -101,9 +101,9 @@ ConditionPlan planCondition(const Condition& condition, const TrialRules& rules,
         simulate(plan, condition, observer, seed);
     plan.minutes = minutesOf(condition, rules, plan.meanTrials);
     if (!condition.stimulus.differences.empty() && condition.stimulus.differences.back() < 0.7 * best.spacing * sigmaOf(observer))
-        plan.warnings.push_back("differences_too_small: the largest difference is below what this observer needs");
+        plan.warnings.push_back({WarningKind::differencesTooSmall});
     if (plan.withoutEstimate > 0)
-        plan.warnings.push_back("runs_without_estimate: " + std::to_string(plan.withoutEstimate) + " of " + std::to_string(plan.runs));
+        plan.warnings.push_back({WarningKind::runsWithoutEstimate, plan.withoutEstimate, plan.runs});
     return plan;
 }
 

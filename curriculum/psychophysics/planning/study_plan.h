@@ -3,6 +3,7 @@
 
 #include "psychophysics/observers/observer_spec.h"
 #include "psychophysics/study/study_design.h"
+#include "psychophysics/study/warning.h"
 
 #include <cstdint>
 #include <limits>
@@ -23,7 +24,7 @@ struct ConditionPlan {
     double fisherPerTrial = 0.0; ///< information about ln σ at the best spacing
     double bestSpacing = 0.0;    ///< D/σ with most information
     double bestDifference = std::numeric_limits<double>::quiet_NaN(); ///< the candidate nearest to it
-    std::vector<std::string> warnings; ///< `token: words`
+    std::vector<Warning> warnings;
 };
 
 /// `runs`: 0 for the analytic part only. Never fails: what cannot be simulated is told in `warnings`.

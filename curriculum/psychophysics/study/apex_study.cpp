@@ -143,18 +143,17 @@ void takeBars(ApexSummary& result, const ByParticipant& people) {
 void warn(ApexSummary& result) {
     const auto leavesZeroOut = [](const Interval& interval) { return interval.low > 0.0 || interval.high < 0.0; };
     if (result.participants < kFewParticipants)
-        result.warnings.push_back("few_participants: only " + std::to_string(result.participants) +
-                                  "; the spread between people is hardly known");
+        result.warnings.push_back({WarningKind::fewMarkers, result.participants});
     if (std::any_of(result.bars.begin(), result.bars.end(), [](const ApexBar& bar) { return bar.trials < kFewTrials; }))
-        result.warnings.emplace_back("few_trials: some participants have fewer than 10");
+        result.warnings.push_back({WarningKind::fewMarks});
     if (leavesZeroOut(result.axes[0].bias95_mm))
-        result.warnings.emplace_back("bias_x: errors along x lean to one side; their mean absolute value is not scatter alone");
+        result.warnings.push_back({WarningKind::biasX});
     if (leavesZeroOut(result.axes[1].bias95_mm))
-        result.warnings.emplace_back("bias_y: errors along y lean to one side; their mean absolute value is not scatter alone");
+        result.warnings.push_back({WarningKind::biasY});
     const auto beyond = std::count_if(result.points.begin(), result.points.end(),
                                       [](const ApexPoint& point) { return std::hypot(point.xPercent, point.yPercent) > 100.0; });
     if (beyond > 0)
-        result.warnings.push_back("beyond_radius: " + std::to_string(beyond) + " marks lie off the hemisphere");
+        result.warnings.push_back({WarningKind::beyondRadius, static_cast<int>(beyond)});
 }
 
 } // namespace
@@ -162,15 +161,15 @@ void warn(ApexSummary& result) {
 ApexSummary summariseApex(const std::vector<ApexTrial>& trials, double radius_m, std::uint64_t seed) {
     ApexSummary result;
     if (!(radius_m > 0.0) || !std::isfinite(radius_m)) {
-        result.warnings.emplace_back("radius: the hemisphere has no radius above zero");
+        result.warnings.push_back({WarningKind::noRadius});
         return result;
     }
     const double radius_mm = radius_m * kMm;
     const ByParticipant people = sortTrials(result, trials, radius_m);
     if (result.leftOut > 0)
-        result.warnings.push_back("left_out: " + std::to_string(result.leftOut) + " trials have no finite error");
+        result.warnings.push_back({WarningKind::leftOutMarks, result.leftOut});
     if (people.empty()) {
-        result.warnings.emplace_back("no_trials: there is nothing to summarise");
+        result.warnings.push_back({WarningKind::noMarks});
         return result;
     }
     for (std::size_t axis = 0; axis < result.axes.size(); ++axis)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "psychophysics/study/run_estimate.h"
+#include "psychophysics/study/warning.h"
 
 #include <array>
 #include <cstdint>
@@ -70,7 +71,7 @@ struct ApexSummary {
     double impliedSd_mm = std::numeric_limits<double>::quiet_NaN();
     std::vector<ApexBar> bars;
     std::vector<ApexPoint> points;
-    std::vector<std::string> warnings; ///< left_out, no_trials, few_participants, few_trials, bias_x, bias_y, beyond_radius
+    std::vector<Warning> warnings;
 };
 
 /// Errors that are not finite are left out. Radius in metres, above zero. `seed`: of the bootstrap.

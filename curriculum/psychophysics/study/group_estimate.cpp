@@ -24,7 +24,7 @@ struct LogWeber {
 };
 
 bool priorMadeIt(const RunEstimate& run) {
-    return std::any_of(run.warnings.begin(), run.warnings.end(), [](const std::string& w) { return w.starts_with("prior_edge: "); });
+    return hasWarning(run.warnings, WarningKind::priorEdgeLow) || hasWarning(run.warnings, WarningKind::priorEdgeHigh);
 }
 
 LogWeber logWeberOf(const RunEstimate& run) {
@@ -60,15 +60,15 @@ RandomEffects effectsOf(const std::vector<LogWeber>& logs) {
 
 Interval powerOfTen(double low, double high) { return {std::pow(10.0, low), std::pow(10.0, high)}; }
 
-void warnOfNumber(std::vector<std::string>& warnings, int used, int leftOut) {
+void warnOfNumber(std::vector<Warning>& warnings, int used, int leftOut) {
     if (leftOut > 0)
-        warnings.push_back("left_out: " + std::to_string(leftOut) + " participants have no Weber fraction that their data support");
+        warnings.push_back({WarningKind::leftOutParticipants, leftOut});
     if (used == 0)
-        warnings.emplace_back("no_participants: nobody's data give a Weber fraction");
+        warnings.push_back({WarningKind::noParticipants});
     else if (used == 1)
-        warnings.emplace_back("few_participants: one participant is not a group; there is no interval");
+        warnings.push_back({WarningKind::oneParticipant});
     else if (used < kFewParticipants)
-        warnings.push_back("few_participants: only " + std::to_string(used) + "; the spread between people is hardly known");
+        warnings.push_back({WarningKind::fewParticipants, used});
 }
 
 /// Mean over participants with a t interval, of whatever can be had (PSE, exponent).
@@ -106,7 +106,7 @@ void takeEffects(GroupEstimate& result, const RandomEffects& effects, double ref
     result.iSquared = effects.iSquared;
     result.heterogeneityP = effects.qP;
     if (effects.qP < 0.01)
-        result.warnings.emplace_back("heterogeneous: people differ by more than their own errors; read the prediction interval too");
+        result.warnings.push_back({WarningKind::heterogeneous});
 }
 
 } // namespace

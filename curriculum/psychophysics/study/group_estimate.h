@@ -2,6 +2,7 @@
 #pragma once
 
 #include "psychophysics/study/run_estimate.h"
+#include "psychophysics/study/warning.h"
 
 #include <cstdint>
 
@@ -35,7 +36,7 @@ struct GroupEstimate {
     int participants = 0; ///< used
     int leftOut = 0;      ///< without a Weber fraction, or with one that the prior made
     std::vector<GroupMember> members;
-    std::vector<std::string> warnings; ///< no_participants, few_participants, left_out, heterogeneous
+    std::vector<Warning> warnings;
 };
 
 /// One estimate a participant. `seed`: of the bootstrap. Never fails.
@@ -49,7 +50,7 @@ struct ConditionComparison {
     double pValue = std::numeric_limits<double>::quiet_NaN(); ///< two-sided, of ratio 1
     double sdBetweenLog10 = std::numeric_limits<double>::quiet_NaN();
     int participants = 0;  ///< with both
-    std::vector<std::string> warnings;
+    std::vector<Warning> warnings;
 };
 ConditionComparison compareConditions(const std::vector<RunEstimate>& first, const std::vector<RunEstimate>& second, std::uint64_t seed);
 

@@ -61,8 +61,7 @@ void fromAnswers(RunEstimate& result, const Condition& condition, const std::vec
     const ScoredAnswers answers = sortAnswers(condition.task, trials);
     result.trials = answers.used;
     result.points = answers.points;
-    result.method = condition.task == Task::rank3 ? "posterior of a Thurstone observer over log10 sigma and lapse, all orders said"
-                                                  : "posterior of a Thurstone observer over log10 sigma and lapse";
+    result.method = condition.task == Task::rank3 ? EstimateMethod::observerOfOrders : EstimateMethod::observer;
     const ThurstonePrior prior = priorOf(condition, answers);
     const ThurstonePosterior posterior =
         answers.levels > 0 ? thurstonePosterior(condition.task, answers.counts, prior) : ThurstonePosterior{};
@@ -80,17 +79,35 @@ void fromAnswers(RunEstimate& result, const Condition& condition, const std::vec
 
 } // namespace
 
+std::string_view methodText(EstimateMethod method) {
+    switch (method) {
+    case EstimateMethod::none:
+        return {};
+    case EstimateMethod::observer:
+        return "posterior of a Thurstone observer over log10 sigma and lapse";
+    case EstimateMethod::observerOfOrders:
+        return "posterior of a Thurstone observer over log10 sigma and lapse, all orders said";
+    case EstimateMethod::settings:
+        return "geometric mean and standard deviation of the settings";
+    case EstimateMethod::numbersSaid:
+        return "log-log regression of the numbers said";
+    case EstimateMethod::apexMarks:
+        return "marks of an apex";
+    }
+    return {};
+}
+
 RunEstimate estimateRun(const Condition& condition, const std::vector<ScoredTrial>& trials, std::uint64_t seed) {
     (void)seed; // nothing is drawn: intervals are of the posterior, of profiles and of t
     RunEstimate result;
     result.criterion = condition.criterion;
     result.unit = std::string(unitOf(condition.stimulus.attribute));
     if (!(condition.stimulus.reference > 0.0) || !std::isfinite(condition.stimulus.reference)) {
-        result.warnings.emplace_back("reference: the condition has no reference above zero, so nothing can be given in its unit");
+        result.warnings.push_back({WarningKind::noReference});
         return result;
     }
     if (condition.stimulus.attribute == Attribute::apex) { // nothing is compared: summariseApex says what the marks say
-        result.method = "marks of an apex";
+        result.method = EstimateMethod::apexMarks;
         result.trials = static_cast<int>(trials.size());
         return result;
     }

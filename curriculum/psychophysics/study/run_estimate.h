@@ -2,10 +2,13 @@
 #pragma once
 
 #include "psychophysics/study/study_design.h"
+#include "psychophysics/study/warning.h"
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace chiron::psychophysics {
@@ -32,7 +35,20 @@ struct CurvePoint {
     int of = 0;
 };
 
-/// What a run says. Numbers that cannot be had are NaN, and `warnings` say why in words for clinicians (stable tokens before ": ").
+/// How an estimate was got. In words: methodText for data, session_report/study_warning_words for people.
+enum class EstimateMethod : std::uint8_t {
+    none,
+    observer,         ///< posterior of a Thurstone observer
+    observerOfOrders, ///< the same, of whole orders of three
+    settings,         ///< geometric mean and standard deviation of what was set
+    numbersSaid,      ///< a power law through what was said
+    apexMarks,        ///< summariseApex
+};
+
+/// English, as data and the command line have it; empty for none.
+std::string_view methodText(EstimateMethod method);
+
+/// What a run says. Numbers that cannot be had are NaN, and `warnings` say why.
 struct RunEstimate {
     double weber = std::numeric_limits<double>::quiet_NaN();      ///< ΔX/X at the criterion, 75 %-correct 2AFC equivalent
     double jnd = std::numeric_limits<double>::quiet_NaN();        ///< in the attribute's unit, at the reference
@@ -52,11 +68,11 @@ struct RunEstimate {
     double exponent = std::numeric_limits<double>::quiet_NaN();  ///< magnitude estimation: of the power law
     Interval exponent95;
     std::string unit;
-    std::string method;    ///< how it was got, in words: "posterior of rank-3 QUEST+", "beta-binomial fit", ...
+    EstimateMethod method = EstimateMethod::none; ///< how it was got
     int trials = 0;
     std::vector<CurvePoint> points;
     std::vector<double> curveDifference, curveProportion, curveLow, curveHigh; ///< fitted curve with its 95 % band
-    std::vector<std::string> warnings;
+    std::vector<Warning> warnings;
 };
 
 /// Analyses one run of a condition. weber and jnd are always those of 75 % correct in 2AFC (σ and W say the same: σ = log10(1+W)/0.954), so

@@ -11,6 +11,7 @@
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/experimenter_panel.h"
+#include "session_report/study_warning_words.h"
 #include "support/made_study.h"
 
 #include <QLineEdit>
@@ -243,7 +244,7 @@ void TestStudyParts::numbersWithUnits() {
     QCOMPARE(value(312.4, psychophysics::Attribute::stiffness, m_locale), QStringLiteral("312 N/m"));
     QCOMPARE(percent(0.1234, m_locale), QStringLiteral("12.3 %"));
     QCOMPARE(percent(std::nan(""), m_locale), QStringLiteral("–"));
-    QCOMPARE(warning("few_trials: Too few trials near the threshold."), QStringLiteral("Too few trials near the threshold."));
+    QCOMPARE(session_report::warningWords({psychophysics::WarningKind::noMarks}), QStringLiteral("There is no mark to summarise."));
 }
 
 QTEST_MAIN(TestStudyParts)

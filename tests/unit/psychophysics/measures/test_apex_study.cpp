@@ -53,7 +53,7 @@ void TestApexStudy::biasIsFound() {
         trial.errorX_m += 0.004;
     const ApexSummary summary = summariseApex(trials, 0.02, 3);
     QVERIFY(summary.axes[0].bias95_mm.low < 4.0 && summary.axes[0].bias95_mm.high > 4.0 && summary.axes[0].bias95_mm.low > 0.0);
-    QVERIFY(std::any_of(summary.warnings.begin(), summary.warnings.end(), [](const std::string& w) { return w.starts_with("bias_x: "); }));
+    QVERIFY(std::any_of(summary.warnings.begin(), summary.warnings.end(), [](const Warning& w) { return warningText(w).starts_with("bias_x: "); }));
     QVERIFY(summary.bars.size() == 10 && summary.points.size() == 100);
     QCOMPARE(summary.meanAbsoluteBootstrap95.low, summariseApex(trials, 0.02, 3).meanAbsoluteBootstrap95.low);
 }
@@ -81,13 +81,13 @@ void TestApexStudy::power() {
 
 void TestApexStudy::degenerate() {
     QVERIFY(std::isnan(summariseApex({}, 0.02, 1).meanAbsolutePercent) && !summariseApex({}, 0.02, 1).warnings.empty());
-    QVERIFY(summariseApex({{1, 0.0, 0.0}}, 0.0, 1).warnings.front().starts_with("radius: "));
+    QVERIFY(summariseApex({{1, 0.0, 0.0}}, 0.0, 1).warnings.front().kind == WarningKind::noRadius && warningText({WarningKind::noRadius}).starts_with("radius: "));
     const ApexSummary one = summariseApex({{1, 0.001, 0.002}, {1, std::nan(""), 0.0}, {2, 0.0, HUGE_VAL}}, 0.02, 1);
     QVERIFY(one.trials == 1 && one.leftOut == 2 && std::isnan(one.axes[0].sd_mm) && std::isnan(one.meanAbsolute95.low));
     const ApexSummary exact = summariseApex({{1, 0.0, 0.0}, {1, 0.0, 0.0}, {2, 0.0, 0.0}, {2, 0.0, 0.0}}, 0.02, 1);
     QVERIFY(exact.meanAbsolutePercent == 0.0 && exact.axes[0].sd_mm == 0.0);
     const ApexSummary far = summariseApex({{1, 0.05, 0.0}, {2, 0.0, 0.0}}, 0.02, 1);
-    QVERIFY(std::any_of(far.warnings.begin(), far.warnings.end(), [](const std::string& w) { return w.starts_with("beyond_radius: 1"); }));
+    QVERIFY(std::any_of(far.warnings.begin(), far.warnings.end(), [](const Warning& w) { return warningText(w).starts_with("beyond_radius: 1"); }));
 }
 
 QTEST_APPLESS_MAIN(TestApexStudy)

@@ -22,9 +22,9 @@ RunEstimate runOf(double log10Weber, double error) {
     return run;
 }
 
-bool warns(const std::vector<std::string>& warnings, const char* token) {
-    for (const std::string& warning : warnings)
-        if (warning.starts_with(std::string(token) + ": "))
+bool warns(const std::vector<Warning>& warnings, const char* token) {
+    for (const Warning& warning : warnings)
+        if (warningText(warning).starts_with(std::string(token) + ": "))
             return true;
     return false;
 }
@@ -119,7 +119,7 @@ void TestGroupEstimate::degenerate() {
     const GroupEstimate one = estimateGroup({runOf(-1.0, 0.1)}, 1);
     QVERIFY(std::abs(one.weber - 0.1) < 1e-9 && std::isnan(one.weber95.low) && warns(one.warnings, "few_participants"));
     RunEstimate edge = runOf(0.5, 0.01);
-    edge.warnings.emplace_back("prior_edge: the data say nothing");
+    edge.warnings.push_back({WarningKind::priorEdgeHigh});
     const GroupEstimate three = estimateGroup({runOf(-1.0, 0.1), edge, RunEstimate{}, runOf(-1.1, 0.1), runOf(-1.05, 0.0)}, 1);
     QVERIFY(three.participants == 3 && three.leftOut == 2 && warns(three.warnings, "left_out") && three.members.size() == 5);
     QVERIFY(three.members[1].weight == 0.0 && three.weber > 0.07 && three.weber < 0.11);

@@ -14,8 +14,8 @@ using namespace thurstone_runs;
 namespace {
 
 bool warns(const RunEstimate& estimate, const char* token) {
-    for (const std::string& warning : estimate.warnings)
-        if (warning.starts_with(std::string(token) + ": "))
+    for (const Warning& warning : estimate.warnings)
+        if (warningText(warning).starts_with(std::string(token) + ": "))
             return true;
     return false;
 }
@@ -124,8 +124,8 @@ void TestRunEstimate::degenerateRuns() {
         trials.push_back(trial);
     }
     const RunEstimate estimate = estimateRun(condition, trials, 1);
-    for (const std::string& warning : estimate.warnings)
-        qInfo("%s", warning.c_str());
+    for (const Warning& warning : estimate.warnings)
+        qInfo("%s", warningText(warning).c_str());
     QVERIFY(warns(estimate, token.toUtf8().constData()));
     QVERIFY(kind != "no difference" || std::isnan(estimate.weber));
 }

@@ -79,7 +79,7 @@ void recovery(int seeds, Attribute attribute, double weber, bool legacy, simulat
         if (seed <= 3) {
             std::printf("  seed %d sigma %.4f [%.4f, %.4f] trials %d", seed, e.sigma_log10, e.sigma95.low, e.sigma95.high, e.trials);
             for (const auto& w : e.warnings)
-                std::printf(" | %s", w.c_str());
+                std::printf(" | %s", warningText(w).c_str());
             std::printf(" | last spoiled '%s'\n", run->trials.empty() ? "" : run->trials.back().spoiled.c_str());
         }
         if (!(e.sigma_log10 > 0.0))

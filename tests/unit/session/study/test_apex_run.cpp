@@ -69,8 +69,8 @@ struct Site {
     database::StudyNumber study = 0;
 };
 
-bool warns(const std::vector<std::string>& warnings, const std::string& token) {
-    return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& words) { return words.rfind(token + ":", 0) == 0; });
+bool warns(const std::vector<psychophysics::Warning>& warnings, const std::string& token) {
+    return std::any_of(warnings.begin(), warnings.end(), [&](const psychophysics::Warning& each) { return warningToken(each.kind) == token; });
 }
 
 } // namespace

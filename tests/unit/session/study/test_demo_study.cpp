@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* kPassword = "a long password for tests";
 
-bool warns(const std::vector<std::string>& warnings, const std::string& token) {
-    return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& each) { return each.rfind(token + ": ", 0) == 0; });
+bool warns(const std::vector<psychophysics::Warning>& warnings, const std::string& token) {
+    return std::any_of(warnings.begin(), warnings.end(), [&](const psychophysics::Warning& each) { return warningToken(each.kind) == token; });
 }
 
 /// A site with a researcher and the demonstration's study.

@@ -100,7 +100,7 @@ void addRun(Site& site, const std::string& code, std::uint64_t seed) {
 }
 
 bool warns(const psychophysics::GroupEstimate& group, const std::string& token) {
-    return std::any_of(group.warnings.begin(), group.warnings.end(), [&](const std::string& words) { return words.rfind(token + ":", 0) == 0; });
+    return std::any_of(group.warnings.begin(), group.warnings.end(), [&](const psychophysics::Warning& each) { return warningToken(each.kind) == token; });
 }
 
 } // namespace
