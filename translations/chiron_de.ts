@@ -3323,8 +3323,8 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Falsche Antworten fallen viel öfter auf einen Platz, als der Zufall es erlaubt.</translation>
     </message>
     <message>
-        <source>Conditions differ in what an analysis needs to know: there are values once the study is unblinded.</source>
-        <translation>Die Bedingungen unterscheiden sich in dem, was eine Auswertung wissen muss: Werte gibt es nach der Entblindung.</translation>
+        <source>Conditions differ in what an analysis needs to know: there is an estimate once the study is unblinded.</source>
+        <translation>Die Bedingungen unterscheiden sich in dem, was eine Auswertung wissen muss: Eine Schätzung gibt es, sobald die Studie entblindet ist.</translation>
     </message>
     <message>
         <source>A quick simulation without rendering: the observer was told the values.</source>
@@ -10446,16 +10446,16 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>gegeben</translation>
     </message>
     <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
         <source>wrong</source>
         <translation>falsch</translation>
     </message>
     <message>
         <source>Practice</source>
         <translation>Übung</translation>
+    </message>
+    <message>
+        <source>correct</source>
+        <translation>richtig</translation>
     </message>
 </context>
 <context>

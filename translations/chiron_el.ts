@@ -3323,8 +3323,8 @@ Do you want to replace it?</source>
         <translation>Οι λανθασμένες απαντήσεις πέφτουν σε μία θέση πολύ συχνότερα από όσο επιτρέπει η τύχη.</translation>
     </message>
     <message>
-        <source>Conditions differ in what an analysis needs to know: there are values once the study is unblinded.</source>
-        <translation>Οι συνθήκες διαφέρουν σε όσα χρειάζεται μια ανάλυση: τιμές υπάρχουν μετά την άρση της τύφλωσης.</translation>
+        <source>Conditions differ in what an analysis needs to know: there is an estimate once the study is unblinded.</source>
+        <translation>Οι συνθήκες διαφέρουν σε όσα χρειάζεται μια ανάλυση: εκτίμηση υπάρχει μετά την άρση της τύφλωσης.</translation>
     </message>
     <message>
         <source>A quick simulation without rendering: the observer was told the values.</source>
@@ -10446,16 +10446,16 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>δόθηκε</translation>
     </message>
     <message>
-        <source>right</source>
-        <translation>δεξιά</translation>
-    </message>
-    <message>
         <source>wrong</source>
         <translation>λάθος</translation>
     </message>
     <message>
         <source>Practice</source>
         <translation>Εξάσκηση</translation>
+    </message>
+    <message>
+        <source>correct</source>
+        <translation>σωστό</translation>
     </message>
 </context>
 <context>

@@ -42,6 +42,13 @@ void PlotView::setYAxis(const PlotAxis& axis) {
     m_impl->plot->yAxis->setLabel(axis.label);
 }
 
+void PlotView::setYWholeNumbers() {
+    const QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed); // shared: QCPAxis takes no other
+    ticker->setTickStep(1.0);
+    ticker->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+    m_impl->plot->yAxis->setTicker(ticker);
+}
+
 void PlotView::setXCategories(const std::vector<QString>& names) {
     const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText); // shared: QCPAxis takes no other
     for (std::size_t i = 0; i < names.size(); ++i)

@@ -44,6 +44,8 @@ public:
     void setTitle(const QString& title);
     void setXAxis(const PlotAxis& axis);
     void setYAxis(const PlotAxis& axis);
+    /// Ticks of the y axis on whole numbers alone: counts.
+    void setYWholeNumbers();
     /// Names instead of numbers under the x axis, at 0, 1, 2 ...
     void setXCategories(const std::vector<QString>& names);
     /// The same scale on both axes (the shorter range is widened).

@@ -41,7 +41,7 @@ QString ofAnswers(const Warning& warning) {
     case positionBias:
         return Words::tr("Wrong answers fall on one place much more often than chance allows.");
     case sealed:
-        return Words::tr("Conditions differ in what an analysis needs to know: there are values once the study is unblinded.");
+        return Words::tr("Conditions differ in what an analysis needs to know: there is an estimate once the study is unblinded.");
     case notRenderedRun:
         return Words::tr("A quick simulation without rendering: the observer was told the values.");
     default:

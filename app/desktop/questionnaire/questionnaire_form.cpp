@@ -115,7 +115,7 @@ void QuestionnaireForm::addNumber(QLayout& layout, Item& item, const QString& na
     field->setMaximumWidth(m_theme.px(200));
     field->setLocale(m_locale);
     if (item.asked->highest > item.asked->lowest)
-        layout.addWidget(kit::label(m_theme, tr("From %1 to %2").arg(study_words::number(item.asked->lowest, m_locale), study_words::number(item.asked->highest, m_locale)),
+        layout.addWidget(kit::label(m_theme, tr("From %1 to %2").arg(study_words::plainNumber(item.asked->lowest, m_locale), study_words::plainNumber(item.asked->highest, m_locale)),
                                     TextStyle::small, "muted"));
     layout.addWidget(field);
     item.first = field;

@@ -66,7 +66,7 @@ QWidget* PreviewPage::observerBox() {
     m_progress->setAccessibleName(tr("Progress of the preview"));
     m_progress->setRange(0, kSteps);
     m_progress->setTextVisible(false);
-    row->addWidget(m_start);
+    row->addWidget(m_start, 0, Qt::AlignLeft);
     row->addWidget(m_cancel);
     row->addWidget(m_progress, 1);
     box.layout->addLayout(row);

@@ -51,6 +51,11 @@ QString number(double value, const QLocale& locale, int digits) {
     return locale.toString(value, 'f', std::max(0, digits - whole));
 }
 
+QString plainNumber(double value, const QLocale& locale) {
+    constexpr int kDigits = 6;
+    return std::isfinite(value) ? locale.toString(value, 'g', kDigits) : dash();
+}
+
 QString value(double si, Attribute attribute, const QLocale& locale) {
     const Unit unit = study_words::unitOf(attribute);
     const QString digits = number(si * unit.factor, locale);

@@ -42,6 +42,7 @@ Unit unitOf(psychophysics::Attribute attribute);
 QString value(double si, psychophysics::Attribute attribute, const QLocale& locale);
 /// A number in `digits` significant digits; a dash where it is not a number.
 QString number(double value, const QLocale& locale, int digits = 3);
+QString plainNumber(double value, const QLocale& locale); ///< as somebody would write it: 4, 3.5
 /// A ratio in percent ("12.5 %"); a dash where it is not a number.
 QString percent(double ratio, const QLocale& locale);
 /// "0.081 … 0.12" of two numbers; empty where one is missing.

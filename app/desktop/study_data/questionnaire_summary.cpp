@@ -72,8 +72,8 @@ QWidget* QuestionnaireSummary::itemPart(const psychophysics::Questionnaire& ques
         column->addWidget(kit::label(theme, tr("No answers"), TextStyle::body, "muted"));
     if (!numbers.empty() && item.kind != QuestionnaireItem::Kind::choice)
         column->addWidget(kit::label(theme, tr("Median %1, middle half %2 to %3")
-                                                .arg(study_words::number(quantileOf(numbers, 0.5), locale), study_words::number(quantileOf(numbers, 0.25), locale),
-                                                     study_words::number(quantileOf(numbers, 0.75), locale))));
+                                                .arg(study_words::plainNumber(quantileOf(numbers, 0.5), locale), study_words::plainNumber(quantileOf(numbers, 0.25), locale),
+                                                     study_words::plainNumber(quantileOf(numbers, 0.75), locale))));
     if (!numbers.empty() && item.kind != QuestionnaireItem::Kind::number)
         column->addWidget(barsOf(item, numbers));
     for (const QString& text : texts)
@@ -95,6 +95,8 @@ QWidget* QuestionnaireSummary::barsOf(const QuestionnaireItem& item, const std::
     auto* plot = new report::PlotView(plotThemeOf(theme, m_app.locale()));
     plot->setMinimumHeight(theme.px(180));
     plot->setLegendShown(false);
+    plot->setTitle({});
+    plot->setYWholeNumbers();
     plot->setYAxis({tr("Answers"), 0.0, {}});
     plot->setXAxis({likert ? tr("%1 … %2").arg(study_words::text(item.low, m_app.language()), study_words::text(item.high, m_app.language())) : QString(), {}, {}});
     plot->addBars(tr("answers"), tops, report::PlotStyle::solidA, 0, 1);

@@ -66,7 +66,7 @@ QWidget* TrialsPageOfRun::table(const RunFacts& run) const {
         put(answerColumn, trial.value              ? study_words::number(*trial.value, locale)
                           : trial.answer < 0       ? tr("none")
                           : right < 0              ? tr("given")
-                          : trial.answer == right ? tr("right")
+                          : trial.answer == right ? tr("correct")
                                                    : tr("wrong"));
         if (trial.practice)
             put(countsColumn, tr("Practice"));

@@ -44,6 +44,7 @@ ExperimenterPanel::ExperimenterPanel(const Theme& theme, const QLocale& locale, 
     box.layout->addWidget(m_estimate);
     m_plotHolder = new QVBoxLayout;
     box.layout->addLayout(m_plotHolder, 1);
+    box.layout->addStretch(); // takes the room of the plot until there is one
     box.layout->addWidget(kit::rule());
     box.layout->addWidget(m_fidelity);
     m_spoil = add("experimenter.spoil", tr("Spoil this trial"), "", "edit-delete");
@@ -66,7 +67,10 @@ QPushButton* ExperimenterPanel::add(const char* name, const QString& text, const
 
 void ExperimenterPanel::show(const session::LiveStudyView& view, const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition) {
     using State = session::LiveStudyView::State;
-    m_what->setText(numbers.blind ? tr("Condition %1 (sealed)").arg(QString::fromStdString(numbers.sealedCode)) : QString::fromStdString(numbers.condition));
+    const QString title = study_words::text(condition.title, m_locale.name().section(u'_', 0, 0));
+    m_what->setText(numbers.blind     ? tr("Condition %1 (sealed)").arg(QString::fromStdString(numbers.sealedCode))
+                    : title.isEmpty() ? QString::fromStdString(numbers.condition)
+                                      : title);
     const QString most = view.ofAtMost > 0 ? tr("%1 of at most %2 trials").arg(m_locale.toString(numbers.scored), m_locale.toString(view.ofAtMost))
                                            : tr("%n trial(s)", nullptr, numbers.scored);
     m_progress->setText(view.practice ? tr("Practice, not scored. %1").arg(most) : tr("%1, %2 repeated").arg(most, m_locale.toString(numbers.spoiled)));

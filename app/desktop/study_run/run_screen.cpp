@@ -12,6 +12,22 @@
 
 namespace chiron::desktop {
 
+namespace {
+
+constexpr double kButtonCell_px = 170;
+
+/// Where a row has its button, or has none: as wide in every row, so that what stands before it is in line.
+QVBoxLayout* buttonCell(const Theme& theme, QHBoxLayout& line) {
+    auto* cell = new QWidget;
+    cell->setFixedWidth(theme.px(kButtonCell_px));
+    auto* column = new QVBoxLayout(cell);
+    column->setContentsMargins(0, 0, 0, 0);
+    line.addWidget(cell);
+    return column;
+}
+
+} // namespace
+
 RunScreen::RunScreen(AppContext& context, const Place& place)
     : Screen(context, place), m_study(place.parameters.value(QStringLiteral("study")).toLongLong()),
       m_participant(place.parameters.value(QStringLiteral("participant")).toString()) {
@@ -204,13 +220,14 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
             started = run.state == database::StudyRunState::open;
         }
     line->addWidget(kit::label(theme, state, TextStyle::body, "muted"), 1);
+    QVBoxLayout* cell = buttonCell(theme, *line);
     const bool apex = looksForApex(open, label);
     if (next && !apex) {
         auto* go = kit::button(theme, started ? tr("Go on") : tr("Begin"), "primary", QStringLiteral("media-playback-start"));
         go->setObjectName(QStringLiteral("run.begin"));
         go->setAccessibleName(tr("Begin or go on with %1").arg(name));
         connect(go, &QPushButton::clicked, this, [this, label] { run(label); });
-        line->addWidget(go);
+        cell->addWidget(go, 0, Qt::AlignRight);
     }
     box.layout->addLayout(line);
     if (next && apex) {
@@ -231,6 +248,7 @@ QWidget* RunScreen::questionnaireRow(const ParticipantRow& row, const psychophys
     line->addWidget(kit::label(theme, name, TextStyle::strong), 2);
     const bool done = study()->answered.contains({row.participant.id, questionnaire.id});
     line->addWidget(kit::label(theme, done ? tr("answered") : tr("not answered yet"), TextStyle::body, "muted"), 1);
+    QVBoxLayout* cell = buttonCell(theme, *line);
     if (!done && row.participant.state != database::ParticipantState::withdrawn) {
         auto* go = kit::button(theme, tr("Answer"), "", QStringLiteral("document-edit"));
         go->setObjectName(QStringLiteral("run.questionnaire.%1").arg(QString::fromStdString(questionnaire.id)));
@@ -240,7 +258,7 @@ QWidget* RunScreen::questionnaireRow(const ParticipantRow& row, const psychophys
                                                                        {QStringLiteral("participant"), m_participant},
                                                                        {QStringLiteral("questionnaire"), QString::fromStdString(id)}});
         });
-        line->addWidget(go);
+        cell->addWidget(go, 0, Qt::AlignRight);
     }
     box.layout->addLayout(line);
     return box.frame;

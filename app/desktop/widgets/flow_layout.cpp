@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <algorithm>
+#include <utility>
 
 namespace chiron::desktop {
 
@@ -42,25 +43,33 @@ void FlowLayout::setGeometry(const QRect& area) {
 }
 
 int FlowLayout::arrange(const QRect& area, bool place) const {
+    std::vector<std::pair<QLayoutItem*, QRect>> line; // its items meet in their middles
     int x = area.x();
     int y = area.y();
-    int line = 0;
+    int height = 0;
+    const auto endLine = [&] {
+        for (const auto& [item, at] : line)
+            if (place)
+                item->setGeometry(at.translated(0, (height - at.height()) / 2));
+        line.clear();
+    };
     for (const auto& item : m_items) {
         if (item->isEmpty())
             continue; // hidden
         const QSize wanted(std::min(item->sizeHint().width(), std::max(area.width(), item->minimumSize().width())),
                            item->sizeHint().height());
         if (x > area.x() && x + wanted.width() > area.x() + area.width()) {
+            endLine();
             x = area.x();
-            y += line + spacing();
-            line = 0;
+            y += height + spacing();
+            height = 0;
         }
-        if (place)
-            item->setGeometry({x, y, wanted.width(), wanted.height()});
+        line.emplace_back(item.get(), QRect(QPoint(x, y), wanted));
         x += wanted.width() + spacing();
-        line = std::max(line, wanted.height());
+        height = std::max(height, wanted.height());
     }
-    return y + line - area.y();
+    endLine();
+    return y + height - area.y();
 }
 
 } // namespace chiron::desktop

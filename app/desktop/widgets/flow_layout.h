@@ -9,7 +9,7 @@
 namespace chiron::desktop {
 
 /// Items one after the other, as many a line as fit: for rows of controls that a large scale or long words would push out of
-/// the window. No margins of its own. GUI thread.
+/// the window. Those of one line are level with each other. No margins of its own. GUI thread.
 class FlowLayout final : public QLayout {
 public:
     explicit FlowLayout(int spacing_px, QWidget* parent = nullptr);

@@ -11,6 +11,7 @@
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/experimenter_panel.h"
+#include "desktop/widgets/flow_layout.h"
 #include "session_report/study_warning_words.h"
 #include "support/made_study.h"
 
@@ -34,6 +35,7 @@ private slots:
     void requiredItemsAreMissed();
     void previewKnowsItsObserver();
     void numbersWithUnits();
+    void controlsOfALineAreLevel();
     void experimentersAreBlindToForces();
 
 private:
@@ -97,6 +99,10 @@ void TestStudyParts::experimentersAreBlindToForces() {
     const QString open = told();
     for (const char* word : {"craggy", "Peak force 3.21 N"})
         QVERIFY2(open.contains(QLatin1String(word)), qPrintable(open));
+    condition.title = {{"en", "A rough stone"}};
+    QVERIFY(told().contains(QStringLiteral("A rough stone")));
+    numbers.blind = true;
+    QVERIFY(!told().contains(QStringLiteral("A rough stone")));
 }
 
 void TestStudyParts::rankingsBecomeAnswers() {
@@ -244,7 +250,27 @@ void TestStudyParts::numbersWithUnits() {
     QCOMPARE(value(312.4, psychophysics::Attribute::stiffness, m_locale), QStringLiteral("312 N/m"));
     QCOMPARE(percent(0.1234, m_locale), QStringLiteral("12.3 %"));
     QCOMPARE(percent(std::nan(""), m_locale), QStringLiteral("–"));
+    QCOMPARE(plainNumber(4.0, m_locale), QStringLiteral("4"));
+    QCOMPARE(plainNumber(3.5, m_locale), QStringLiteral("3.5"));
     QCOMPARE(session_report::warningWords({psychophysics::WarningKind::noMarks}), QStringLiteral("There is no mark to summarise."));
+}
+
+// A low field beside a high button, and below them what did not fit any more.
+void TestStudyParts::controlsOfALineAreLevel() {
+    QWidget page;
+    auto* flow = new desktop::FlowLayout(10, &page);
+    QWidget* controls[] = {new QWidget, new QWidget, new QWidget};
+    const QSize sizes[] = {{100, 20}, {100, 40}, {150, 30}};
+    for (int i = 0; i < 3; ++i) {
+        controls[i]->setFixedSize(sizes[i]);
+        flow->addWidget(controls[i]);
+    }
+    QCOMPARE(flow->heightForWidth(220), 40 + 10 + 30);
+    page.resize(220, 200);
+    page.show();
+    QCOMPARE(controls[0]->geometry(), QRect(0, 10, 100, 20));
+    QCOMPARE(controls[1]->geometry(), QRect(110, 0, 100, 40));
+    QCOMPARE(controls[2]->geometry(), QRect(0, 50, 150, 30));
 }
 
 QTEST_MAIN(TestStudyParts)
