@@ -80,9 +80,12 @@ core::Result<Parameters> apexOf(const psychophysics::Condition& condition, const
 }
 
 ExerciseLevel apexLevel(const Parameters& parameters, const std::string& study, const std::string& condition) {
-    QJsonArray cues, metrics;
-    for (const std::string& cue : parameters.cues)
+    QJsonArray cues, metrics, shownCues{"tool", "arrow", "bars"};
+    for (const std::string& cue : parameters.cues) {
         cues.append(QString::fromStdString(cue));
+        if (cue == "object")
+            shownCues.prepend("object");
+    }
     for (const char* metric : kMetrics)
         metrics.append(QJsonObject{{"id", metric}, {"version", 1}});
     const QString title = QString::fromStdString(study + " / " + condition);
@@ -93,6 +96,8 @@ ExerciseLevel apexLevel(const Parameters& parameters, const std::string& study, 
                             {"measured", QJsonObject{{"en", "Where the mark lies beside the apex, and exploration."}}},
                             {"cues", cues},
                             {"needs_force", true},
+                            {"shown_force_variant",
+                             QJsonObject{{"cues", shownCues}, {"note", QJsonObject{{"en", "This device renders no force. Force is shown, not felt."}}}}},
                             {"metrics", metrics},
                             {"gates", QJsonArray{}},
                             {"parameters", json(parameters)}};

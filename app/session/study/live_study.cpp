@@ -21,7 +21,7 @@ void LiveStudy::poll() {
     if (s.done)
         return;
     s.training->beat();
-    s.tellPause();
+    s.lookAtForce();
     s.drain();
     s.goOn();
     if (s.training->finished())
@@ -86,6 +86,16 @@ void LiveStudy::spoil() {
 void LiveStudy::pause() { m_state->wantPause(true); }
 void LiveStudy::resume() { m_state->wantPause(false); }
 
+void LiveStudy::stopForce() {
+    m_state->control.stopForce();
+    m_state->control.tell(*m_state->training);
+}
+
+void LiveStudy::rearm() {
+    m_state->control.rearm();
+    m_state->control.tell(*m_state->training);
+}
+
 void LiveStudy::breakTaken() {
     State& s = *m_state;
     if (s.progress.breakDue() && State::secondsSince(s.breakSince) >= s.study.design.trial.breakAtLeast_s)
@@ -102,7 +112,8 @@ void LiveStudy::stop() {
     State& s = *m_state;
     s.stopping = true;
     s.stopSince = State::Clock::now();
-    s.wantPause(false); // else the scene hears no answer
+    s.control.letGo(); // else the scene hears no answer
+    s.control.tell(*s.training);
     if (s.presented && s.last.phase == TrialPhase::running && !s.posted) {
         s.spoiled = "stopped";
         s.posted = s.training->post(CommandKind::answer, simulation::kAnswerSpoiled);

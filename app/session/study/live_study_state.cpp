@@ -17,16 +17,16 @@ constexpr double kFeedback_s = 1.2;
 constexpr double kStopPatience_s = 2.0;
 } // namespace
 
-/// A wish, not an event: who asks twice, or for the opposite before the loop has heard, gets what was asked for last.
 void LiveStudy::State::wantPause(bool wanted) {
-    pauseWanted = wanted && !stopping; // what ends, ends
-    tellPause();
+    if (!stopping) // what ends, ends
+        control.wantPause(wanted);
+    control.tell(*training);
 }
 
-/// The loop hears 64 commands at most before its first tick, which may take its time: what found no room is told again.
-void LiveStudy::State::tellPause() {
-    if (pauseTold != pauseWanted && training->post(pauseWanted ? CommandKind::pause : CommandKind::resume))
-        pauseTold = pauseWanted;
+void LiveStudy::State::lookAtForce() {
+    if (!stopping)
+        control.look(training->display().latest());
+    control.tell(*training);
 }
 
 void LiveStudy::State::drain() {
@@ -104,7 +104,7 @@ bool LiveStudy::State::allTouched() const {
 void LiveStudy::State::goOn() {
     if (stopping && !cut && secondsSince(stopSince) > kStopPatience_s)
         finishing = cut = training->post(CommandKind::end); // still paused or arming: the session ends as it stands
-    if (presented || finishing || pauseWanted || last.paused != 0)
+    if (presented || finishing || control.paused() || last.paused != 0)
         return;
     if (view.right && secondsSince(feedbackSince) < kFeedback_s)
         return;
@@ -158,7 +158,7 @@ void LiveStudy::State::describe() {
     const double spent_s = static_cast<double>(last.tick - std::min(last.tick, first)) * core::kTickSeconds;
     const bool running = presented && last.phase == TrialPhase::running;
     view.timeLeft_s = running && limit_s > 0.0 ? std::max(0.0, limit_s - spent_s) : 0.0;
-    view.canAnswer = running && !posted && !pauseWanted && last.paused == 0 && allTouched();
+    view.canAnswer = running && !posted && !control.paused() && last.paused == 0 && allTouched();
     view.breakLeft_s = progress.breakDue() ? std::max(0.0, study.design.trial.breakAtLeast_s - secondsSince(breakSince)) : 0.0;
     const auto lastCandidate = static_cast<double>(condition->stimulus.differences.size() - 1);
     view.adjusted = lastCandidate > 0.0 ? adjusted / lastCandidate : 0.0;
@@ -176,7 +176,9 @@ LiveStudyView::State LiveStudy::State::where(bool running, double spent_s) const
     const double limit_s = study.design.trial.exploreLimit_s;
     if (done)
         return View::finished;
-    if (pauseWanted)
+    if (control.stopped() && !stopping)
+        return View::stopped;
+    if (control.paused())
         return View::paused;
     if (last.paused != 0)
         return View::arming; // it goes on: force comes back first

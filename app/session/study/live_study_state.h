@@ -2,9 +2,11 @@
 #pragma once
 
 #include "database/repositories/study_blinding.h"
+#include "session/study/begun_run.h"
 #include "session/study/fidelity_meter.h"
 #include "session/study/live_study.h"
 #include "session/study/sample_tap.h"
+#include "session/study/sitting_control.h"
 #include "session/study/study_limits.h"
 #include "session/study/study_store.h"
 
@@ -40,8 +42,7 @@ struct LiveStudy::State {
     int adjusted = 0; ///< candidate that is set now
     bool presented = false, posted = false, stopping = false, finishing = false, done = false;
     bool cut = false;         ///< it was asked politely to end, and then not
-    bool pauseWanted = false; ///< by whoever asked last
-    bool pauseTold = false;   ///< what the loop was told last
+    SittingControl control;
     int answered = -1;
     std::optional<double> value;
     std::string spoiled;
@@ -53,11 +54,11 @@ struct LiveStudy::State {
     static double secondsSince(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
     /// A sitting of this run, under way.
-    static core::Result<std::unique_ptr<State>> conducted(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
-                                                          const std::string& label, const database::ConductedRun& conducted, LiveStudyRequest request);
+    static core::Result<std::unique_ptr<State>> conducted(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting,
+                                                          LiveStudyRequest request);
     void describeRun(const database::ConductedRun& conducted, const LimitedTable& limited, const RenderingLimits& limits);
     void wantPause(bool wanted);
-    void tellPause();
+    void lookAtForce();
     void drain();
     void take(const FidelitySample& sample);
     void endTrial(const FidelitySample& sample);

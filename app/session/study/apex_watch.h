@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session/station.h"
+#include "session/study/fidelity_meter.h"
+#include "session/study/study_progress.h"
+#include "session/tool_positions.h"
+#include "simulation/exercises/sphere_apex/hemisphere_contact.h"
+#include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace chiron::session {
+
+/// Makes a study's trials of the ticks of a session of the sphere-apex exercise, in their order: error by the stored counts at the tick of
+/// the mark, as scores take it; fidelity by FidelityMeter, whose one place is the surface that is touched (|f| = k d). Any one thread.
+class ApexWatch {
+public:
+    /// `level`: of "sphere_apex"; `seed`: the session's; `station` before it is used. Failure: badInput (a device without kinematics).
+    static core::Result<ApexWatch> create(const catalogue::ExerciseLevel& level, std::uint64_t seed, const Station& station,
+                                          const psychophysics::StudyDesign& design);
+
+    /// What became of a trial, with the tick that ends it. Without a mark (the time was up) there is no answer.
+    std::optional<StudyAnswer> take(const FidelitySample& tick, const core::ToolFrame& tool);
+    /// Of the trial at hand, as far as it went: without an answer.
+    StudyAnswer soFar() const;
+
+    bool inTrial() const noexcept { return m_inTrial; }
+    bool touched() const noexcept { return m_touched != 0; } ///< in this trial
+    bool over() const noexcept { return m_ended == m_plan.size(); } ///< every trial of the session has ended
+    std::uint64_t firstTick() const noexcept { return m_first; }
+
+private:
+    static constexpr std::size_t kWindow = 20; ///< ticks over which a speed is taken: counts are too coarse for one
+
+    explicit ApexWatch(FidelityMeter meter) : m_meter(std::move(meter)) {}
+    void begin(const FidelitySample& tick, const core::Vec3& p_WT);
+    void explore(const FidelitySample& tick, const core::Vec3& p_WT);
+    StudyAnswer end(const FidelitySample& tick, const core::Vec3& p_WT);
+    std::size_t trialOf(const FidelitySample& tick) const;
+
+    FidelityMeter m_meter;
+    std::unique_ptr<ToolPositions> m_positions;
+    std::vector<simulation::SphereApexTrial> m_plan;
+    std::vector<simulation::HemisphereContact> m_contacts;
+    double m_radius_m = 0.0;
+    std::uint64_t m_first = 0, m_last = 0, m_lastContact = 0;
+    std::array<core::Vec3, kWindow> m_way{};
+    std::size_t m_at = 0;
+    std::size_t m_ended = 0;
+    std::uint8_t m_touched = 0;
+    bool m_inContact = false, m_inTrial = false;
+};
+
+} // namespace chiron::session

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study/begun_run.h"
+
+#include "session/study/study_setup.h"
+
+#include <algorithm>
+
+namespace chiron::session {
+
+namespace {
+
+core::Result<std::string> chosenLabel(const OpenedStudy& study, const std::string& asked) {
+    const std::vector<std::string> open = openConditions(study);
+    if (open.empty())
+        return core::fail(core::ErrorCode::wrongUse, "every condition is completed");
+    const std::string label = asked.empty() ? open.front() : asked;
+    if (std::find(open.begin(), open.end(), label) != open.end())
+        return label;
+    const bool known = std::find(study.order.begin(), study.order.end(), label) != study.order.end();
+    return core::fail(known ? core::ErrorCode::wrongUse : core::ErrorCode::notFound,
+                      "condition \"" + label + "\" is completed, or not one of the study's");
+}
+
+core::Result<BegunRun> goOnWith(const OpenedStudy& study, const database::ConductedRun& conducted, double limit) {
+    const database::StudyRun& begun = *conducted.open;
+    if (auto same = sameTable(begun, limit); !same)
+        return tl::unexpected(same.error());
+    auto progress = StudyProgress::resume(study.design, conducted.condition, begun.seed, conducted.trials, StudyProgress::limitOf(begun.procedures));
+    if (!progress)
+        return tl::unexpected(progress.error());
+    return BegunRun{begun.id, begun.seed, std::move(*progress)};
+}
+
+} // namespace
+
+const psychophysics::Condition* ConductedSitting::condition() const { return conditionOf(study.design, run.condition); }
+
+core::Result<ConductedSitting> conductSitting(database::Database& database, const database::Actor& actor, const LiveStudyRequest& request) {
+    auto study = openStudy(database, actor, request.study, request.participantCode);
+    if (!study)
+        return tl::unexpected(study.error());
+    auto label = chosenLabel(*study, request.condition);
+    if (!label)
+        return tl::unexpected(label.error());
+    if (request.station.devices.empty())
+        return core::fail(core::ErrorCode::wrongUse, "a sitting needs a device");
+    auto run = conduct(database, actor, *study, *label);
+    if (!run)
+        return tl::unexpected(run.error());
+    ConductedSitting sitting{std::move(*study), std::move(*label), std::move(*run)};
+    if (!sitting.condition())
+        return core::fail(core::ErrorCode::notFound, "condition \"" + sitting.label + "\" is not one of the study's");
+    return sitting;
+}
+
+core::Result<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting, double limit) {
+    if (sitting.run.open)
+        return goOnWith(sitting.study, sitting.run, limit);
+    const std::uint64_t seed = runSeed(sitting.study, sitting.label);
+    auto progress = StudyProgress::begin(sitting.study.design, sitting.run.condition, seed, limit);
+    if (!progress)
+        return tl::unexpected(progress.error());
+    auto run = beginRun(database, actor, sitting.study, sitting.label, seed, progress->procedureIds());
+    if (!run)
+        return tl::unexpected(run.error());
+    return BegunRun{*run, seed, std::move(*progress)};
+}
+
+} // namespace chiron::session

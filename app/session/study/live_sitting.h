@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/database.h"
+#include "psychophysics/study/apex_study.h"
+#include "psychophysics/study/study_design.h"
+#include "session/live_training.h"
+#include "session/study/study_limits.h"
+#include "session/study/study_progress.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chiron::session {
+
+/// One sitting of one participant at one condition, in a window.
+struct LiveStudyRequest {
+    database::StudyNumber study = 0;
+    std::string participantCode;
+    std::string condition; ///< id, or sealed code while blinded; empty: the participant's next one in the order that is not completed
+    Station station;
+    /// The same device again, where a sitting takes several sessions (a study of the apex); empty: one session, and the run stays open.
+    std::function<core::Result<Station>()> nextStation;
+    std::filesystem::path ringFolder; ///< empty: the default
+    std::optional<double> measuredDelay_s; ///< of the first device, where the station knows it; else statedDelay_s() counts
+};
+
+/// Where a sitting stands. The participant's screen shows this and nothing else of the run: no value, level or condition.
+struct LiveStudyView {
+    enum class State {
+        starting,         ///< the session comes up
+        coming,           ///< the next objects are on their way; lift the tool off
+        arming,           ///< they lie there; force is being armed
+        exploring,
+        answering,        ///< the time to explore is over, the objects are gone
+        feedback,         ///< `right` says it; for a moment
+        breakDue,         ///< until breakTaken()
+        needsExperimenter,///< one trial was spoiled too often; until experimenterSays()
+        paused,
+        stopped,          ///< force was stopped, or taken away: until rearm()
+        finished,         ///< the run is done, or stopped; result() says how
+    };
+    State state = State::starting;
+    psychophysics::Task task = psychophysics::Task::rank3;
+    int places = 3;
+    bool practice = false;
+    int trial = 0;        ///< scored ones done
+    int ofAtMost = 0;     ///< 0: not known
+    int place = -1;       ///< touched now
+    std::uint32_t touched = 0;  ///< in this trial, one bit a place
+    bool canAnswer = false;     ///< an answer is taken now (every place touched, where that is asked)
+    double timeLeft_s = 0.0;    ///< to explore; 0: no limit
+    double breakLeft_s = 0.0;   ///< of the shortest break
+    std::optional<bool> right;  ///< feedback only
+    std::optional<double> beside_m; ///< feedback of a study of the apex: how far from it the mark lies
+    double adjusted = 0.0;      ///< adjustment: 0..1, where the level stands on its table
+};
+
+/// What the experimenter sees beside it.
+struct LiveStudyNumbers {
+    std::string condition;   ///< id; the sealed code where the experimenter is blind
+    std::string sealedCode;
+    std::vector<psychophysics::ProcedureEstimate> estimates; ///< of each procedure; empty where the experimenter is blind
+    int scored = 0;
+    int spoiled = 0;
+    int practice = 0;
+    bool blind = false;      ///< the experimenter is
+    TrialFidelity lastFidelity; ///< without forces where the experimenter is blind to what they are
+    std::string lastSpoiled; ///< empty: it counted
+    int repeats = 0;         ///< how often the present trial was spoiled
+    bool limited = false;    ///< differences were left out, because the device cannot render them
+    int candidates = 0;      ///< that are left
+    RenderingLimits limits;  ///< of the device that it is done with
+    std::optional<psychophysics::ApexSummary> apex; ///< of a study of the apex: this run's marks so far; nothing where the experimenter is blind
+    bool spoiling = false;   ///< the trial at hand will not count, whatever comes
+};
+
+/// How a sitting ended.
+struct LiveStudyResult {
+    database::StudyRunNumber run = 0;
+    database::SessionId session = 0;
+    bool completed = false; ///< else it goes on in another sitting
+};
+
+/// A run of a study in real time for a window, whatever is asked: each trial is stored as soon as it is answered, so that a stop or a kill
+/// loses at most the trial at hand. All of it on the GUI thread; call poll() each frame (it also beats). Destroying it ends the sitting:
+/// the run stays open and is resumed at the trial by another sitting.
+class LiveSitting {
+public:
+    /// Begins one, or goes on with one: of comparisons (LiveStudy) or of the apex (LiveApex), as the condition has it. Failure: notFound
+    /// (study, participant, condition), notAllowed, wrongUse (not frozen, completed, withdrawn, no consent), badInput (what cannot be
+    /// made, or not be rendered by the device).
+    static core::Result<std::unique_ptr<LiveSitting>> start(database::Database& database, const database::Actor& actor,
+                                                            LiveStudyRequest request);
+    LiveSitting(const LiveSitting&) = delete;
+    LiveSitting& operator=(const LiveSitting&) = delete;
+    virtual ~LiveSitting() = default;
+
+    virtual void poll() = 0;
+    virtual LiveStudyView view() const = 0;
+    virtual LiveStudyNumbers numbers() const = 0;
+    virtual const psychophysics::StudyDesign& design() const = 0;
+    virtual const psychophysics::Condition& condition() const = 0;
+    virtual const catalogue::ExerciseLevel& level() const = 0; ///< for SceneSetup: what the window draws
+    /// display(), samples(), pointer() of the running session; another one (and another pointer) once sessions() has grown.
+    virtual LiveTraining& training() = 0;
+    virtual int sessions() const { return 1; } ///< begun in this sitting
+
+    /// The participant's answer (psychophysics::answers(task)), or a number said (magnitude), or "set" (adjustment). Failure:
+    /// wrongUse while none is taken (canAnswer), badInput.
+    virtual core::Result<void> answer(int answer, std::optional<double> value = std::nullopt) = 0;
+    virtual void adjust(int) {}   ///< adjustment: so many candidates up (down)
+    virtual void spoil() = 0;     ///< the experimenter's: this trial does not count and comes again
+    virtual void pause() = 0;     ///< wished at once, also before the loop ticks; nothing is presented until resume()
+    virtual void resume() = 0;    ///< nothing while force is stopped: that takes rearm()
+    virtual void stopForce() = 0; ///< at once; the clock stands still with it
+    virtual void rearm() = 0;     ///< after a stop or a fault: force comes back slowly, and the trial goes on
+    virtual void breakTaken() = 0; ///< once its shortest time is over
+    virtual void experimenterSays(bool goOn) = 0;
+    virtual void stop() = 0;      ///< ends the sitting; the run is resumed later
+
+    virtual bool finished() const = 0;
+    virtual const core::Result<LiveStudyResult>& result() const = 0; ///< once finished(); else wrongUse
+
+protected:
+    LiveSitting() = default;
+};
+
+} // namespace chiron::session

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study/sitting_control.h"
+
+namespace chiron::session {
+
+using core::CommandKind;
+
+void SittingControl::begin() noexcept {
+    m_told = m_tellRearm = m_sawLatched = false;
+    m_tellStop = m_stopped;
+}
+
+void SittingControl::stopForce() noexcept {
+    m_stopped = m_tellStop = m_pause = true;
+    m_tellRearm = false;
+}
+
+void SittingControl::rearm() noexcept {
+    if (!m_stopped)
+        return;
+    m_tellRearm = true; // after a stop that was not told yet, too: both are heard, in this order
+    m_stopped = m_pause = false;
+}
+
+void SittingControl::letGo() noexcept { m_pause = m_hold = false; }
+
+void SittingControl::tell(LiveTraining& training) noexcept {
+    if (m_tellStop && training.post(CommandKind::stopForce))
+        m_tellStop = false;
+    if (!m_tellStop && m_tellRearm && training.post(CommandKind::rearm))
+        m_tellRearm = false;
+    if (m_told != held() && training.post(held() ? CommandKind::pause : CommandKind::resume))
+        m_told = held();
+}
+
+void SittingControl::look(const haptics::DisplayState& state) noexcept {
+    const bool latched = state.force == core::ForceState::stopped || state.force == core::ForceState::fault;
+    if (latched && !m_sawLatched && !m_stopped)
+        m_stopped = m_pause = true; // once a latch: what was asked since may not be in this state yet
+    m_sawLatched = latched;
+}
+
+} // namespace chiron::session

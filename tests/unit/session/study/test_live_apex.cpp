@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A person's sitting of the apex in real time without a window: marks by hand, a break in the middle, spoiled trials in a further session,
+// stopping and going on, and the limit of the device.
+#include "catalogue/study_catalogue.h"
+#include "catalogue/study_reader.h"
+#include "database/accounts/account_service.h"
+#include "database/repositories/study_reader.h"
+#include "database/repositories/study_repository.h"
+#include "session/replayer.h"
+#include "session/study/apex_tap.h"
+#include "session/study/live_apex.h"
+#include "session/study/study_analysis.h"
+#include "session/study/study_store.h"
+#include "support/apex_marker.h"
+#include "support/session_fixture.h"
+
+#include <QtTest>
+
+using namespace chiron;
+using View = session::LiveStudyView::State;
+
+namespace {
+
+constexpr const char* kPassword = "a long password for tests";
+constexpr int kPatience_ms = 30000;
+constexpr double kBeside_m = 0.003;
+constexpr double kNear_m = 2e-4; ///< what is shown, not felt, slows the hand down where it touches
+
+/// The content's study with a few trials and without limits that a busy machine would pass.
+psychophysics::StudyDesign design(int scored) {
+    const auto content = catalogue::StudyCatalogue::load();
+    if (!content)
+        qFatal("%s", content.error().message.c_str());
+    psychophysics::StudyDesign of = *content->find("apex");
+    std::get<psychophysics::ConstantSpec>(of.conditions.front().procedures.front()).repeats = scored;
+    of.trial.practiceTrials = 0;
+    of.trial.betweenTrials_s = 0.1;
+    of.fidelity.lateTicks = 1.0;
+    of.fidelity.meanSpeed_m_per_s = 10.0;
+    return of;
+}
+
+struct Site {
+    template <class Job> auto write(Job job) {
+        auto done = fixture.database->write([&](database::WriteContext& context) {
+            database::StudyRepository studies(context.connection(), actor);
+            return job(studies);
+        });
+        if (!done)
+            qFatal("%s", done.error().message.c_str());
+        return done;
+    }
+    explicit Site(psychophysics::StudyDesign of) : study_design(std::move(of)) {
+        database::AccountService accounts(*fixture.database);
+        if (!accounts.createFirstAdministrator("ada", kPassword, "Ada"))
+            qFatal("no administrator");
+        const auto ada = accounts.login("ada", kPassword);
+        if (!accounts.createPerson(*ada, {"rhea", "Rhea", database::RoleSet{database::Role::researcher}, kPassword, false}))
+            qFatal("no researcher");
+        actor = *accounts.login("rhea", kPassword);
+        study = *write([&](database::StudyRepository& studies) { return studies.createStudy(study_design.id, "Apex", catalogue::studyJson(study_design).toStdString()); });
+        write([&](database::StudyRepository& studies) { return studies.freezeStudy(study); });
+        const auto who = *write([&](database::StudyRepository& studies) { return studies.enrolParticipant(study, "somebody", 0, {}); });
+        write([&](database::StudyRepository& studies) {
+            return studies.recordConsent(who.id, catalogue::studySha256(QByteArray::fromStdString(study_design.consent.at("en"))));
+        });
+        code = who.code;
+    }
+    session::LiveStudyRequest request() {
+        session::LiveStudyRequest asked;
+        asked.study = study;
+        asked.participantCode = code;
+        asked.ringFolder = recording::defaultRingFolder();
+        asked.nextStation = [] { return session::keyboardMouseStation(); };
+        asked.station = std::move(*session::keyboardMouseStation());
+        return asked;
+    }
+    std::unique_ptr<session::LiveSitting> sit() {
+        auto live = session::LiveSitting::start(*fixture.database, actor, request());
+        if (!live)
+            qFatal("%s", live.error().message.c_str());
+        return std::move(*live);
+    }
+    database::StudyRun run() { return session::openStudy(*fixture.database, actor, study, code)->runs.front(); }
+    std::vector<database::StudyTrial> trials() {
+        auto connection = fixture.database->openReader();
+        return *database::StudyReader(**connection, actor).studyTrials(run().id);
+    }
+
+    tests::SessionFixture fixture;
+    database::Actor actor = database::Actor::simulated();
+    psychophysics::StudyDesign study_design;
+    database::StudyNumber study = 0;
+    std::string code;
+};
+
+/// Touches the sphere of the trial beside its top and marks there. False where no trial came.
+bool mark(session::LiveSitting& live, const std::vector<simulation::SphereApexTrial>& places) {
+    const auto now = live.numbers();
+    const int before = now.scored + now.spoiled;
+    if (!QTest::qWaitFor([&] { return live.poll(), live.view().state == View::exploring; }, kPatience_ms))
+        return false;
+    const auto trial = live.training().display().latest().trial;
+    const core::Vec3 to(places.at(trial).centre_m.x() + kBeside_m, places.at(trial).centre_m.y(), 0.019);
+    const auto there = [&] { return live.poll(), live.view().canAnswer && (tests::toolOf(live) - to).norm() < kNear_m; };
+    for (int tries = 0; tries < 100 && !there(); ++tries) { // of what touches, a part of each way is left
+        tests::moveTo(live, to);
+        (void)QTest::qWaitFor(there, 300);
+    }
+    if (!there())
+        return false;
+    if (!live.answer(0))
+        return false;
+    return QTest::qWaitFor([&] { return live.poll(), live.numbers().scored + live.numbers().spoiled > before; }, kPatience_ms);
+}
+
+} // namespace
+
+class TestLiveApex : public QObject {
+    Q_OBJECT
+private slots:
+    void marksBecomeTrialsAndTheAnalysisSaysTheSame();
+    void aSpoiledTrialComesAgainInAFurtherSession();
+    void stopsAndGoesOnAtTheTrial();
+    void forceIsStoppedAndRearmed();
+    void aBreakHoldsTheExercise();
+    void aDeviceThatIsTooSlowIsRefused();
+    void lostTicksAreSaid();
+};
+
+void TestLiveApex::marksBecomeTrialsAndTheAnalysisSaysTheSame() {
+    Site site(design(3));
+    const auto live = site.sit();
+    const auto places = tests::apexPlaces(*live, site.run().seed, 0);
+    QCOMPARE(places.size(), std::size_t(3));
+    for (int i = 0; i < 3; ++i)
+        QVERIFY2(mark(*live, places), "no trial came");
+    const auto numbers = live->numbers();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    QVERIFY(live->result());
+    QVERIFY(live->result()->completed);
+    QCOMPARE(live->sessions(), 1);
+    const auto trials = site.trials();
+    QCOMPARE(trials.size(), std::size_t(3));
+    for (const database::StudyTrial& trial : trials) {
+        const auto error = session::apexMarkOf(trial.fidelityJson);
+        QVERIFY(error);
+        QVERIFY2(std::abs(error->errorX_m - kBeside_m) < kNear_m && std::abs(error->errorY_m) < kNear_m, "the mark is not where it was set");
+        QVERIFY(error->inContact);
+        QCOMPARE(*trial.value, std::hypot(error->errorX_m, error->errorY_m));
+    }
+    auto connection = site.fixture.database->openReader();
+    database::StudyReader reader(**connection, site.actor);
+    const auto analysis = session::analyseStudy(reader, site.study, 5);
+    QVERIFY(analysis);
+    const auto& run = analysis->conditions.front().runs.front();
+    QVERIFY(run.apex && numbers.apex);
+    QCOMPARE(run.apex->trials, 3);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        QCOMPARE(run.apex->axes[axis].bias_mm, numbers.apex->axes[axis].bias_mm);
+        QCOMPARE(run.apex->axes[axis].sd_mm, numbers.apex->axes[axis].sd_mm);
+    }
+    QCOMPARE(run.replayed.same, run.replayed.trials);
+    auto stored = session::StoredSession::open(**connection, site.actor, trials.front().session);
+    QVERIFY(stored);
+    const auto replayed = session::replaySession(**stored); // to the same bits
+    QVERIFY2(replayed, replayed ? "" : replayed.error().message.c_str());
+    QVERIFY(replayed->identical);
+}
+
+void TestLiveApex::aSpoiledTrialComesAgainInAFurtherSession() {
+    Site site(design(2));
+    const auto live = site.sit();
+    const auto first = tests::apexPlaces(*live, site.run().seed, 0);
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().state == View::exploring), kPatience_ms);
+    live->spoil();
+    QVERIFY(live->numbers().spoiling);
+    QVERIFY(mark(*live, first));
+    QVERIFY(!live->numbers().spoiling);
+    QCOMPARE(live->numbers().spoiled, 1);
+    QVERIFY(mark(*live, first));
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->sessions()), 2, kPatience_ms);
+    const auto further = tests::apexPlaces(*live, site.run().seed, 2);
+    QCOMPARE(further.size(), std::size_t(1));
+    QVERIFY(mark(*live, further));
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    QVERIFY(live->result()->completed);
+    const auto trials = site.trials();
+    QCOMPARE(trials.size(), std::size_t(3));
+    QCOMPARE(trials[0].spoiled, std::string("experimenter"));
+    QCOMPARE(trials[0].outcome, -1);
+    QVERIFY(trials[2].session != trials[1].session);
+    QCOMPARE(trials[1].session, trials[0].session);
+}
+
+void TestLiveApex::stopsAndGoesOnAtTheTrial() {
+    Site site(design(2));
+    {
+        const auto live = site.sit();
+        QVERIFY(mark(*live, tests::apexPlaces(*live, site.run().seed, 0)));
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().state == View::exploring), kPatience_ms);
+        live->stop();
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+        QVERIFY(live->result() && !live->result()->completed);
+    }
+    auto trials = site.trials();
+    QCOMPARE(trials.size(), std::size_t(2));
+    QCOMPARE(trials[1].spoiled, std::string("stopped"));
+    const auto live = site.sit();
+    QCOMPARE(live->numbers().scored, 1);
+    QVERIFY(live->numbers().apex->trials == 1);
+    QVERIFY(mark(*live, tests::apexPlaces(*live, site.run().seed, 2)));
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    QVERIFY(live->result()->completed);
+    trials = site.trials();
+    QCOMPARE(trials.size(), std::size_t(3));
+    QCOMPARE(trials[2].ordinal, 2);
+}
+
+void TestLiveApex::forceIsStoppedAndRearmed() {
+    Site site(design(1));
+    const auto live = site.sit();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().state == View::exploring), kPatience_ms);
+    live->stopForce();
+    QCOMPARE(live->view().state, View::stopped);
+    live->resume(); // that takes more
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->training().display().latest().paused), kPatience_ms);
+    QCOMPARE(live->view().state, View::stopped);
+    QVERIFY(!live->answer(0));
+    live->rearm();
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::exploring, kPatience_ms);
+    QVERIFY(mark(*live, tests::apexPlaces(*live, site.run().seed, 0)));
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    QVERIFY(live->result()->completed);
+}
+
+void TestLiveApex::aBreakHoldsTheExercise() {
+    psychophysics::StudyDesign of = design(2);
+    of.trial.breakEvery = 1;
+    of.trial.breakAtLeast_s = 0.2;
+    of.trial.feedback = true;
+    Site site(of);
+    const auto live = site.sit();
+    const auto places = tests::apexPlaces(*live, site.run().seed, 0);
+    QVERIFY(mark(*live, places));
+    QCOMPARE(live->view().state, View::feedback);
+    QVERIFY(std::abs(*live->view().beside_m - kBeside_m) < kNear_m);
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::breakDue, kPatience_ms);
+    QTest::qWait(600);
+    live->poll();
+    QVERIFY(live->training().display().latest().phase != core::TrialPhase::running); // longer than the time between trials
+    live->breakTaken();
+    QVERIFY(mark(*live, places));
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    QVERIFY(live->result()->completed);
+}
+
+void TestLiveApex::aDeviceThatIsTooSlowIsRefused() {
+    Site site(design(1));
+    const auto kind = session::exerciseKind("sphere_apex");
+    auto request = site.request();
+    catalogue::ExerciseLevel level;
+    {
+        const auto live = site.sit();
+        level = live->level();
+        live->stop();
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    }
+    request.station = std::move(*session::scriptedStation(**kind, level, "expert", 1)); // renders force
+    request.measuredDelay_s = 0.020; // 98 N/m
+    const auto live = session::LiveSitting::start(*site.fixture.database, site.actor, std::move(request));
+    QVERIFY(!live);
+    QVERIFY2(live.error().message.find("500 N/m") != std::string::npos && live.error().message.find("98 N/m") != std::string::npos, live.error().message.c_str());
+}
+
+/// A window that sleeps for too long is told that ticks are missing, and of every event.
+void TestLiveApex::lostTicksAreSaid() {
+    const auto tap = std::make_unique<session::ApexTap>();
+    core::HapticFrame frame{};
+    while (tap->tryPush(frame)) {
+    }
+    frame.header.events = core::event_bits::kMarked;
+    QVERIFY(!tap->tryPush(frame));
+    session::ApexTick tick;
+    while (tap->ring().tryPop(tick))
+        QVERIFY(!tick.lost && tick.sample.events == 0);
+    frame.header.events = 0;
+    QVERIFY(tap->tryPush(frame) && tap->tryPush(frame));
+    QVERIFY(tap->ring().tryPop(tick));
+    QVERIFY(tick.lost && tick.sample.events == core::event_bits::kMarked);
+    QVERIFY(tap->ring().tryPop(tick));
+    QVERIFY(!tick.lost && tick.sample.events == 0);
+}
+
+QTEST_GUILESS_MAIN(TestLiveApex)
+#include "test_live_apex.moc"
