@@ -4384,6 +4384,21 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ApexStage</name>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Where is the highest point?</source>
+        <translation>Wo ist der höchste Punkt?</translation>
+    </message>
+    <message>
+        <source>Here it is (Enter)</source>
+        <translation>Hier ist er (Enter)</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AttemptsTable</name>
     <message>
         <source>My attempts</source>
@@ -5332,6 +5347,22 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     <message>
         <source>Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would tell the condition.</source>
         <translation>Mittlere Geschwindigkeit %1 mm/s, %2 Kontakte, %3 s, verspätete Takte %4. Kräfte bleiben versiegelt: Sie würden die Bedingung verraten.</translation>
+    </message>
+    <message>
+        <source>It will not count</source>
+        <translation>Zählt nicht</translation>
+    </message>
+    <message>
+        <source>The bias will be here after the first scored trials.</source>
+        <translation>Die Abweichung erscheint hier nach den ersten gewerteten Durchgängen.</translation>
+    </message>
+    <message>
+        <source>Bias so far: %1 mm to the right, %2 mm away. Mean error %3 mm an axis.</source>
+        <translation>Abweichung bisher: %1 mm nach rechts, %2 mm nach hinten. Mittlerer Fehler %3 mm je Achse.</translation>
+    </message>
+    <message>
+        <source>marks</source>
+        <translation>Markierungen</translation>
     </message>
 </context>
 <context>
@@ -8664,10 +8695,6 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <source>Answer %1</source>
         <translation>%1 beantworten</translation>
     </message>
-    <message>
-        <source>This window does not run it yet: an apex is searched for in the sphere exercise&apos;s own scene. On the command line simulated participants do it: chiron-cli study run %1 --participant CODE --observer operator:intermediate</source>
-        <translation>Dieses Fenster führt sie noch nicht durch: Ein Scheitel wird in der Szene der Kugelübung gesucht. Auf der Befehlszeile tun das simulierte Teilnehmende: chiron-cli study run %1 --participant CODE --observer operator:intermediate</translation>
-    </message>
 </context>
 <context>
     <name>chiron::desktop::Scrubber</name>
@@ -10465,18 +10492,6 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Studie</translation>
     </message>
     <message>
-        <source>Here a participant explores objects and answers.
-
-The mouse moves the tool; the wheel or PageUp and PageDown raise and lower it. T frees the pointer, a click in the scene takes it again. Answers are given by the buttons, or by the keys that stand on them.
-
-Space pauses, Esc asks whether to stop. F2 shows the experimenter&apos;s side: progress, estimate, fidelity of the last trial, and the button that spoils a trial. Every answered trial is kept; what is stopped goes on later at the same trial.</source>
-        <translation>Hier erkundet eine Person Objekte und antwortet.
-
-Die Maus bewegt das Instrument; Rad oder Bild auf und Bild ab heben und senken es. T gibt den Zeiger frei, ein Klick in die Szene nimmt ihn wieder. Geantwortet wird mit den Knöpfen oder den Tasten, die darauf stehen.
-
-Die Leertaste macht Pause, Esc fragt, ob angehalten werden soll. F2 zeigt die Seite der Versuchsleitung: Fortschritt, Schätzung, Wiedergabetreue des letzten Durchgangs und den Knopf, der einen Durchgang verwirft. Jeder beantwortete Durchgang wird behalten; Angehaltenes geht später bei demselben Durchgang weiter.</translation>
-    </message>
-    <message>
         <source>Participant %1</source>
         <translation>Person %1</translation>
     </message>
@@ -10634,6 +10649,54 @@ Die Leertaste macht Pause, Esc fragt, ob angehalten werden soll. F2 zeigt die Se
     <message>
         <source>Time to explore</source>
         <translation>Zeit zum Erkunden</translation>
+    </message>
+    <message>
+        <source>Here a participant explores objects and answers.
+
+The mouse moves the tool; the wheel or PageUp and PageDown raise and lower it. T frees the pointer, a click in the scene takes it again. Answers are given by the buttons, or by the keys that stand on them.
+
+Space pauses. Esc stops force at once; R brings it back slowly, Esc once more asks whether to stop the sitting. F2 shows the experimenter&apos;s side: progress, estimate, fidelity of the last trial, and the button that spoils a trial. Every answered trial is kept; what is stopped goes on later at the same trial.</source>
+        <translation>Hier erkundet eine Person Objekte und antwortet.
+
+Die Maus bewegt das Instrument; Rad oder Bild auf und Bild ab heben und senken es. T gibt den Zeiger frei, ein Klick in die Szene nimmt ihn wieder. Geantwortet wird mit den Knöpfen oder den Tasten, die darauf stehen.
+
+Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zurück; noch einmal Esc fragt, ob die Sitzung angehalten werden soll. F2 zeigt die Seite der Versuchsleitung: Fortschritt, Schätzung, Wiedergabetreue des letzten Durchgangs und den Knopf, der einen Durchgang verwirft. Jeder beantwortete Durchgang wird behalten; Angehaltenes geht später bei demselben Durchgang weiter.</translation>
+    </message>
+    <message>
+        <source>Stop force</source>
+        <translation>Kraft stoppen</translation>
+    </message>
+    <message>
+        <source>Re-arm force</source>
+        <translation>Kraft freigeben</translation>
+    </message>
+    <message>
+        <source>The next one is coming. Lift the tool off.</source>
+        <translation>Die nächste kommt. Heben Sie das Instrument ab.</translation>
+    </message>
+    <message>
+        <source>%1 mm beside the highest point.</source>
+        <translation>%1 mm neben dem höchsten Punkt.</translation>
+    </message>
+    <message>
+        <source>Click or press Enter where it is highest.</source>
+        <translation>Klicken Sie oder drücken Sie Enter, wo sie am höchsten ist.</translation>
+    </message>
+    <message>
+        <source>Feel for it first.</source>
+        <translation>Tasten Sie erst danach.</translation>
+    </message>
+    <message>
+        <source>The clock stands still and everything so far is kept.</source>
+        <translation>Die Uhr steht und alles Bisherige bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Force is stopped</source>
+        <translation>Kraft ist gestoppt</translation>
+    </message>
+    <message>
+        <source>Re-arm (R)</source>
+        <translation>Freigeben (R)</translation>
     </message>
 </context>
 <context>

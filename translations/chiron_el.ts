@@ -4384,6 +4384,21 @@ Recording and scores are kept; they count for nothing.</source>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ApexStage</name>
+    <message>
+        <source>Scene</source>
+        <translation>Σκηνή</translation>
+    </message>
+    <message>
+        <source>Where is the highest point?</source>
+        <translation>Πού είναι το ψηλότερο σημείο;</translation>
+    </message>
+    <message>
+        <source>Here it is (Enter)</source>
+        <translation>Εδώ είναι (Enter)</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AttemptsTable</name>
     <message>
         <source>My attempts</source>
@@ -5332,6 +5347,22 @@ Each level says whether you have passed it. Choose one to see what is measured a
     <message>
         <source>Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would tell the condition.</source>
         <translation>Μέση ταχύτητα %1 mm/s, %2 επαφές, %3 s, καθυστερημένοι κύκλοι %4. Οι δυνάμεις μένουν σφραγισμένες: θα πρόδιδαν τη συνθήκη.</translation>
+    </message>
+    <message>
+        <source>It will not count</source>
+        <translation>Δεν θα μετρήσει</translation>
+    </message>
+    <message>
+        <source>The bias will be here after the first scored trials.</source>
+        <translation>Η απόκλιση θα εμφανιστεί εδώ μετά τις πρώτες βαθμολογημένες δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Bias so far: %1 mm to the right, %2 mm away. Mean error %3 mm an axis.</source>
+        <translation>Απόκλιση ως τώρα: %1 mm δεξιά, %2 mm προς τα πίσω. Μέσο σφάλμα %3 mm ανά άξονα.</translation>
+    </message>
+    <message>
+        <source>marks</source>
+        <translation>σημειώσεις</translation>
     </message>
 </context>
 <context>
@@ -8664,10 +8695,6 @@ A run that was interrupted goes on at the trial where it stopped.</source>
         <source>Answer %1</source>
         <translation>Απάντηση: %1</translation>
     </message>
-    <message>
-        <source>This window does not run it yet: an apex is searched for in the sphere exercise&apos;s own scene. On the command line simulated participants do it: chiron-cli study run %1 --participant CODE --observer operator:intermediate</source>
-        <translation>Αυτό το παράθυρο δεν την εκτελεί ακόμη: η κορυφή αναζητείται στη σκηνή της άσκησης της σφαίρας. Στη γραμμή εντολών το κάνουν προσομοιωμένοι συμμετέχοντες: chiron-cli study run %1 --participant CODE --observer operator:intermediate</translation>
-    </message>
 </context>
 <context>
     <name>chiron::desktop::Scrubber</name>
@@ -10465,18 +10492,6 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Μελέτη</translation>
     </message>
     <message>
-        <source>Here a participant explores objects and answers.
-
-The mouse moves the tool; the wheel or PageUp and PageDown raise and lower it. T frees the pointer, a click in the scene takes it again. Answers are given by the buttons, or by the keys that stand on them.
-
-Space pauses, Esc asks whether to stop. F2 shows the experimenter&apos;s side: progress, estimate, fidelity of the last trial, and the button that spoils a trial. Every answered trial is kept; what is stopped goes on later at the same trial.</source>
-        <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.
-
-Το ποντίκι κινεί το εργαλείο· ο τροχός ή Page Up και Page Down το σηκώνουν και το κατεβάζουν. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον παίρνει ξανά. Οι απαντήσεις δίνονται με τα κουμπιά ή με τα πλήκτρα που γράφονται πάνω τους.
-
-Το Διάστημα κάνει παύση, το Esc ρωτά για διακοπή. Το F2 δείχνει την πλευρά του πειραματιστή: πρόοδο, εκτίμηση, πιστότητα της τελευταίας δοκιμής και το κουμπί που ακυρώνει μια δοκιμή. Κάθε απαντημένη δοκιμή κρατιέται· ό,τι διακόπηκε συνεχίζεται αργότερα στην ίδια δοκιμή.</translation>
-    </message>
-    <message>
         <source>Participant %1</source>
         <translation>Συμμετέχων %1</translation>
     </message>
@@ -10634,6 +10649,54 @@ Space pauses, Esc asks whether to stop. F2 shows the experimenter&apos;s side: p
     <message>
         <source>Time to explore</source>
         <translation>Χρόνος εξερεύνησης</translation>
+    </message>
+    <message>
+        <source>Here a participant explores objects and answers.
+
+The mouse moves the tool; the wheel or PageUp and PageDown raise and lower it. T frees the pointer, a click in the scene takes it again. Answers are given by the buttons, or by the keys that stand on them.
+
+Space pauses. Esc stops force at once; R brings it back slowly, Esc once more asks whether to stop the sitting. F2 shows the experimenter&apos;s side: progress, estimate, fidelity of the last trial, and the button that spoils a trial. Every answered trial is kept; what is stopped goes on later at the same trial.</source>
+        <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.
+
+Το ποντίκι κινεί το εργαλείο· ο τροχός ή Page Up και Page Down το σηκώνουν και το κατεβάζουν. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον παίρνει ξανά. Οι απαντήσεις δίνονται με τα κουμπιά ή με τα πλήκτρα που γράφονται πάνω τους.
+
+Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη, το R την επαναφέρει αργά· ένα ακόμη Esc ρωτά για διακοπή της συνεδρίας. Το F2 δείχνει την πλευρά του πειραματιστή: πρόοδο, εκτίμηση, πιστότητα της τελευταίας δοκιμής και το κουμπί που ακυρώνει μια δοκιμή. Κάθε απαντημένη δοκιμή κρατιέται· ό,τι διακόπηκε συνεχίζεται αργότερα στην ίδια δοκιμή.</translation>
+    </message>
+    <message>
+        <source>Stop force</source>
+        <translation>Στοπ δύναμης</translation>
+    </message>
+    <message>
+        <source>Re-arm force</source>
+        <translation>Ενεργοποίηση δύναμης</translation>
+    </message>
+    <message>
+        <source>The next one is coming. Lift the tool off.</source>
+        <translation>Έρχεται η επόμενη. Σηκώστε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>%1 mm beside the highest point.</source>
+        <translation>%1 mm δίπλα στο ψηλότερο σημείο.</translation>
+    </message>
+    <message>
+        <source>Click or press Enter where it is highest.</source>
+        <translation>Κάντε κλικ ή πατήστε Enter εκεί όπου είναι ψηλότερη.</translation>
+    </message>
+    <message>
+        <source>Feel for it first.</source>
+        <translation>Ψηλαφήστε την πρώτα.</translation>
+    </message>
+    <message>
+        <source>The clock stands still and everything so far is kept.</source>
+        <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται.</translation>
+    </message>
+    <message>
+        <source>Force is stopped</source>
+        <translation>Η δύναμη σταμάτησε</translation>
+    </message>
+    <message>
+        <source>Re-arm (R)</source>
+        <translation>Ενεργοποίηση (R)</translation>
     </message>
 </context>
 <context>

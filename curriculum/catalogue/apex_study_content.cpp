@@ -80,7 +80,7 @@ core::Result<Parameters> apexOf(const psychophysics::Condition& condition, const
 }
 
 ExerciseLevel apexLevel(const Parameters& parameters, const std::string& study, const std::string& condition) {
-    QJsonArray cues, metrics, shownCues{"tool", "arrow", "bars"};
+    QJsonArray cues, metrics, shownCues{"tool", "arrow"};
     for (const std::string& cue : parameters.cues) {
         cues.append(QString::fromStdString(cue));
         if (cue == "object")

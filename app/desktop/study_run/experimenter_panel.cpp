@@ -5,6 +5,7 @@
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
+#include "session_report/apex_study_plots.h"
 
 #include <cmath>
 
@@ -75,7 +76,8 @@ void ExperimenterPanel::show(const session::LiveStudyView& view, const session::
                                            : tr("%n trial(s)", nullptr, numbers.scored);
     m_progress->setText(view.practice ? tr("Practice, not scored. %1").arg(most) : tr("%1, %2 repeated").arg(most, m_locale.toString(numbers.spoiled)));
     m_pause->setText(view.state == State::paused ? tr("Resume (Space)") : tr("Pause (Space)"));
-    m_spoil->setEnabled(view.state == State::exploring || view.state == State::answering);
+    m_spoil->setEnabled(!numbers.spoiling && (view.state == State::exploring || view.state == State::answering));
+    m_spoil->setText(numbers.spoiling ? tr("It will not count") : tr("Spoil this trial"));
     const int seen = numbers.scored + numbers.spoiled + numbers.practice;
     if (seen == m_seen)
         return;
@@ -84,6 +86,8 @@ void ExperimenterPanel::show(const session::LiveStudyView& view, const session::
     takeEstimates(numbers, condition);
     if (numbers.blind)
         m_estimate->setText(tr("The estimate stays sealed until the study is unblinded."));
+    else if (numbers.apex)
+        drawApex(*numbers.apex);
     else
         draw(condition);
 }
@@ -137,6 +141,23 @@ void ExperimenterPanel::takeEstimates(const session::LiveStudyNumbers& numbers, 
             m_points[i].push_back({static_cast<double>(numbers.scored), kPercent * weber, kPercent * weberOf(first.name, first.low, condition.scale),
                                    kPercent * weberOf(first.name, first.high, condition.scale)});
     }
+}
+
+/// The marks so far: an interval of one person's would be that of nobody.
+void ExperimenterPanel::drawApex(const psychophysics::ApexSummary& apex) {
+    delete m_plot;
+    m_plot = nullptr;
+    if (apex.trials == 0) {
+        m_estimate->setText(tr("The bias will be here after the first scored trials."));
+        return;
+    }
+    const auto mm = [this](double value) { return study_words::number(value, m_locale, 2); };
+    m_estimate->setText(tr("Bias so far: %1 mm to the right, %2 mm away. Mean error %3 mm an axis.")
+                            .arg(mm(apex.axes[0].bias_mm), mm(apex.axes[1].bias_mm), mm(apex.meanAbsolute_mm)));
+    m_plot = session_report::apexMarksPlot(apex, {tr("marks")}, plotThemeOf(m_theme, m_locale)).release();
+    m_plot->setObjectName(QStringLiteral("experimenter.plot"));
+    m_plot->setMinimumHeight(m_theme.px(240));
+    m_plotHolder->addWidget(m_plot);
 }
 
 void ExperimenterPanel::draw(const psychophysics::Condition&) {

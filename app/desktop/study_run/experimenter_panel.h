@@ -2,7 +2,7 @@
 #pragma once
 
 #include "desktop/theme/theme.h"
-#include "session/study/live_study.h"
+#include "session/study/live_sitting.h"
 
 #include <QLocale>
 #include <QScrollArea>
@@ -37,6 +37,7 @@ private:
     void takeEstimates(const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition);
     void draw(const psychophysics::Condition& condition);
     QString forceText(const session::TrialFidelity& trial) const;
+    void drawApex(const psychophysics::ApexSummary& apex);
     QString fidelityText(const session::LiveStudyNumbers& numbers) const;
     QString delayText(const session::RenderingLimits& limits) const;
 

@@ -221,8 +221,7 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
         }
     line->addWidget(kit::label(theme, state, TextStyle::body, "muted"), 1);
     QVBoxLayout* cell = buttonCell(theme, *line);
-    const bool apex = looksForApex(open, label);
-    if (next && !apex) {
+    if (next) {
         auto* go = kit::button(theme, started ? tr("Go on") : tr("Begin"), "primary", QStringLiteral("media-playback-start"));
         go->setObjectName(QStringLiteral("run.begin"));
         go->setAccessibleName(tr("Begin or go on with %1").arg(name));
@@ -230,13 +229,6 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
         cell->addWidget(go, 0, Qt::AlignRight);
     }
     box.layout->addLayout(line);
-    if (next && apex) {
-        auto* note = kit::notice(theme, "info", tr("This window does not run it yet: an apex is searched for in the sphere exercise's own scene. On the command line simulated "
-                                                   "participants do it: chiron-cli study run %1 --participant CODE --observer operator:intermediate")
-                                                    .arg(QString::fromStdString(open.summary.key)));
-        note->setObjectName(QStringLiteral("run.apex"));
-        box.layout->addWidget(note);
-    }
     return box.frame;
 }
 

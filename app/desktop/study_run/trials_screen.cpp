@@ -40,8 +40,9 @@ QString TrialsScreen::title() const { return tr("Study"); }
 QString TrialsScreen::help() const {
     return tr("Here a participant explores objects and answers.\n\nThe mouse moves the tool; the wheel or PageUp and PageDown raise and lower it. "
               "T frees the pointer, a click in the scene takes it again. Answers are given by the buttons, or by the keys that stand on them.\n\n"
-              "Space pauses, Esc asks whether to stop. F2 shows the experimenter's side: progress, estimate, fidelity of the last trial, and the "
-              "button that spoils a trial. Every answered trial is kept; what is stopped goes on later at the same trial.");
+              "Space pauses. Esc stops force at once; R brings it back slowly, Esc once more asks whether to stop the sitting. F2 shows the "
+              "experimenter's side: progress, estimate, fidelity of the last trial, and the button that spoils a trial. Every answered trial is kept; "
+              "what is stopped goes on later at the same trial.");
 }
 
 void TrialsScreen::enter() {
@@ -63,7 +64,8 @@ void TrialsScreen::begin() {
     }
     request.measuredDelay_s = measuredDelay_s(context().settings(), station->devices.front()->descriptor());
     request.station = std::move(*station);
-    auto live = session::LiveStudy::start(context().site().database(), context().actor(), std::move(request));
+    request.nextStation = [] { return session::keyboardMouseStation(); };
+    auto live = session::LiveSitting::start(context().site().database(), context().actor(), std::move(request));
     if (!live) {
         fail(live.error());
         return;
@@ -86,6 +88,11 @@ void TrialsScreen::poll() {
     if (!running())
         return;
     m_live->poll();
+    if (m_live->sessions() != m_sessions) {
+        connectPointer(); // the session before took its pointer along
+        if (m_begun && m_stage->currentWidget() == m_trial)
+            capturePointer();
+    }
     const session::LiveStudyView view = m_live->view();
     if (m_begun)
         showState(view);
@@ -107,8 +114,8 @@ void TrialsScreen::onBreakButton() {
     case State::needsExperimenter:
         m_live->experimenterSays(true);
         break;
-    case State::paused:
-        m_live->resume();
+    case State::stopped:
+        m_live->rearm();
         break;
     default:
         m_live->resume();
@@ -124,13 +131,33 @@ void TrialsScreen::answer(int answer, std::optional<double> value) {
     m_answers->clear();
 }
 
+void TrialsScreen::mark() {
+    if (running() && m_apex && m_live->view().canAnswer)
+        (void)m_live->answer(0); // where none is taken any more, the trial has just ended
+}
+
 void TrialsScreen::pauseOrResume() {
-    if (!running())
-        return;
+    if (!running() || m_live->view().state == State::stopped)
+        return; // that takes R
     if (m_live->view().state == State::paused)
         onBreakButton();
     else
         m_live->pause();
+}
+
+/// While the instructions are read nothing is rendered; and who has stopped force already wants more.
+void TrialsScreen::stopForce() {
+    if (!running())
+        return;
+    if (!m_begun || m_live->view().state == State::stopped)
+        askToStop();
+    else
+        m_live->stopForce();
+}
+
+void TrialsScreen::rearm() {
+    if (running() && m_begun)
+        m_live->rearm();
 }
 
 void TrialsScreen::freePointer() {
@@ -211,7 +238,9 @@ void TrialsScreen::fail(const core::Error& error) {
 std::vector<ScreenCommand> TrialsScreen::commands() {
     return {{tr("Experimenter's view"), QKeySequence(Qt::Key_F2), [this] { toggleExperimenter(); }, !running()},
             {tr("Pause or go on"), QKeySequence(Qt::Key_Space), [this] { pauseOrResume(); }, false},
-            {tr("Stop the sitting"), QKeySequence(Qt::Key_Escape), [this] { askToStop(); }, false}};
+            {tr("Stop force"), QKeySequence(Qt::Key_Escape), [this] { stopForce(); }, false},
+            {tr("Re-arm force"), QKeySequence(Qt::Key_R), [this] { rearm(); }, false},
+            {tr("Stop the sitting"), {}, [this] { askToStop(); }, true}};
 }
 
 } // namespace chiron::desktop

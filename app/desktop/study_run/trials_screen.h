@@ -5,7 +5,7 @@
 #include "desktop/training/hand_control.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/sound_cue_player.h"
-#include "session/study/live_study.h"
+#include "session/study/live_sitting.h"
 
 #include <QTimer>
 #include <memory>
@@ -19,6 +19,7 @@ class QStackedWidget;
 namespace chiron::desktop {
 
 class AnswerPanel;
+class ApexStage;
 class BreakPanel;
 class ExperimenterPanel;
 class KeyFilter;
@@ -26,8 +27,8 @@ class PlacesView;
 class StatePanel;
 
 /// One sitting of one participant at one condition: the participant's view (no value, level or condition name) with the experimenter's
-/// beside it, when it is wanted. Each trial is stored as it is answered; leaving keeps the run, which is resumed at the trial. Place:
-/// {study, participant, condition}. GUI thread.
+/// beside it, when it is wanted: places to compare, or the scene in which an apex is looked for. Each trial is stored as it is answered;
+/// leaving keeps the run, which is resumed at the trial. Place: {study, participant, condition}. GUI thread.
 class TrialsScreen final : public Screen {
     Q_OBJECT
 public:
@@ -41,28 +42,38 @@ public:
     bool isBusy() const override { return running(); }
     std::vector<ScreenCommand> commands() override;
 
-    session::LiveStudy* live() const { return m_live.get(); } ///< null before it begins
+    session::LiveSitting* live() const { return m_live.get(); } ///< null before it begins
 
 private:
     // trials_screen_build.cpp
     QWidget* buildHead();
     QWidget* buildStage();
     void buildLive(); ///< what depends on the task, once it is known
+    void buildPlaces();
+    void buildApex();
     void buildKeys();
+    void toolKey(int key, bool down);
     void connectPointer();
+    QWidget& area();   ///< of the scene
+    QObject& source(); ///< of its mouse and keys
 
     // trials_screen_show.cpp
     void showState(const session::LiveStudyView& view);
     void showScene(const session::LiveStudyView& view);
     void showBreak(const session::LiveStudyView& view);
     QString whyNoAnswer(const session::LiveStudyView& view) const;
+    QString apexWords(const session::LiveStudyView& view) const;
+    QString stoppedText() const;
 
     // trials_screen.cpp
     void begin();
     void poll();
     void onBreakButton();
     void answer(int answer, std::optional<double> value);
+    void mark(); ///< "here it is", of an apex
     void pauseOrResume();
+    void stopForce();
+    void rearm();
     void askToStop();
     void finished();
     void fail(const core::Error& error);
@@ -79,8 +90,9 @@ private:
     QStackedWidget* m_stage = nullptr;
     BreakPanel* m_break = nullptr;
     QWidget* m_trial = nullptr;
-    PlacesView* m_places = nullptr;
-    AnswerPanel* m_answers = nullptr;
+    PlacesView* m_places = nullptr;   ///< null where an apex is looked for
+    AnswerPanel* m_answers = nullptr; ///< as m_places
+    ApexStage* m_apex = nullptr;      ///< null where places are compared
     QLabel* m_note = nullptr;
     QProgressBar* m_progress = nullptr;
     QProgressBar* m_time = nullptr;
@@ -94,7 +106,8 @@ private:
     bool m_begun = false; ///< the instructions were read
     session::LiveStudyView::State m_state = session::LiveStudyView::State::starting;
     QTimer m_frame;
-    std::unique_ptr<session::LiveStudy> m_live;
+    std::unique_ptr<session::LiveSitting> m_live;
+    int m_sessions = 0; ///< whose pointer is connected
     std::unique_ptr<HandControl> m_hand;
     std::unique_ptr<ScenePointer> m_pointer;
 };

@@ -5,6 +5,7 @@
 #include "catalogue/exercise.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/study_run/answer_panel.h"
+#include "desktop/study_run/apex_stage.h"
 #include "desktop/study_run/break_panel.h"
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/study_run/places_view.h"
@@ -110,6 +111,20 @@ QWidget* TrialsScreen::buildStage() {
 }
 
 void TrialsScreen::buildLive() {
+    m_live->condition().stimulus.attribute == psychophysics::Attribute::apex ? buildApex() : buildPlaces();
+}
+
+void TrialsScreen::buildApex() {
+    m_apex = new ApexStage(context().theme(), m_live->level(), {m_live->training().felt(), false});
+    m_apex->setObjectName(QStringLiteral("trials.apex"));
+    static_cast<QVBoxLayout*>(m_trial->layout())->addWidget(m_apex, 1);
+    connect(m_apex, &ApexStage::markAsked, this, &TrialsScreen::mark);
+}
+
+QWidget& TrialsScreen::area() { return m_apex ? m_apex->area() : *m_places; }
+QObject& TrialsScreen::source() { return m_apex ? m_apex->source() : *m_places; }
+
+void TrialsScreen::buildPlaces() {
     const Theme& theme = context().theme();
     const psychophysics::Condition& condition = m_live->condition();
     PlacesSetup setup;
@@ -138,40 +153,55 @@ void TrialsScreen::buildLive() {
 
 void TrialsScreen::buildKeys() {
     m_keys = new KeyFilter(*this);
-    connect(m_keys, &KeyFilter::stopAsked, this, &TrialsScreen::askToStop);
+    connect(m_keys, &KeyFilter::stopAsked, this, &TrialsScreen::stopForce);
     connect(m_keys, &KeyFilter::pauseAsked, this, &TrialsScreen::pauseOrResume);
+    connect(m_keys, &KeyFilter::rearmAsked, this, &TrialsScreen::rearm);
     connect(m_keys, &KeyFilter::markAsked, this, [this] {
         if (m_stage->currentWidget() == m_break)
             onBreakButton();
         else if (m_answers)
             m_answers->enterKey();
+        else
+            mark();
     });
-    connect(m_keys, &KeyFilter::toolKey, this, [this](int key, bool down) {
-        if (key == Qt::Key_F2 || key == Qt::Key_T) {
-            if (down)
-                key == Qt::Key_T ? freePointer() : toggleExperimenter();
-            return;
-        }
-        if (down && m_answers && m_answers->key(key))
-            return;
-        if (m_hand)
-            down ? m_hand->keyDown(key) : m_hand->keyUp(key);
+    connect(m_keys, &KeyFilter::leaveSceneAsked, this, [this](bool) {
+        window()->activateWindow();
+        m_stop->setFocus(Qt::TabFocusReason);
     });
+    connect(m_keys, &KeyFilter::toolKey, this, &TrialsScreen::toolKey);
+}
+
+void TrialsScreen::toolKey(int key, bool down) {
+    if (key == Qt::Key_F2 || key == Qt::Key_T) {
+        if (down)
+            key == Qt::Key_T ? freePointer() : toggleExperimenter();
+        return;
+    }
+    if (down && m_answers && m_answers->key(key))
+        return;
+    if (m_hand)
+        down ? m_hand->keyDown(key) : m_hand->keyUp(key);
 }
 
 void TrialsScreen::connectPointer() {
-    std::vector<int> keys = AnswerPanel::keys();
+    m_sessions = m_live->sessions();
+    m_pointer.reset();
+    m_hand.reset();
+    std::vector<int> keys = m_answers ? AnswerPanel::keys() : std::vector<int>();
     keys.push_back(Qt::Key_F2);
     keys.push_back(Qt::Key_T);
     if (devices::PointerMailbox* pointer = m_live->training().pointer()) {
         m_hand = std::make_unique<PointerControl>(*pointer, context().theme().scale());
         for (const int key : m_hand->keys())
             keys.push_back(key);
-        m_pointer = std::make_unique<ScenePointer>(*m_hand, *m_places, *m_places);
-        connect(m_pointer.get(), &ScenePointer::marked, this, [this] { m_hand->click(); });
+        m_pointer = std::make_unique<ScenePointer>(*m_hand, source(), area());
+        connect(m_pointer.get(), &ScenePointer::marked, this, [this] {
+            if (!m_apex || m_live->view().canAnswer) // a click that comes too early is no mark
+                m_hand->click();
+        });
         connect(m_pointer.get(), &ScenePointer::captureAsked, this, &TrialsScreen::capturePointer);
     }
-    m_keys->setScene(m_places);
+    m_keys->setScene(&source());
     m_keys->setToolKeys(keys);
     m_keys->setActive(true);
 }

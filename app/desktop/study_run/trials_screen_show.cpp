@@ -2,9 +2,13 @@
 // What a participant sees of a sitting, frame by frame: the objects, a break, why no answer is taken.
 #include "desktop/study_run/trials_screen.h"
 
+#include "desktop/frame/app_context.h"
+#include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
+#include "desktop/study_run/apex_stage.h"
 #include "desktop/study_run/break_panel.h"
 #include "desktop/study_run/places_view.h"
+#include "desktop/training/force_words.h"
 #include "desktop/training/key_filter.h"
 
 #include <QLabel>
@@ -27,7 +31,7 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
     if (scene) {
         if (m_stage->currentWidget() != m_trial) {
             m_stage->setCurrentWidget(m_trial);
-            m_places->setFocus(Qt::OtherFocusReason); // Enter answers, and presses no button that was left behind
+            area().setFocus(Qt::OtherFocusReason); // Enter answers, and presses no button that was left behind
             capturePointer();
         }
         showScene(view);
@@ -39,7 +43,7 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
     m_keys->setHeld(!scene);
     if (m_live->design().trial.maskingSound)
         m_sound.mask(m_masking && scene);
-    if (changed && view.state == State::coming)
+    if (changed && m_answers && view.state == State::coming)
         m_answers->clear();
 }
 
@@ -60,9 +64,30 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     }
 }
 
+QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
+    switch (view.state) {
+    case State::coming:
+        return tr("The next one is coming. Lift the tool off.");
+    case State::feedback:
+        return tr("%1 mm beside the highest point.").arg(study_words::number(1e3 * view.beside_m.value_or(0.0), context().locale(), 2));
+    case State::exploring:
+        return view.canAnswer ? tr("Click or press Enter where it is highest.") : tr("Feel for it first.");
+    default:
+        return whyNoAnswer(view);
+    }
+}
+
 void TrialsScreen::showScene(const session::LiveStudyView& view) {
     haptics::DisplayState state;
     m_live->training().display().read(state);
+    m_time->setVisible(view.timeLeft_s > 0.0);
+    const double most_s = m_live->design().trial.exploreLimit_s;
+    if (most_s > 0.0)
+        m_time->setValue(static_cast<int>(std::lround(100.0 * view.timeLeft_s / most_s)));
+    if (m_apex) {
+        m_apex->show(state, view.canAnswer, apexWords(view));
+        return;
+    }
     PlacesView::Now now;
     now.objects = view.state == State::exploring || view.state == State::arming;
     now.touched = view.touched;
@@ -72,10 +97,15 @@ void TrialsScreen::showScene(const session::LiveStudyView& view) {
     now.force_N = std::hypot(tissue[0], tissue[1], tissue[2]);
     m_places->show(state, now);
     m_answers->setOpen(view.canAnswer, whyNoAnswer(view));
-    m_time->setVisible(view.timeLeft_s > 0.0);
-    const double most_s = m_live->design().trial.exploreLimit_s;
-    if (most_s > 0.0)
-        m_time->setValue(static_cast<int>(std::lround(100.0 * view.timeLeft_s / most_s)));
+}
+
+/// Why the supervisor took force away, where nobody stopped it.
+QString TrialsScreen::stoppedText() const {
+    const haptics::DisplayState& state = m_live->training().display().latest();
+    const QString kept = tr("The clock stands still and everything so far is kept.");
+    if (state.force != core::ForceState::fault)
+        return kept;
+    return forceWords(state, {}, context().locale()).title + QLatin1Char('\n') + kept;
 }
 
 void TrialsScreen::showBreak(const session::LiveStudyView& view) {
@@ -91,6 +121,9 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         break;
     case State::needsExperimenter:
         m_break->say(tr("Please ask the experimenter"), tr("The last trial could not be shown well enough, several times."), tr("Go on"));
+        break;
+    case State::stopped:
+        m_break->say(tr("Force is stopped"), stoppedText(), tr("Re-arm (R)"));
         break;
     case State::paused:
         m_break->say(tr("Paused"), tr("Everything so far is kept."), tr("Go on"));

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+#include "desktop/scene3d/scene_view.h"
+#include "desktop/theme/theme.h"
+#include "haptics/display_state.h"
+#include "session/level_cues.h"
+
+#include <QWidget>
+#include <memory>
+
+class QLabel;
+class QPushButton;
+
+namespace chiron::desktop {
+
+/// Where a participant looks for an apex: the exercise's own scene, with as much in it as the study lets be seen. Where the sphere is hidden
+/// and nothing is felt, the tool is drawn where the hand is, never at the surface, and force as the exercise's hidden levels show it.
+/// GUI thread.
+class ApexStage final : public QWidget {
+    Q_OBJECT
+public:
+    struct Look {
+        bool felt = true; ///< the device renders force
+        bool leftHanded = false;
+    };
+    ApexStage(const Theme& theme, const catalogue::ExerciseLevel& level, const Look& look, QWidget* parent = nullptr);
+    ~ApexStage() override;
+
+    QWidget& area() { return *m_scene->widget(); }
+    QObject& source() { return *m_scene->inputSource(); }
+    /// `canMark`: a mark is taken now; `words`: what is missing, or what to do.
+    void show(const haptics::DisplayState& state, bool canMark, const QString& words);
+    const scene3d::SceneState& drawn() const { return m_drawn; } ///< the last state that was drawn
+
+signals:
+    void markAsked();
+
+private:
+    QWidget* buildFoot(const Theme& theme);
+
+    session::LevelCues m_cues;
+    std::unique_ptr<scene3d::ISceneView> m_scene;
+    scene3d::SceneState m_drawn;
+    std::int64_t m_start_ns = 0;
+    QPushButton* m_mark = nullptr;
+    QLabel* m_words = nullptr;
+};
+
+} // namespace chiron::desktop
