@@ -42,13 +42,6 @@ QString conditionName(const OpenStudy& study, const std::string& label, const QS
     return QString::fromStdString(label);
 }
 
-bool looksForApex(const OpenStudy& study, const std::string& label) {
-    for (const psychophysics::Condition& each : study.design.conditions)
-        if (study.blind() || each.id == label)
-            return each.stimulus.attribute == psychophysics::Attribute::apex;
-    return false;
-}
-
 std::vector<std::string> conditionLabels(const OpenStudy& study) {
     std::vector<std::string> labels;
     if (study.blind())

@@ -70,8 +70,6 @@ core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::Study
 
 /// What a condition is called on an experimenter's screen: its title, or its sealed code. `label`: session::labelOf.
 QString conditionName(const OpenStudy& study, const std::string& label, const QString& language);
-/// Whether an apex is looked for in the condition of this label; known while blind, too: in all of them or in none.
-bool looksForApex(const OpenStudy& study, const std::string& label);
 /// Labels of the conditions as their analysis lists them: the design's order, while blind by code.
 std::vector<std::string> conditionLabels(const OpenStudy& study);
 

@@ -67,7 +67,9 @@ private:
     session::OpenedStudy opened() { return *session::openStudy(m_site->database(), m_site->context.actor(), m_study, m_participant.code); }
     std::vector<database::StudyTrial> stored() {
         const auto runs = opened().runs;
-        return runs.empty() ? std::vector<database::StudyTrial>() : *session::trialsOf(m_site->database(), m_site->context.actor(), runs.front().id);
+        auto connection = m_site->database().openReader();
+        return runs.empty() ? std::vector<database::StudyTrial>()
+                            : *database::StudyReader(**connection, m_site->context.actor()).studyTrials(runs.front().id);
     }
     void keep(const char* name) {
         if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty()) {
