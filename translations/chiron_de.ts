@@ -5773,6 +5773,10 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <source>%1 (%2 repeated)</source>
         <translation>%1 (%2 wiederholt)</translation>
     </message>
+    <message>
+        <source>too few people to say what a further one would show</source>
+        <translation>zu wenige Personen, um zu sagen, was eine weitere zeigen würde</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::HeaderBar</name>

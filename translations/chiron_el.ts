@@ -5773,6 +5773,10 @@ Press again to end the trial without it.</source>
         <source>%1 (%2 repeated)</source>
         <translation>%1 (%2 επαναλήφθηκαν)</translation>
     </message>
+    <message>
+        <source>too few people to say what a further one would show</source>
+        <translation>πολύ λίγοι συμμετέχοντες για να πούμε τι θα έδειχνε ένας επιπλέον</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::HeaderBar</name>

@@ -20,6 +20,7 @@ enum Column { codeColumn, weberColumn, intervalColumn, jndColumn, trialsColumn, 
 constexpr int kMostRows = 14;
 constexpr int kFewestRows = 3;
 constexpr double kPercent = 100.0;
+constexpr double kUnknownFactor = 50.0; // between the ends of an interval that says nothing
 } // namespace
 
 GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condition, QWidget* parent)
@@ -76,7 +77,9 @@ QWidget* GroupPage::groupBox() {
     QStringList words{tr("Weber fraction of %n participant(s), as random effects", nullptr, group.participants)};
     if (!interval.isEmpty())
         words << tr("95 %: %1").arg(interval);
-    if (!next.isEmpty())
+    if (group.prediction95.high > kUnknownFactor * group.prediction95.low) // of three people it may reach from nothing to 5,000 %
+        words << tr("too few people to say what a further one would show");
+    else if (!next.isEmpty())
         words << tr("a further participant: %1").arg(next);
     const auto& designed = m_facts.designed[m_condition];
     if (!m_facts.study.blind() && designed && std::isfinite(group.jnd))
