@@ -50,13 +50,22 @@ std::vector<Point> risingProportions(const std::vector<RecordedTrial>& log) {
     return points;
 }
 
-/// Where rising points cross a proportion, between the two around it; not a number where they never do.
+/// Where rising points cross a proportion, between the two around it; the middle of a stretch that lies on it, as it would be from the other
+/// side; not a number where they never do.
 double crossing(const std::vector<Point>& points, double proportion) {
-    for (std::size_t i = 1; i < points.size(); ++i)
+    const auto between = [&](std::size_t i) {
+        return points[i - 1].x + (points[i].x - points[i - 1].x) * (proportion - points[i - 1].proportion) / (points[i].proportion - points[i - 1].proportion);
+    };
+    double reached = kNan, left = kNan;
+    for (std::size_t i = 1; i < points.size(); ++i) {
         if (points[i - 1].proportion < proportion && points[i].proportion >= proportion)
-            return points[i - 1].x + (points[i].x - points[i - 1].x) * (proportion - points[i - 1].proportion) /
-                                         (points[i].proportion - points[i - 1].proportion);
-    return kNan;
+            reached = between(i);
+        if (points[i - 1].proportion <= proportion && points[i].proportion > proportion)
+            left = between(i);
+    }
+    if (std::isnan(reached) || std::isnan(left))
+        return std::isnan(reached) ? left : reached;
+    return 0.5 * (reached + left);
 }
 
 } // namespace

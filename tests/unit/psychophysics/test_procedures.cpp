@@ -70,6 +70,7 @@ private slots:
     void descendingSaysItsBias();
     void questStaysInRange();
     void logStepsComeBackFromTheEnd();
+    void pseInTheMiddleOfAPlateau();
 };
 
 void TestProcedures::undoLeavesNoTrace() {
@@ -160,6 +161,20 @@ void TestProcedures::descendingSaysItsBias() {
     QVERIFY(procedure->estimate().method.find("overestimates") != std::string::npos);
     QVERIFY(procedure->id().find("legacy") != std::string_view::npos);
     QVERIFY(!procedure->record(1, {0.2}));
+}
+
+/// Half of the answers at two levels: the point of equality lies between them, whichever way round the axis goes.
+void TestProcedures::pseInTheMiddleOfAPlateau() {
+    auto run = *makeProcedure(ConstantSpec{{1.0, 2.0, 3.0, 4.0}, 4, false}, 1);
+    const int right[] = {0, 2, 2, 4};
+    for (int block = 0; block < 4; ++block)
+        for (const int most : right)
+            QVERIFY(run->record(block < most ? 1 : 0, run->next().stimulus));
+    double pse = 0.0;
+    for (const auto& parameter : run->estimate().parameters)
+        if (parameter.name == "pse")
+            pse = parameter.mean;
+    QCOMPARE(pse, 2.5);
 }
 
 /// Down for thousands of trials and up again: never 0, never infinite.
