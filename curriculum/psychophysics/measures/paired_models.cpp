@@ -165,6 +165,15 @@ private:
     Matrix m_wins; ///< [winner][loser]
 };
 
+/// The covariance applied to a gradient.
+std::vector<double> newtonStep(const Matrix& covariance, const std::vector<double>& gradient) {
+    std::vector<double> step(gradient.size(), 0.0);
+    for (std::size_t i = 0; i < step.size(); ++i)
+        for (std::size_t j = 0; j < step.size(); ++j)
+            step[i] += covariance[i][j] * gradient[j];
+    return step;
+}
+
 /// Newton's method: ln Φ is concave, so there is one maximum and a step that is halved where it does not rise gets there.
 Maximum climb(const ProbitPairs& pairs, std::vector<double> start) {
     constexpr int kMostSteps = 100;
@@ -179,13 +188,10 @@ Maximum climb(const ProbitPairs& pairs, std::vector<double> start) {
         best.covariance = inverseOf(information);
         if (best.covariance.empty())
             return best;
-        std::vector<double> step(gradient.size(), 0.0);
+        const std::vector<double> step = newtonStep(best.covariance, gradient);
         double longest = 0.0;
-        for (std::size_t i = 0; i < step.size(); ++i) {
-            for (std::size_t j = 0; j < step.size(); ++j)
-                step[i] += best.covariance[i][j] * gradient[j];
-            longest = std::max(longest, std::abs(step[i]));
-        }
+        for (const double each : step)
+            longest = std::max(longest, std::abs(each));
         best.found = longest < kSettled;
         for (double share = std::min(1.0, 2.0 / std::max(longest, 1e-300)); !best.found; share *= 0.5) {
             std::vector<double> at = best.at;

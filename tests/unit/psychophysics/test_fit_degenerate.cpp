@@ -70,8 +70,6 @@ private slots:
     void thresholdMovesWithTheAxis();
     void splitBlocksAreOneLevel();
     void manyTrials();
-    void aStepLiesBetweenItsLevels();
-    void guessReachesAHalf();
     void zeroOnALogarithmicAxis();
     void everyTrialAtAPlaceOfItsOwn();
     void bootstrapOfDegenerateData();
@@ -207,27 +205,6 @@ void TestFitDegenerate::splitBlocksAreOneLevel() {
     const FitResult c = fitBayesian(kUsual, twoChoices()), d = fitBayesian(trials, twoChoices());
     QCOMPARE(d.threshold, c.threshold);
     QCOMPARE(d.ci.width.high, c.ci.width.high);
-}
-
-/// A step between two intensities is put between them, whichever end is which.
-void TestFitDegenerate::aStepLiesBetweenItsLevels() {
-    FitOptions options = twoChoices();
-    for (const double low : {0.0, 5.0, 50.0}) {
-        options.guess = Asymptote::fixedAt(low / 100.0);
-        const PsychometricData step{{1, 2, 3, 4}, {low, low, 100, 100}, {100, 100, 100, 100}};
-        const FitResult fit = fitMaximumLikelihood(step, options);
-        QVERIFY2(std::abs(fit.threshold - 2.5) < 0.1, qPrintable(QString::number(fit.threshold)));
-    }
-}
-
-/// Free, the guess rate is at least as likely as fixed at a half.
-void TestFitDegenerate::guessReachesAHalf() {
-    const PsychometricData data{{1, 2, 3, 4, 5}, {52, 50, 60, 80, 98}, {100, 100, 100, 100, 100}};
-    FitOptions fixed = twoChoices(), free = twoChoices();
-    fixed.guess = Asymptote::fixedAt(0.5);
-    free.guess = Asymptote::fitted();
-    fixed.lapse = free.lapse = Asymptote::fitted();
-    QVERIFY(fitMaximumLikelihood(data, free).logLikelihood > fitMaximumLikelihood(data, fixed).logLikelihood - 1e-6);
 }
 
 void TestFitDegenerate::manyTrials() {

@@ -33,6 +33,8 @@ private slots:
     void equalAsymptotes();
     void conditionsCompared();
     void curveHasABand();
+    void aStepLiesBetweenItsLevels();
+    void guessReachesAHalf();
 };
 
 void TestFitFunctions::sigmoidsAndTheirDerivatives() {
@@ -208,6 +210,27 @@ void TestFitFunctions::curveHasABand() {
     const FitInterval drawn = intervalOf(fit, [](const CurveParameters& at) { return at.threshold; });
     QVERIFY(close(drawn.low, fit.ci.threshold.low, 0.15 * fit.error.threshold * 2.0));
     QVERIFY(close(drawn.high, fit.ci.threshold.high, 0.15 * fit.error.threshold * 2.0));
+}
+
+/// A step between two intensities is put between them, whichever end is which.
+void TestFitFunctions::aStepLiesBetweenItsLevels() {
+    FitOptions options;
+    for (const double low : {0.0, 5.0, 50.0}) {
+        options.guess = Asymptote::fixedAt(low / 100.0);
+        const PsychometricData step{{1, 2, 3, 4}, {low, low, 100, 100}, {100, 100, 100, 100}};
+        const FitResult fit = fitMaximumLikelihood(step, options);
+        QVERIFY2(std::abs(fit.threshold - 2.5) < 0.1, qPrintable(QString::number(fit.threshold)));
+    }
+}
+
+/// Free, the guess rate is at least as likely as fixed at a half.
+void TestFitFunctions::guessReachesAHalf() {
+    const PsychometricData data{{1, 2, 3, 4, 5}, {52, 50, 60, 80, 98}, {100, 100, 100, 100, 100}};
+    FitOptions fixed, free;
+    fixed.guess = Asymptote::fixedAt(0.5);
+    free.guess = Asymptote::fitted();
+    fixed.lapse = free.lapse = Asymptote::fitted();
+    QVERIFY(fitMaximumLikelihood(data, free).logLikelihood > fitMaximumLikelihood(data, fixed).logLikelihood - 1e-6);
 }
 
 QTEST_GUILESS_MAIN(TestFitFunctions)

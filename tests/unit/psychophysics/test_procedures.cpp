@@ -102,6 +102,13 @@ void TestProcedures::refusals() {
     QuestPlusSpec unknown = weibull();
     unknown.function = "sine";
     QVERIFY(!makeProcedure(unknown, 1));
+    QuestPlusSpec falling;
+    falling.function = "norm_cdf";
+    falling.stimuli = {{"intensity", {0.0, 1.0}}};
+    falling.parameters = {{"mean", {0.5}, {}, false}, {"sd", {-1.0, 1.0}, {}, false}, {"lower_asymptote", {0.5}, {}, false}, {"lapse_rate", {0.0}, {}, false}};
+    falling.stop = {.trials = 5};
+    const auto negative = makeProcedure(falling, 1);
+    QVERIFY(!negative && negative.error().message.find("sd: expected values above 0") != std::string::npos);
 }
 
 void TestProcedures::spoiledConstantComesLater() {
