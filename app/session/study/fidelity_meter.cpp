@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kLate_ns = 0.5e6;          ///< a tick that comes so much after its time is late
 constexpr double kSliding_m_per_s = 0.010;
-constexpr double kSlid_m = 0.002; ///< since the last turn: what stuck has come along
+constexpr double kDragging_m_per_s = 0.020; ///< slower, a hand's tremor turns the way
+constexpr double kTrail = 1.5, kTrail_m = 0.0005; ///< so many times as long as the bristle, and so much longer, is its trail
 constexpr double kTaut_m = 0.0005;
 constexpr double kAir_m = 0.002;            ///< an object lifted by more lies on nothing
 constexpr double kShortest_s = 0.005, kLongest_s = 5.0;
@@ -24,7 +25,7 @@ double norm(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]
 
 /// Attributes whose fit is exact enough to be a limit.
 bool limited(ComparedAttribute attribute) {
-    return attribute == ComparedAttribute::stiffness || attribute == ComparedAttribute::mass || attribute == ComparedAttribute::viscosity;
+    return attribute != ComparedAttribute::roughness && attribute != ComparedAttribute::deformation;
 }
 
 } // namespace
@@ -105,6 +106,7 @@ void FidelityMeter::addContact(Place& place, const FidelitySample& sample, const
     if (!place.touching) {
         place.touching = true;
         place.contactPeak_N = 0.0;
+        place.trail = {};
         ++place.contacts;
     }
     ++place.ticks;
@@ -120,13 +122,15 @@ void FidelityMeter::addContact(Place& place, const FidelitySample& sample, const
     fit(place, sample, force);
 }
 
+double FidelityMeter::trailLength_m(std::size_t place, double pressed_N) const {
+    const double mu = place <= m_asked.size() ? std::max(0.0, m_asked[place - 1]) : 0.0;
+    return kTrail_m + kTrail * mu * std::max(0.0, pressed_N) / std::max(1.0, m_parameters.object.bristleStiffness_N_per_m);
+}
+
 void FidelityMeter::fit(Place& place, const FidelitySample& sample, const std::array<double, 3>& f) {
     const auto& v = sample.velocity_m_per_s;
     const double speed = std::hypot(v[0], v[1]);
     const double along = speed > 0.0 ? -(f[0] * v[0] + f[1] * v[1]) / speed : 0.0;
-    const bool goesOn = v[0] * place.way[0] + v[1] * place.way[1] > 0.0;
-    place.slid_m = goesOn ? place.slid_m + speed * core::kTickSeconds : 0.0;
-    place.way = {v[0], v[1]};
     switch (m_parameters.attribute) {
     case ComparedAttribute::stiffness:
         if (sample.displacement_m > kTaut_m)
@@ -141,8 +145,9 @@ void FidelityMeter::fit(Place& place, const FidelitySample& sample, const std::a
             place.line.add({sample.depth_m, 1.0, v[2]}, f[2]);
         break;
     case ComparedAttribute::friction:
-        if (place.slid_m > kSlid_m)
-            place.line.add({f[2], 0.0, 0.0}, along); // pressed evenly, a speed of its own would take part of μ
+        place.trail.drag(v[0] * core::kTickSeconds, v[1] * core::kTickSeconds, trailLength_m(sample.place, f[2]));
+        if (place.trail.taut() && speed > kDragging_m_per_s)
+            place.line.add({f[2], 0.0, 0.0}, place.trail.against(f[0], f[1])); // pressed evenly, a speed of its own would take part of μ
         break;
     case ComparedAttribute::viscosity:
         if (speed > kSliding_m_per_s && sample.depth_m > 0.0005)

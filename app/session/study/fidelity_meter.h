@@ -4,6 +4,7 @@
 #include "core/least_squares.h"
 #include "psychophysics/study/study_design.h"
 #include "session/study/fidelity_sample.h"
+#include "session/study/sliding_trail.h"
 #include "session/study/trial_fidelity.h"
 #include "simulation/exercises/comparison/comparison_parameters.h"
 
@@ -20,7 +21,7 @@ namespace chiron::session {
 ///   roughness    rms of f_z = k d + c + b v_z while sliding, over the fixed k     → rms height
 ///   friction     −f_t·v̂ = μ f_z while sliding                                 → μ
 ///   viscosity    −f_t·v = b v² + c |v|                                        → b
-/// Only of stiffness, mass and viscosity is `stiffnessError` a limit, and of friction it is told: those of a short stroke over a random surface,
+/// Of stiffness, mass, viscosity and friction `stiffnessError` is a limit: those of a short stroke over a random surface,
 /// and of a time constant, scatter by more than any sensible limit. Not for the haptic thread. Source: psychophysics.md §3.2; the
 /// regressions are our choice.
 class FidelityMeter {
@@ -45,11 +46,11 @@ private:
         std::uint64_t ticks = 0;
         double peak_N = 0.0, sumSpeed = 0.0, contactPeak_N = 0.0, sumTerminal_N = 0.0;
         bool touching = false;
-        double slid_m = 0.0; ///< since the last turn
-        std::array<double, 2> way{};
+        SlidingTrail trail;
     };
     void noticeChange(std::size_t place, const FidelitySample& sample);
     void addContact(Place& place, const FidelitySample& sample, const std::array<double, 3>& force);
+    double trailLength_m(std::size_t place, double pressed_N) const; ///< `place` from 1
     void fit(Place& place, const FidelitySample& sample, const std::array<double, 3>& force);
     PlaceFidelity summary(std::size_t index) const;
     std::string outsideOf(const TrialFidelity& fidelity) const;

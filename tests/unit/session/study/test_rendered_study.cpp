@@ -2,6 +2,9 @@
 #include "session/study/rendered_run.h"
 #include "support/study_designs.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QtTest>
 
 #include <algorithm>
@@ -25,6 +28,17 @@ session::RenderedRunRequest requestOf(std::uint64_t seed, ComparisonControl cont
 
 int spoiledBy(const session::RenderedRun& run, const std::string& word) {
     return static_cast<int>(std::count_if(run.trials.begin(), run.trials.end(), [&](const auto& t) { return t.spoiled == word; }));
+}
+
+/// Largest relative error of any place of any trial; 1 where one has no number.
+double worst(const session::RenderedRun& run, const char* key) {
+    double off = 0.0;
+    for (const auto& trial : run.trials)
+        for (const QJsonValue& each : QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object()["places"].toArray()) {
+            const QJsonObject place = each.toObject();
+            off = std::max(off, place[key].isDouble() ? std::abs(place[key].toDouble() / place["asked"].toDouble() - 1.0) : 1.0);
+        }
+    return off;
 }
 
 } // namespace
@@ -51,6 +65,24 @@ private slots:
             QVERIFY(std::abs(std::log10(run->estimate.sigma_log10 / sigma)) < 0.25);
         }
         QVERIFY(inside >= 2);
+    }
+    /// What the meter says of each place of the widest table is what was asked for, and it notices what is not.
+    void frictionIsRenderedAsAsked() {
+        const auto design = testing::rank3Study(Attribute::friction);
+        for (const auto control : {ComparisonControl::none, ComparisonControl::swapped}) {
+            session::RenderedRunRequest request = requestOf(1, control);
+            request.design = design;
+            auto& procedure = std::get<psychophysics::Rank3Spec>(request.design.conditions.front().procedures.front());
+            procedure.differences = request.design.conditions.front().stimulus.differences = {0.1, 0.3}; // up to μ = 1
+            request.trialsAtMost = 8;
+            const auto run = session::runRendered(request);
+            QVERIFY(run);
+            if (control == ComparisonControl::none) {
+                QCOMPARE(spoiledBy(*run, "stiffness_error"), 0);
+                QVERIFY2(worst(*run, "rendered") < 0.05, qPrintable(QString::number(worst(*run, "rendered"))));
+            } else
+                QVERIFY(spoiledBy(*run, "stiffness_error") == static_cast<int>(run->trials.size()));
+        }
     }
     void sameSeedSameRun() {
         auto request = requestOf(4);

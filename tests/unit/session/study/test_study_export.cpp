@@ -7,6 +7,7 @@
 #include "session/study/fidelity_meter.h"
 #include "session/study/study_runner.h"
 #include "session/study_export.h"
+#include "simulation/attributes/bristle_friction.h"
 #include "support/session_fixture.h"
 #include "support/study_designs.h"
 
@@ -107,6 +108,31 @@ session::TrialFidelity stroked(simulation::ComparedAttribute attribute, double a
     return meter.finish();
 }
 
+/// Three seconds of strokes, 2.4 a second, pressed with 1.75 N, on a surface of friction μ.
+session::PlaceFidelity strokedThere(double mu, double swing_m) {
+    simulation::ComparisonParameters parameters;
+    parameters.attribute = simulation::ComparedAttribute::friction;
+    parameters.places = 1;
+    session::FidelityMeter meter(parameters, {}, false);
+    meter.begin({mu});
+    simulation::BristleFriction bristle;
+    session::FidelitySample sample;
+    sample.phase = core::TrialPhase::running;
+    sample.full = true;
+    sample.place = 1;
+    core::Vec3 at = core::Vec3::Zero();
+    for (int i = 0; i < 3000; ++i) {
+        const double t_s = i * 1e-3;
+        sample.now_ns = (i + 1) * std::int64_t{1'000'000};
+        sample.velocity_m_per_s = {0.004 * std::cos(62.0 * t_s), swing_m * 15.0 * std::sin(15.0 * t_s), 0.0};
+        at += 1e-3 * core::Vec3(sample.velocity_m_per_s[0], sample.velocity_m_per_s[1], 0.0);
+        const core::Vec3 held = bristle.update(at, core::Vec3::UnitZ(), 1.75, mu, parameters.object.bristleStiffness_N_per_m);
+        sample.commanded_N = {held.x(), held.y(), 1.75};
+        meter.add(sample);
+    }
+    return meter.finish().places.front();
+}
+
 } // namespace
 
 class TestStudyExport : public QObject {
@@ -164,11 +190,21 @@ private slots:
         for (const auto attribute : {ComparedAttribute::roughness, ComparedAttribute::deformation})
             QVERIFY(std::isnan(stroked(attribute, 0.1, true).stiffnessError));
     }
-    /// Friction that is rendered at half of what was asked for is told, though it is no limit.
-    void frictionIsToldAndNoLimit() {
+    /// Friction that is rendered at half of what was asked for is told, and is a limit.
+    void frictionIsALimit() {
         const session::TrialFidelity half = stroked(simulation::ComparedAttribute::friction, 0.2, false);
         QVERIFY2(std::abs(half.stiffnessError - 0.5) < 1e-6, qPrintable(QString::number(half.stiffnessError)));
-        QCOMPARE(half.outside, std::string());
+        QCOMPARE(half.outside, std::string("stiffness_error"));
+    }
+    /// A hand that trembles across its strokes never quite stands where it turns; what it drags along takes 2 μ f_n/σ₀ to come after.
+    void frictionIsThatOfFullSliding() {
+        for (const double mu : {0.05, 0.25, 0.61, 1.0})
+            for (const double swing_m : {0.004, 0.007}) {
+                const session::PlaceFidelity place = strokedThere(mu, swing_m);
+                const QByteArray what = QByteArray::number(mu) + " over " + QByteArray::number(swing_m) + ": " + QByteArray::number(place.rendered);
+                QVERIFY2(std::abs(place.rendered / mu - 1.0) < 0.02 && place.standardError < 0.01 * mu, what.constData());
+            }
+        QVERIFY(std::isnan(strokedThere(1.0, 0.001).rendered)); // never slides in full: no number instead of a wrong one
     }
     /// Of the whole trial, as the limit is: half of it slid at 50 mm/s, half at rest.
     void meanSpeedIsOfTheWholeTrial() {
