@@ -3233,10 +3233,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Pages L</translation>
     </message>
     <message>
-        <source>Right: whole orders (guessing gives 1 in 6). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. L: trend towards the true order. Of a person each ranking is one judgement, of the group each person&apos;s mean ranks.</source>
-        <translation>Richtig: ganze Rangfolgen (Raten ergibt 1 von 6). τ: Ähnlichkeit mit der wahren Rangfolge, 1 gleich, 0 kein Zusammenhang. W: Übereinstimmung, 0 keine, 1 völlig. L: Trend zur wahren Rangfolge. Bei einer Person ist jede Rangfolge ein Urteil, bei der Gruppe sind es die mittleren Ränge jeder Person.</translation>
-    </message>
-    <message>
         <source>No worth of an object is finite: some object was always, or never, ranked above the others.</source>
         <translation>Kein Wert eines Objekts ist endlich: Ein Objekt stand immer oder nie über den anderen.</translation>
     </message>
@@ -3481,6 +3477,18 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Errors of the marks</source>
         <translation>Fehler der Markierungen</translation>
+    </message>
+    <message>
+        <source>Right: whole orders (guessing gives 1 in 6, with ties fewer). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. L: trend towards the true order. Of a person each ranking is one judgement, of the group each person&apos;s mean ranks.</source>
+        <translation>Richtig: ganze Rangfolgen (Raten ergibt 1 von 6, mit Gleichständen weniger). τ: Ähnlichkeit mit der wahren Rangfolge, 1 gleich, 0 kein Zusammenhang. W: Übereinstimmung, 0 keine, 1 völlig. L: Trend zur wahren Rangfolge. Bei einer Person ist jede Rangfolge ein Urteil, bei der Gruppe sind es die mittleren Ränge jeder Person.</translation>
+    </message>
+    <message>
+        <source>Bradley-Terry, ties by Davidson</source>
+        <translation>Bradley-Terry, Gleichstände nach Davidson</translation>
+    </message>
+    <message>
+        <source>Ranking of three, with ties</source>
+        <translation>Rangfolge von dreien, mit Gleichständen</translation>
     </message>
 </context>
 <context>
@@ -3832,6 +3840,18 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Sealed reason</source>
         <translation>Versiegelter Grund</translation>
+    </message>
+    <message>
+        <source>Ranking of three, with ties</source>
+        <translation>Rangfolge von dreien, mit Gleichständen</translation>
+    </message>
+    <message>
+        <source>Three objects that differ in equal steps are put in order; those that feel the same may be called equal.</source>
+        <translation>Drei Objekte, die sich in gleichen Schritten unterscheiden, werden geordnet; was sich gleich anfühlt, darf gleich genannt werden.</translation>
+    </message>
+    <message>
+        <source>Put the three in order; the one that is %1 comes last. What feels the same may be called equal.</source>
+        <translation>Ordnen Sie die drei; was %1 ist, kommt zuletzt. Was sich gleich anfühlt, darf gleich genannt werden.</translation>
     </message>
 </context>
 <context>
@@ -4284,6 +4304,10 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     <message>
         <source>A number above nothing, please.</source>
         <translation>Bitte eine Zahl über null.</translation>
+    </message>
+    <message>
+        <source>Equal to the last (=)</source>
+        <translation>Gleich wie das letzte (=)</translation>
     </message>
 </context>
 <context>
@@ -7079,6 +7103,10 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <source>criterion</source>
         <translation>Kriterium</translation>
     </message>
+    <message>
+        <source>Called equal below, in σ</source>
+        <translation>Gleich genannt unter, in σ</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlacesView</name>
@@ -7572,6 +7600,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <source>true value</source>
         <translation>wahrer Wert</translation>
     </message>
+    <message>
+        <source>They call equal, below (in σ)</source>
+        <translation>Gleich genannt wird unter (in σ)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProcedureForm</name>
@@ -7766,6 +7798,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>Stop at precision, SD (0: no)</source>
         <translation>Ende bei Genauigkeit, SD (0: nein)</translation>
+    </message>
+    <message>
+        <source>Grid of ties (in σ)</source>
+        <translation>Raster der Gleichstände (in σ)</translation>
     </message>
 </context>
 <context>
@@ -8172,6 +8208,21 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
     <message>
         <source>not estimable</source>
         <translation>nicht schätzbar</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n ranking(s) something was called equal.</source>
+        <translation>
+            <numerusform>In %n Rangfolge wurde etwas gleich genannt.</numerusform>
+            <numerusform>In %n Rangfolgen wurde etwas gleich genannt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2; guessing gives 16.7 % or less.</source>
+        <translation>%1 von %2; Raten ergibt 16,7 % oder weniger.</translation>
+    </message>
+    <message>
+        <source>Bradley-Terry, ties by Davidson</source>
+        <translation>Bradley-Terry, Gleichstände nach Davidson</translation>
     </message>
 </context>
 <context>

@@ -3233,10 +3233,6 @@ Do you want to replace it?</source>
         <translation>L του Page</translation>
     </message>
     <message>
-        <source>Right: whole orders (guessing gives 1 in 6). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. L: trend towards the true order. Of a person each ranking is one judgement, of the group each person&apos;s mean ranks.</source>
-        <translation>Σωστές: ολόκληρες κατατάξεις (στην τύχη 1 στις 6). τ: ομοιότητα με την πραγματική σειρά, 1 ίδια, 0 καμία σχέση. W: συμφωνία, 0 καμία, 1 πλήρης. L: τάση προς την πραγματική σειρά. Για ένα άτομο κάθε κατάταξη είναι μία κρίση, για την ομάδα οι μέσες θέσεις κάθε ατόμου.</translation>
-    </message>
-    <message>
         <source>No worth of an object is finite: some object was always, or never, ranked above the others.</source>
         <translation>Καμία αξία αντικειμένου δεν είναι πεπερασμένη: κάποιο αντικείμενο ήταν πάντα, ή ποτέ, πάνω από τα άλλα.</translation>
     </message>
@@ -3481,6 +3477,18 @@ Do you want to replace it?</source>
     <message>
         <source>Errors of the marks</source>
         <translation>Σφάλματα των σημαδιών</translation>
+    </message>
+    <message>
+        <source>Right: whole orders (guessing gives 1 in 6, with ties fewer). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. L: trend towards the true order. Of a person each ranking is one judgement, of the group each person&apos;s mean ranks.</source>
+        <translation>Σωστές: ολόκληρες κατατάξεις (στην τύχη 1 στις 6, με ισοβαθμίες λιγότερες). τ: ομοιότητα με την πραγματική σειρά, 1 ίδια, 0 καμία σχέση. W: συμφωνία, 0 καμία, 1 πλήρης. L: τάση προς την πραγματική σειρά. Για ένα άτομο κάθε κατάταξη είναι μία κρίση, για την ομάδα οι μέσες θέσεις κάθε ατόμου.</translation>
+    </message>
+    <message>
+        <source>Bradley-Terry, ties by Davidson</source>
+        <translation>Bradley-Terry, ισοβαθμίες κατά Davidson</translation>
+    </message>
+    <message>
+        <source>Ranking of three, with ties</source>
+        <translation>Κατάταξη τριών, με ισοβαθμίες</translation>
     </message>
 </context>
 <context>
@@ -3832,6 +3840,18 @@ Do you want to replace it?</source>
     <message>
         <source>Sealed reason</source>
         <translation>Σφραγισμένη αιτία</translation>
+    </message>
+    <message>
+        <source>Ranking of three, with ties</source>
+        <translation>Κατάταξη τριών, με ισοβαθμίες</translation>
+    </message>
+    <message>
+        <source>Three objects that differ in equal steps are put in order; those that feel the same may be called equal.</source>
+        <translation>Τρία αντικείμενα που διαφέρουν κατά ίσα βήματα μπαίνουν σε σειρά· όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
+    </message>
+    <message>
+        <source>Put the three in order; the one that is %1 comes last. What feels the same may be called equal.</source>
+        <translation>Βάλτε τα τρία σε σειρά· το %1 τελευταίο. Όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
     </message>
 </context>
 <context>
@@ -4284,6 +4304,10 @@ Recording and scores are kept; they count for nothing.</source>
     <message>
         <source>A number above nothing, please.</source>
         <translation>Παρακαλώ, αριθμό πάνω από το μηδέν.</translation>
+    </message>
+    <message>
+        <source>Equal to the last (=)</source>
+        <translation>Ίσο με το τελευταίο (=)</translation>
     </message>
 </context>
 <context>
@@ -7079,6 +7103,10 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <source>criterion</source>
         <translation>κριτήριο</translation>
     </message>
+    <message>
+        <source>Called equal below, in σ</source>
+        <translation>Ίσα κάτω από, σε σ</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlacesView</name>
@@ -7572,6 +7600,10 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <source>true value</source>
         <translation>αληθινή τιμή</translation>
     </message>
+    <message>
+        <source>They call equal, below (in σ)</source>
+        <translation>Χαρακτηρίζουν ίσα κάτω από (σε σ)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProcedureForm</name>
@@ -7766,6 +7798,10 @@ Choose a second session to see it beside this one: each of its trials starts whe
     <message>
         <source>Stop at precision, SD (0: no)</source>
         <translation>Τέλος στην ακρίβεια, SD (0: όχι)</translation>
+    </message>
+    <message>
+        <source>Grid of ties (in σ)</source>
+        <translation>Πλέγμα ισοβαθμιών (σε σ)</translation>
     </message>
 </context>
 <context>
@@ -8172,6 +8208,21 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
     <message>
         <source>not estimable</source>
         <translation>δεν εκτιμάται</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n ranking(s) something was called equal.</source>
+        <translation>
+            <numerusform>Σε %n κατάταξη κάτι χαρακτηρίστηκε ίσο.</numerusform>
+            <numerusform>Σε %n κατατάξεις κάτι χαρακτηρίστηκε ίσο.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2; guessing gives 16.7 % or less.</source>
+        <translation>%1 από %2· στην τύχη 16,7 % ή λιγότερο.</translation>
+    </message>
+    <message>
+        <source>Bradley-Terry, ties by Davidson</source>
+        <translation>Bradley-Terry, ισοβαθμίες κατά Davidson</translation>
     </message>
 </context>
 <context>

@@ -383,6 +383,13 @@
             <numerusform>%n participants; each one&apos;s mean ranks are one judgement.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>In %n ranking(s) something was called equal.</source>
+        <translation>
+            <numerusform>In %n ranking something was called equal.</numerusform>
+            <numerusform>In %n rankings something was called equal.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RosterDialog</name>

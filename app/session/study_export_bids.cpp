@@ -74,7 +74,8 @@ core::Result<void> writeRun(NewFolder& folder, const StudyExportData& data, cons
     const auto number = [](double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue("n/a"); };
     const auto ofTask = [&](double value) { return sameWay ? number(value) : QJsonValue("n/a"); };
     const QJsonObject estimate{{"weber", number(e.weber)}, {"weber_low", number(e.weber95.low)}, {"weber_high", number(e.weber95.high)},
-                               {"sigma_log10", number(e.sigma_log10)}, {"exponent", ofTask(e.exponent)}, {"exponent_low", ofTask(e.exponent95.low)},
+                               {"sigma_log10", number(e.sigma_log10)}, {"tie", ofTask(e.tie)}, {"tie_low", ofTask(e.tie95.low)}, {"tie_high", ofTask(e.tie95.high)},
+                               {"exponent", ofTask(e.exponent)}, {"exponent_low", ofTask(e.exponent95.low)},
                                {"exponent_high", ofTask(e.exponent95.high)}, {"criterion", ofTask(e.criterion)},
                                {"method", sameWay ? QString::fromUtf8(methodText(e.method)) : kNotAvailable}};
     QJsonObject head{{"TaskName", recording.task}, {"TaskDescription", recording.taskDescription}, {"ProtocolSHA256", data.sha256()},

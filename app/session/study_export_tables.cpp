@@ -151,6 +151,9 @@ ExportTable estimatesTable(const StudyExportData& data) {
                                          {"sigma_low", "log10", "lower end of its 95 % interval"},
                                          {"sigma_high", "log10", "upper end"},
                                          {"pse", "SI", "point of subjective equality, where the task has one; n/a while blinded"},
+                                         {"tie", "1", "difference felt, in sigma, below which objects are called equal (rank3_ties alone); n/a while blinded where conditions differ in the task"},
+                                         {"tie_low", "1", "lower end of its 95 % interval"},
+                                         {"tie_high", "1", "upper end"},
                                          {"exponent", "1", "of the power law that numbers follow (magnitude estimation alone); n/a while blinded where conditions differ in the task"},
                                          {"exponent_low", "1", "lower end of its 95 % interval"},
                                          {"exponent_high", "1", "upper end"},
@@ -170,6 +173,8 @@ ExportTable estimatesTable(const StudyExportData& data) {
                                              data.blinded ? kNotAvailable : exportNumber(e.jnd), data.blinded ? kNotAvailable : text(e.unit),
                                              exportNumber(e.sigma_log10), exportNumber(e.sigma95.low), exportNumber(e.sigma95.high),
                                              data.blinded ? kNotAvailable : exportNumber(e.pse),
+                                             sameWay ? exportNumber(e.tie) : kNotAvailable, sameWay ? exportNumber(e.tie95.low) : kNotAvailable,
+                                             sameWay ? exportNumber(e.tie95.high) : kNotAvailable,
                                              sameWay ? exportNumber(e.exponent) : kNotAvailable, sameWay ? exportNumber(e.exponent95.low) : kNotAvailable,
                                              sameWay ? exportNumber(e.exponent95.high) : kNotAvailable, sameWay ? exportNumber(e.criterion) : kNotAvailable, sameWay ? QString::fromUtf8(methodText(e.method)) : kNotAvailable,
                                              warnings.isEmpty() ? kNotAvailable : warnings.join(u'|')});

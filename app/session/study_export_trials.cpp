@@ -39,9 +39,9 @@ std::vector<ExportColumn> stimulusColumns() {
 }
 
 std::vector<ExportColumn> answerColumns() {
-    return {{"response", "1", "answer: rank3 the order said (counted as arrangements), 2afc, 3afc, oddity the place from 0, same_different 0 same 1 different, yes_no 0 no 1 yes"},
+    return {{"response", "1", "answer: rank3 the order said (counted as arrangements), rank3_ties the same from 0 to 5 and with ties 6 1=2<3, 7 1=3<2, 8 2=3<1, 9 1<2=3, 10 2<1=3, 11 3<1=2, 12 1=2=3 (places from left), 2afc, 3afc, oddity the place from 0, same_different 0 same 1 different, yes_no 0 no 1 yes"},
             {"correct", "", "the answer was right; n/a where none is, and while blinded where conditions differ in the task", kYesNo},
-            {"outcome", "1", "what the procedure was told: rank3 0..5, 0 all correct; others 1 right (yes), 0 wrong (no)"},
+            {"outcome", "1", "what the procedure was told: rank3 0..5, 0 all correct; rank3_ties 0..12, as the responses with objects in true order for places; others 1 right (yes), 0 wrong (no)"},
             {"value", "", "a number said (magnitude), or the value set in SI (adjustment; n/a while blinded)"},
             {"exploration_time", "s", "until the answer"},
             {"response_time", "s", "from the last contact to the answer"}};

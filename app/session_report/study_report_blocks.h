@@ -44,7 +44,7 @@ private:
     void addCurves(const session::AnalysedCondition& condition);
     void addApex(std::size_t condition);
     QString errorText(double mm, double percent) const;
-    void addRankings(const session::AnalysedCondition& condition); ///< of task rank3; study_report_rankings.cpp
+    void addRankings(const session::AnalysedCondition& condition); ///< where three are ranked; study_report_rankings.cpp
     void addFidelity();
     void addQuestionnaires();
     QString answersTo(const std::string& questionnaire, const psychophysics::QuestionnaireItem& item) const;

@@ -77,12 +77,12 @@ void StudyReportBlocks::addRankings(const session::AnalysedCondition& condition)
     addTable({Words::tr("Rankings"), Words::tr("Right"), Words::tr("95 % interval"), Words::tr("Kendall's τ"), Words::tr("95 % interval"), Words::tr("Kendall's W"),
               Words::tr("Page's L")},
              rows, {0.13, 0.09, 0.17, 0.1, 0.15, 0.18, 0.18}, {false, true, true, true, true, true, true});
-    addMuted(Words::tr("Right: whole orders (guessing gives 1 in 6). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. "
+    addMuted(Words::tr("Right: whole orders (guessing gives 1 in 6, with ties fewer). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. "
                        "L: trend towards the true order. Of a person each ranking is one judgement, of the group each person's mean ranks."));
     if (!group.plackettLuce.fitted && !group.thurstone.fitted)
         return addMuted(Words::tr("No worth of an object is finite: some object was always, or never, ranked above the others."));
     std::vector<std::unique_ptr<PlotView>> row;
-    row.push_back(worthPlot(Words::tr("Bradley-Terry"), Words::tr("ln worth"), group.bradleyTerry, m_theme));
+    row.push_back(worthPlot(group.tied > 0 ? Words::tr("Bradley-Terry, ties by Davidson") : Words::tr("Bradley-Terry"), Words::tr("ln worth"), group.bradleyTerry, m_theme));
     row.push_back(worthPlot(Words::tr("Plackett-Luce"), Words::tr("ln worth"), group.plackettLuce, m_theme));
     row.push_back(worthPlot(Words::tr("Thurstone"), Words::tr("Scale (sd)"), group.thurstone, m_theme));
     addPlotRow(std::move(row), kRankingPlotHeight);

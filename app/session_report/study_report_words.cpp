@@ -58,7 +58,8 @@ QString task(Task task) {
     const QString words[] = {Words::tr("Ranking of three"), Words::tr("Two intervals (2AFC)"),
                              Words::tr("Three intervals (3AFC)"), Words::tr("Odd one out of three"),
                              Words::tr("Same or different"), Words::tr("Yes or no"),
-                             Words::tr("Adjustment"), Words::tr("Magnitude estimation")};
+                             Words::tr("Adjustment"), Words::tr("Magnitude estimation"),
+                             Words::tr("Ranking of three, with ties")};
     return words[static_cast<std::size_t>(task)];
 }
 
@@ -69,7 +70,8 @@ QString procedure(std::string_view kind) {
                                                     {"descending", Words::tr("Descending ranking (legacy)")},
                                                     {"quest", QStringLiteral("QUEST")},
                                                     {"quest_plus", QStringLiteral("QUEST+")},
-                                                    {"rank3_quest_plus", Words::tr("QUEST+ for rankings")}};
+                                                    {"rank3_quest_plus", Words::tr("QUEST+ for rankings")},
+                                                    {"rank3_quest_plus_ties", Words::tr("QUEST+ for rankings")}};
     const auto found = words.find(kind);
     return found == words.end() ? spaced(kind) : found->second;
 }

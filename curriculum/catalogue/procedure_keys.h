@@ -89,6 +89,7 @@ template <class Visit> void keysOf(psychophysics::Rank3Spec& spec, Visit&& visit
     visit("log10_sigma", spec.log10Sigma);
     visit("lapse_rates", spec.lapse);
     visit("allow_ties", spec.allowTies);
+    visit("tie_thresholds", spec.tieThresholds);
     visit("stop", spec.stop);
     visit("repeat_limit", spec.repeatLimit);
 }

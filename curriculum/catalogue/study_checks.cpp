@@ -40,7 +40,7 @@ bool outcomesAre(const ProcedureSpec& spec, int outcomes) {
 
 /// The kinds that can drive a task: what they are told is its outcome.
 QStringList kindsFor(Task task) {
-    if (task == Task::rank3)
+    if (psychophysics::ranksThree(task))
         return {"rank3_quest_plus", "quest_plus", "descending", "constant"};
     if (task == Task::adjustment || task == Task::magnitude)
         return {"constant"};
@@ -52,13 +52,18 @@ void checkTask(const Condition& condition, const QString& path, Problems& proble
     for (std::size_t i = 0; i < condition.procedures.size(); ++i) {
         const QString at = elementPath(memberPath(path, "procedures"), static_cast<qsizetype>(i));
         const QString kind = word(psychophysics::kindOf(condition.procedures[i]));
-        const int outcomes = condition.task == Task::rank3 ? 6 : 2;
+        const int outcomes = psychophysics::outcomes(condition.task);
+        const auto* rank3 = std::get_if<psychophysics::Rank3Spec>(&condition.procedures[i]);
+        const bool ties = condition.task == Task::rank3Ties;
         if (!kinds.contains(kind))
             problems.push_back({memberPath(at, "kind"), quoted(kind),
                                 QStringLiteral("for the task %1 one of %2").arg(word(psychophysics::token(condition.task)), kinds.join(", "))});
         else if (!outcomesAre(condition.procedures[i], outcomes))
             problems.push_back({memberPath(at, "outcomes"), QStringLiteral("another number"),
                                 QStringLiteral("%1 for the task %2").arg(outcomes).arg(word(psychophysics::token(condition.task)))});
+        else if (rank3 && rank3->allowTies != ties)
+            problems.push_back({memberPath(at, "allow_ties"), ties ? QStringLiteral("false") : QStringLiteral("true"),
+                                QStringLiteral("%1 for the task %2").arg(ties ? "true" : "false", word(psychophysics::token(condition.task)))});
     }
     if (condition.stimulus.attribute == Attribute::apex && condition.task != Task::adjustment)
         problems.push_back({memberPath(path, "task"), quoted(word(psychophysics::token(condition.task))),
@@ -86,7 +91,7 @@ void checkTable(const Condition& condition, const QString& path, Problems& probl
         problems.push_back({memberPath(stimulus, "reference"), QString::number(reference), expected});
         return;
     }
-    const double multiple = condition.task == Task::rank3 ? 2.0 : 1.0;
+    const double multiple = psychophysics::ranksThree(condition.task) ? 2.0 : 1.0;
     for (const std::size_t i : {std::size_t{0}, differences.size() - 1}) {
         const double value = reference * std::pow(10.0, multiple * differences[i]);
         if (!(value >= range.lowest && value <= range.highest))

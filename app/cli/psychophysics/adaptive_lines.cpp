@@ -14,7 +14,8 @@ using namespace psychophysics;
 
 QString expected(int outcomes, bool orders) {
     if (orders)
-        return QStringLiteral("an order such as b<a<c, an outcome from 0 to 5, undo or spoiled");
+        return outcomes == kRankings ? QStringLiteral("an order such as b<a<c or b<a=c, an outcome from 0 to 12, undo or spoiled")
+                                     : QStringLiteral("an order such as b<a<c, an outcome from 0 to 5, undo or spoiled");
     return outcomes == 2 ? QStringLiteral("0, 1, undo or spoiled") : QStringLiteral("an outcome from 0 to %1, undo or spoiled").arg(outcomes - 1);
 }
 
@@ -49,28 +50,28 @@ QJsonObject estimateJson(const ProcedureEstimate& estimate) {
 } // namespace
 
 int outcomeOfOrder(const QString& word) {
-    const QStringList names = word.split(u'<');
-    Places ranks(3, -1);
-    if (names.size() != 3)
-        return -1;
-    for (int rank = 0; rank < 3; ++rank) {
-        const QString name = names[rank].trimmed().toLower();
-        const int object = name == u"a" ? 0 : name == u"b" ? 1 : name == u"c" ? 2 : -1;
-        if (object < 0 || ranks[static_cast<std::size_t>(object)] >= 0)
+    Ranking ranks{-1, -1, -1};
+    std::int8_t rank = 0;
+    for (qsizetype i = 0; i < word.size(); ++i) {
+        const char c = word[i].toLower().toLatin1();
+        if (i % 2 == 1) { // between two names
+            if (c != '<' && c != '=')
+                return -1;
+            rank = static_cast<std::int8_t>(rank + (c == '<' ? 1 : 0));
+        } else if (c < 'a' || c > 'c' || ranks[static_cast<std::size_t>(c - 'a')] >= 0) {
             return -1;
-        ranks[static_cast<std::size_t>(object)] = rank;
+        } else {
+            ranks[static_cast<std::size_t>(c - 'a')] = rank;
+        }
     }
-    const auto& orders = arrangements(Task::rank3);
-    for (std::size_t i = 0; i < orders.size(); ++i)
-        if (orders[i] == ranks)
-            return static_cast<int>(i);
-    return -1;
+    return word.size() == 5 ? rankingOf(ranks) : -1;
 }
 
 core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, bool orders, std::size_t dimensions) {
     AdaptiveLine read;
     QString joined = line.simplified();
-    joined.replace(QStringLiteral(" <"), QStringLiteral("<")).replace(QStringLiteral("< "), QStringLiteral("<"));
+    for (const QString& sign : {QStringLiteral("<"), QStringLiteral("=")})
+        joined.replace(QStringLiteral(" ") + sign, sign).replace(sign + QStringLiteral(" "), sign);
     QStringList words = joined.split(u' ', Qt::SkipEmptyParts);
     if (words.isEmpty())
         return badInput(QStringLiteral("empty: expected %1").arg(expected(outcomes, orders)));
@@ -81,11 +82,12 @@ core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, 
         read.kind = word == u"undo" ? AdaptiveLine::Kind::undo : AdaptiveLine::Kind::spoiled;
         return read;
     }
-    if (word.contains(u'='))
+    const bool order = orders && (word.contains(u'<') || word.contains(u'='));
+    if (word.contains(u'=') && outcomes != kRankings)
         return badInput(QStringLiteral("%1: ties are not allowed by this procedure; expected %2").arg(quoted(word), expected(outcomes, orders)));
     bool ok = false;
-    read.outcome = orders && word.contains(u'<') ? outcomeOfOrder(word) : word.toInt(&ok);
-    if ((!ok && !word.contains(u'<')) || read.outcome < 0 || read.outcome >= outcomes)
+    read.outcome = order ? outcomeOfOrder(word) : word.toInt(&ok);
+    if ((!ok && !order) || read.outcome < 0 || read.outcome >= outcomes)
         return badInput(QStringLiteral("%1: expected %2").arg(quoted(word), expected(outcomes, orders)));
     if (!words.isEmpty()) {
         auto presented = presentedOf(words, dimensions);

@@ -17,11 +17,11 @@ struct AdaptiveLine {
     std::optional<psychophysics::Stimulus> presented; ///< none: as asked for
 };
 
-/// "1", "0 -0.35", "b<a<c", "undo", "spoiled". `orders`: outcomes are the six orders of three objects (a the reference, b, c twice the
+/// "1", "0 -0.35", "b<a<c", "a=b<c", "undo", "spoiled". `orders`: outcomes are the rankings of three objects, 6 or with ties 13 (a the reference, b, c twice the
 /// difference). Failure: badInput saying what was found and expected.
 core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, bool orders, std::size_t dimensions);
 
-/// The outcome of an order such as "b<a<c": how rank 0, 1, 2 were given to a, b, c, counted as arrangements of rank3. -1: not an order.
+/// The outcome of an order such as "b<a<c" or "b<a=c": the ranks given to a, b, c, as psychophysics::rankings() counts them. -1: not an order.
 int outcomeOfOrder(const QString& word);
 
 /// What a procedure prints: stimulus (a number, or an object by dimension; null once done), trial, reversals, done, entropy_margin, estimate.

@@ -65,6 +65,8 @@ QJsonObject estimateJson(const psychophysics::RunEstimate& e, bool blinded) {
     json.insert("jnd", number(e.jnd));
     json.insert("unit", QString::fromStdString(e.unit));
     json.insert("pse", number(e.pse));
+    json.insert("tie", number(e.tie));
+    json.insert("tie_ci", QJsonArray{number(e.tie95.low), number(e.tie95.high)});
     json.insert("exponent", number(e.exponent));
     json.insert("exponent_ci", QJsonArray{number(e.exponent95.low), number(e.exponent95.high)});
     return json;

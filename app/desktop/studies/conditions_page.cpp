@@ -109,7 +109,7 @@ QWidget* ConditionsPage::stimulusBox() {
                  });
     std::vector<std::pair<QString, QVariant>> tasks;
     for (int i = 0; i < kTasks; ++i)
-        tasks.emplace_back(study_words::task(static_cast<Task>(i)), i);
+        tasks.insert(static_cast<Task>(i) == Task::rank3Ties ? tasks.begin() + 1 : tasks.end(), {study_words::task(static_cast<Task>(i)), i});
     grid->choice(tr("Task"), QStringLiteral("condition.task"), tasks, static_cast<int>(condition().task), [this](const QVariant& now) {
         edit(tr("Another task"), {}, [&](Condition& changed) { takeTask(changed, static_cast<Task>(now.toInt())); }, true);
     });

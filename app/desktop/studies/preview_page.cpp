@@ -10,6 +10,7 @@
 #include "session_report/study_warning_words.h"
 
 #include <QProgressBar>
+#include <algorithm>
 #include <QTimer>
 #include <cmath>
 
@@ -55,6 +56,9 @@ QWidget* PreviewPage::observerBox() {
                  [this](double now) { m_observer.weber = now / kPercent; });
     grid->number(tr("Answers that are guessed"), QStringLiteral("preview.lapse"), kPercent * m_observer.lapse, {0, 50, 1, QStringLiteral("%"), 1},
                  [this](double now) { m_observer.lapse = now / kPercent; });
+    const auto& conditions = m_page.draft.design().conditions;
+    if (std::any_of(conditions.begin(), conditions.end(), [](const psychophysics::Condition& c) { return c.task == psychophysics::Task::rank3Ties; }))
+        grid->number(tr("They call equal, below (in σ)"), QStringLiteral("preview.ties"), m_observer.ties, {0, 10, 2, {}, 0.1}, [this](double now) { m_observer.ties = now; });
     grid->whole(tr("Runs a condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000, [this](int now) { m_runs = now; });
     box.layout->addWidget(grid);
     auto* row = new QHBoxLayout;

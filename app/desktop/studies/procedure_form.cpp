@@ -167,6 +167,8 @@ void ProcedureForm::rank3Fields() {
     wholeOf<Rank3Spec>(tr("Same stimulus in a row (0: any)"), "repeat_limit", &Rank3Spec::repeatLimit, 0, 1000);
     stopFields<Rank3Spec>();
     listOfLevels<Rank3Spec>(tr("Grid of lapses"), "lapse", &Rank3Spec::lapse);
+    if (spec<Rank3Spec>()->allowTies)
+        listOfLevels<Rank3Spec>(tr("Grid of ties (in σ)"), "tie_thresholds", &Rank3Spec::tieThresholds);
     listOfLevels<Rank3Spec>(tr("Grid of noise (log10 σ)"), "log10_sigma", &Rank3Spec::log10Sigma);
 }
 

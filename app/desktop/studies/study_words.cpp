@@ -30,6 +30,7 @@ QString procedureKind(std::string_view kind) {
         {"constant", Words::tr("Constant stimuli")},         {"descending", Words::tr("Descending ranking (legacy)")},
         {"quest", Words::tr("QUEST")},                       {"quest_plus", Words::tr("QUEST+")},
         {"rank3_quest_plus", Words::tr("QUEST+ for rankings")},
+        {"rank3_quest_plus_ties", Words::tr("QUEST+ for rankings")},
         {"limit", Words::tr("limited by the device")}};
     return oneOf(words, kind.substr(0, kind.find('@')));
 }
@@ -60,6 +61,8 @@ QString task(Task task) {
     switch (task) {
     case Task::rank3:
         return Words::tr("Ranking of three");
+    case Task::rank3Ties:
+        return Words::tr("Ranking of three, with ties");
     case Task::twoAfc:
         return Words::tr("Two intervals (2AFC)");
     case Task::threeAfc:
@@ -82,6 +85,8 @@ QString taskInWords(Task task) {
     switch (task) {
     case Task::rank3:
         return Words::tr("Three objects that differ in equal steps are put in order.");
+    case Task::rank3Ties:
+        return Words::tr("Three objects that differ in equal steps are put in order; those that feel the same may be called equal.");
     case Task::twoAfc:
         return Words::tr("Which of two objects is more?");
     case Task::threeAfc:
@@ -130,6 +135,8 @@ QString question(Task task, Attribute attribute) {
     switch (task) {
     case Task::rank3:
         return Words::tr("Put the three in order; the one that is %1 comes last.").arg(word);
+    case Task::rank3Ties:
+        return Words::tr("Put the three in order; the one that is %1 comes last. What feels the same may be called equal.").arg(word);
     case Task::twoAfc:
         return Words::tr("Which one is %1?").arg(word);
     case Task::threeAfc:

@@ -35,6 +35,7 @@ double guessOf(Task task) {
     case Task::twoAfc:
         return 0.5;
     case Task::rank3:
+    case Task::rank3Ties:
         return 1.0 / 6.0;
     case Task::sameDifferent:
     case Task::yesNo:
@@ -77,8 +78,9 @@ QuestPlusSpec usualQuestPlus(const std::vector<double>& levels, double guess, Pr
     return spec;
 }
 
-Rank3Spec usualRank3(const std::vector<double>& levels) {
+Rank3Spec usualRank3(const std::vector<double>& levels, Task task) {
     Rank3Spec spec;
+    spec.allowTies = task == Task::rank3Ties;
     spec.differences = levels;
     spec.differences.erase(std::remove_if(spec.differences.begin(), spec.differences.end(), [](double d) { return d <= 0.0; }), spec.differences.end());
     const double largest = spec.differences.empty() ? 0.2 : spec.differences.back();
@@ -103,6 +105,7 @@ StaircaseSpec usualStaircase(const std::vector<double>& levels) {
 std::vector<std::string> kindsFor(Task task) {
     switch (task) {
     case Task::rank3:
+    case Task::rank3Ties:
         return {"rank3_quest_plus", "descending", "constant"};
     case Task::adjustment:
     case Task::magnitude:
@@ -149,7 +152,7 @@ ProcedureSpec usualProcedure(const std::string& kind, const Condition& condition
         return spec;
     }
     if (kind == "rank3_quest_plus")
-        return usualRank3(levels);
+        return usualRank3(levels, condition.task);
     return usualQuestPlus(levels, guessOf(condition.task), condition.scale);
 }
 

@@ -37,7 +37,7 @@ GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condi
     column->addWidget(groupBox());
     column->addWidget(plotBox());
     column->addWidget(tableBox());
-    if (facts.asks(condition, psychophysics::Task::rank3))
+    if (facts.ranks(condition))
         column->addWidget(new RankingBox(app, facts.rankings[condition], RankingBox::Of::group));
 }
 
@@ -92,7 +92,7 @@ QWidget* GroupPage::groupBox() {
 }
 
 void GroupPage::addAgreement(QVBoxLayout& layout) const {
-    if (!m_facts.asks(m_condition, psychophysics::Task::rank3))
+    if (!m_facts.ranks(m_condition))
         return;
     int right = 0;
     int of = 0;

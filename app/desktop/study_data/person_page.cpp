@@ -58,7 +58,7 @@ PersonPage::PersonPage(AppContext& app, const StudyFacts& facts, database::Study
     column->addWidget(choice, 0, Qt::AlignLeft);
     column->addWidget(estimateBox(*shown));
     column->addWidget(curveBox(*shown));
-    if (facts.asks(shown->condition, psychophysics::Task::rank3))
+    if (facts.ranks(shown->condition))
         column->addWidget(new RankingBox(app, shown->ranking, RankingBox::Of::person));
 }
 
@@ -92,6 +92,8 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
         }
     }
     fact(tr("Internal noise, log10"), study_words::number(estimate.sigma_log10, locale), study_words::interval(estimate.sigma95.low, estimate.sigma95.high, locale));
+    if (std::isfinite(estimate.tie))
+        fact(tr("Called equal below, in σ"), study_words::number(estimate.tie, locale), study_words::interval(estimate.tie95.low, estimate.tie95.high, locale));
     box.layout->addWidget(grid);
     box.layout->addWidget(kit::label(theme, tr("%1. %2. %3 scored trials, %4 repeated. %5")
                                                 .arg(condition ? study_words::task(condition->task) : QStringLiteral("–"),

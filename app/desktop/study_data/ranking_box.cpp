@@ -53,7 +53,8 @@ RankingBox::RankingBox(AppContext& app, const RankingSummary& summary, Of of, QW
     }
     const QString basis = of == Of::person ? tr("%n ranking(s) of three objects; each is one judgement.", nullptr, summary.rankings)
                                            : tr("%n participant(s); each one's mean ranks are one judgement.", nullptr, summary.judges);
-    column->addWidget(kit::label(theme, basis, TextStyle::small, "muted"));
+    const QString tied = summary.tied > 0 ? QStringLiteral(" ") + tr("In %n ranking(s) something was called equal.", nullptr, summary.tied) : QString();
+    column->addWidget(kit::label(theme, basis + tied, TextStyle::small, "muted"));
     addMeasures(*column, summary, of);
     addWorths(*column, summary);
 }
@@ -65,7 +66,7 @@ void RankingBox::addMeasures(QVBoxLayout& column, const RankingSummary& summary,
     auto* grid = new FieldGrid(m_app.theme(), locale, true);
     const auto& complete = summary.complete;
     addMeasure(*grid, tr("Whole orders right"), study_words::percent(complete.share, locale), interval(study_words::intervalPercent(complete.low, complete.high, locale)),
-               tr("%1 of %2; guessing gives 16.7 %.").arg(locale.toString(complete.right), locale.toString(complete.of)));
+               (summary.tied > 0 ? tr("%1 of %2; guessing gives 16.7 % or less.") : tr("%1 of %2; guessing gives 16.7 %.")).arg(locale.toString(complete.right), locale.toString(complete.of)));
     addMeasure(*grid, tr("Kendall's τ"), decimals(summary.tau),
                interval(std::isfinite(summary.tauLow) ? QStringLiteral("%1 … %2").arg(decimals(summary.tauLow), decimals(summary.tauHigh)) : QString()),
                tr("Likeness to the true order: 1 the same, 0 no relation, −1 reversed."));
@@ -103,7 +104,7 @@ void RankingBox::addWorths(QVBoxLayout& column, const RankingSummary& summary) {
                                                        "difference looks like.")));
     else {
         auto* plots = new ResponsiveRow(theme.px(kThreeAbreast), theme.px(8));
-        plots->add(worthPlot(tr("Bradley-Terry"), tr("ln worth"), summary.bradleyTerry));
+        plots->add(worthPlot(summary.tied > 0 ? tr("Bradley-Terry, ties by Davidson") : tr("Bradley-Terry"), tr("ln worth"), summary.bradleyTerry));
         plots->add(worthPlot(tr("Plackett-Luce"), tr("ln worth"), summary.plackettLuce));
         plots->add(worthPlot(tr("Thurstone"), tr("Scale (sd of a difference)"), summary.thurstone));
         column.addWidget(plots);

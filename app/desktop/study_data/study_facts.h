@@ -21,7 +21,7 @@ struct RunFacts {
     int scored = 0;
     int spoiled = 0;
     std::optional<psychophysics::ApexSummary> apex{}; ///< of a condition in which an apex is looked for
-    psychophysics::RankingSummary ranking{}; ///< of task rank3; else of none
+    psychophysics::RankingSummary ranking{}; ///< where three are ranked; else of none
 };
 
 /// A condition in which an apex is looked for: everybody's marks, and whose they are by the summary's numbers.
@@ -36,13 +36,13 @@ struct StudyFacts {
     std::vector<RunFacts> runs;
     // Of each of conditionLabels():
     std::vector<psychophysics::GroupEstimate> groups;
-    std::vector<psychophysics::RankingSummary> rankings; ///< where its task is rank3
+    std::vector<psychophysics::RankingSummary> rankings; ///< where three are ranked
     std::vector<std::optional<ApexFacts>> apexes;
     std::vector<std::optional<psychophysics::Condition>> designed; ///< what it is analysed by: StudyAnalysis::designed()
     std::vector<database::QuestionnaireAnswer> answers;
 
     /// The task of a condition; unknown while blind where conditions differ.
-    bool asks(std::size_t condition, psychophysics::Task task) const { return designed[condition] && designed[condition]->task == task; }
+    bool ranks(std::size_t condition) const { return designed[condition] && psychophysics::ranksThree(designed[condition]->task); }
 };
 
 /// Reads a study and analyses it as exports and reports do (session::analyseStudy), with the study's own seed. Blocking: a worker's task.

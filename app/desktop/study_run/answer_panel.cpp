@@ -37,6 +37,7 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
     row->addStretch();
     switch (task) {
     case Task::rank3:
+    case Task::rank3Ties:
         buildRanking();
         break;
     case Task::sameDifferent:
@@ -70,7 +71,7 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
         break;
     }
     }
-    if (task != Task::rank3)
+    if (!psychophysics::ranksThree(task))
         for (std::size_t i = 0; i < m_choices.size(); ++i)
             connect(m_choices[i], &QPushButton::clicked, this, [this, i] { choose(static_cast<int>(i)); });
     if (m_confirm)
@@ -102,6 +103,14 @@ void AnswerPanel::buildRanking() {
         connect(button, &QPushButton::clicked, this, [this, i] { rank(i); });
         m_choices.push_back(button);
     }
+    if (m_task == Task::rank3Ties) {
+        m_equal = add(tr("Equal to the last (=)"), QStringLiteral("answer.equal"));
+        m_equal->setCheckable(true);
+        connect(m_equal, &QPushButton::toggled, this, [this](bool on) {
+            m_nextEqual = on;
+            showRanking();
+        });
+    }
     m_back = add(tr("Back (⌫)"), QStringLiteral("answer.back"), "quiet");
     connect(m_back, &QPushButton::clicked, this, &AnswerPanel::takeBack);
     m_confirm = add(tr("That is it (Enter)"), QStringLiteral("answer.confirm"), "primary");
@@ -121,15 +130,16 @@ void AnswerPanel::setOpen(bool open, const QString& why) {
         if (opened)
             m_number->setFocus(Qt::OtherFocusReason);
     }
-    if (m_task == Task::rank3)
+    if (psychophysics::ranksThree(m_task))
         showRanking();
 }
 
 void AnswerPanel::clear() {
     m_order.clear();
+    setNextEqual(false);
     if (m_number)
         m_number->clear();
-    if (m_task == Task::rank3)
+    if (psychophysics::ranksThree(m_task))
         showRanking();
     emit marksChanged();
 }
@@ -149,14 +159,18 @@ bool AnswerPanel::key(int key) {
         choose(key == Qt::Key_Y ? 1 : 0);
         return true;
     }
-    if (m_task == Task::rank3 && key == Qt::Key_Backspace) {
+    if (psychophysics::ranksThree(m_task) && key == Qt::Key_Backspace) {
         takeBack();
+        return true;
+    }
+    if (m_task == Task::rank3Ties && key == Qt::Key_Equal) {
+        m_equal->click();
         return true;
     }
     const int index = key - Qt::Key_1;
     if (m_task == Task::yesNo || index < 0 || index >= static_cast<int>(m_choices.size()))
         return false;
-    m_task == Task::rank3 ? rank(index) : choose(index);
+    psychophysics::ranksThree(m_task) ? rank(index) : choose(index);
     return true;
 }
 
@@ -173,9 +187,12 @@ void AnswerPanel::choose(int index) {
 void AnswerPanel::rank(int place) {
     if (!m_open || m_order.size() >= 3 || std::find(m_order.begin(), m_order.end(), place) != m_order.end())
         return;
+    m_ranks[static_cast<std::size_t>(place)] =
+        m_order.empty() ? std::int8_t{0} : static_cast<std::int8_t>(m_ranks[static_cast<std::size_t>(m_order.back())] + (m_nextEqual ? 0 : 1));
     m_order.push_back(place);
-    if (m_order.size() == 2) // the last one is given
-        m_order.push_back(3 - m_order[0] - m_order[1]);
+    setNextEqual(false);
+    if (m_task == Task::rank3 && m_order.size() == 2) // the last one is given
+        rank(3 - m_order[0] - m_order[1]);
     showRanking();
     emit marksChanged();
 }
@@ -183,9 +200,21 @@ void AnswerPanel::rank(int place) {
 void AnswerPanel::takeBack() {
     if (m_order.empty())
         return;
-    m_order.resize(m_order.size() == 3 ? 1 : 0);
+    if (m_nextEqual) {
+        setNextEqual(false);
+    } else {
+        m_order.pop_back();
+        if (m_task == Task::rank3 && m_order.size() == 2) // the one that was given
+            m_order.pop_back();
+    }
     showRanking();
     emit marksChanged();
+}
+
+void AnswerPanel::setNextEqual(bool equal) {
+    m_nextEqual = equal;
+    if (m_equal)
+        m_equal->setChecked(equal);
 }
 
 void AnswerPanel::showRanking() {
@@ -193,16 +222,23 @@ void AnswerPanel::showRanking() {
         m_choices[i]->setEnabled(m_open && std::find(m_order.begin(), m_order.end(), static_cast<int>(i)) == m_order.end());
     m_confirm->setEnabled(m_open && m_order.size() == 3);
     m_back->setEnabled(m_open && !m_order.empty());
+    if (m_equal)
+        m_equal->setEnabled(m_open && !m_order.empty() && m_order.size() < 3);
 }
 
 QStringList AnswerPanel::marks() const {
     static const char* const kMarks[] = {QT_TR_NOOP("least"), QT_TR_NOOP("between"), QT_TR_NOOP("most")};
     QStringList marks;
-    if (m_task != Task::rank3)
+    if (!psychophysics::ranksThree(m_task))
         return marks;
+    const auto rankAt = [this](int place) { return m_ranks[static_cast<std::size_t>(place)]; };
     for (int place = 0; place < 3; ++place) {
-        const auto found = std::find(m_order.begin(), m_order.end(), place);
-        marks << (found == m_order.end() ? QString() : tr(kMarks[found - m_order.begin()]));
+        if (std::find(m_order.begin(), m_order.end(), place) == m_order.end()) {
+            marks << QString();
+            continue;
+        }
+        const auto alike = std::count_if(m_order.begin(), m_order.end(), [&](int other) { return rankAt(other) == rankAt(place); });
+        marks << (m_task == Task::rank3 ? tr(kMarks[rankAt(place)]) : QString::number(rankAt(place) + 1) + (alike > 1 ? QStringLiteral(" =") : QString()));
     }
     return marks;
 }
@@ -210,12 +246,8 @@ QStringList AnswerPanel::marks() const {
 void AnswerPanel::confirm() {
     if (!m_open)
         return;
-    if (m_task == Task::rank3 && m_order.size() == 3) {
-        psychophysics::Places said(3);
-        for (int rankOf = 0; rankOf < 3; ++rankOf)
-            said[static_cast<std::size_t>(m_order[static_cast<std::size_t>(rankOf)])] = rankOf;
-        const auto& all = psychophysics::arrangements(Task::rank3);
-        emit answered(static_cast<int>(std::find(all.begin(), all.end(), said) - all.begin()), std::nullopt);
+    if (psychophysics::ranksThree(m_task) && m_order.size() == 3) {
+        emit answered(psychophysics::rankingOf(m_ranks), std::nullopt);
     } else if (m_task == Task::adjustment) {
         emit answered(0, std::nullopt);
     } else if (m_number) {

@@ -16,7 +16,7 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// How a participant answers a task: the question and a button for each answer, all by keys as well (1 2 3, Y N, + −, Enter). No value or
+/// How a participant answers a task: the question and a button for each answer, all by keys as well (1 2 3, =, Y N, + −, Enter). No value or
 /// name of a condition is in it. GUI thread.
 class AnswerPanel final : public QWidget {
     Q_OBJECT
@@ -30,7 +30,7 @@ public:
     static std::vector<int> keys();
     bool key(int key); ///< false: not one of them here
     void enterKey();
-    /// What a ranking has so far, for the places ("1st" ...); empty without one.
+    /// What a ranking has so far, for the places ("least" ...; with ties "1 =", ...); empty without one.
     QStringList marks() const;
     QString question() const;
 
@@ -46,6 +46,7 @@ private:
     void buildRanking();
     void choose(int index);
     void rank(int place);
+    void setNextEqual(bool equal);
     void confirm();
     void takeBack();
     void showRanking();
@@ -60,8 +61,11 @@ private:
     std::vector<QPushButton*> m_choices;
     QPushButton* m_confirm = nullptr;
     QPushButton* m_back = nullptr;
+    QPushButton* m_equal = nullptr; ///< with ties: the next one feels as the last
     QLineEdit* m_number = nullptr;
     std::vector<int> m_order; ///< ranking: places from least to most, so far
+    psychophysics::Ranking m_ranks{}; ///< of those places
+    bool m_nextEqual = false;
 };
 
 } // namespace chiron::desktop

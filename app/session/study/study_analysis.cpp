@@ -26,7 +26,7 @@ bool wasNotRendered(const database::Participant& participant, const std::vector<
 
 /// Whether three objects are ranked in a condition.
 bool ranks(const psychophysics::Condition& condition) {
-    return condition.task == psychophysics::Task::rank3 && condition.stimulus.attribute != psychophysics::Attribute::apex;
+    return psychophysics::ranksThree(condition.task) && condition.stimulus.attribute != psychophysics::Attribute::apex;
 }
 
 /// Of a condition in which an apex is looked for: while blind marks are shares of it, where conditions differ in it.

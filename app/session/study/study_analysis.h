@@ -24,7 +24,7 @@ struct AnalysedRun {
     psychophysics::RunEstimate estimate;
     ReplayedChoices replayed;
     std::optional<psychophysics::ApexSummary> apex; ///< of a study of the apex: this run's marks alone
-    psychophysics::RankingSummary ranking; ///< of task rank3; else of none
+    psychophysics::RankingSummary ranking; ///< where three are ranked; else of none
 };
 
 struct AnalysedCondition {
@@ -35,7 +35,7 @@ struct AnalysedCondition {
     psychophysics::GroupEstimate group;
     /// Of a study of the apex: the marks of those whom the group is of; a participant's number is the row of its first run in `runs`.
     std::optional<psychophysics::ApexSummary> apex;
-    psychophysics::RankingSummary ranking; ///< of the same members; of task rank3, else of none
+    psychophysics::RankingSummary ranking; ///< of the same members; where three are ranked, else of none
 };
 
 struct StudyAnalysis {

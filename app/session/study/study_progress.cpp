@@ -59,8 +59,9 @@ core::Result<StudyProgress> StudyProgress::begin(const psychophysics::StudyDesig
         auto procedure = psychophysics::makeProcedure(found->procedures[i], core::Random::mix(seed, "study.procedure " + std::to_string(i)));
         if (!procedure)
             return core::fail(procedure.error().code, "condition \"" + condition + "\": " + procedure.error().message);
-        if ((*procedure)->outcomes() != 2 && found->task != Task::rank3)
-            return core::fail(core::ErrorCode::badInput, "condition \"" + condition + "\": this procedure is for rankings of three");
+        if (const int told = (*procedure)->outcomes(); told != 2 && told != psychophysics::outcomes(found->task))
+            return core::fail(core::ErrorCode::badInput, "condition \"" + condition + "\": this procedure is of " + std::to_string(told) +
+                                                             " outcomes, the task has " + std::to_string(psychophysics::outcomes(found->task)));
         state->procedures.push_back(std::move(*procedure));
     }
     state->asked.assign(state->procedures.size(), 0);

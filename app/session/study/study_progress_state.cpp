@@ -11,19 +11,6 @@
 
 namespace chiron::session {
 
-using psychophysics::Task;
-
-namespace {
-
-/// What a procedure with so many outcomes is told.
-int toldOutcome(Task task, int outcomes, int outcome) {
-    if (task == Task::rank3 && outcomes == 2)
-        return outcome == 0 ? 1 : 0; // all three right
-    return outcome;
-}
-
-} // namespace
-
 double StudyProgress::State::scaled(double difference) const {
     return condition.scale == psychophysics::ProcedureScale::difference ? difference : std::log10(difference);
 }
@@ -104,7 +91,7 @@ core::Result<void> StudyProgress::State::apply(const database::StudyTrial& trial
         asksExperimenter = repeat >= repeatsAtMost;
     } else {
         // Where nothing differed, an answer says nothing of the difference that was asked for: it is kept, and the procedure asks again.
-        const int told = toldOutcome(condition.task, procedure.outcomes(), trial.outcome);
+        const int told = psychophysics::scoredOutcome(condition.task, trial.outcome, procedure.outcomes());
         if (psychophysics::showsDifference(condition.task, trial.arrangement))
             if (auto done = procedure.record(told, stimulusOf(trial.candidate)); !done)
                 return done;

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace chiron::psychophysics {
 
@@ -14,12 +17,12 @@ namespace {
 
 constexpr std::size_t kObjects = 3;
 
-/// τ of a ranking with the true order: no ties, so each of the three pairs is in order or not.
+/// τ_a of a ranking with the true order: each of the three pairs is in order, turned round, or tied and counts nothing.
 double tauOf(const SaidRanks& ranks) {
     int inOrder = 0;
     for (std::size_t i = 0; i < kObjects; ++i)
         for (std::size_t j = i + 1; j < kObjects; ++j)
-            inOrder += ranks[i] < ranks[j] ? 1 : -1;
+            inOrder += ranks[i] < ranks[j] ? 1 : ranks[i] > ranks[j] ? -1 : 0;
     return inOrder / 3.0;
 }
 
@@ -45,31 +48,72 @@ void setTau(RankingSummary& summary, const std::vector<double>& taus) {
     summary.tauHigh = std::min(1.0, summary.tau + half);
 }
 
-std::vector<int> mostFirst(const SaidRanks& ranks) {
+/// The strict orders, most first, that agree with a ranking: one, or where objects are tied each of two or six.
+std::vector<std::vector<int>> ordersOf(const SaidRanks& ranks) {
     std::vector<int> order(kObjects);
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return ranks[static_cast<std::size_t>(a)] > ranks[static_cast<std::size_t>(b)]; });
-    return order;
+    std::vector<std::vector<int>> orders;
+    do {
+        if (std::is_sorted(order.begin(), order.end(), [&](int a, int b) { return ranks[static_cast<std::size_t>(a)] > ranks[static_cast<std::size_t>(b)]; }))
+            orders.push_back(order);
+    } while (std::next_permutation(order.begin(), order.end()));
+    return orders;
+}
+
+/// Each pair of objects: how often which was more, or tied.
+std::vector<PairCount> pairsOf(const std::vector<SaidRanks>& rankings) {
+    std::vector<PairCount> pairs{{0, 1}, {0, 2}, {1, 2}};
+    for (const SaidRanks& ranks : rankings)
+        for (PairCount& pair : pairs) {
+            const double above = ranks[static_cast<std::size_t>(pair.first)] - ranks[static_cast<std::size_t>(pair.second)];
+            (above > 0.0 ? pair.wins : above < 0.0 ? pair.losses : pair.ties) += 1.0;
+        }
+    return pairs;
+}
+
+bool isTied(const SaidRanks& ranks) { return ranks[0] == ranks[1] || ranks[1] == ranks[2] || ranks[0] == ranks[2]; }
+
+void setPairs(RankingSummary& summary, const std::vector<SaidRanks>& rankings) {
+    const std::vector<PairCount> pairs = pairsOf(rankings);
+    if (summary.tied > 0) {
+        const TiedWorthEstimate davidson = fitTiedPairs(TieModel::davidson, static_cast<int>(kObjects), pairs);
+        summary.bradleyTerry = davidson;
+        summary.davidsonTie = davidson.tie;
+        return;
+    }
+    std::vector<Selection> wins;
+    for (const PairCount& pair : pairs) {
+        if (pair.wins > 0.0)
+            wins.push_back({pair.first, {pair.second}, pair.wins});
+        if (pair.losses > 0.0)
+            wins.push_back({pair.second, {pair.first}, pair.losses});
+    }
+    summary.bradleyTerry = fitPlackettLuce(static_cast<int>(kObjects), wins);
 }
 
 void setWorths(RankingSummary& summary, const std::vector<SaidRanks>& rankings) {
-    std::vector<Selection> pairs, selections;
-    std::vector<std::vector<int>> orders;
+    std::vector<Selection> selections;
+    std::map<std::pair<int, int>, double> ahead; // shares of orders: counted, they cost nothing
     for (const SaidRanks& ranks : rankings) {
-        const std::vector<int> order = mostFirst(ranks);
-        orders.push_back(order);
-        for (const Selection& selection : selectionsOf(order))
-            selections.push_back(selection);
-        for (std::size_t i = 0; i < kObjects; ++i)
-            for (std::size_t j = i + 1; j < kObjects; ++j)
-                pairs.push_back({order[i], {order[j]}, 1.0});
+        const auto orders = ordersOf(ranks);
+        const double share = 1.0 / static_cast<double>(orders.size());
+        for (const std::vector<int>& order : orders) {
+            for (const Selection& selection : selectionsOf(order, share))
+                selections.push_back(selection);
+            for (std::size_t i = 0; i < kObjects; ++i)
+                for (std::size_t j = i + 1; j < kObjects; ++j)
+                    ahead[{order[i], order[j]}] += share;
+        }
     }
-    const int objects = static_cast<int>(kObjects);
-    summary.bradleyTerry = fitPlackettLuce(objects, pairs);
-    summary.plackettLuce = fitPlackettLuce(objects, selections);
-    summary.thurstone = fitThurstoneOrders(objects, orders);
+    std::vector<Selection> halves;
+    for (const auto& [pair, count] : ahead)
+        halves.push_back({pair.first, {pair.second}, count});
+    setPairs(summary, rankings);
+    summary.plackettLuce = fitPlackettLuce(static_cast<int>(kObjects), selections);
+    summary.thurstone = fitThurstonePairs(static_cast<int>(kObjects), halves);
+    std::fill(summary.thurstone.standardError.begin(), summary.thurstone.standardError.end(),
+              std::numeric_limits<double>::quiet_NaN()); // pairs of one ranking are not independent
 }
-
 void setOrders(RankingSummary& summary, const std::vector<SaidRanks>& rankings, const std::vector<SaidRanks>& rows) {
     summary.rankings = static_cast<int>(rankings.size());
     summary.judges = static_cast<int>(rows.size());
@@ -77,24 +121,28 @@ void setOrders(RankingSummary& summary, const std::vector<SaidRanks>& rankings, 
     summary.complete = completeOrders(static_cast<int>(right), summary.rankings);
     summary.agreement = kendallW(rows);
     summary.trend = pageTrend(rows);
+    summary.tied = static_cast<int>(std::count_if(rankings.begin(), rankings.end(), isTied));
     setWorths(summary, rankings);
 }
 
 } // namespace
 
 std::vector<SaidRanks> saidRanks(const std::vector<ScoredTrial>& trials) {
-    const auto& orders = arrangements(Task::rank3);
-    std::vector<SaidRanks> rankings;
-    for (const ScoredTrial& trial : trials) {
-        const int outcome = trial.answer >= 0 ? outcomeOf(Task::rank3, trial.arrangement, trial.answer) : trial.outcome;
-        if (outcome < 0 || static_cast<std::size_t>(outcome) >= orders.size())
+    std::vector<SaidRanks> said;
+    for (const ScoredTrial& trial : trials) { // rankings without ties are counted alike in both tasks
+        const int outcome = trial.answer >= 0 ? outcomeOf(Task::rank3Ties, trial.arrangement, trial.answer) : trial.outcome;
+        if (outcome < 0 || outcome >= kRankings)
             continue;
+        const Ranking& given = rankings()[static_cast<std::size_t>(outcome)];
         SaidRanks ranks;
-        for (const int said : orders[static_cast<std::size_t>(outcome)])
-            ranks.push_back(said + 1.0);
-        rankings.push_back(std::move(ranks));
+        for (const int own : given) { // mean rank of those tied
+            const auto below = std::count_if(given.begin(), given.end(), [own](int other) { return other < own; });
+            const auto alike = std::count(given.begin(), given.end(), own);
+            ranks.push_back(static_cast<double>(below) + 0.5 * static_cast<double>(alike + 1));
+        }
+        said.push_back(std::move(ranks));
     }
-    return rankings;
+    return said;
 }
 
 RankingSummary summariseRankings(const std::vector<SaidRanks>& rankings) {

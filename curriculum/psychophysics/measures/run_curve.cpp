@@ -39,7 +39,7 @@ double thresholdOf(Task task, ThurstonePoint observer, double criterion) {
 
 void takeThreshold(RunEstimate& result, Task task, const ThurstonePosterior& posterior) {
     std::vector<double> values;
-    if (task == Task::yesNo || task == Task::sameDifferent) {
+    if (task == Task::yesNo || task == Task::sameDifferent || task == Task::rank3Ties) {
         for (const ThurstonePoint& draw : posterior.draws)
             values.push_back(thresholdOf(task, draw, result.criterion));
     } else { // proportional to σ
@@ -58,7 +58,7 @@ void takeThreshold(RunEstimate& result, Task task, const ThurstonePosterior& pos
 } // namespace
 
 int kindOfCurve(Task task) noexcept {
-    if (task == Task::rank3)
+    if (ranksThree(task))
         return 0;
     return task == Task::yesNo || task == Task::sameDifferent ? 3 : 1;
 }

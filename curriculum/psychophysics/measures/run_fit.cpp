@@ -22,6 +22,9 @@ constexpr int kDraws = 1999;
 constexpr std::uint64_t kDrawSeed = 1;  ///< always the same: the same run, the same p
 constexpr double kSmallest = 1e-9;      ///< proportion that one answer against it still has a finite deviance
 
+/// The observer has a criterion beside σ.
+bool hasCriterion(Task task) { return task == Task::yesNo || task == Task::sameDifferent || task == Task::rank3Ties; }
+
 bool saysYes(Task task) { return task == Task::yesNo || task == Task::sameDifferent; }
 
 PsychometricData dataOf(const ScoredAnswers& answers, bool positiveOnly) {
@@ -40,7 +43,7 @@ FitOptions optionsOf(Task task, bool positive) {
     FitOptions options;
     options.function = Sigmoid::gauss;
     options.scale = positive ? StimulusScale::log10 : StimulusScale::linear;
-    options.guess = saysYes(task) ? Asymptote::fitted() : Asymptote::fixedAt(task == Task::rank3 ? 1.0 / 6.0 : 1.0 / answers(task));
+    options.guess = hasCriterion(task) ? Asymptote::fitted() : Asymptote::fixedAt(task == Task::rank3 ? 1.0 / 6.0 : 1.0 / answers(task));
     options.largestAsymptote = 0.3;
     return options;
 }
@@ -79,7 +82,7 @@ void takeGoodness(RunEstimate& result, Task task, const ScoredAnswers& answers, 
     }
     result.deviance = deviance;
     const auto levels = static_cast<double>(psi.size());
-    const double freedom = levels - (saysYes(task) ? 2.0 : 1.0);
+    const double freedom = levels - (hasCriterion(task) ? 2.0 : 1.0);
     if (!(freedom > 0.0) || result.trials < kTrialsForChiSquare * levels)
         return;
     result.pValue = chiSquareTail(deviance, freedom);

@@ -29,6 +29,14 @@ void warnOfSize(std::vector<Warning>& warnings, const ScoredAnswers& answers) {
         warnings.push_back({WarningKind::binned});
 }
 
+/// Share of right answers of who feels no difference; 0 where that depends on a criterion. Whoever calls nothing equal guesses one of six
+/// orders, whoever does is right less often.
+double chanceOf(Task task) {
+    if (task == Task::yesNo || task == Task::sameDifferent)
+        return 0.0;
+    return 1.0 / (ranksThree(task) ? kStrictRankings : psychophysics::answers(task));
+}
+
 void warnOfLevel(std::vector<Warning>& warnings, Task task, const ScoredAnswers& answers) {
     if (task == Task::yesNo || task == Task::sameDifferent) {
         const bool oneAnswer = std::all_of(answers.points.begin(), answers.points.end(), [](const CurvePoint& p) { return p.right == 0; }) ||
@@ -41,8 +49,7 @@ void warnOfLevel(std::vector<Warning>& warnings, Task task, const ScoredAnswers&
         warnings.push_back({WarningKind::allRight});
         return;
     }
-    const double chance = task == Task::rank3 ? 1.0 / 6.0 : 1.0 / psychophysics::answers(task);
-    if (binomialUpperTail(answers.right, answers.used, chance) > 0.05)
+    if (binomialUpperTail(answers.right, answers.used, chanceOf(task)) > 0.05)
         warnings.push_back({WarningKind::chance});
 }
 
@@ -75,7 +82,7 @@ void warnOfAnswers(std::vector<Warning>& warnings, Task task, const ScoredAnswer
     if (answers.used == 0)
         return;
     warnOfLevel(warnings, task, answers);
-    if (isStep(answers, task == Task::yesNo || task == Task::sameDifferent ? 0.0 : 1.0 / psychophysics::answers(task)))
+    if (isStep(answers, chanceOf(task)))
         warnings.push_back({WarningKind::stepFunction});
     if (posterior.known)
         warnOfPosterior(warnings, posterior);

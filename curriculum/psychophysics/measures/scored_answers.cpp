@@ -25,13 +25,12 @@ bool isOneOf(int value, int of) { return value >= 0 && value < of; }
 bool sortOne(Task task, const ScoredTrial& trial, Sorted& sorted) {
     if (!std::isfinite(trial.difference) || std::abs(trial.difference) > kLargestDifference)
         return false;
-    const int outcomes = task == Task::rank3 ? 6 : 2;
     const bool placed = isOneOf(trial.arrangement, static_cast<int>(arrangements(task).size()));
     const bool answered = placed && isOneOf(trial.answer, answers(task));
     const int outcome = answered ? outcomeOf(task, trial.arrangement, trial.answer) : trial.outcome;
-    if (!isOneOf(outcome, outcomes))
+    if (!isOneOf(outcome, outcomes(task)))
         return false;
-    sorted = {trial.difference, outcome, task == Task::rank3 ? outcome == 0 : outcome == 1};
+    sorted = {trial.difference, outcome, ranksThree(task) ? outcome == 0 : outcome == 1};
     if (task != Task::yesNo && task != Task::sameDifferent)
         return true;
     if (!placed)

@@ -3,10 +3,12 @@
 
 #include "core/normal_distribution.h"
 #include "psychophysics/measures/discrimination.h"
+#include "psychophysics/observers/tied_orders.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace chiron::psychophysics {
 
@@ -80,6 +82,8 @@ double attentive(Task task, double difference, int kind, double sigma, double cr
     const double d = difference / sigma;
     double yes = 0.5; // of kinds that end in 1
     switch (task) {
+    case Task::rank3Ties:
+        return kind == 0 ? rightOrderProbability(d, criterion) : tiedRankProbabilities(d, criterion)[static_cast<std::size_t>(std::clamp(kind, 0, kRankings - 1))];
     case Task::rank3:
         return tabulatedOrderProbabilities(d)[static_cast<std::size_t>(std::clamp(kind, 0, 5))];
     case Task::twoAfc:
@@ -113,20 +117,40 @@ double guessed(Task task, int kind) noexcept {
     return rightOrWrong && kind == 0 ? 1.0 - share : share;
 }
 
+/// attentive() of many answers that share a criterion: rankings with ties from a table, as each is an integral.
+class Attentive {
+public:
+    Attentive(Task task, double criterion) : m_task(task), m_criterion(criterion) {
+        if (task == Task::rank3Ties)
+            m_ties.emplace(criterion);
+    }
+    double at(const AnswerCount& group, double sigma) const {
+        if (m_ties)
+            return m_ties->at(group.difference / sigma)[static_cast<std::size_t>(std::clamp(group.kind, 0, kRankings - 1))];
+        return attentive(m_task, group.difference, group.kind, sigma, m_criterion);
+    }
+
+private:
+    Task m_task;
+    double m_criterion;
+    std::optional<TiedOrderTable> m_ties;
+};
+
 void fill(Grid& grid, Task task, const std::vector<AnswerCount>& counts) {
     std::vector<double> logWeight(grid.sigma.cells * grid.criterion.cells * grid.lapse.cells, 0.0);
-    for (std::size_t s = 0; s < grid.sigma.cells; ++s) {
-        const double sigma = std::pow(10.0, grid.sigma.at(s));
-        for (std::size_t c = 0; c < grid.criterion.cells; ++c)
+    for (std::size_t c = 0; c < grid.criterion.cells; ++c) {
+        const Attentive observer(task, grid.criterion.at(c));
+        for (std::size_t s = 0; s < grid.sigma.cells; ++s) {
+            const double sigma = std::pow(10.0, grid.sigma.at(s));
             for (const AnswerCount& group : counts) {
-                const double p = attentive(task, group.difference, group.kind, sigma, grid.criterion.at(c));
+                const double p = observer.at(group, sigma);
                 const double guess = guessed(task, group.kind);
                 for (std::size_t l = 0; l < grid.lapse.cells; ++l)
                     logWeight[grid.cell(s, c) + l] += group.count * std::log(std::max(1e-300, p + grid.lapseAt(l) * (guess - p)));
             }
+        }
     }
-    for (std::size_t i = 0; i < logWeight.size(); ++i)
-        {
+    for (std::size_t i = 0; i < logWeight.size(); ++i) {
         const std::size_t l = i % grid.lapse.cells;
         logWeight[i] += kLapsePriorPower * std::log1p(-grid.lapseAt(l)) + std::log(grid.lapse.at(l)); // dλ = 2√λ d√λ
     }
@@ -244,8 +268,8 @@ ThurstonePosterior thurstonePosterior(Task task, const std::vector<AnswerCount>&
     const bool answered = std::any_of(counts.begin(), counts.end(), [](const AnswerCount& group) { return group.count > 0.0; });
     if (!answered || task == Task::adjustment || task == Task::magnitude || !(prior.highLog10Sigma > prior.lowLog10Sigma))
         return result;
-    const bool hasCriterion = task == Task::yesNo || task == Task::sameDifferent;
-    const std::size_t criteria = hasCriterion ? 30 : 1;
+    const bool hasCriterion = task == Task::yesNo || task == Task::sameDifferent || task == Task::rank3Ties;
+    const std::size_t criteria = task == Task::rank3Ties ? 16 : hasCriterion ? 30 : 1;
     const double mostRootLapse = std::sqrt(kLargestLapse);
     Grid coarse{{prior.lowLog10Sigma, prior.highLog10Sigma, hasCriterion ? 40U : 60U},
                 {prior.lowCriterion, prior.highCriterion, criteria},

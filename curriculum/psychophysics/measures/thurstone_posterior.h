@@ -8,7 +8,7 @@
 
 namespace chiron::psychophysics {
 
-/// So many answers of one kind at one difference D (log10 of the ratio). Kinds: rank3: the outcome 0..5; same_different: 2·(the two
+/// So many answers of one kind at one difference D (log10 of the ratio). Kinds: rank3, rank3_ties: the outcome; same_different: 2·(the two
 /// differed) + (said "different"); yes_no: 2·(multiple shown) + (said yes); 2afc, 3afc, oddity: 1 right, 0 wrong.
 struct AnswerCount {
     double difference = 0.0;
@@ -16,7 +16,7 @@ struct AnswerCount {
     double count = 0.0;
 };
 
-/// Ends of the uniform prior of log10 σ; and of the criterion's (yes_no: log10 units; same_different: in σ).
+/// Ends of the uniform prior of log10 σ; and of the criterion's (yes_no: log10 units; same_different, rank3_ties: in σ).
 struct ThurstonePrior {
     double lowLog10Sigma = -3.0;
     double highLog10Sigma = 0.0;
@@ -32,7 +32,7 @@ struct ThurstonePoint {
 };
 
 /// Posterior of a Thurstone observer (case V: every observation has independent noise of sd σ, in log10 units): an answer is a guess among
-/// all with probability λ (prior Beta(1, 30) below 0.3: mean 0.03), else follows the task's rule: rank3 by size; 2afc and 3afc the
+/// all with probability λ (prior Beta(1, 30) below 0.3: mean 0.03), else follows the task's rule: rank3 by size (rank3_ties: neighbours nearer than the criterion are equal); 2afc and 3afc the
 /// largest; oddity the farthest from the others; same_different "different" beyond a criterion; yes_no yes where it
 /// exceeds the remembered reference (felt with the same noise) by a criterion.
 struct ThurstonePosterior {

@@ -20,11 +20,13 @@ struct Part {
     double ObserverSpec::*value;
     double lowest, highest;
     std::string_view expected;
+    bool always; ///< told even where it is the usual one
 };
 
-constexpr std::array<Part, 3> kParts{{{"weber", &ObserverSpec::weber, 1e-6, 100.0, "a Weber fraction from 0.000001 to 100"},
-                                      {"lapse", &ObserverSpec::lapse, 0.0, 1.0, "a share from 0 to 1"},
-                                      {"bias", &ObserverSpec::bias, -100.0, 100.0, "a number of internal noise sd, -100 to 100"}}};
+constexpr std::array<Part, 4> kParts{{{"weber", &ObserverSpec::weber, 1e-6, 100.0, "a Weber fraction from 0.000001 to 100", true},
+                                      {"lapse", &ObserverSpec::lapse, 0.0, 1.0, "a share from 0 to 1", true},
+                                      {"bias", &ObserverSpec::bias, -100.0, 100.0, "a number of internal noise sd, -100 to 100", true},
+                                      {"ties", &ObserverSpec::ties, 0.0, 100.0, "a number of internal noise sd, 0 to 100", false}}};
 
 constexpr std::string_view kTrainee = "operator:";
 
@@ -52,7 +54,7 @@ core::Result<void> readPart(std::string_view text, ObserverSpec& spec) {
         spec.*part.value = value;
         return {};
     }
-    return fail(ErrorCode::badInput, "observer: \"" + std::string(text) + "\": expected weber:W, lapse:L, bias:B or operator:NAME, separated by commas");
+    return fail(ErrorCode::badInput, "observer: \"" + std::string(text) + "\": expected weber:W, lapse:L, bias:B, ties:T or operator:NAME, separated by commas");
 }
 
 } // namespace
@@ -76,6 +78,8 @@ core::Result<ObserverSpec> parseObserver(std::string_view text) {
 std::string observerText(const ObserverSpec& spec) {
     std::string text;
     for (const Part& part : kParts) {
+        if (!part.always && spec.*part.value == ObserverSpec{}.*part.value)
+            continue;
         std::array<char, 32> digits{};
         const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), spec.*part.value).ptr;
         text += (text.empty() ? "" : ",") + std::string(part.name) + ":" + std::string(digits.data(), end);

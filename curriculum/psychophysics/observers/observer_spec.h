@@ -12,6 +12,7 @@ namespace chiron::psychophysics {
 struct ObserverSpec {
     double weber = 0.1; ///< Weber fraction at 75 % correct in 2AFC: log10(1+W) = 0.954 σ
     double lapse = 0.0; ///< share of trials answered blindly, all answers alike
+    double ties = 0.5;  ///< rank3_ties: what is felt nearer than so many σ is called equal
     double bias = 0.0;  ///< in σ: the left object feels so much more; yes-no: to yes; same-different: to different; adjustment: sets so much more
     /// Apex: which scripted trainee of the sphere-apex exercise searches; it has its own noises, so that the numbers above say nothing
     /// of it. Empty: the usual one.

@@ -2,6 +2,7 @@
 #include "psychophysics/observers/simulated_observer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,14 +12,14 @@ namespace {
 
 int strongest(const std::vector<double>& felt) { return static_cast<int>(std::max_element(felt.begin(), felt.end()) - felt.begin()); }
 
-/// The answer whose places hold the ranks felt.
-int orderOf(const std::vector<double>& felt) {
-    Places ranks(felt.size(), 0);
-    for (std::size_t i = 0; i < felt.size(); ++i)
-        for (std::size_t j = 0; j < felt.size(); ++j)
-            ranks[i] += felt[j] < felt[i] || (felt[j] == felt[i] && j < i) ? 1 : 0;
-    const auto& orders = arrangements(Task::rank3);
-    return static_cast<int>(std::find(orders.begin(), orders.end(), ranks) - orders.begin());
+/// The ranks felt as an answer; neighbours less than `tie` apart are equal. Of two felt exactly alike the left one is less, unless they tie.
+int orderOf(const std::vector<double>& felt, double tie) {
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return felt[a] < felt[b]; });
+    Ranking ranks{};
+    for (std::size_t i = 1; i < order.size(); ++i)
+        ranks[order[i]] = static_cast<std::int8_t>(ranks[order[i - 1]] + (felt[order[i]] - felt[order[i - 1]] < tie ? 0 : 1));
+    return rankingOf(ranks);
 }
 
 /// Of three, the one that is not in the closest pair.
@@ -58,7 +59,9 @@ int SimulatedObserver::answer(Task task, const std::vector<double>& log10Values)
         return 0;
     default:
         places[0] += bias;
-        return task == Task::rank3 ? orderOf(places) : task == Task::oddity ? outside(places) : strongest(places);
+        if (ranksThree(task))
+            return orderOf(places, task == Task::rank3Ties ? m_spec.ties * m_sigma : 0.0);
+        return task == Task::oddity ? outside(places) : strongest(places);
     }
 }
 

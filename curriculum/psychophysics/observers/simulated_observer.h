@@ -18,7 +18,7 @@ public:
     SimulatedObserver(const ObserverSpec& spec, std::uint64_t seed);
 
     /// `log10Values`: of each place, log10 of its value over the reference. The answer as `answers(task)` counts it:
-    /// rank3: the order felt; 2afc, 3afc: the place felt most; oddity: the one outside the closest pair (differencing); same_different:
+    /// rank3: the order felt; rank3_ties: the same, neighbours less than `ties` σ apart equal; 2afc, 3afc: the place felt most; oddity: the one outside the closest pair (differencing); same_different:
     /// different where two percepts lie more than √2 σ apart; yes_no: yes where it is felt as more than the remembered
     /// reference, which has the same noise; adjustment, magnitude: 0.
     int answer(Task task, const std::vector<double>& log10Values);

@@ -37,7 +37,7 @@ ScoredTrial present(const Condition& condition, int candidate, SimulatedObserver
 } // namespace
 
 int scoredOutcome(Task task, int outcome, int outcomesOfProcedure) noexcept {
-    return task == Task::rank3 && outcomesOfProcedure == 2 ? (outcome == 0 ? 1 : 0) : outcome;
+    return ranksThree(task) && outcomesOfProcedure == 2 ? (outcome == 0 ? 1 : 0) : outcome;
 }
 
 double differenceOf(ProcedureScale scale, double x) noexcept { return scale == ProcedureScale::logDifference ? std::pow(10.0, x) : x; }

@@ -10,8 +10,8 @@
 
 namespace chiron::psychophysics {
 
-/// What a two-outcome procedure hears of an outcome as outcomeOf(task, ...) counts it: rank3: all correct or not; others as they are.
-/// A procedure of six outcomes hears the order itself.
+/// What a two-outcome procedure hears of an outcome as outcomeOf(task, ...) counts it: rank3, rank3_ties: all correct or not; others as they are.
+/// A procedure of 6 or 13 outcomes hears the order itself.
 int scoredOutcome(Task task, int outcome, int outcomesOfProcedure) noexcept;
 
 /// D that a procedure's x stands for, and x of a D; x of a D not above 0 on the logarithmic scale: -20.

@@ -92,7 +92,7 @@ double criticalT(double alpha, int freedom) {
 ConditionPlan planCondition(const Condition& condition, const TrialRules& rules, const ObserverSpec& observer, int runs, std::uint64_t seed) {
     ConditionPlan plan;
     plan.runs = std::max(runs, 0);
-    const BestSpacing best = bestSpacing(condition.task, observer.lapse);
+    const BestSpacing best = bestSpacing(condition.task, observer.lapse, false, observer.ties);
     plan.fisherPerTrial = best.information;
     plan.bestSpacing = best.spacing;
     if (const int row = nearestCandidate(condition.stimulus.differences, best.spacing * sigmaOf(observer)); row >= 0)

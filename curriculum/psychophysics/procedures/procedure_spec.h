@@ -107,12 +107,14 @@ struct QuestPlusSpec { ///< Watson 2017
     std::vector<std::vector<std::vector<double>>> table; ///< function "table": [outcome][stimulus][parameter cell]
 };
 
-/// Rank-3 with the Thurstone observer (psychophysics.md §4): QUEST+ over (log10 σ, λ), six outcomes; x is D in log10 units.
+/// Rank-3 with the Thurstone observer (psychophysics.md §4): QUEST+ over (log10 σ, λ), six outcomes; with ties over
+/// (log10 σ, λ, tie), 13 outcomes (observers/tied_orders.h); x is D in log10 units.
 struct Rank3Spec {
     std::vector<double> differences; ///< candidates D > 0, log10 of the ratio, ascending
     std::vector<double> log10Sigma;  ///< grid; empty: from a tenth of the least difference to three times the largest, 0.05 apart
     std::vector<double> lapse{0.0, 0.02, 0.05, 0.1}; ///< JSON: lapse_rates
-    bool allowTies = false;
+    bool allowTies = false; ///< neighbours may be called equal (task rank3_ties)
+    std::vector<double> tieThresholds{0.25, 0.5, 1.0, 1.5}; ///< with ties: grid of the difference felt, in σ, below which objects are called equal
     StopRule stop{.trials = 80, .minimumTrials = 20, .sd = 0.06};
     int repeatLimit = 0;
 };

@@ -2,6 +2,7 @@
 #include "psychophysics/procedures/rank3_quest_plus.h"
 
 #include "psychophysics/observers/thurstone.h"
+#include "psychophysics/observers/tied_orders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,8 @@ using core::ErrorCode;
 using core::fail;
 
 namespace {
+
+constexpr double kMostTie = 20.0; ///< σ
 
 using Table = std::vector<std::vector<std::vector<double>>>;
 
@@ -26,31 +29,52 @@ core::Result<void> check(const Rank3Spec& spec) {
         return bad("lapse_rates: expected shares from 0 to below 1");
     if (spec.stop.trials <= 0 && !(spec.stop.sd > 0.0))
         return bad("stop: expected trials or sd");
-    if (spec.allowTies)
-        return bad("allow_ties: ties are not modelled yet: expected false");
+    if (spec.allowTies && (spec.tieThresholds.empty() || !std::all_of(spec.tieThresholds.begin(), spec.tieThresholds.end(),
+                                                                     [](double tie) { return tie > 0.0 && tie <= kMostTie; })))
+        return bad("tie_thresholds: expected positive numbers (in sigma) up to 20, at least one");
     if (spec.repeatLimit < 0)
         return bad("repeat_limit: expected at least 0");
     return {};
 }
 
-/// The probabilities of one difference for every cell: log10 σ outermost, then λ.
-void fill(Table& table, std::size_t row, double difference, const Rank3Spec& spec) {
-    std::size_t cell = 0;
-    for (const double log10Sigma : spec.log10Sigma) {
-        const auto pure = rankProbabilities(difference / std::pow(10.0, log10Sigma));
-        for (const double lapse : spec.lapse) {
-            for (std::size_t r = 0; r < pure.size(); ++r)
-                table[r][row][cell] = (1.0 - lapse) * pure[r] + lapse / 6.0;
-            ++cell;
-        }
+/// Probabilities of the outcomes at d = D/σ, without lapses: of six orders, or of the 13 rankings for each threshold of ties.
+class Observers {
+public:
+    explicit Observers(const Rank3Spec& spec) {
+        if (spec.allowTies)
+            for (const double tie : spec.tieThresholds)
+                m_ties.emplace_back(tie);
     }
+    std::size_t count() const { return std::max<std::size_t>(1, m_ties.size()); }
+    int outcomes() const { return m_ties.empty() ? kStrictRankings : kRankings; }
+    std::vector<double> at(std::size_t which, double d) const {
+        const auto copied = [](const auto& p) { return std::vector<double>(p.begin(), p.end()); };
+        return m_ties.empty() ? copied(rankProbabilities(d)) : copied(m_ties[which].at(d));
+    }
+
+private:
+    std::vector<TiedOrderTable> m_ties;
+};
+
+/// The probabilities of one difference for every cell: log10 σ outermost, then the threshold of ties where there is one, then λ.
+void fill(Table& table, std::size_t row, double difference, const Rank3Spec& spec, const Observers& observers) {
+    std::size_t cell = 0;
+    for (const double log10Sigma : spec.log10Sigma)
+        for (std::size_t which = 0; which < observers.count(); ++which) {
+            const std::vector<double> pure = observers.at(which, difference / std::pow(10.0, log10Sigma));
+            for (const double lapse : spec.lapse) {
+                for (std::size_t r = 0; r < pure.size(); ++r)
+                    table[r][row][cell] = (1.0 - lapse) * pure[r] + lapse / static_cast<double>(pure.size());
+                ++cell;
+            }
+        }
 }
 
 core::Result<std::shared_ptr<const OutcomeTables>> tablesOf(const std::vector<double>& differences, const Rank3Spec& spec,
-                                                           const PosteriorGrid& grid) {
-    Table table(6, std::vector<std::vector<double>>(differences.size(), std::vector<double>(grid.cells())));
+                                                           const Observers& observers, const PosteriorGrid& grid) {
+    Table table(static_cast<std::size_t>(observers.outcomes()), std::vector<std::vector<double>>(differences.size(), std::vector<double>(grid.cells())));
     for (std::size_t row = 0; row < differences.size(); ++row)
-        fill(table, row, differences[row], spec);
+        fill(table, row, differences[row], spec, observers);
     return generalTables(table, grid);
 }
 
@@ -73,19 +97,23 @@ core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& 
     Rank3Spec spec = given;
     if (spec.log10Sigma.empty())
         spec.log10Sigma = defaultLog10Sigma(spec.differences);
-    auto prior = PosteriorGrid::make({{"log10_sigma", spec.log10Sigma, {}, false}, {"lapse", spec.lapse, {}, false}});
+    std::vector<ParameterGrid> axes{{"log10_sigma", spec.log10Sigma, {}, false}, {"lapse", spec.lapse, {}, false}};
+    if (spec.allowTies)
+        axes.insert(axes.begin() + 1, {"tie_threshold", spec.tieThresholds, {}, false});
+    auto prior = PosteriorGrid::make(axes);
     if (!prior)
         return tl::unexpected(prior.error());
-    auto tables = tablesOf(spec.differences, spec, *prior);
+    const Observers observers(spec);
+    auto tables = tablesOf(spec.differences, spec, observers, *prior);
     if (!tables)
         return tl::unexpected(tables.error());
     auto model = std::make_shared<QuestPlusModel>();
-    model->id = "rank3_quest_plus@1";
+    model->id = spec.allowTies ? "rank3_quest_plus_ties@1" : "rank3_quest_plus@1";
     for (const double difference : spec.differences)
         model->stimuli.push_back({difference});
     model->prior = std::move(*prior);
     model->tables = std::move(*tables);
-    model->tablesAt = [spec, grid = model->prior](const Stimulus& x) { return tablesOf(x, spec, grid); };
+    model->tablesAt = [spec, observers, grid = model->prior](const Stimulus& x) { return tablesOf(x, spec, observers, grid); };
     model->stop = spec.stop;
     model->repeatLimit = spec.repeatLimit;
     return model;

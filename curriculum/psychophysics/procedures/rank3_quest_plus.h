@@ -8,7 +8,7 @@ namespace chiron::psychophysics {
 /// JND of 75 % correct in 2AFC for an internal noise: √2 z(0.75) σ (2AFC: pc = Φ(D/(√2 σ))).
 inline constexpr double kJndPerSigma = 0.9538725524089398;
 
-/// QUEST+ of rankings of three (0, D, 2D) over (log10 σ, λ), by Thurstone's observer; outcomes as rankProbabilities.
+/// QUEST+ of rankings of three (0, D, 2D) over (log10 σ, λ), where ties are allowed over (log10 σ, tie, λ), by Thurstone's observer; outcomes as rankProbabilities.
 /// Failure: badInput naming the key and what was expected.
 core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& spec);
 

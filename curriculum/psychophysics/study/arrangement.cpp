@@ -25,6 +25,7 @@ const std::vector<Row>& rows() {
         {"yes_no", {{0}, {1}}, 2},
         {"adjustment", {{0, 1}}, 1},
         {"magnitude", {{1}}, 1},
+        {"rank3_ties", {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}, kRankings},
     };
     return table;
 }
@@ -40,13 +41,12 @@ int oddPlace(const Places& places) {
     return -1;
 }
 
-/// The order that was said, seen from the objects: what rank was given to the true 0, 1 and 2.
-int rankOutcome(const Places& truth, const Places& said) {
-    Places given(3);
-    for (std::size_t place = 0; place < 3; ++place)
+/// What was said, seen from the objects: the rank given to the true 0, 1 and 2.
+int rankOutcome(const Places& truth, const Ranking& said) {
+    Ranking given{};
+    for (std::size_t place = 0; place < given.size(); ++place)
         given[static_cast<std::size_t>(truth[place])] = said[place];
-    const auto& orders = arrangements(Task::rank3);
-    return static_cast<int>(std::find(orders.begin(), orders.end(), given) - orders.begin());
+    return rankingOf(given);
 }
 
 } // namespace
@@ -60,6 +60,18 @@ std::optional<Task> taskFromToken(std::string_view word) noexcept {
     return std::nullopt;
 }
 
+const std::array<Ranking, kRankings>& rankings() noexcept {
+    static constexpr std::array<Ranking, kRankings> all{{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0},
+                                                         {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, 1, 1}, {1, 0, 1}, {1, 1, 0}, {0, 0, 0}}};
+    return all;
+}
+
+int rankingOf(const Ranking& ranks) noexcept {
+    const auto& all = rankings();
+    const auto found = std::find(all.begin(), all.end(), ranks);
+    return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
+
 const std::vector<Places>& arrangements(Task task) { return rowOf(task).arrangements; }
 
 int answers(Task task) noexcept { return rowOf(task).answers; }
@@ -70,6 +82,7 @@ int correctAnswer(Task task, int arrangement) noexcept {
     const Places& places = rowOf(task).arrangements[static_cast<std::size_t>(arrangement)];
     switch (task) {
     case Task::rank3:
+    case Task::rank3Ties:
         return arrangement;
     case Task::twoAfc:
     case Task::threeAfc:
@@ -88,10 +101,14 @@ int correctAnswer(Task task, int arrangement) noexcept {
 }
 
 int outcomeOf(Task task, int arrangement, int answer) noexcept {
-    if (task == Task::rank3)
-        return rankOutcome(rowOf(task).arrangements[static_cast<std::size_t>(arrangement)],
-                           rowOf(task).arrangements[static_cast<std::size_t>(answer)]);
+    const Row& row = rowOf(task);
+    if (arrangement < 0 || static_cast<std::size_t>(arrangement) >= row.arrangements.size() || answer < 0 || answer >= row.answers)
+        return -1;
+    if (ranksThree(task))
+        return rankOutcome(row.arrangements[static_cast<std::size_t>(arrangement)], rankings()[static_cast<std::size_t>(answer)]);
     return answer == correctAnswer(task, arrangement) ? 1 : 0;
 }
+
+int outcomes(Task task) noexcept { return task == Task::rank3 ? kStrictRankings : task == Task::rank3Ties ? kRankings : 2; }
 
 } // namespace chiron::psychophysics

@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kJndPerSigma = 0.9538725524089398; ///< √2 z(0.75): the 75 % point of 2AFC in units of σ
 
+constexpr double kMostTie = 3.0; ///< σ: whoever calls more than that equal says "equal" nearly always
+
 /// The procedure's own range of log10 σ, else from a tenth of the smallest to ten times the largest difference.
 ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers) {
     ThurstonePrior prior;
@@ -34,6 +36,8 @@ ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers)
     }
     if (condition.task == Task::sameDifferent)
         prior.highCriterion = 6.0;
+    if (condition.task == Task::rank3Ties)
+        prior.highCriterion = kMostTie;
     if (condition.task == Task::yesNo && !answers.points.empty()) { // from below the lowest value shown to above the highest
         const double margin = 0.5 * answers.largestDifference;
         prior.lowCriterion = std::min(0.0, answers.points.front().difference) - margin;
@@ -61,7 +65,7 @@ void fromAnswers(RunEstimate& result, const Condition& condition, const std::vec
     const ScoredAnswers answers = sortAnswers(condition.task, trials);
     result.trials = answers.used;
     result.points = answers.points;
-    result.method = condition.task == Task::rank3 ? EstimateMethod::observerOfOrders : EstimateMethod::observer;
+    result.method = ranksThree(condition.task) ? EstimateMethod::observerOfOrders : EstimateMethod::observer;
     const ThurstonePrior prior = priorOf(condition, answers);
     const ThurstonePosterior posterior =
         answers.levels > 0 ? thurstonePosterior(condition.task, answers.counts, prior) : ThurstonePosterior{};
@@ -69,6 +73,10 @@ void fromAnswers(RunEstimate& result, const Condition& condition, const std::vec
         takeSigma(result, posterior, condition.stimulus.reference);
         if (condition.task == Task::yesNo)
             takeCriterion(result, posterior, condition.stimulus.reference);
+        if (condition.task == Task::rank3Ties) {
+            result.tie = posterior.criterion;
+            result.tie95 = {posterior.lowCriterion, posterior.highCriterion};
+        }
         takeCurve(result, condition.task, answers, posterior);
     }
     warnOfAnswers(result.warnings, condition.task, answers, posterior);

@@ -63,6 +63,8 @@ struct RunEstimate {
     double fitThreshold = std::numeric_limits<double>::quiet_NaN(); ///< the same from a free psychometric curve (fits/), beside it
     Interval fitThreshold95;
     double lapse = std::numeric_limits<double>::quiet_NaN();     ///< share of answers that were guesses
+    double tie = std::numeric_limits<double>::quiet_NaN();       ///< rank3_ties: what is felt nearer than so many σ is called equal
+    Interval tie95;
     double deviance = std::numeric_limits<double>::quiet_NaN();  ///< of the answers from the observer's curve, where there is one, and its p
     double pValue = std::numeric_limits<double>::quiet_NaN();
     double exponent = std::numeric_limits<double>::quiet_NaN();  ///< magnitude estimation: of the power law

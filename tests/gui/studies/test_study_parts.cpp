@@ -25,6 +25,7 @@ class TestStudyParts : public QObject {
     Q_OBJECT
 private slots:
     void rankingsBecomeAnswers();
+    void tiesBecomeAnswers();
     void everyTaskIsAnswered();
     void nothingIsTakenWhileClosed();
     void draftsAreUndone();
@@ -123,6 +124,37 @@ void TestStudyParts::rankingsBecomeAnswers() {
     }
 }
 
+/// Every ranking of three, with ties: places from least to most, "=" before one that equals the last.
+void TestStudyParts::tiesBecomeAnswers() {
+    for (int answer = 0; answer < psychophysics::kRankings; ++answer) {
+        const psychophysics::Ranking& said = psychophysics::rankings()[static_cast<std::size_t>(answer)];
+        desktop::AnswerPanel panel(m_theme, Task::rank3Ties, psychophysics::Attribute::stiffness);
+        Given given;
+        listen(panel, given);
+        panel.setOpen(true);
+        QVERIFY(panel.key(Qt::Key_Equal)); // equal to nothing: no meaning, and none taken
+        for (int rank = 0; rank < 3; ++rank)
+            for (int place = 0, first = 1; place < 3; ++place) {
+                if (said[static_cast<std::size_t>(place)] != rank)
+                    continue;
+                if (first == 0)
+                    QVERIFY(panel.key(Qt::Key_Equal));
+                panel.enterKey();
+                QCOMPARE(given.count, 0); // not all three yet
+                QVERIFY(panel.key(Qt::Key_1 + place));
+                first = 0;
+            }
+        QCOMPARE(panel.marks().filter(QStringLiteral("=")).size(), std::count_if(said.begin(), said.end(), [&](int own) { return std::count(said.begin(), said.end(), own) > 1; }));
+        panel.enterKey();
+        QCOMPARE(given.answer, answer);
+    }
+    desktop::AnswerPanel panel(m_theme, Task::rank3Ties, psychophysics::Attribute::stiffness);
+    panel.setOpen(true);
+    for (const int key : {Qt::Key_1, Qt::Key_Equal, Qt::Key_Backspace, Qt::Key_2, Qt::Key_Backspace, Qt::Key_3}) // back takes "=" and places one by one
+        QVERIFY(panel.key(key));
+    QCOMPARE(panel.marks(), (QStringList{"1", "", "2"}));
+}
+
 void TestStudyParts::everyTaskIsAnswered() {
     for (int t = 0; t < psychophysics::kTasks; ++t) {
         const Task task = static_cast<Task>(t);
@@ -146,7 +178,7 @@ void TestStudyParts::everyTaskIsAnswered() {
             QCOMPARE(steps, 1);
             panel.enterKey();
             QCOMPARE(given.answer, 0);
-        } else if (task != Task::rank3) {
+        } else if (!psychophysics::ranksThree(task)) {
             QVERIFY(panel.key(Qt::Key_2));
             QCOMPARE(given.answer, 1);
             QCOMPARE(panel.key(Qt::Key_3), psychophysics::answers(task) > 2);

@@ -74,6 +74,7 @@ void TestStudyFaults::wrongDesignsAreRefused_data() {
     row("conditions.0.stimulus.fixed", "{\"mass_kg\":-1}", "$.conditions[0].stimulus.fixed.mass_kg: -1");
     row("conditions.0.stimulus.fixed", "{\"mass_kg\":\"1\"}", "$.conditions[0].stimulus.fixed.mass_kg: another type");
     row("conditions.0.stimulus.size", "1", "$.conditions[0].stimulus.size: unknown key");
+    row("conditions.0.procedures", R"([{"kind":"rank3_quest_plus","differences":[0.02,0.1],"allow_ties":true}])", "$.conditions[0].procedures[0].allow_ties: true: expected false for the task rank3");
     row("conditions.0.task", "\"rank4\"", "$.conditions[0].task: \"rank4\"");
     row("conditions.0.task", "", "$.conditions[0].task: missing");
     row("conditions.0.task", "\"adjustment\"", "$.conditions[0].procedures[0].kind: \"descending\": expected for the task adjustment one of constant");

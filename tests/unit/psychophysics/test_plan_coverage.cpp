@@ -20,6 +20,7 @@ void TestPlanCoverage::everyTask_data() {
     QTest::addColumn<int>("task");
     QTest::addColumn<int>("repeats");
     QTest::newRow("rank3") << static_cast<int>(Task::rank3) << 8;
+    QTest::newRow("rank3_ties") << static_cast<int>(Task::rank3Ties) << 8;
     QTest::newRow("2afc") << static_cast<int>(Task::twoAfc) << 20;
     QTest::newRow("3afc") << static_cast<int>(Task::threeAfc) << 15;
     QTest::newRow("oddity") << static_cast<int>(Task::oddity) << 20;

@@ -128,7 +128,7 @@ void TestProcedureReader::faults_data() {
     add("function", R"({"kind": "quest_plus", "function": "weibul", "stimuli": [{"name": "x", "values": [1]}], "parameters": []})", "$.function: \"weibul\"");
     add("parameter", R"({"kind": "quest_plus", "stimuli": [{"name": "x", "values": [1]}], "parameters": [{"name": "threshold", "values": [1]}]})", "slope is missing");
     add("grid", R"({"kind": "quest_plus", "stimuli": [{"name": "x", "from": 1, "to": 0, "step": 1}], "parameters": []})", "$.stimuli[0].step");
-    add("ties", R"({"kind": "rank3_quest_plus", "differences": [0.1], "allow_ties": true})", "$.allow_ties: not usable: expected false");
+    add("ties", R"({"kind": "rank3_quest_plus", "differences": [0.1], "allow_ties": true, "tie_thresholds": [0]})", "$.tie_thresholds: not usable: expected positive numbers");
     add("place", "{\"kind\": \"staircase\",\n \"down\": 0}", "procedure.json:2:");
 }
 

@@ -13,6 +13,7 @@ class TestRankingSummary : public QObject {
 private slots:
     void readsTrials();
     void byHand();
+    void ties();
     void alwaysRight();
     void groupIsOfPersons();
     void nothingSaid();
@@ -50,6 +51,35 @@ void TestRankingSummary::byHand() {
     QVERIFY(std::abs(summary.bradleyTerry.logWorth[1] - summary.bradleyTerry.logWorth[2]) < 1e-6);
     QVERIFY(std::abs(summary.bradleyTerry.logWorth[1] - summary.bradleyTerry.logWorth[0] - std::log(3.0)) < 1e-6);
     QVERIFY(summary.bradleyTerry.standardError[0] > 0.0);
+}
+
+/// Four rankings: right; the lower two equal; the upper two equal, in the wrong place; all equal.
+void TestRankingSummary::ties() {
+    ScoredTrial lower, all;
+    lower.arrangement = 5; // {2,1,0}: said 1, 0, 0 from left to right, so objects 0 and 1 are equal
+    lower.answer = rankingOf({1, 0, 0});
+    all.outcome = rankingOf({0, 0, 0});
+    const auto said = saidRanks({lower, all});
+    QCOMPARE(said[0], (SaidRanks{1.5, 1.5, 3}));
+    QCOMPARE(said[1], (SaidRanks{2, 2, 2}));
+    const RankingSummary summary = summariseRankings({{1, 2, 3}, said[0], {2.5, 1, 2.5}, said[1]});
+    QCOMPARE(summary.tied, 3);
+    QCOMPARE(summary.complete.right, 1);
+    QVERIFY(std::abs(summary.tau - (1.0 + 2.0 / 3.0 + 0.0 + 0.0) / 4.0) < 1e-12); // the third: one pair right, one wrong, one tied
+    // column sums 7, 6.5, 10.5 about 8; Σ(t³ − t) = 0 + 6 + 6 + 24
+    QVERIFY(std::abs(summary.agreement.w - 12.0 * (1.0 + 2.25 + 6.25) / (16.0 * 24.0 - 4.0 * 36.0)) < 1e-12);
+    QCOMPARE(summary.trend.l, 7.0 + 2 * 6.5 + 3 * 10.5);
+    QVERIFY(summary.bradleyTerry.fitted && summary.davidsonTie > 0.0);
+    // Davidson's likelihood equation of ties: as many are expected as there were
+    const auto& g = summary.bradleyTerry.logWorth;
+    double expected = 0.0;
+    for (const auto& [i, j] : {std::pair{0U, 1U}, std::pair{0U, 2U}, std::pair{1U, 2U}}) {
+        const double up = std::exp(0.5 * (g[i] - g[j]));
+        expected += 4.0 * summary.davidsonTie / (up + 1.0 / up + summary.davidsonTie);
+    }
+    QVERIFY(std::abs(expected - 5.0) < 1e-5); // 0 + 1 + 1 + 3 tied pairs
+    QVERIFY(summary.plackettLuce.fitted && summary.thurstone.fitted && std::isnan(summary.thurstone.standardError[0]));
+    QVERIFY(summary.thurstone.logWorth[2] > summary.thurstone.logWorth[0]);
 }
 
 /// Never wrong: no finite worth exists, and none is shown.

@@ -44,6 +44,7 @@ void TestRunEstimate::coverageAndBias_data() {
     QTest::addColumn<int>("task");
     QTest::addColumn<int>("trials");
     QTest::newRow("rank3") << static_cast<int>(Task::rank3) << 60;
+    QTest::newRow("rank3_ties") << static_cast<int>(Task::rank3Ties) << 60;
     QTest::newRow("2afc") << static_cast<int>(Task::twoAfc) << 120;
     QTest::newRow("3afc") << static_cast<int>(Task::threeAfc) << 100;
     QTest::newRow("oddity") << static_cast<int>(Task::oddity) << 100;

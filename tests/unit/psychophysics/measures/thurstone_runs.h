@@ -42,10 +42,23 @@ inline int orderSaid(const std::vector<double>& felt) {
     return static_cast<int>(std::find(orders.begin(), orders.end(), said) - orders.begin());
 }
 
+/// The same with ties, as the answers of rank3_ties count it: who is next to whom, less than half an sd apart, is equal.
+inline int tiesSaid(const std::vector<double>& felt, double sigma) {
+    std::vector<double> sorted = felt;
+    std::sort(sorted.begin(), sorted.end());
+    Ranking said{};
+    for (std::size_t place = 0; place < 3; ++place)
+        for (std::size_t i = 1; i < 3; ++i)
+            said[place] = static_cast<std::int8_t>(said[place] + (felt[place] >= sorted[i] && sorted[i] - sorted[i - 1] >= 0.5 * sigma ? 1 : 0));
+    return rankingOf(said);
+}
+
 inline int answerOf(Task task, const std::vector<double>& felt, double sigma, double criterion) {
     switch (task) {
     case Task::rank3:
         return orderSaid(felt);
+    case Task::rank3Ties:
+        return tiesSaid(felt, sigma);
     case Task::twoAfc:
     case Task::threeAfc:
         return static_cast<int>(std::max_element(felt.begin(), felt.end()) - felt.begin());

@@ -43,6 +43,11 @@ psychophysics::StudyDesign designOf(const QByteArray& kind) {
     psychophysics::Condition& condition = design.conditions.front();
     if (kind == "rank3")
         return design;
+    if (kind == "rank3_ties") {
+        condition.task = psychophysics::Task::rank3Ties;
+        std::get<psychophysics::Rank3Spec>(condition.procedures.front()).allowTies = true;
+        return design;
+    }
     condition.task = psychophysics::Task::twoAfc;
     condition.scale = psychophysics::ProcedureScale::logDifference;
     psychophysics::StaircaseSpec stairs;
@@ -70,7 +75,7 @@ class TestStudyProgress : public QObject {
 private slots:
     void rerunReproducesEveryChoice_data() {
         QTest::addColumn<QByteArray>("kind");
-        for (const char* kind : {"rank3", "quest_plus", "staircase", "interleaved"})
+        for (const char* kind : {"rank3", "rank3_ties", "quest_plus", "staircase", "interleaved"})
             QTest::newRow(kind) << QByteArray(kind);
     }
     void rerunReproducesEveryChoice() {
@@ -113,6 +118,17 @@ private slots:
             QCOMPARE(next.arrangement, trials[stop].arrangement);
             QCOMPARE(next.procedure, trials[stop].procedure);
             QCOMPARE(next.ordinal, trials[stop].ordinal);
+        }
+    }
+    /// A task and a procedure count the same outcomes, or the run is refused.
+    void tiesNeedBothTaskAndProcedure() {
+        for (const char* kind : {"rank3", "rank3_ties"}) {
+            auto design = designOf(kind);
+            auto& condition = design.conditions.front();
+            QVERIFY(session::StudyProgress::begin(design, "main", 1));
+            condition.task = condition.task == psychophysics::Task::rank3 ? psychophysics::Task::rank3Ties : psychophysics::Task::rank3;
+            const auto refused = session::StudyProgress::begin(design, "main", 1);
+            QVERIFY(!refused && refused.error().message.find("outcomes") != std::string::npos);
         }
     }
     void practiceIsNeverScoredAndSpoiledComesAgain() {
