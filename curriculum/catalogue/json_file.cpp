@@ -11,7 +11,7 @@ namespace chiron::catalogue {
 
 namespace {
 
-constexpr qsizetype kLargest = qsizetype{1} << 20;
+constexpr qsizetype kMebibyte = 1 << 20;
 constexpr std::size_t kMostProblems = 20;
 
 tl::unexpected<core::Error> refuse(const QString& name, const QByteArray& bytes, qsizetype offset,
@@ -54,13 +54,12 @@ core::Result<JsonFile> JsonFile::read(const QString& path) {
                           QStringLiteral("%1: %2: expected a file that can be read")
                               .arg(path, file.errorString())
                               .toStdString());
-    return parse(file.read(kLargest + 1), path);
+    return parse(file.read(kMebibyte + 1), path);
 }
 
-core::Result<JsonFile> JsonFile::parse(const QByteArray& bytes, const QString& name) {
-    if (bytes.size() > kLargest)
-        return refuse(name, bytes, 0,
-                      QStringLiteral("$: longer than 1 MiB: expected a content file of at most 1 MiB"));
+core::Result<JsonFile> JsonFile::parse(const QByteArray& bytes, const QString& name, qsizetype mebibytes) {
+    if (bytes.size() > mebibytes * kMebibyte)
+        return refuse(name, bytes, 0, QStringLiteral("$: longer than %1 MiB: expected a content file of at most %1 MiB").arg(mebibytes));
     if (const qsizetype bad = firstBadByte(bytes); bad >= 0)
         return refuse(name, bytes, bad,
                       QStringLiteral("$: byte 0x%1: expected UTF-8")

@@ -15,12 +15,12 @@ namespace chiron::catalogue {
 /// name line and column.
 ///
 /// Strict beyond Qt's parser: UTF-8 only, an object at the top, no key twice in one object, numbers and
-/// escapes of RFC 8259 only, at most 16 levels deep and 1 MiB long.
+/// escapes of RFC 8259 only, at most 16 levels deep and 1 MiB long (more where a caller says so).
 class JsonFile {
 public:
     /// Failure (notFound, badInput): `file:line:column: ...: expected ...`.
     static core::Result<JsonFile> read(const QString& path);
-    static core::Result<JsonFile> parse(const QByteArray& bytes, const QString& name);
+    static core::Result<JsonFile> parse(const QByteArray& bytes, const QString& name, qsizetype mebibytes = 1);
 
     const QJsonObject& root() const { return m_root; }
     const QString& name() const { return m_name; }

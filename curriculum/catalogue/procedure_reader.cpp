@@ -35,6 +35,9 @@ std::vector<double> numbersAt(const QJsonValue& value, const QString& path, Prob
 
 /// "values", or "from", "to" and "step".
 std::vector<double> gridOf(const ObjectReader& json) {
+    for (const char* key : {"from", "to", "step"})
+        if (json.has("values") && json.has(name(key)))
+            json.problems().push_back({memberPath(json.path(), name(key)), QStringLiteral("beside values"), QStringLiteral("either values, or from, to and step")});
     if (json.has("values") || !json.has("from"))
         return numbersAt(json.json().value("values"), memberPath(json.path(), "values"), json.problems());
     const double from = json.number("from");
@@ -100,8 +103,17 @@ private:
     void read(const QString& key, StopRule& to) {
         const ObjectReader object = m_json.object(key);
         KeyReader reader(object);
+        to = {}; // the rules given are the rules: nothing of the default stays beside them
         stopKeys(to, reader);
         reader.refuseOthers(QStringLiteral("a rule of when to stop"));
+        const auto refuse = [&](const char* rule, double value, const QString& expected) {
+            m_json.problems().push_back({memberPath(object.path(), name(rule)), QString::number(value), expected});
+        };
+        for (const auto& [rule, value] : {std::pair{"trials", double(to.trials)}, {"minimum_trials", double(to.minimumTrials)}, {"reversals", double(to.reversals)}, {"sd", to.sd}})
+            if (!(value >= 0.0))
+                refuse(rule, value, QStringLiteral("at least 0"));
+        if (to.trials > 0 && to.minimumTrials > to.trials)
+            refuse("minimum_trials", to.minimumTrials, QStringLiteral("at most trials, %1").arg(to.trials));
     }
 
     void read(const QString& key, Stimuli& to) {
@@ -209,6 +221,8 @@ void addRefusal(const core::Error& error, const ObjectReader& json) {
         found = quoted(value.toString());
     else if (value.isDouble())
         found = QString::number(value.toDouble());
+    else if (const QString place = message.section(": ", 1).section("expected ", 0, 0); named && place.endsWith(": "))
+        found = place.chopped(2); // where in a list or table, and what is there
     json.problems().push_back({named ? memberPath(json.path(), key) : json.path(), found, named && message.contains("expected ") ? message.section("expected ", -1) : message});
 }
 
@@ -239,7 +253,8 @@ ProcedureSpec readProcedure(const ObjectReader& json) {
 }
 
 core::Result<ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file) {
-    const auto parsed = JsonFile::parse(json, QString::fromStdString(file));
+    constexpr qsizetype kMostMebibytes = 16; // a table of many outcomes has a million numbers
+    const auto parsed = JsonFile::parse(json, QString::fromStdString(file), kMostMebibytes);
     if (!parsed)
         return tl::unexpected(parsed.error());
     Problems problems;

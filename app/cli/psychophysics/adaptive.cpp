@@ -85,7 +85,7 @@ core::Result<CommandOutput> runAdaptive(const Arguments& arguments) {
     const auto seed = arguments.seed(QStringLiteral("seed"), 1);
     if (!seed)
         return tl::unexpected(seed.error());
-    constexpr qint64 kLargest = 1 << 20;
+    constexpr qint64 kLargest = (16 << 20) + 1; // a byte more than is read: who reads it says where
     const QString path = arguments.value(QStringLiteral("procedure"));
     const auto bytes = readInputFile(path, kLargest);
     if (!bytes)

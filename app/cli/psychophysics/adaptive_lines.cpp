@@ -4,6 +4,7 @@
 #include "cli/messages.h"
 #include "psychophysics/study/arrangement.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::cli {
@@ -82,12 +83,11 @@ core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, 
         read.kind = word == u"undo" ? AdaptiveLine::Kind::undo : AdaptiveLine::Kind::spoiled;
         return read;
     }
-    const bool order = orders && (word.contains(u'<') || word.contains(u'='));
     if (word.contains(u'=') && outcomes != kRankings)
         return badInput(QStringLiteral("%1: ties are not allowed by this procedure; expected %2").arg(quoted(word), expected(outcomes, orders)));
-    bool ok = false;
-    read.outcome = order ? outcomeOfOrder(word) : word.toInt(&ok);
-    if ((!ok && !order) || read.outcome < 0 || read.outcome >= outcomes)
+    const bool isIndex = word.size() <= 3 && std::all_of(word.begin(), word.end(), [](QChar c) { return c >= u'0' && c <= u'9'; });
+    read.outcome = isIndex ? word.toInt() : orders ? outcomeOfOrder(word) : -1; // an order says nothing where no order was asked for
+    if (read.outcome < 0 || read.outcome >= outcomes)
         return badInput(QStringLiteral("%1: expected %2").arg(quoted(word), expected(outcomes, orders)));
     if (!words.isEmpty()) {
         auto presented = presentedOf(words, dimensions);

@@ -17,6 +17,7 @@ namespace {
 using namespace psychophysics;
 
 const QStringList kTasks{"yes-no", "2afc", "mafc", "same-different", "triangle", "oddity", "abx", "tetrad"};
+constexpr char kChance[] = "chance: no better than guessing";
 const QStringList kCounts{"hits", "misses", "false_alarms", "correct_rejections"};
 
 /// A line to be turned into d': four counts, or right answers of all (or a proportion alone).
@@ -82,6 +83,9 @@ core::Result<Row> rowOfOptions(const Arguments& arguments, bool fourCounts) {
     constexpr qint64 kMost = 1'000'000'000;
     const QStringList names = fourCounts ? QStringList{"hits", "misses", "false-alarms", "correct-rejections"} : QStringList{"correct", "total"};
     if (!fourCounts && arguments.has(QStringLiteral("proportion"))) {
+        for (const QString& name : names)
+            if (arguments.has(name))
+                return wrongUse(QStringLiteral("--%1 beside --proportion: expected one of them").arg(name));
         const auto proportion = arguments.number(QStringLiteral("proportion"), 0.0, 1.0, 0.0);
         if (!proportion)
             return tl::unexpected(proportion.error());
@@ -152,13 +156,18 @@ core::Result<QJsonObject> rowJson(const Arguments& arguments, const QString& tas
             return tl::unexpected(rule.error());
         if (row.counts) {
             const QJsonObject rates = yesNoJson(*row.counts, corrected);
+            QJsonArray warnings = rates["warnings"].toArray();
+            if (rates["hit_rate"].toDouble() <= rates["false_alarm_rate"].toDouble())
+                warnings.append(QLatin1String(kChance));
             json = {{"d_prime", dPrimeOfRates(*rule, rates["hit_rate"].toDouble(), rates["false_alarm_rate"].toDouble())},
-                    {"hit_rate", rates["hit_rate"]}, {"false_alarm_rate", rates["false_alarm_rate"]}, {"rule", "independent"}, {"warnings", rates["warnings"]}};
+                    {"hit_rate", rates["hit_rate"]}, {"false_alarm_rate", rates["false_alarm_rate"]}, {"rule", "independent"}, {"warnings", warnings}};
         } else if (std::isfinite(row.proportion)) {
             const double found = dPrimeAt(*rule, row.proportion);
             QJsonArray warnings;
             if (!std::isfinite(found))
                 warnings.append(QStringLiteral("no_limit: at this proportion d' has no finite value"));
+            if (row.proportion <= chanceOf(*rule))
+                warnings.append(QLatin1String(kChance));
             json = {{"d_prime", found}, {"proportion_correct", row.proportion}, {"warnings", warnings}};
         } else {
             json = estimateJson(dPrimeOfCounts(*rule, row.right, row.of));

@@ -26,7 +26,9 @@ QJsonArray words(const std::vector<std::string>& warnings) {
     return array;
 }
 
-QJsonObject worthJson(const WorthEstimate& worth, const QStringList& items, bool exponentials) {
+QJsonObject worthJson(WorthEstimate worth, const QStringList& items, bool exponentials, int leftOut = 0) {
+    if (leftOut > 0)
+        worth.warnings.push_back("left_out: " + std::to_string(leftOut) + " rankings have ties or missing ranks, which this model does not take");
     QJsonArray objects;
     double total = 0.0;
     for (const double log : worth.logWorth)
@@ -48,7 +50,8 @@ struct Judges {
     QStringList items;
     std::vector<std::vector<double>> ranks;
     std::vector<std::vector<int>> bestFirst; ///< of rows without ties and missing ranks
-    int leftOut = 0;
+    int leftOut = 0;  ///< of bestFirst
+    int notRanks = 0; ///< rows with a value that is no rank from 1 to the number of objects
 };
 
 core::Result<Judges> readJudges(const CsvTable& table) {
@@ -82,6 +85,8 @@ core::Result<Judges> readJudges(const CsvTable& table) {
             judges.bestFirst.push_back(order);
         else
             ++judges.leftOut;
+        const auto isRank = [&](double r) { return !std::isfinite(r) || (r >= 1.0 && r <= static_cast<double>(ranks.size())); };
+        judges.notRanks += std::all_of(ranks.begin(), ranks.end(), isRank) ? 0 : 1;
         judges.ranks.push_back(std::move(ranks));
     }
     return judges;
@@ -124,12 +129,16 @@ core::Result<QJsonObject> ranksJson(const Arguments& arguments, const CsvTable& 
         for (const Selection& selection : selectionsOf(bestFirst))
             selections.push_back(selection);
     const int objects = static_cast<int>(judges->items.size());
-    return QJsonObject{{"judges", w.judges}, {"objects", w.objects}, {"items", QJsonArray::fromStringList(judges->items)}, {"tied_or_incomplete", judges->leftOut},
+    std::vector<std::string> warnings;
+    if (judges->notRanks > 0)
+        warnings.push_back("not_ranks: " + std::to_string(judges->notRanks) + " rows have values that are no ranks from 1 to " + std::to_string(objects) +
+                           "; they were taken as an order, the smallest best");
+    return QJsonObject{{"warnings", words(warnings)}, {"judges", w.judges}, {"objects", w.objects}, {"items", QJsonArray::fromStringList(judges->items)}, {"tied_or_incomplete", judges->leftOut},
                        {"kendall_w", QJsonObject{{"w", w.w}, {"chi_square", w.chiSquare}, {"degrees_of_freedom", w.objects - 1}, {"p_value", w.pValue}, {"exact_p", w.exactP}, {"warnings", words(w.warnings)}}},
                        {"page", QJsonObject{{"order", QJsonArray::fromStringList(order->isEmpty() ? judges->items : *order)}, {"l", page.l}, {"expected", page.expected}, {"z", page.z},
                                             {"p_value", page.pValue}, {"exact_p", page.exactP}, {"warnings", words(page.warnings)}}},
-                       {"plackett_luce", worthJson(fitPlackettLuce(objects, selections, options), judges->items, true)},
-                       {"thurstone", worthJson(fitThurstoneOrders(objects, judges->bestFirst), judges->items, false)}};
+                       {"plackett_luce", worthJson(fitPlackettLuce(objects, selections, options), judges->items, true, judges->leftOut)},
+                       {"thurstone", worthJson(fitThurstoneOrders(objects, judges->bestFirst), judges->items, false, judges->leftOut)}};
 }
 
 core::Result<QJsonObject> pairsJson(const CsvTable& table, const WorthOptions& options) {
@@ -137,14 +146,17 @@ core::Result<QJsonObject> pairsJson(const CsvTable& table, const WorthOptions& o
     QStringList items;
     std::vector<Selection> pairs;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        for (const int column : {winner, loser})
+        for (const int column : {winner, loser}) {
+            if (table.cell(row, column).isEmpty())
+                return table.fault(row, column, QStringLiteral("a name"));
             if (!items.contains(table.cell(row, column)))
                 items << table.cell(row, column);
+        }
         const auto times = count >= 0 ? table.number(row, count) : core::Result<double>(1.0);
         if (!times)
             return tl::unexpected(times.error());
-        if (!(*times >= 0.0) || !std::isfinite(*times))
-            return table.fault(row, count, QStringLiteral("a number from 0"));
+        if (!(*times >= 0.0 && *times <= 1e9))
+            return table.fault(row, count, QStringLiteral("a number from 0 to 1e9"));
         const auto index = [&](int column) { return static_cast<int>(items.indexOf(table.cell(row, column))); };
         if (index(winner) == index(loser))
             return table.fault(row, loser, QStringLiteral("another one than the winner"));
@@ -164,6 +176,8 @@ QString textOf(const QJsonObject& json) {
                     .arg(shortNumber(w["w"].toDouble(std::nan(""))), shortNumber(w["p_value"].toDouble(std::nan(""))), shortNumber(page["l"].toDouble(std::nan(""))),
                          shortNumber(page["p_value"].toDouble(std::nan(""))))
                     .arg(json["judges"].toInt());
+        for (const QJsonValue& warning : json["warnings"].toArray())
+            text += QStringLiteral("! %1\n").arg(warning.toString());
     }
     for (const char* model : {"plackett_luce", "bradley_terry", "thurstone"}) {
         const QJsonObject fit = json[QLatin1String(model)].toObject();

@@ -166,6 +166,55 @@ void chooseKind(Sigmoid sigmoid, const LevelsView& levels, SearchResult& best, d
     }
 }
 
+constexpr double kGained = 1e-9; ///< of the log-likelihood: less is no other maximum
+
+/// Climbs again and again: along a ridge (a wide curve, a large lapse) a hundred steps do not arrive.
+void climbToTheEnd(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, SearchResult& best) noexcept {
+    constexpr int kMostClimbs = 30;
+    for (int again = 0; again < kMostClimbs; ++again) {
+        const double before = best.logLikelihood;
+        keepBetter(best, climb(sigmoid, levels, free, best.curve));
+        if (!(best.logLikelihood > before + kGained)) {
+            return;
+        }
+    }
+}
+
+/// For each width and each pair of ends the likeliest places, climbed from.
+void exploreWidely(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse, double guess, SearchResult& best) noexcept {
+    const SigmoidUnits units = unitsOf(sigmoid);
+    constexpr std::array<double, 4> shares{0.0, 0.03, 0.15, 1.0};
+    for (const double lapseShare : shares) {
+        for (const double guessShare : shares) {
+            const double startLapse = free.lapse ? lapseShare * free.largestLapse : lapse;
+            const double startGuess = free.equal ? startLapse : free.guess ? guessShare * free.largestGuess : guess;
+            for (const double width : {0.03, 0.1, 0.3, 1.0, 3.0, 15.0}) {
+                const double beta = units.spread / width;
+                std::pair<double, UnitCurve> first{-std::numeric_limits<double>::infinity(), {}}, second = first;
+                for (double place = -1.0; place < 1.01; place += 0.125) {
+                    const UnitCurve curve{units.middle - beta * place, beta, startLapse, startGuess};
+                    if (const double height = logLikelihood(sigmoid, levels, curve); height > first.first) {
+                        second = std::exchange(first, {height, curve});
+                    } else if (height > second.first) {
+                        second = {height, curve};
+                    }
+                }
+                for (const auto& [height, curve] : {first, second}) {
+                    if (std::isfinite(height)) {
+                        explore(sigmoid, levels, free, curve, best);
+                    }
+                }
+            }
+            if (!free.guess) {
+                break;
+            }
+        }
+        if (!free.lapse) {
+            break;
+        }
+    }
+}
+
 } // namespace
 
 SearchResult climb(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, const UnitCurve& start, const ClimbGoal& goal) noexcept {
@@ -187,6 +236,18 @@ SearchResult searchMaximum(Sigmoid sigmoid, const LevelsView& levels, const Free
         keepBetter(best, climb(sigmoid, levels, free, best.curve));
     }
     chooseKind(sigmoid, levels, best, flat);
+    return best;
+}
+
+SearchResult searchThoroughly(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept {
+    const SearchResult quick = searchMaximum(sigmoid, levels, free, lapse, guess);
+    SearchResult best = quick;
+    exploreWidely(sigmoid, levels, free, lapse, guess, best);
+    climbToTheEnd(sigmoid, levels, free, best);
+    if (!(best.logLikelihood > quick.logLikelihood + kGained)) {
+        return quick;
+    }
+    chooseKind(sigmoid, levels, best, flatLogLikelihood(levels, free, lapse, guess));
     return best;
 }
 

@@ -36,4 +36,7 @@ SearchResult climb(Sigmoid sigmoid, const LevelsView& levels, const FreeParamete
 /// more climbs, from steps and from the best of a grid of curves; then the two limits.
 SearchResult searchMaximum(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept;
 
+/// The same from many more starts, each climbed to its end: a millisecond, for a fit that somebody reads.
+SearchResult searchThoroughly(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept;
+
 } // namespace chiron::psychophysics

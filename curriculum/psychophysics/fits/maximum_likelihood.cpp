@@ -43,9 +43,10 @@ void addErrors(FitResult& result, const PreparedLevels& levels, const FreeParame
     }
 }
 
-/// Where no rise is best there is a height and nothing else.
-void reportFlat(FitResult& result, const PreparedLevels& levels) {
-    result.logLikelihood = kNotKnown;
+/// Where no rise is best, or answers are all alike, there is a height and what it explains, and nothing else.
+void reportFlat(FitResult& result, const PreparedLevels& levels, double height) {
+    result.logLikelihood = height + levels.logCoefficients;
+    result.deviance = 2.0 * (saturatedLogLikelihood(viewOf(levels)) - height);
     if (levels.totalRight > 0.0 && levels.totalRight < levels.total) {
         result.warnings.push_back("no_rise: answers do not get better as the intensity grows, so there is no threshold to find");
     }
@@ -77,11 +78,12 @@ FitResult fitMaximumLikelihood(const PsychometricData& data, const FitOptions& o
     }
     const FreeParameters free = freeParameters(options);
     const double lapse = free.lapse ? 0.0 : options.lapse.value, guess = free.guess || free.equal ? 0.0 : options.guess.value;
-    const SearchResult found = searchMaximum(options.function, viewOf(levels), free, lapse, guess);
+    const bool read = options.profileIntervals || options.bootstrap != Bootstrap::none || options.monteCarlo > 0; // milliseconds all the same
+    const SearchResult found = (read ? searchThoroughly : searchMaximum)(options.function, viewOf(levels), free, lapse, guess);
     result.freeParameters = free.count();
     const bool oneSided = levels.totalRight == 0.0 || levels.totalRight == levels.total;
     if (found.kind == SearchResult::Kind::flat || oneSided) {
-        reportFlat(result, levels);
+        reportFlat(result, levels, flatLogLikelihood(viewOf(levels), free, lapse, guess));
         addWarnings(result, levels, options);
         return result;
     }

@@ -42,14 +42,15 @@ Sums<Ends> sumsAt(const LevelsView& levels, const UnitCurve& curve, [[maybe_unus
         sums.logLikelihood += levelLogLikelihood(levels.right[i], levels.of[i], psi, rest);
         const double weight = 1.0 / std::max(psi * rest, 1e-300);
         const double excess = levels.right[i] * rest - (levels.of[i] - levels.right[i]) * psi; // k − nψ
-        const double score = excess * weight;
-        sums.pearson += excess * score / levels.of[i];
+        sums.pearson += excess * excess * weight / levels.of[i];
+        // Each term by itself: their sum over ψ(1 − ψ) loses what a saturated level says of the lapse, where 1 − ψ has left the doubles.
+        const double right = levels.right[i] / std::max(psi, 1e-150), wrong = (levels.of[i] - levels.right[i]) / std::max(rest, 1e-150);
+        const double score = right - wrong;
         std::array<double, kParameters<Ends>> d{reach * s.slope, s.slope > 0.0 ? reach * s.slope * u : 0.0};
         if constexpr (Ends) {
             d[2] = equal ? s.rest - s.rise : -s.rise;
             d[3] = equal ? 0.0 : s.rest;
         }
-        const double right = levels.right[i] / std::max(psi, 1e-150), wrong = (levels.of[i] - levels.right[i]) / std::max(rest, 1e-150);
         const double curvature = right / std::max(psi, 1e-150) + wrong / std::max(rest, 1e-150), expected = levels.of[i] * weight;
         for (std::size_t a = 0; a < d.size(); ++a) {
             sums.gradient[a] += score * d[a];

@@ -56,15 +56,39 @@ core::Result<std::unique_ptr<Procedure>> Quest::make(const QuestSpec& spec) {
 
 Quest::Quest(QuestSpec spec) : m_spec(std::move(spec)) {
     m_half = std::ceil(m_spec.range / m_spec.grain / 2.0);
-    const double epsilon = questEpsilon(m_spec.target, m_spec.slope, m_spec.guess, m_spec.lapse);
     m_right.resize(static_cast<std::size_t>(4.0 * m_half) + 1);
+    tabulate(0.0);
+    tabulate(offset());
+    m_order = optimalQuantileOrder(m_right.front(), m_right.back());
+    restart();
+}
+
+void Quest::tabulate(double epsilon) {
     for (std::size_t i = 0; i < m_right.size(); ++i) {
         const double exponent = m_spec.slope * ((static_cast<double>(i) - 2.0 * m_half) * m_spec.grain + epsilon);
         m_right[i] = m_spec.lapse * m_spec.guess +
                      (1.0 - m_spec.lapse) * (1.0 - (1.0 - m_spec.guess) * std::exp(-std::pow(10.0, exponent)));
     }
-    m_order = optimalQuantileOrder(m_right.front(), m_right.back());
-    restart();
+}
+
+/// ε as the common implementations have it: on a straight line between points of the grid (of which each that the next one equals is left
+/// out). In closed form where the grid does not reach it.
+double Quest::offset() const {
+    const double exact = questEpsilon(m_spec.target, m_spec.slope, m_spec.guess, m_spec.lapse);
+    std::size_t before = m_right.size();
+    for (std::size_t i = 0; i + 1 < m_right.size(); ++i) {
+        if (m_right[i] == m_right[i + 1])
+            continue;
+        if (m_right[i] > m_spec.target) {
+            if (before == m_right.size())
+                return exact;
+            const double share = (m_spec.target - m_right[before]) / (m_right[i] - m_right[before]);
+            const double from = static_cast<double>(before) - 2.0 * m_half;
+            return m_spec.grain * (from + share * static_cast<double>(i - before));
+        }
+        before = i;
+    }
+    return exact;
 }
 
 void Quest::restart() {

@@ -12,14 +12,14 @@ double questEpsilon(double target, double slope, double guess, double lapse) noe
 double optimalQuantileOrder(double low, double high) noexcept;
 
 /// QUEST (Watson & Pelli 1983) on a grid of thresholds around the prior mean. The first trial is at the prior mean; then at the optimal
-/// quantile, mean or mode of the posterior, within minimum..maximum. Interpolation as in the common implementations, whose sequences it
-/// gives within 1e-6 of the range.
+/// quantile, mean or mode of the posterior, within minimum..maximum. Interpolation as in the common implementations, also of ε (quest@1 had
+/// it in closed form), whose sequences it gives.
 class Quest final : public LoggedProcedure {
 public:
     static core::Result<std::unique_ptr<Procedure>> make(const QuestSpec& spec);
     explicit Quest(QuestSpec spec);
 
-    std::string_view id() const noexcept override { return "quest@1"; }
+    std::string_view id() const noexcept override { return "quest@2"; }
     Choice next() const override;
     bool done() const noexcept override;
     ProcedureEstimate estimate() const override;
@@ -36,6 +36,8 @@ protected:
     core::Result<void> take(const RecordedTrial& trial) override;
 
 private:
+    void tabulate(double epsilon);
+    double offset() const;
     double x(std::size_t i) const noexcept { return (static_cast<double>(i) - m_half) * m_spec.grain; }
 
     QuestSpec m_spec;

@@ -58,6 +58,7 @@ private slots:
     void schemaKnowsEveryKey();
     void schemaTakesWhatIsWritten();
     void evenGrids();
+    void gridsOfRank3();
     void faults_data();
     void faults();
 };
@@ -122,6 +123,12 @@ void TestProcedureReader::faults_data() {
     add("list", R"({"kind": "staircase", "steps_up": [0.1, "b"]})", "$.steps_up[1]: another type: expected a number");
     add("range", R"({"kind": "staircase", "estimate_reversals": 1})", "$.estimate_reversals: 1: expected at least 2");
     add("stop", R"({"kind": "staircase", "stop": {"trails": 3}})", "$.stop.trails: unknown key");
+    add("stop below 0", R"({"kind": "staircase", "stop": {"trials": 5, "reversals": -1}})", "$.stop.reversals: -1: expected at least 0");
+    add("stop of another kind", R"({"kind": "staircase", "stop": {"sd": 0.1}})", "$.stop: not usable: expected trials or reversals");
+    add("stop against itself", R"({"kind": "quest", "stop": {"trials": 5, "minimum_trials": 6}})", "$.stop.minimum_trials: 6: expected at most trials, 5");
+    add("values and a grid", R"({"kind": "quest_plus", "stimuli": [{"name": "x", "values": [1], "from": 0}], "parameters": []})", "$.stimuli[0].from: beside values");
+    add("sum", R"({"kind": "quest_plus", "function": "table", "stimuli": [{"name": "x", "values": [1]}], "parameters": [{"name": "a", "values": [0, 1]}],
+        "table": [[[0.2, 0.5]], [[0.8, 0.6]]]})", "$.table: stimulus 0, cell 1: probabilities sum to 1.100000: expected 1");
     add("step type", R"({"kind": "staircase", "step_type": "lin"})", "$.step_type: \"lin\": expected one of linear, log, db");
     add("no levels", R"({"kind": "constant"})", "levels: expected finite numbers, at least one");
     add("method", R"({"kind": "quest", "method": "median"})", "$.method: \"median\": expected quantile, mean or mode");
@@ -130,6 +137,15 @@ void TestProcedureReader::faults_data() {
     add("grid", R"({"kind": "quest_plus", "stimuli": [{"name": "x", "from": 1, "to": 0, "step": 1}], "parameters": []})", "$.stimuli[0].step");
     add("ties", R"({"kind": "rank3_quest_plus", "differences": [0.1], "allow_ties": true, "tie_thresholds": [0]})", "$.tie_thresholds: not usable: expected positive numbers");
     add("place", "{\"kind\": \"staircase\",\n \"down\": 0}", "procedure.json:2:");
+}
+
+void TestProcedureReader::gridsOfRank3() {
+    QByteArray numbers = "0.1";
+    for (int i = 1; i < 3000; ++i)
+        numbers += "," + QByteArray::number(0.1 + 1e-5 * i);
+    const auto spec = read(R"({"kind": "rank3_quest_plus", "differences": [)" + numbers + R"(], "log10_sigma": [)" + numbers + "]}");
+    QVERIFY(!spec);
+    QVERIFY2(QString::fromStdString(spec.error().message).contains("$.differences: times log10_sigma, lapse_rates and tie_thresholds more than 4000000"), spec.error().message.c_str());
 }
 
 void TestProcedureReader::faults() {

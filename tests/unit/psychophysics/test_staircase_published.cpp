@@ -101,6 +101,7 @@ private slots:
     void levitt();
     void targets();
     void questOffset();
+    void questOnACoarseGrid();
 };
 
 void TestStaircasePublished::psychopy() {
@@ -194,6 +195,29 @@ void TestStaircasePublished::questOffset() {
     qInfo("published_small_checks.json, harvey1986_quest_epsilon: 1 case, %d passed, worst difference %.1e", off < 1e-4 ? 1 : 0, off);
     QVERIFY(off < 1e-12);
     QVERIFY(std::isnan(questEpsilon(0.4, 3.5, 0.5, 0.01)) && std::isnan(questEpsilon(0.999, 3.5, 0.5, 0.01)));
+}
+
+/// Settings far from the usual ones; levels and estimate as a port of the common implementation's formulas in numpy gives them.
+void TestStaircasePublished::questOnACoarseGrid() {
+    QuestSpec spec;
+    spec.priorMean = 0.2;
+    spec.priorSd = 1.0;
+    spec.target = 0.75;
+    spec.slope = 2.0;
+    spec.lapse = 0.02;
+    spec.guess = 0.25;
+    spec.grain = 0.05;
+    spec.range = 4.0;
+    Quest run(spec);
+    const double levels[] = {0.2, -0.13196408098673368, -0.4227521317052277, 0.010228581140059562, -0.12477115927727661, 0.11782548046672622, 0.019892901520051992, -0.040088127478241864};
+    const int answers[] = {1, 1, 0, 1, 0, 1, 1, 1};
+    for (std::size_t i = 0; i < std::size(levels); ++i) {
+        const Stimulus asked = run.next().stimulus;
+        QVERIFY2(std::abs(asked[0] - levels[i]) < 1e-12, qPrintable(QString::number(asked[0], 'g', 16)));
+        QVERIFY(run.record(answers[i], asked));
+    }
+    QVERIFY(std::abs(run.mean() + 0.06756398809337227) < 1e-12);
+    QVERIFY(std::abs(run.sd() - 0.20961395496140645) < 1e-12);
 }
 
 QTEST_APPLESS_MAIN(TestStaircasePublished)

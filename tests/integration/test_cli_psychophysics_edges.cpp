@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_process.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+
+// What the psychophysics commands must not take in silence, or make a number of.
+class TestCliPsychophysicsEdges : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { QVERIFY(m_folder.isValid()); }
+    void answersThatAreNone_data();
+    void answersThatAreNone();
+    void stopsByTheGivenRulesAlone();
+    void largeTables();
+    void noBetterThanGuessing_data();
+    void noBetterThanGuessing();
+    void ranksThatAreNone();
+    void rankingsLeftOut();
+    void pairsRefused_data();
+    void pairsRefused();
+
+private:
+    QString file(const QString& name, const QByteArray& content) {
+        QFile out(m_folder.filePath(name));
+        if (!out.open(QIODevice::WriteOnly) || out.write(content) < 0)
+            qFatal("the test's own file could not be written");
+        return out.fileName();
+    }
+    QTemporaryDir m_folder;
+};
+
+namespace {
+
+const QByteArray kStaircase = R"({"kind":"staircase","start":1,"stop":{"trials":5}})";
+const QByteArray kTwoOutcomes = R"({"kind":"quest_plus","stimuli":[{"name":"x","values":[1,2,3]}],"parameters":[{"name":"threshold","values":[1,2]},
+    {"name":"slope","values":[1]},{"name":"lower_asymptote","values":[0.5]},{"name":"lapse_rate","values":[0.02]}]})";
+
+QJsonObject object(const QByteArray& text) { return QJsonDocument::fromJson(text).object(); }
+
+bool warns(const QJsonValue& of, const char* token) {
+    for (const QJsonValue& warning : of.toObject()["warnings"].toArray())
+        if (warning.toString().startsWith(QLatin1String(token) + QLatin1String(": ")))
+            return true;
+    return false;
+}
+
+} // namespace
+
+void TestCliPsychophysicsEdges::answersThatAreNone_data() {
+    QTest::addColumn<QByteArray>("procedure");
+    QTest::addColumn<QByteArray>("answer");
+    QTest::newRow("an order to a staircase") << kStaircase << QByteArray("b<a<c\n");
+    QTest::newRow("a right order to a staircase") << kStaircase << QByteArray("a<b<c\n");
+    QTest::newRow("an order to two outcomes") << kTwoOutcomes << QByteArray("a<b<c\n");
+    QTest::newRow("less than") << kStaircase << QByteArray("<\n");
+    QTest::newRow("a null byte") << kStaircase << QByteArray("1\0\n", 3);
+    QTest::newRow("a sign") << kStaircase << QByteArray("+1\n");
+}
+
+/// Nothing that is no answer counts as a wrong one.
+void TestCliPsychophysicsEdges::answersThatAreNone() {
+    QFETCH(QByteArray, procedure);
+    QFETCH(QByteArray, answer);
+    const CliRun run = runCli({"psychophysics", "adaptive", "--procedure", file("procedure.json", procedure)}, answer);
+    QCOMPARE(run.exitCode, 3);
+    QVERIFY2(run.err.contains("stdin line 1: ") && run.err.contains("expected 0, 1, undo or spoiled"), run.err.constData());
+    QCOMPARE(run.out.count('\n'), 1);
+}
+
+/// The rules that are given replace the default ones whole: four trials are four, also where twenty are the default's least.
+void TestCliPsychophysicsEdges::stopsByTheGivenRulesAlone() {
+    const QString path = file("rank3.json", R"({"kind":"rank3_quest_plus","differences":[0.02,0.05,0.1],"stop":{"trials":4}})");
+    const CliRun run = runCli({"psychophysics", "adaptive", "--procedure", path}, "0\n0\n1\n0\n");
+    QVERIFY2(run.exitCode == 0, run.err.constData());
+    const QList<QByteArray> lines = run.out.trimmed().split('\n');
+    QCOMPARE(lines.size(), 6);
+    QVERIFY(!object(lines[3])["done"].toBool());
+    QVERIFY(object(lines[4])["done"].toBool());
+    const QString staircase = file("staircase.json", R"({"kind":"staircase","start":50,"stop":{"reversals":2}})");
+    const CliRun longer = runCli({"psychophysics", "adaptive", "--procedure", staircase}, QByteArray("1\n").repeated(100));
+    QVERIFY(!object(longer.out.trimmed().split('\n').last())["done"].toBool());
+}
+
+/// Some megabytes of probabilities.
+void TestCliPsychophysicsEdges::largeTables() {
+    QByteArray cells;
+    constexpr int kCells = 20'000;
+    for (int i = 0; i < kCells; ++i)
+        cells += (i > 0 ? "," : "") + QByteArray::number(0.1 + 0.8 * i / kCells, 'f', 6);
+    QByteArray others;
+    QByteArray values;
+    for (int i = 0; i < kCells; ++i) {
+        others += (i > 0 ? "," : "") + QByteArray::number(0.9 - 0.8 * i / kCells, 'f', 6);
+        values += (i > 0 ? "," : "") + QByteArray::number(i);
+    }
+    const auto rows = [](const QByteArray& row) { return "[[" + row + "],[" + row + "],[" + row + "],[" + row + "]]"; };
+    const QByteArray json = R"({"kind":"quest_plus","function":"table","outcomes":2,"stimuli":[{"name":"x","values":[1,2,3,4]}],"parameters":[{"name":"a","values":[)" + values +
+                            R"(]}],"table":[)" + rows(cells) + "," + rows(others) + "]}";
+    QVERIFY(json.size() > 1 << 20);
+    const CliRun run = runCli({"psychophysics", "adaptive", "--procedure", file("table.json", json)}, "1\n");
+    QVERIFY2(run.exitCode == 0, run.err.left(300).constData());
+    QCOMPARE(run.out.count('\n'), 3);
+}
+
+void TestCliPsychophysicsEdges::noBetterThanGuessing_data() {
+    QTest::addColumn<QStringList>("options");
+    for (const char* task : {"2afc", "mafc", "triangle", "oddity", "abx", "tetrad"})
+        QTest::newRow(task) << QStringList{"--task", task, "--proportion", "0.2"};
+    QTest::newRow("same-different") << QStringList{"--task", "same-different", "--rule", "independent", "--hits", "10", "--misses", "30", "--false-alarms", "20", "--correct-rejections", "20"};
+}
+
+void TestCliPsychophysicsEdges::noBetterThanGuessing() {
+    QFETCH(QStringList, options);
+    const CliRun run = runCli(QStringList{"psychophysics", "dprime", "--json"} + options);
+    QVERIFY2(run.exitCode == 0, run.err.constData());
+    QVERIFY2(warns(object(run.out), "chance"), run.out.constData());
+}
+
+void TestCliPsychophysicsEdges::ranksThatAreNone() {
+    const CliRun run = runCli({"psychophysics", "rank", file("ranks.csv", "a,b,c\n1,2,7\n2,1,-3\n3,1,2\n"), "--json"});
+    QVERIFY2(run.exitCode == 0, run.err.constData());
+    QVERIFY2(warns(object(run.out), "not_ranks"), run.out.constData());
+    QVERIFY(object(run.out)["warnings"].toArray()[0].toString().contains(" 2 rows"));
+    const CliRun midranks = runCli({"psychophysics", "rank", file("ranks.csv", "a,b,c\n1.5,1.5,3\n2,1,3\n"), "--json"});
+    QVERIFY2(!warns(object(midranks.out), "not_ranks"), midranks.out.constData());
+}
+
+void TestCliPsychophysicsEdges::rankingsLeftOut() {
+    const CliRun run = runCli({"psychophysics", "rank", file("ranks.csv", "a,b,c\n1,2,3\n2,3,1\n3,1,2\n1,1,2\n1,2,\n"), "--json"});
+    QVERIFY2(run.exitCode == 0, run.err.constData());
+    for (const char* model : {"plackett_luce", "thurstone"})
+        QVERIFY2(warns(object(run.out)[QLatin1String(model)], "left_out"), run.out.constData());
+}
+
+void TestCliPsychophysicsEdges::pairsRefused_data() {
+    QTest::addColumn<QByteArray>("table");
+    QTest::addColumn<QString>("mention");
+    QTest::newRow("no loser") << QByteArray("winner,loser\na,b\nb,\n") << "pairs.csv:3: column loser";
+    QTest::newRow("no winner") << QByteArray("winner,loser\n,b\n") << "pairs.csv:2: column winner";
+    QTest::newRow("more than can be counted") << QByteArray("winner,loser,count\na,b,1e300\nb,a,2\n") << "pairs.csv:2: column count";
+}
+
+void TestCliPsychophysicsEdges::pairsRefused() {
+    QFETCH(QByteArray, table);
+    QFETCH(QString, mention);
+    const QString fault = refusalFault(runCli({"psychophysics", "rank", file("pairs.csv", table)}), 3, {mention});
+    QVERIFY2(fault.isEmpty(), qPrintable(fault));
+}
+
+QTEST_GUILESS_MAIN(TestCliPsychophysicsEdges)
+#include "test_cli_psychophysics_edges.moc"

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Data whose likelihood has a second maximum, a long ridge, or a maximum at no lapses at all; the best likelihoods are those of a grid
+// polished by two general optimisers.
+#include "psychophysics/fits/fit.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace chiron::psychophysics;
+
+class TestFitOptima : public QObject {
+    Q_OBJECT
+private slots:
+    void bestKnown_data();
+    void bestKnown();
+    void heightOfNoRise_data();
+    void heightOfNoRise();
+};
+
+namespace {
+
+PsychometricData dataOf(const QVector<double>& x, const QVector<double>& k, double n) {
+    return {{x.begin(), x.end()}, {k.begin(), k.end()}, std::vector<double>(static_cast<std::size_t>(x.size()), n)};
+}
+
+FitOptions optionsOf(Sigmoid function, double guess, double lapse) { // negative: free
+    FitOptions options;
+    options.function = function;
+    options.guess = guess < 0.0 ? Asymptote::fitted() : Asymptote::fixedAt(guess);
+    options.lapse = lapse < 0.0 ? Asymptote::fitted() : Asymptote::fixedAt(lapse);
+    return options;
+}
+
+} // namespace
+
+void TestFitOptima::bestKnown_data() {
+    QTest::addColumn<int>("function");
+    QTest::addColumn<double>("guess");
+    QTest::addColumn<double>("lapse");
+    QTest::addColumn<QVector<double>>("x");
+    QTest::addColumn<QVector<double>>("k");
+    QTest::addColumn<double>("n");
+    QTest::addColumn<double>("best");
+    QTest::newRow("no lapses, no guesses, levels that are certain")
+        << int(Sigmoid::gumbel) << -1.0 << -1.0 << QVector<double>{1.8464801988795134, 2.7052719534032659, 2.7465522800451674, 7.5365536712990808, 7.604359690711803, 7.859077768424517, 9.2668832080959778}
+        << QVector<double>{0, 3, 2, 5, 5, 5, 5} << 5.0 << -2.536441895417899;
+    QTest::newRow("a ridge towards the largest lapse")
+        << int(Sigmoid::gauss) << -1.0 << -1.0
+        << QVector<double>{1.2284397488046095, 1.818554519851417, 2.1575136679194014, 2.3925287724449107, 2.8056517297757395, 2.8553201872392453, 4.4662800625547572, 6.1052000109138502, 7.6838713832703256, 9.2526896135409977}
+        << QVector<double>{8, 12, 8, 12, 10, 6, 14, 10, 9, 10} << 59.0 << -23.13428773562552;
+    QTest::newRow("a second maximum beside a step") << int(Sigmoid::weibull) << 1.0 / 3.0 << 0.02 << QVector<double>{1, 5.5, 10} << QVector<double>{11, 29, 28} << 31.0 << -7.072181178958061;
+}
+
+void TestFitOptima::bestKnown() {
+    QFETCH(int, function);
+    QFETCH(double, guess);
+    QFETCH(double, lapse);
+    QFETCH(QVector<double>, x);
+    QFETCH(QVector<double>, k);
+    QFETCH(double, n);
+    QFETCH(double, best);
+    const FitResult fit = fitMaximumLikelihood(dataOf(x, k, n), optionsOf(static_cast<Sigmoid>(function), guess, lapse));
+    QVERIFY(fit.fitted);
+    QVERIFY2(fit.logLikelihood > best - 1e-6, qPrintable(QString::number(fit.logLikelihood, 'g', 12)));
+}
+
+void TestFitOptima::heightOfNoRise_data() {
+    QTest::addColumn<QVector<double>>("k");
+    QTest::addColumn<double>("expected");
+    const auto binomial = [](double k, double n) { return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0); };
+    const double falling = binomial(15, 20) + binomial(12, 20) + binomial(9, 20);
+    QTest::newRow("falling") << QVector<double>{15, 12, 9} << falling + 36.0 * std::log(0.6) + 24.0 * std::log(0.4);
+    QTest::newRow("below guessing") << QVector<double>{9, 8, 7} << binomial(9, 20) + binomial(8, 20) + binomial(7, 20) + 60.0 * std::log(0.5);
+    QTest::newRow("all right") << QVector<double>{20, 20, 20} << 60.0 * std::log(0.98);
+}
+
+/// No threshold, but how likely answers are without one is known, for comparing models.
+void TestFitOptima::heightOfNoRise() {
+    QFETCH(QVector<double>, k);
+    QFETCH(double, expected);
+    const FitResult fit = fitMaximumLikelihood(dataOf({1, 2, 3}, k, 20.0), optionsOf(Sigmoid::logistic, 0.5, 0.02));
+    QVERIFY(!fit.fitted && std::isnan(fit.threshold) && !fit.warnings.empty());
+    QVERIFY2(std::abs(fit.logLikelihood - expected) < 1e-9, qPrintable(QString::number(fit.logLikelihood, 'g', 12)));
+    QVERIFY(fit.deviance >= 0.0);
+}
+
+QTEST_GUILESS_MAIN(TestFitOptima)
+#include "test_fit_optima.moc"
