@@ -15,7 +15,7 @@ CommandSpec row(const char* verb, const char* summary, const char* rest, decltyp
     command.group = QStringLiteral("study");
     command.verb = QString::fromUtf8(verb);
     command.summary = QString::fromUtf8(summary);
-    command.operands = {{"STUDY", "number or key of a study"}};
+    command.operands = {{"STUDY", "number or key of a study; of run and plan also one of the content, or a JSON file"}};
     command.options = std::move(options);
     command.example = QStringLiteral("chiron-cli study %1 %2").arg(command.verb, QString::fromUtf8(rest));
     command.run = run;
@@ -58,12 +58,12 @@ std::vector<CommandSpec> studyCommands() {
             row("archive", "out of the usual lists", "3 --as rosa", archiveStudy, {{"undo", {}, "back into them"}}),
             row("key", "who the codes are; for the study's author and administrators, audited", "3 --as rosa", studyKey),
             row("run", "a simulated participant does the study, or goes on with it; makes a missing database, study and participant", "stiffness_elastic_tube --participant S01 --observer weber:0.12,lapse:0.02 --seed 7 --json", runStudy,
-                {kParticipant, {"observer", "SPEC", "weber:W[,lapse:L][,bias:B]: W the Weber fraction at 75 % correct in 2AFC; apex: operator:NAME, a scripted trainee of sphere_apex, which feels for itself (default: intermediate)", true}, {"seed", "S", "of participant and runs; default: 1"},
+                {kParticipant, {"observer", "SPEC", "weber:W[,lapse:L][,bias:B][,ties:T]: W the Weber fraction at 75 % correct in 2AFC; apex: operator:NAME, a scripted trainee of sphere_apex, which feels for itself (default: intermediate)", true}, {"seed", "S", "of participant and runs; default: 1"},
                  {"quick", {}, "without rendering: the observer is told the values; apex: marks of the observer for planning"}, {"condition", "ID", "this one alone, where the experimenter is not blind; default: all that are not completed, in order"},
                  {"trials", "N", "stop after so many presentations of a run, to be gone on with"}}),
             row("rerun", "run the log again: exit 1 where a stimulus would be chosen differently", "3 --as rosa --json", rerunStudy),
             row("plan", "expected bias, precision and minutes before anyone is tested", "stiffness_elastic_tube --observer weber:0.12,lapse:0.02 --runs 100 --json", planStudy,
-                {{"observer", "SPEC", "weber:W[,lapse:L][,bias:B]", true}, {"runs", "N", "simulated runs a condition, 0: information alone; default: 100"}, {"seed", "S", "default: 1"}}),
+                {{"observer", "SPEC", "weber:W[,lapse:L][,bias:B][,ties:T]", true}, {"runs", "N", "simulated runs a condition, 0: information alone; default: 100"}, {"seed", "S", "default: 1"}}),
             row("analyse", "what each run and each condition's group say, and whether the log chooses the same stimuli again", "3 --as rosa --json", analyseStudies, {{"seed", "S", "of bootstraps; default: 1"}}),
             row("questionnaire template", "an empty table to be filled, with a row for each participant who has not answered", "surgeons --out answers.csv --as rosa", questionnaireTemplate,
                 {{"out", "FILE", "must not be there yet", true}, {"format", "csv|json", "default: csv"}, kQuestionnaire, {"language", "CODE", "of the questions; default: en"}}),

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
-#include "cli/input_file.h"
 #include "cli/messages.h"
 #include "cli/study/study_access.h"
+#include "cli/study/study_file.h"
 #include "cli/text_table.h"
 #include "database/repositories/study_repository.h"
 
-#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 
@@ -75,12 +74,8 @@ core::Result<std::string> consentSha256(const Arguments& arguments, const StudyS
 core::Result<CommandOutput> newStudy(const Arguments& arguments) {
     const QString from = arguments.operand(0);
     psychophysics::StudyDesign design;
-    if (QFileInfo(from).isFile()) {
-        constexpr qint64 kLargest = 1 << 20;
-        const auto bytes = readInputFile(from, kLargest);
-        if (!bytes)
-            return tl::unexpected(bytes.error());
-        auto read = catalogue::readStudy(*bytes, from.toStdString());
+    if (isStudyFile(from)) {
+        auto read = readStudyFile(from);
         if (!read)
             return tl::unexpected(read.error());
         design = std::move(*read);

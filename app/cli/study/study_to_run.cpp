@@ -5,6 +5,7 @@
 #include "catalogue/study_reader.h"
 #include "cli/messages.h"
 #include "cli/study/study_access.h"
+#include "cli/study/study_file.h"
 #include "database/repositories/study_repository.h"
 #include "session/study/study_check.h"
 
@@ -20,7 +21,26 @@ core::Result<StudyToRun> ofContent(const QString& name) {
         return tl::unexpected(content.error());
     if (const StudyDesign* design = content->find(name.toStdString()))
         return StudyToRun{*design, std::nullopt};
-    return core::fail(core::ErrorCode::notFound, QStringLiteral("STUDY %1: no such study; expected one of the database or of the content").arg(quoted(name)).toStdString());
+    return core::fail(core::ErrorCode::notFound, QStringLiteral("STUDY %1: no such study; expected one of the database or of the content, or a JSON file").arg(quoted(name)).toStdString());
+}
+
+/// A design of a file: new, or the very one that is in the database under its key.
+core::Result<StudyToRun> ofFile(database::Database* database, const database::Actor& actor, const QString& path) {
+    auto design = readStudyFile(path);
+    if (!design)
+        return tl::unexpected(design.error());
+    if (!database)
+        return StudyToRun{std::move(*design), std::nullopt};
+    auto connection = database->openReader();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    auto stored = findStudy(database::StudyReader(**connection, actor), QString::fromStdString(design->id));
+    if (!stored)
+        return stored.error().code == core::ErrorCode::notFound ? core::Result<StudyToRun>(StudyToRun{std::move(*design), std::nullopt}) : tl::unexpected(stored.error());
+    if (stored->designJson != catalogue::studyJson(*design).toStdString())
+        return core::fail(core::ErrorCode::badInput, QStringLiteral("STUDY %1: another design is stored under its id %2; expected the same, or another id")
+                                                         .arg(quoted(path), quoted(QString::fromStdString(design->id))).toStdString());
+    return StudyToRun{std::move(*design), std::move(*stored)};
 }
 
 core::Result<database::StudyNumber> frozen(database::StudyRepository& repository, const StudyDesign& design) {
@@ -47,6 +67,8 @@ core::Result<database::Participant> enrolled(database::WriteContext& context, co
 } // namespace
 
 core::Result<StudyToRun> findStudyToRun(database::Database* database, const database::Actor& actor, const QString& name) {
+    if (isStudyFile(name))
+        return ofFile(database, actor, name);
     if (!database)
         return ofContent(name);
     auto connection = database->openReader();

@@ -4,6 +4,7 @@
 #include "cli/messages.h"
 #include "cli/study/apex_output.h"
 #include "cli/study/study_access.h"
+#include "cli/study/study_file.h"
 #include "cli/text_table.h"
 #include "database/repositories/study_blinding.h"
 #include "psychophysics/planning/study_plan.h"
@@ -29,8 +30,10 @@ QString english(const StudyText& words) {
     return found == words.end() ? QString() : QString::fromStdString(found->second);
 }
 
-/// Of the database, or else of the content that comes with the program.
+/// Of a file, of the database, or else of the content that comes with the program.
 core::Result<StudyDesign> designOf(const Arguments& arguments) {
+    if (isStudyFile(arguments.operand(0)))
+        return readStudyFile(arguments.operand(0));
     if (QFileInfo::exists(databasePath(arguments))) {
         auto study = openStudy(arguments, Opening::forReading);
         if (study)
@@ -47,7 +50,7 @@ core::Result<StudyDesign> designOf(const Arguments& arguments) {
     QStringList known;
     for (const StudyDesign& each : content->studies())
         known << QString::fromStdString(each.id);
-    return core::fail(core::ErrorCode::notFound, QStringLiteral("STUDY %1: no such study; expected one of %2, or one of the database")
+    return core::fail(core::ErrorCode::notFound, QStringLiteral("STUDY %1: no such study; expected one of %2, one of the database, or a JSON file")
                                                      .arg(quoted(arguments.operand(0)), known.join(QStringLiteral(", "))).toStdString());
 }
 

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/study/study_file.h"
+
+#include "catalogue/study_reader.h"
+#include "cli/input_file.h"
+
+#include <QFileInfo>
+
+namespace chiron::cli {
+
+bool isStudyFile(const QString& name) {
+    return (name.contains(u'/') || name.contains(u'.')) && QFileInfo(name).isFile(); // a study's own key has neither
+}
+
+core::Result<psychophysics::StudyDesign> readStudyFile(const QString& path) {
+    constexpr qint64 kLargest = 1 << 20;
+    const auto bytes = readInputFile(path, kLargest);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    return catalogue::readStudy(*bytes, path.toStdString());
+}
+
+} // namespace chiron::cli
