@@ -5801,6 +5801,10 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <source>too few people to say what a further one would show</source>
         <translation>zu wenige Personen, um zu sagen, was eine weitere zeigen würde</translation>
     </message>
+    <message>
+        <source>Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 % or less)</source>
+        <translation>Rangfolgen ganz in der wahren Ordnung: %1 von %2 (%3; Raten ergibt 16,7 % oder weniger)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::HeaderBar</name>

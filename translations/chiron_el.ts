@@ -5801,6 +5801,10 @@ Press again to end the trial without it.</source>
         <source>too few people to say what a further one would show</source>
         <translation>πολύ λίγοι συμμετέχοντες για να πούμε τι θα έδειχνε ένας επιπλέον</translation>
     </message>
+    <message>
+        <source>Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 % or less)</source>
+        <translation>Κατατάξεις στην αληθινή σειρά: %1 από %2 (%3· η τύχη δίνει 16,7 % ή λιγότερο)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::HeaderBar</name>

@@ -104,7 +104,8 @@ void GroupPage::addAgreement(QVBoxLayout& layout) const {
             }
     const QLocale locale = m_app.locale();
     if (of > 0)
-        layout.addWidget(kit::label(m_app.theme(), tr("Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 %)")
+        layout.addWidget(kit::label(m_app.theme(), (m_facts.rankings[m_condition].tied > 0 ? tr("Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 % or less)")
+                                                                                          : tr("Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 %)"))
                                                        .arg(locale.toString(right), locale.toString(of), study_words::percent(static_cast<double>(right) / of, locale)),
                                     TextStyle::body, "muted"));
 }
