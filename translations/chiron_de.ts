@@ -4639,6 +4639,30 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <source>A procedure more</source>
         <translation>Ein Verfahren mehr</translation>
     </message>
+    <message>
+        <source>Sealed conditions</source>
+        <translation>Versiegelte Bedingungen</translation>
+    </message>
+    <message>
+        <source>The study is blind: its conditions go by these codes, and what tells them apart is left out, until it is unblinded. Its author and administrators see the design.</source>
+        <translation>Die Studie ist blind: Bis zur Entblindung stehen ihre Bedingungen unter diesen Codes, und was sie unterscheidet, bleibt weg. Den Entwurf sehen nur, wer ihn verfasst hat, und die Verwaltung.</translation>
+    </message>
+    <message>
+        <source>What the conditions have in common</source>
+        <translation>Was die Bedingungen gemeinsam haben</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Kandidaten</translation>
+    </message>
+    <message>
+        <source>Differences from the reference</source>
+        <translation>Unterschiede zur Referenz</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ConsentDialog</name>
@@ -7607,6 +7631,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>They call equal, below (in σ)</source>
         <translation>Gleich genannt wird unter (in σ)</translation>
+    </message>
+    <message>
+        <source>The conditions are sealed while the study is blind, and with them what a preview would say. Its author can make one.</source>
+        <translation>Solange die Studie blind ist, sind die Bedingungen versiegelt und damit auch, was eine Vorschau sagen würde. Wer die Studie verfasst hat, kann eine machen.</translation>
     </message>
 </context>
 <context>

@@ -4639,6 +4639,30 @@ Recording and scores are kept; they count for nothing.</source>
         <source>A procedure more</source>
         <translation>Μία διαδικασία επιπλέον</translation>
     </message>
+    <message>
+        <source>Sealed conditions</source>
+        <translation>Σφραγισμένες συνθήκες</translation>
+    </message>
+    <message>
+        <source>The study is blind: its conditions go by these codes, and what tells them apart is left out, until it is unblinded. Its author and administrators see the design.</source>
+        <translation>Η μελέτη είναι τυφλή: έως την άρση της τυφλότητας οι συνθήκες φέρουν αυτούς τους κωδικούς και ό,τι τις διακρίνει παραλείπεται. Τον σχεδιασμό βλέπουν μόνο ο συντάκτης του και οι διαχειριστές.</translation>
+    </message>
+    <message>
+        <source>What the conditions have in common</source>
+        <translation>Τι έχουν κοινό οι συνθήκες</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Υποψήφιες διαφορές</translation>
+    </message>
+    <message>
+        <source>Differences from the reference</source>
+        <translation>Διαφορές από την αναφορά</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 έως %2</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ConsentDialog</name>
@@ -7607,6 +7631,10 @@ Choose a second session to see it beside this one: each of its trials starts whe
     <message>
         <source>They call equal, below (in σ)</source>
         <translation>Χαρακτηρίζουν ίσα κάτω από (σε σ)</translation>
+    </message>
+    <message>
+        <source>The conditions are sealed while the study is blind, and with them what a preview would say. Its author can make one.</source>
+        <translation>Όσο η μελέτη είναι τυφλή οι συνθήκες είναι σφραγισμένες, και μαζί ό,τι θα έδειχνε μια προεπισκόπηση. Ο συντάκτης της μπορεί να κάνει μία.</translation>
     </message>
 </context>
 <context>

@@ -73,13 +73,10 @@ core::Result<StudyExportData> gatherStudy(database::StudyReader& reader, databas
     if (!design)
         return tl::unexpected(design.error());
     data.design = std::make_unique<psychophysics::StudyDesign>(std::move(*design));
-    const auto blinding = database::blindingOf(data.record.designJson, data.record.summary.unblinded);
-    if (!blinding)
-        return tl::unexpected(blinding.error());
-    data.blinding = *blinding;
-    data.blinded = blinding->on;
-    data.oneTask = blinding->oneTask;
-    data.oneTable = blinding->oneTable;
+    data.blinding = data.record.blinding;
+    data.blinded = data.blinding.on;
+    data.oneTask = data.blinding.oneTask;
+    data.oneTable = data.blinding.oneTable;
     auto participants = reader.participants(study);
     auto answers = reader.questionnaireAnswers(study);
     if (!participants || !answers)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/study_parts.h"
+#include "catalogue/study_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -132,6 +133,15 @@ void checkLevels(const Condition& condition, const QString& path, Problems& prob
 }
 
 } // namespace
+
+double middleReference(const Condition& condition) {
+    const Range range = rangeOf(condition.stimulus.attribute);
+    const double multiple = condition.task == Task::rank3 ? 2.0 : 1.0;
+    const auto& differences = condition.stimulus.differences;
+    const double below = differences.empty() ? 0.0 : std::min(0.0, multiple * differences.front());
+    const double above = differences.empty() ? 0.0 : std::max(0.0, multiple * differences.back());
+    return std::sqrt(range.lowest * std::pow(10.0, -below) * range.highest * std::pow(10.0, -above));
+}
 
 void checkCondition(const Condition& condition, const QString& path, Problems& problems) {
     checkTask(condition, path, problems);

@@ -17,6 +17,10 @@ core::Result<psychophysics::StudyDesign> readStudy(const QByteArray& json, const
 /// same bytes.
 QByteArray studyJson(const psychophysics::StudyDesign& design);
 
+/// A reference that is in range with every object of the condition's table, and in the middle of what its attribute can be: says nothing of
+/// what the condition's own is.
+double middleReference(const psychophysics::Condition& condition);
+
 /// SHA-256 of the bytes, 64 hex digits; of studyJson: what a study is frozen under.
 std::string studySha256(const QByteArray& json);
 

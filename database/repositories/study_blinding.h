@@ -13,21 +13,6 @@
 // What a blinded study's lists leave out until it is unblinded: the condition, and what only one of the conditions can have.
 namespace chiron::database {
 
-struct Blinding {
-    bool designed = false; ///< the design blinds experimenters
-    bool on = false;       ///< and the study is not unblinded
-    // What all conditions have in common, and what therefore says nothing of a run.
-    bool oneTask = true;
-    bool oneTable = true;     ///< of differences
-    bool oneProcedure = true; ///< procedures, their scale and criterion
-    bool oneStimulus = true;  ///< attribute, reference and what the objects otherwise are
-    bool adjusts = false;     ///< a condition's answers are values in SI (those of an apex are told as shares of its radius)
-    bool oneExercise = true;  ///< all of an apex, or none
-
-    /// Whether a run can be analysed without its condition: by any of them.
-    bool analysable() const { return oneTask && oneTable && oneProcedure && (oneStimulus || !adjusts); }
-};
-
 /// Of a design as stored; read by its keys alone. Failure: badInput.
 core::Result<Blinding> blindingOf(const std::string& designJson, bool unblinded);
 /// Of the study that this belongs to. Failure: notFound, storage, badInput.

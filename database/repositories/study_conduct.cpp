@@ -50,7 +50,7 @@ core::Result<ConductedRun> StudyRepository::conductRun(ParticipantNumber partici
     if (!good) {
         return tl::unexpected(good.error());
     }
-    ConductedRun conducted{named->condition, named->sealedCode, {}, {}};
+    ConductedRun conducted{named->condition, named->sealedCode, {}, {}, study->designJson};
     for (StudyRun& run : *runs) {
         if (run.condition != named->condition || run.state == StudyRunState::stopped) {
             continue;

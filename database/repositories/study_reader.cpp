@@ -6,6 +6,7 @@
 #include "database/audit/audit_trail.h"
 #include "database/query.h"
 #include "database/repositories/study_blinding.h"
+#include "database/repositories/study_mask.h"
 #include "database/repositories/study_rows.h"
 #include "database/repositories/study_rules.h"
 
@@ -42,6 +43,12 @@ StudySummary summaryOf(const Query& row) {
     return summary;
 }
 
+// Whether the actor may look up which code is which, and so may see the conditions themselves, too.
+core::Result<bool> mayKnow(Connection& connection, const Actor& actor, StudyNumber study) {
+    const auto may = authoriseForStudy(connection, actor, Action::sealedConditions, StudyPart::study, study);
+    return may || may.error().code == core::ErrorCode::notAllowed ? core::Result<bool>(may.has_value()) : tl::unexpected(may.error());
+}
+
 // Rows of what the actor may read.
 template <class T, class Make>
 core::Result<std::vector<T>> permittedRows(Connection& connection, const Actor& actor, Action action, StudyPart part,
@@ -69,12 +76,29 @@ core::Result<StudyRecord> StudyReader::study(StudyNumber study) {
     auto found = permittedRows<StudyRecord>(
         m_connection, m_actor, Action::study, StudyPart::study, study,
         std::string("SELECT ") + kSummaryColumns + ", s.design_json FROM study s WHERE s.id = ?",
-        [](const Query& row) { return StudyRecord{summaryOf(row), row.text(14)}; });
+        [](const Query& row) { return StudyRecord{summaryOf(row), row.text(14), {}, false}; });
     if (!found || found->empty()) {
         return found ? core::fail(core::ErrorCode::notFound, "there is no study " + std::to_string(study))
                      : core::Result<StudyRecord>(tl::unexpected(found.error()));
     }
-    return std::move(found->front());
+    StudyRecord& record = found->front();
+    const auto blinding = blindingOf(record.designJson, record.summary.unblinded);
+    const auto open = blinding ? mayKnow(m_connection, m_actor, study) : tl::unexpected(blinding.error());
+    if (!open) {
+        return tl::unexpected(open.error());
+    }
+    record.blinding = *blinding;
+    record.masked = blinding->on && !record.summary.sha256.empty() && !*open;
+    if (!record.masked) {
+        return std::move(record);
+    }
+    const auto codes = conditionCodes(study);
+    auto masked = codes ? maskedDesign(record.designJson, *blinding, *codes) : tl::unexpected(codes.error());
+    if (!masked) {
+        return tl::unexpected(masked.error());
+    }
+    record.designJson = std::move(*masked);
+    return std::move(record);
 }
 
 core::Result<StudyRecord> StudyReader::studyByKey(const std::string& key) {

@@ -18,6 +18,7 @@ public:
         : m_connection(connection), m_actor(std::move(actor)) {}
 
     core::Result<std::vector<StudySummary>> listStudies(bool includeArchived = false); ///< by number
+    /// Of a frozen study that is blinded the design is masked for those who may not look up which code is which (sealedConditions).
     core::Result<StudyRecord> study(StudyNumber study);
     /// The one of this key that the actor may read: a person's before the simulated account's. For those who read only simulated ones: theirs.
     core::Result<StudyRecord> studyByKey(const std::string& key);

@@ -37,9 +37,29 @@ struct StudySummary {
     int trials = 0;    ///< scored
 };
 
+/// What a blinded study's lists leave out (study_blinding.h).
+struct Blinding {
+    bool designed = false; ///< the design blinds experimenters
+    bool on = false;       ///< and the study is not unblinded
+    // What all conditions have in common, and what therefore says nothing of a run.
+    bool oneTask = true;
+    bool oneTable = true;     ///< of differences
+    bool oneProcedure = true; ///< procedures, their scale and criterion
+    bool oneStimulus = true;  ///< attribute, reference and what the objects otherwise are
+    bool adjusts = false;     ///< a condition's answers are values in SI (those of an apex are told as shares of its radius)
+    bool oneExercise = true;  ///< all of an apex, or none
+
+    /// Whether a run can be analysed without its condition: by any of them.
+    bool analysable() const { return oneTask && oneTable && oneProcedure && (oneStimulus || !adjusts); }
+};
+
 struct StudyRecord {
     StudySummary summary;
-    std::string designJson; ///< canonical; catalogue::readStudy makes a psychophysics::StudyDesign of it
+    /// Canonical; catalogue::readStudy makes a psychophysics::StudyDesign of it. Masked: its conditions go by their sealed codes, and what they
+    /// differ in has a neutral value that says nothing (study_mask.h).
+    std::string designJson;
+    Blinding blinding;   ///< of the design as it is
+    bool masked = false; ///< for those who may not look up which code is which, of a frozen study while it is blinded
 };
 
 /// A participant as exports and experimenters know one: never a name.
@@ -127,6 +147,7 @@ struct ConductedRun {
     std::string sealedCode;
     std::optional<StudyRun> open;   ///< to be gone on with
     std::vector<StudyTrial> trials; ///< of the open run, complete
+    std::string designJson; ///< as it is, where lists mask it: what the program renders
 };
 
 /// One answer to one question. Overwritten by an erasure: then neither number nor text.

@@ -71,6 +71,9 @@ void TestCliBlindedStudy::aBlindedStudyTellsNoCondition() {
     const QJsonObject show = object(as("rob", {"study", "show", "surgeons"}));
     QVERIFY(show["blinded"].toBool() && !show.contains("design"));
     QCOMPARE(show["conditions"].toArray().size(), 3);
+    const CliRun plan = as("rob", {"study", "plan", "surgeons", "--runs", "0", "--observer", "weber:0.1"});
+    QVERIFY2(plan.exitCode != 0 && plan.err.contains("blinded"), (plan.out + plan.err).constData());
+    QCOMPARE(as("ruth", {"study", "plan", "surgeons", "--runs", "0", "--observer", "weber:0.1"}).exitCode, 0);
     QVERIFY(object(as("ruth", {"study", "show", "surgeons"})).contains("design")); // who may unblind it
     const QJsonObject analysis = object(as("rob", {"study", "analyse", "surgeons"}));
     QCOMPARE(analysis["runs"].toArray().size(), 2);

@@ -6,7 +6,6 @@
 #include "cli/study/study_access.h"
 #include "cli/study/study_file.h"
 #include "cli/text_table.h"
-#include "database/repositories/study_blinding.h"
 #include "psychophysics/planning/study_plan.h"
 #include "session/new_folder.h"
 #include "session/study_export.h"
@@ -36,6 +35,9 @@ core::Result<StudyDesign> designOf(const Arguments& arguments) {
         return readStudyFile(arguments.operand(0));
     if (QFileInfo::exists(databasePath(arguments))) {
         auto study = openStudy(arguments, Opening::forReading);
+        if (study && study->record.masked) // its conditions are sealed, and with them what would be planned
+            return core::fail(core::ErrorCode::notAllowed, QStringLiteral("study %1 is blinded: its author and administrators plan it, everybody once it is unblinded")
+                                                               .arg(quoted(QString::fromStdString(study->record.summary.key))).toStdString());
         if (study)
             return catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), study->record.summary.key);
         if (study.error().code != core::ErrorCode::notFound)
@@ -52,11 +54,6 @@ core::Result<StudyDesign> designOf(const Arguments& arguments) {
         known << QString::fromStdString(each.id);
     return core::fail(core::ErrorCode::notFound, QStringLiteral("STUDY %1: no such study; expected one of %2, one of the database, or a JSON file")
                                                      .arg(quoted(arguments.operand(0)), known.join(QStringLiteral(", "))).toStdString());
-}
-
-/// Who may unblind a study may see its conditions before, though not which run had which.
-bool mayUnblind(const database::Actor& actor, const database::StudySummary& study) {
-    return actor.personId() == study.author || actor.roles().contains(database::Role::admin);
 }
 
 core::Result<QJsonArray> codesOf(database::StudyReader reader, database::StudyNumber study) {
@@ -131,12 +128,8 @@ core::Result<CommandOutput> showStudy(const Arguments& arguments) {
         table.add({participant["code"].toString(), QString::number(each.order), participant["state"].toString(), participant["observer"].toString()});
     }
     json.insert("participant_list", list);
-    const auto blinding = database::blindingOf(study->record.designJson, study->record.summary.unblinded);
-    if (!blinding)
-        return tl::unexpected(blinding.error());
-    json.insert("blinded", blinding->on);
-    const bool draft = study->record.summary.state == database::StudyState::draft;
-    if (draft || !blinding->on || mayUnblind(study->site.actor, study->record.summary)) {
+    json.insert("blinded", study->record.blinding.on);
+    if (!study->record.masked) {
         json.insert("design", QJsonDocument::fromJson(QByteArray::fromStdString(study->record.designJson)).object());
     } else {
         auto codes = codesOf(study->reader(), study->number());

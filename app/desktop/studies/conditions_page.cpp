@@ -21,6 +21,15 @@ ConditionsPage::ConditionsPage(const DesignPage& page, int shown, QWidget* paren
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(page.app.theme().px(16));
+    if (page.masked) {
+        column->addWidget(sealedBox());
+        if (page.blinding.analysable()) {
+            column->addWidget(sharedBox());
+            column->addWidget(proceduresBox());
+        }
+        column->addStretch();
+        return;
+    }
     column->addWidget(chooser());
     if (!page.draft.design().conditions.empty()) {
         column->addWidget(stimulusBox());
@@ -28,6 +37,51 @@ ConditionsPage::ConditionsPage(const DesignPage& page, int shown, QWidget* paren
         column->addWidget(proceduresBox());
     }
     column->addStretch();
+}
+
+QWidget* ConditionsPage::sealedBox() {
+    const Theme& theme = m_page.app.theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Sealed conditions"), TextStyle::title));
+    QStringList codes;
+    for (const Condition& each : m_page.draft.design().conditions)
+        codes << study_words::text(each.title, m_page.app.language());
+    auto* label = kit::label(theme, codes.join(QStringLiteral(" · ")), TextStyle::heading);
+    label->setObjectName(QStringLiteral("conditions.codes"));
+    box.layout->addWidget(label);
+    box.layout->addWidget(kit::label(theme, tr("The study is blind: its conditions go by these codes, and what tells them apart is left out, until it is unblinded. Its author and "
+                                               "administrators see the design."),
+                                     TextStyle::body, "muted"));
+    return box.frame;
+}
+
+QWidget* ConditionsPage::sharedBox() {
+    const Theme& theme = m_page.app.theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("What the conditions have in common"), TextStyle::title));
+    auto* grid = new FieldGrid(theme, m_page.app.locale(), true);
+    const auto fact = [&](const QString& name, const QString& value) {
+        auto* part = new QWidget;
+        auto* column = new QVBoxLayout(part);
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(0);
+        column->addWidget(kit::label(theme, value, TextStyle::strong));
+        column->addWidget(kit::label(theme, name, TextStyle::small, "muted"));
+        grid->cell(part);
+    };
+    const StimulusDesign& stimulus = condition().stimulus;
+    const QLocale locale = m_page.app.locale();
+    if (m_page.blinding.oneStimulus) {
+        fact(tr("Attribute"), study_words::attribute(stimulus.attribute));
+        fact(tr("Reference"), study_words::value(stimulus.reference, stimulus.attribute, locale));
+    }
+    fact(tr("Task"), study_words::task(condition().task));
+    fact(tr("Candidates"), locale.toString(static_cast<int>(stimulus.differences.size())));
+    fact(tr("Differences from the reference"), tr("%1 to %2").arg(study_words::percent(study_words::ratioOf(stimulus.differences.front()), locale),
+                                                                   study_words::percent(study_words::ratioOf(stimulus.differences.back()), locale)));
+    grid->wide(kit::label(theme, study_words::taskInWords(condition().task), TextStyle::small, "muted"));
+    box.layout->addWidget(grid);
+    return box.frame;
 }
 
 const Condition& ConditionsPage::condition() const { return m_page.draft.design().conditions[static_cast<std::size_t>(m_shown)]; }

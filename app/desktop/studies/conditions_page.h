@@ -21,6 +21,8 @@ signals:
     void showAsked(int condition);
 
 private:
+    QWidget* sealedBox(); ///< codes instead of conditions
+    QWidget* sharedBox(); ///< what is the same of all of them
     QWidget* chooser();
     QWidget* stimulusBox();
     QWidget* tableBox();

@@ -26,6 +26,12 @@ PreviewPage::PreviewPage(const DesignPage& page, QWidget* parent) : QWidget(pare
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(page.app.theme().px(16));
+    if (page.masked) {
+        column->addWidget(kit::notice(page.app.theme(), "info", tr("The conditions are sealed while the study is blind, and with them what a preview would say. "
+                                                                   "Its author can make one.")));
+        column->addStretch();
+        return;
+    }
     column->addWidget(observerBox());
     auto* results = new QWidget;
     m_results = new QVBoxLayout(results);

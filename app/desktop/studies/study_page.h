@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "database/repositories/study_types.h"
 #include "desktop/studies/study_draft.h"
 
 #include <QString>
@@ -16,6 +17,8 @@ struct DesignPage {
     StudyDraft& draft;
     bool readOnly = true;
     QString language = QStringLiteral("en"); ///< of the texts that are edited
+    database::Blinding blinding{};
+    bool masked = false; ///< StudyRecord::masked: the design's conditions are codes, with what all of them share
 };
 
 /// Adds a field for a text in the page's language. `text` finds it in a design.

@@ -149,7 +149,8 @@ QWidget* StudyScreen::toolRow() {
         add("study.run", tr("Run"), "primary", "media-playback-start", [this] { context().navigator().go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
         add("study.data", tr("Data"), "", "office-chart-line", [this] { context().navigator().go(QStringLiteral("study_data"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
     }
-    add("study.export", tr("Save as JSON …"), "quiet", "document-save", [this] { askExport(); });
+    if (!m_open.masked) // else a file would hold a design that nobody froze
+        add("study.export", tr("Save as JSON …"), "quiet", "document-save", [this] { askExport(); });
     auto* language = new QComboBox;
     language->setObjectName(QStringLiteral("study.language"));
     language->setAccessibleName(tr("Language of the texts"));
@@ -197,7 +198,7 @@ void StudyScreen::showPage() {
 }
 
 QWidget* StudyScreen::makePage() {
-    const DesignPage page{context(), m_draft, readOnly(), m_language};
+    const DesignPage page{context(), m_draft, readOnly(), m_language, m_open.blinding, m_open.masked};
     switch (m_tab) {
     case conditionsTab: {
         auto* conditions = new ConditionsPage(page, m_condition);

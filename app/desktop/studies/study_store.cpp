@@ -13,7 +13,7 @@ core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::Study
     auto design = catalogue::readStudy(QByteArray::fromStdString(record->designJson), record->summary.key);
     if (!design)
         return tl::unexpected(design.error());
-    OpenStudy open{std::move(record->summary), std::move(*design), {}, {}, {}};
+    OpenStudy open{std::move(record->summary), std::move(*design), {}, {}, {}, record->blinding, record->masked};
     auto sealed = reader.conditionCodes(study);
     if (!sealed)
         return tl::unexpected(sealed.error());

@@ -59,10 +59,12 @@ struct OpenStudy {
     std::vector<database::SealedCondition> sealed; ///< StudyReader::conditionCodes
     std::vector<ParticipantRow> participants;
     std::set<std::pair<database::ParticipantNumber, std::string>> answered; ///< who has answered which questionnaire
+    database::Blinding blinding{};
+    bool masked = false; ///< StudyRecord::masked
 
     bool editable() const { return summary.state == database::StudyState::draft; }
     /// Whether conditions go by their sealed codes on experimenters' screens.
-    bool blind() const { return design.blindExperimenter && !summary.unblinded; }
+    bool blind() const { return blinding.on; }
 };
 
 /// Blocking. Failure: the reader's; badInput where the stored design does not read.

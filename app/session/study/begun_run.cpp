@@ -47,6 +47,9 @@ core::Result<ConductedSitting> conductSitting(database::Database& database, cons
     auto run = conduct(database, actor, *study, *label);
     if (!run)
         return tl::unexpected(run.error());
+    study = unmasked(std::move(*study), *run);
+    if (!study)
+        return tl::unexpected(study.error());
     ConductedSitting sitting{std::move(*study), std::move(*label), std::move(*run)};
     if (!sitting.condition())
         return core::fail(core::ErrorCode::notFound, "condition \"" + sitting.label + "\" is not one of the study's");

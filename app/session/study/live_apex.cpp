@@ -57,14 +57,11 @@ core::Result<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(databa
     if (auto possible = renderable(study, condition, limits); !possible)
         return tl::unexpected(possible.error()); // before a run is begun
     const LimitedTable table = study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);
-    const auto blinding = database::blindingOf(study.record.designJson, study.record.summary.unblinded);
-    if (!blinding)
-        return tl::unexpected(blinding.error());
     auto begun = beginOrGoOn(database, actor, sitting, table.limit);
     if (!begun)
         return tl::unexpected(begun.error());
     auto state = std::make_unique<State>(database, actor, sitting, std::move(*begun));
-    state->blinding = *blinding;
+    state->blinding = study.record.blinding;
     state->condition = conditionOf(state->study.design, sitting.run.condition);
     state->nextStation = std::move(request.nextStation);
     state->ringFolder = std::move(request.ringFolder);

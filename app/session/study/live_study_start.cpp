@@ -37,11 +37,8 @@ core::Result<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(data
     auto level = studyLevel(study.design, condition, simulation::ComparisonControl::none, sessionLabel(study, sitting.run.sealedCode));
     if (!level)
         return tl::unexpected(level.error());
-    const auto blinding = database::blindingOf(study.record.designJson, study.record.summary.unblinded);
-    if (!blinding)
-        return tl::unexpected(blinding.error());
     auto state = std::make_unique<State>(database, actor, study, std::move(begun->progress), std::move(*level));
-    state->blinding = *blinding;
+    state->blinding = study.record.blinding;
     state->run = begun->number;
     state->describeRun(sitting.run, table, limits);
     TrainingRequest training;

@@ -172,10 +172,7 @@ core::Result<StudyAnalysis> opened(database::StudyReader& reader, database::Stud
     if (!design)
         return tl::unexpected(design.error());
     study.design = std::move(*design);
-    const auto blinding = database::blindingOf(study.record.designJson, study.record.summary.unblinded);
-    if (!blinding)
-        return tl::unexpected(blinding.error());
-    study.blinding = *blinding;
+    study.blinding = study.record.blinding;
     const auto labels = labelsOf(reader, study);
     if (!labels)
         return tl::unexpected(labels.error());

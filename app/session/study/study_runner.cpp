@@ -221,7 +221,10 @@ core::Result<StudyRunSummary> runCondition(database::Database& database, const d
     const auto conducted = conduct(database, actor, study, label);
     if (!conducted)
         return tl::unexpected(conducted.error());
-    auto run = runConducted(database, actor, request, study, label, *conducted);
+    const auto open = unmasked(study, *conducted);
+    if (!open)
+        return tl::unexpected(open.error());
+    auto run = runConducted(database, actor, request, *open, label, *conducted);
     return run ? std::move(run) : tl::unexpected(sealedError(study, *conducted, run.error()));
 }
 

@@ -90,6 +90,16 @@ core::Result<database::ConductedRun> conduct(database::Database& database, const
     });
 }
 
+core::Result<OpenedStudy> unmasked(OpenedStudy study, const database::ConductedRun& run) {
+    if (!study.record.masked)
+        return study;
+    auto design = catalogue::readStudy(QByteArray::fromStdString(run.designJson), "study " + study.record.summary.key);
+    if (!design)
+        return tl::unexpected(design.error());
+    study.design = std::move(*design);
+    return study;
+}
+
 core::Error sealedError(const OpenedStudy& study, const database::ConductedRun& run, core::Error error) {
     const std::string& name = run.condition;
     for (std::size_t at = 0; study.blind() && !name.empty() && (at = error.message.find(name, at)) != std::string::npos; at += run.sealedCode.size())

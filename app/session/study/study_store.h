@@ -15,10 +15,10 @@ namespace chiron::session {
 /// ids, or while the study is blinded their sealed codes.
 struct OpenedStudy {
     /// Whether conditions go by sealed codes now.
-    bool blind() const { return design.blindExperimenter && !record.summary.unblinded; }
+    bool blind() const { return record.blinding.on; }
 
     database::StudyRecord record;
-    psychophysics::StudyDesign design;
+    psychophysics::StudyDesign design; ///< masked where the record is, until a run of it is conducted
     database::Participant participant;
     std::vector<database::StudyRun> runs; ///< of the participant, in the order begun
     std::vector<std::string> order;       ///< labels in the participant's order
@@ -42,6 +42,8 @@ core::Result<void> sameTable(const database::StudyRun& run, double limit);
 /// The condition of this label with its open run: what the sitting renders and goes on with. Failure: the repository's.
 core::Result<database::ConductedRun> conduct(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
                                              const std::string& label);
+/// The study with the design as it is, for who conducts a run of it. Failure: badInput.
+core::Result<OpenedStudy> unmasked(OpenedStudy study, const database::ConductedRun& run);
 /// What went wrong with a run, by its sealed code instead of its condition while the study is blinded.
 core::Error sealedError(const OpenedStudy& study, const database::ConductedRun& run, core::Error error);
 /// Begins a run of a condition. `procedures`: StudyProgress::procedureIds().

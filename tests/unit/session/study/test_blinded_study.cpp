@@ -245,10 +245,11 @@ private slots:
     void errorsGoByCode() {
         session::OpenedStudy study;
         study.design = twoConditions("errors", true);
-        const database::ConductedRun run{"craggy", "Q7M", {}, {}};
+        study.record.blinding.on = true;
+        const database::ConductedRun run{"craggy", "Q7M", {}, {}, {}};
         const core::Error error{core::ErrorCode::badInput, "condition \"craggy\": the device renders none of craggy"};
         QCOMPARE(session::sealedError(study, run, error).message, std::string("condition \"Q7M\": the device renders none of Q7M"));
-        study.record.summary.unblinded = true;
+        study.record.blinding.on = false; // unblinded
         QCOMPARE(session::sealedError(study, run, error).message, error.message);
     }
 };

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/repositories/study_mask.h"
+
+#include "catalogue/study_reader.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace chiron::database {
+namespace {
+
+using psychophysics::Attribute;
+using psychophysics::Condition;
+
+// Whatever has the widest range takes every table that some attribute takes.
+constexpr Attribute kWidest = Attribute::deformation;
+
+bool oneAttribute(const std::vector<Condition>& conditions) {
+    return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& each) {
+        return each.stimulus.attribute == conditions.front().stimulus.attribute;
+    });
+}
+
+// A condition that is nobody's, where nothing but a number of trials may be known. That an apex is looked for, every list of sessions tells.
+Condition plainCondition(bool apex) {
+    Condition plain;
+    plain.stimulus.attribute = apex ? Attribute::apex : kWidest;
+    plain.stimulus.differences = {0.1};
+    plain.task = apex ? psychophysics::Task::adjustment : psychophysics::Task::twoAfc;
+    plain.procedures = {psychophysics::ConstantSpec{{0.1}, 1, true}};
+    return plain;
+}
+
+// What the conditions share, beside which the rest says nothing.
+Condition shared(const psychophysics::StudyDesign& design, const Blinding& blinding) {
+    const Condition& first = design.conditions.front();
+    const bool apex = blinding.oneExercise && first.stimulus.attribute == Attribute::apex;
+    Condition out = blinding.analysable() ? first : plainCondition(apex);
+    if (blinding.oneStimulus && blinding.analysable()) {
+        return out;
+    }
+    out.stimulus.attribute = oneAttribute(design.conditions) && (blinding.analysable() || apex) ? first.stimulus.attribute : kWidest;
+    out.stimulus.fixed.clear();
+    out.stimulus.reference = catalogue::middleReference(out);
+    return out;
+}
+
+} // namespace
+
+core::Result<std::string> maskedDesign(const std::string& designJson, const Blinding& blinding, const std::vector<SealedCondition>& codes) {
+    auto design = catalogue::readStudy(QByteArray::fromStdString(designJson), "design");
+    if (!design) {
+        return tl::unexpected(design.error());
+    }
+    const Condition like = shared(*design, blinding);
+    design->conditions.clear();
+    for (const SealedCondition& code : codes) {
+        Condition condition = like;
+        condition.id = "sealed_";
+        for (const char each : code.sealedCode) {
+            condition.id += std::isalnum(static_cast<unsigned char>(each)) != 0 ? static_cast<char>(std::tolower(static_cast<unsigned char>(each))) : '_';
+        }
+        condition.title = {{"en", code.sealedCode}};
+        design->conditions.push_back(std::move(condition));
+    }
+    return catalogue::studyJson(*design).toStdString();
+}
+
+} // namespace chiron::database
