@@ -68,6 +68,7 @@ private slots:
     void spoiledConstantComesLater();
     void pestBySteps();
     void descendingSaysItsBias();
+    void evenNumberOfReversals();
     void questStaysInRange();
     void logStepsComeBackFromTheEnd();
     void pseInTheMiddleOfAPlateau();
@@ -204,6 +205,21 @@ void TestProcedures::logStepsComeBackFromTheEnd() {
             QVERIFY((*run)->record(1 - first, (*run)->next().stimulus));
         QVERIFY(std::abs(std::log10((*run)->next().stimulus[0] / end)) > 30.0);
     }
+}
+
+/// Five reversals at 1, 0, 1, 0, 1 by a 1-up/1-down of step 1: the last four count, as many peaks as valleys (Levitt 1971).
+void TestProcedures::evenNumberOfReversals() {
+    StaircaseSpec spec;
+    spec.start = 1.0;
+    spec.up = spec.down = 1;
+    spec.stepsUp = {1.0};
+    spec.stop = {.reversals = 5};
+    auto run = *makeProcedure(spec, 1);
+    for (int trial = 0; !run->done(); ++trial)
+        QVERIFY(trial < 7 && run->record(run->next().stimulus[0] > 0.5 ? 1 : 0, run->next().stimulus));
+    QCOMPARE(run->reversals(), 5);
+    QCOMPARE(run->estimate().method, std::string("mean of the last 4 reversals"));
+    QCOMPARE(run->estimate().parameters[0].mean, 0.5);
 }
 
 void TestProcedures::questStaysInRange() {
