@@ -64,6 +64,8 @@ void TestGroupEstimate::balancedClosedForm() {
     QVERIFY(std::abs(effects.mean - 0.2) < 1e-12);
     QVERIFY(std::abs(effects.tau * effects.tau - (0.46 / 4.0 - 0.01)) < 1e-9); // Σ(y − 0.2)² = 0.46
     QVERIFY(std::abs(effects.standardError - std::sqrt(0.46 / 4.0 / 5.0)) < 1e-9);
+    QVERIFY(std::abs(effects.high - 0.2 - 2.7764451 * std::sqrt(0.115 / 5.0)) < 1e-6);             // t of 4 degrees of freedom
+    QVERIFY(std::abs(effects.predictionHigh - 0.2 - 3.1824463 * std::sqrt(0.105 + 0.115 / 5.0)) < 1e-6); // of 3 (Higgins et al. 2009)
     const RandomEffects alike = randomEffects({0.2, 0.21, 0.19}, {0.1, 0.1, 0.1});
     QVERIFY(alike.tau == 0.0 && std::abs(alike.standardError - std::sqrt(0.1 / 3.0)) < 1e-12);
 }
