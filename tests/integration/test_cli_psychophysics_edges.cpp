@@ -17,6 +17,7 @@ private slots:
     void largeTables();
     void noBetterThanGuessing_data();
     void noBetterThanGuessing();
+    void fitsOfWhatIsNotThere();
     void ranksThatAreNone();
     void rankingsLeftOut();
     void pairsRefused_data();
@@ -117,6 +118,18 @@ void TestCliPsychophysicsEdges::noBetterThanGuessing() {
     const CliRun run = runCli(QStringList{"psychophysics", "dprime", "--json"} + options);
     QVERIFY2(run.exitCode == 0, run.err.constData());
     QVERIFY2(warns(object(run.out), "chance"), run.out.constData());
+}
+
+void TestCliPsychophysicsEdges::fitsOfWhatIsNotThere() {
+    const QByteArray head = "intensity,n_correct,n_total\n";
+    const QString levels = file("levels.csv", head + "1,10,20\n2,12,20\n3,15,20\n4,19,20\n5,20,20\n");
+    const CliRun below = runCli({"psychophysics", "fit", levels, "--threshold-at", "0.4", "--json"});
+    QVERIFY2(below.exitCode == 0 && object(below.out).value("threshold_at").toObject().value("value").isNull() && warns(object(below.out), "never_reached"), below.out.constData());
+    QVERIFY(warns(object(runCli({"psychophysics", "fit", levels, "--reference", "0", "--json"}).out), "no_reference"));
+    QString fault = refusalFault(runCli({"psychophysics", "fit", levels, "--guess", "0.6", "--lapse", "0.5"}), 2, QStringList{"--guess", "less than 1 together"});
+    QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    fault = refusalFault(runCli({"psychophysics", "fit", file("many.csv", head + "1,10,20\n2,15,1e12\n")}), 3, QStringList{"many.csv:3: column n_total", "at most 1e9"});
+    QVERIFY2(fault.isEmpty(), qPrintable(fault));
 }
 
 void TestCliPsychophysicsEdges::ranksThatAreNone() {

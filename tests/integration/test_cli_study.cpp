@@ -251,6 +251,9 @@ void TestCliStudy::refusals_data() {
     QTest::newRow("no observer") << run << 2 << QStringList{"--observer"};
     QTest::newRow("wrong observer") << run + QStringList{"--observer", "weber:heavy"} << 3 << QStringList{"--observer", "heavy"};
     QTest::newRow("observer out of range") << run + QStringList{"--observer", "weber:-1"} << 3 << QStringList{"--observer"};
+    QTest::newRow("no Weber fraction") << run + QStringList{"--observer", "lapse:0.1"} << 3 << QStringList{"weber:W"};
+    QTest::newRow("a plan without a Weber fraction") << QStringList{"study", "plan", kStudy, "--observer", "bias:0.1", "--runs", "1"} << 3 << QStringList{"weber:W"};
+    QTest::newRow("a plan of somebody who searches") << QStringList{"study", "plan", kStudy, "--observer", "operator:expert", "--runs", "1"} << 2 << QStringList{"only a study of the apex"};
     QTest::newRow("no such condition") << run + QStringList{"--observer", "weber:0.1", "--condition", "other"} << 3 << QStringList{"other"};
     QTest::newRow("wrong seed") << run + QStringList{"--observer", "weber:0.1", "--seed", "x"} << 2 << QStringList{"--seed"};
     QTest::newRow("wrong number of trials") << run + QStringList{"--observer", "weber:0.1", "--trials", "0"} << 2 << QStringList{"--trials"};

@@ -46,6 +46,9 @@ core::Result<PsychometricData> readLevels(const QString& path) {
                 return tl::unexpected(value.error());
             values[i] = *value;
         }
+        constexpr double kMostTrials = 1e9; // of a level: beyond, a posterior is narrower than any grid
+        if (std::isfinite(values[2]) && values[2] > kMostTrials)
+            return table->fault(row, columns[2], QStringLiteral("at most 1e9"));
         data.x.push_back(values[0]);
         data.k.push_back(values[1]);
         data.n.push_back(values[2]);
@@ -108,6 +111,9 @@ core::Result<FitOptions> readOptions(const Arguments& arguments) {
         return tl::unexpected(guess ? lapse.error() : guess.error());
     options.guess = *guess;
     options.lapse = *lapse;
+    const bool bothFixed = guess->rule == Asymptote::Rule::fixed && lapse->rule == Asymptote::Rule::fixed;
+    if (bothFixed && !(guess->value + lapse->value < 1.0))
+        return wrongUse(QStringLiteral("--guess %1, --lapse %2: expected less than 1 together").arg(guess->value).arg(lapse->value));
     if (auto read = readSimulations(arguments, options); !read)
         return tl::unexpected(read.error());
     if (arguments.has(QStringLiteral("threshold-at")))
@@ -152,6 +158,12 @@ QJsonObject fitJson(const FitResult& fit) {
     return json;
 }
 
+void warn(QJsonObject& json, const QString& warning) {
+    QJsonArray warnings = json["warnings"].toArray();
+    warnings.append(warning);
+    json.insert("warnings", warnings);
+}
+
 /// What was asked for beside the parameters: the threshold at another proportion, and PSE, JND and Weber fraction at a reference.
 core::Result<void> addDerived(const Arguments& arguments, const FitResult& fit, QJsonObject& json) {
     const bool unscaled = arguments.has(QStringLiteral("unscaled"));
@@ -161,6 +173,8 @@ core::Result<void> addDerived(const Arguments& arguments, const FitResult& fit, 
             return tl::unexpected(proportion.error());
         const double p = *proportion;
         const FitInterval interval = intervalOf(fit, [&](const CurveParameters& at) { return thresholdAt(fit, at, p, unscaled); });
+        if (const double value = thresholdAt(fit, p, unscaled); fit.fitted && std::isnan(value))
+            warn(json, QStringLiteral("never_reached: the curve does not take the proportion %1 (guess %2, lapse %3)").arg(p).arg(fit.guess).arg(fit.lapse));
         json.insert("threshold_at", QJsonObject{{"proportion", p}, {"unscaled", unscaled}, {"value", thresholdAt(fit, p, unscaled)}, {"ci", pair(interval)}});
     }
     json.insert("pse", pse(fit));
@@ -170,6 +184,8 @@ core::Result<void> addDerived(const Arguments& arguments, const FitResult& fit, 
         if (!reference)
             return tl::unexpected(reference.error());
         json.insert("reference", *reference);
+        if (*reference == 0.0)
+            warn(json, QStringLiteral("no_reference: a Weber fraction at 0 has no value"));
         json.insert("weber", weberFraction(fit, *reference));
     }
     return {};

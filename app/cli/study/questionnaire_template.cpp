@@ -89,7 +89,8 @@ QStringList openCodes(const Blank& blank, const std::vector<database::Participan
 core::Result<void> writeNew(const QString& path, const QByteArray& bytes) {
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
-        return badInput(QStringLiteral("--out: %1: %2; expected a file that is not there yet").arg(quoted(path), QFileInfo::exists(path) ? QStringLiteral("is there already") : file.errorString()));
+        return QFileInfo::exists(path) ? badInput(QStringLiteral("--out: %1: is there already; expected a file that is not there yet").arg(quoted(path)))
+                                       : core::fail(core::ErrorCode::storage, QStringLiteral("--out: %1: %2").arg(quoted(path), file.errorString()).toStdString());
     if (file.write(bytes) == bytes.size() && file.flush())
         return {};
     file.remove();

@@ -8,6 +8,7 @@
 #include "cli/text_table.h"
 #include "psychophysics/planning/study_plan.h"
 #include "session/new_folder.h"
+#include "session/study/study_check.h"
 #include "session/study_export.h"
 
 #include <QDir>
@@ -185,6 +186,8 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
     const auto design = designOf(arguments);
     if (!design)
         return tl::unexpected(design.error());
+    if (auto ofItsKind = session::checkObserver(*design, *observer); !ofItsKind)
+        return tl::unexpected(ofItsKind.error());
     QJsonArray conditions;
     TextTable table({"condition", ">bias (log10)", ">sd (log10)", ">coverage", ">trials", ">minutes", ">information"});
     double minutes = 0.0;

@@ -62,11 +62,15 @@ core::Result<void> readPart(std::string_view text, ObserverSpec& spec) {
 core::Result<ObserverSpec> parseObserver(std::string_view text) {
     ObserverSpec spec;
     std::string_view seen;
+    bool known = false; // how well it feels
     for (std::string_view rest = text;;) {
         const std::size_t comma = rest.find(',');
         if (auto read = readPart(rest.substr(0, comma), spec); !read)
             return tl::unexpected(read.error());
         seen = rest.substr(0, rest.find(':'));
+        known = known || seen == "weber" || !spec.trainee.empty();
+        if (comma == std::string_view::npos && !known)
+            return fail(ErrorCode::badInput, "observer: " + std::string(text) + ": how well it feels is missing; expected weber:W");
         if (comma == std::string_view::npos)
             return spec;
         rest = rest.substr(comma + 1);
