@@ -8,14 +8,15 @@
 
 namespace chiron::psychophysics {
 
-void summarise(FitResult& result, const PreparedLevels& levels) {
+void summarise(FitResult& result, const PreparedLevels& levels) { summarise(result, levels, toUnit(result.best, levels, result.function)); }
+
+void summarise(FitResult& result, const PreparedLevels& levels, const UnitCurve& curve) {
     const CurveParameters& best = result.best;
     result.threshold = fromScale(best.threshold, result.scale);
     result.width = best.width;
     result.lapse = best.lapse;
     result.guess = best.guess;
     result.eta = best.eta;
-    const UnitCurve curve = toUnit(best, levels, result.function);
     result.levels.resize(levels.size());
     result.deviance = 0.0;
     double sum = 0.0;

@@ -9,6 +9,8 @@ namespace chiron::psychophysics {
 
 /// Copies `best` into threshold (given units), width, lapse, guess, eta; fills levels, residuals, deviance, chi-square p, log-likelihood, AIC.
 void summarise(FitResult& result, const PreparedLevels& levels);
+/// The same of the curve as it was searched: a steep one far from 0 loses digits that matter when it is written as threshold and width.
+void summarise(FitResult& result, const PreparedLevels& levels, const UnitCurve& curve);
 
 /// The curve at `options.curvePoints` places from the lowest to the highest level and a tenth of the range beyond either end; its band
 /// from result.draws where there are at least 100.

@@ -89,7 +89,7 @@ FitResult fitMaximumLikelihood(const PsychometricData& data, const FitOptions& o
     }
     result.fitted = true;
     result.best = fromUnit(found.curve, levels, options.function);
-    summarise(result, levels);
+    summarise(result, levels, found.curve);
     if (found.kind == SearchResult::Kind::curve) {
         addErrors(result, levels, free, found.curve);
     }

@@ -13,6 +13,7 @@ class TestFitOptima : public QObject {
 private slots:
     void bestKnown_data();
     void bestKnown();
+    void stepFarFromZero();
     void heightOfNoRise_data();
     void heightOfNoRise();
 };
@@ -62,6 +63,18 @@ void TestFitOptima::bestKnown() {
     const FitResult fit = fitMaximumLikelihood(dataOf(x, k, n), optionsOf(static_cast<Sigmoid>(function), guess, lapse));
     QVERIFY(fit.fitted);
     QVERIFY2(fit.logLikelihood > best - 1e-6, qPrintable(QString::number(fit.logLikelihood, 'g', 12)));
+}
+
+/// A step at a level, a million units from 0: threshold and width no longer hold the digits that the level's share needs.
+void TestFitOptima::stepFarFromZero() {
+    PsychometricData data{{1.330194843412051, 1.9980525608761504, 3.8805000168244828, 4.281151613503576, 5.3277953440450165, 7.048100839358845}, {7, 4, 3, 9, 12, 9}, {39, 27, 12, 14, 13, 9}};
+    const FitResult near = fitMaximumLikelihood(data, optionsOf(Sigmoid::tdist, 0.25, -1.0));
+    for (double& x : data.x)
+        x += 1e6;
+    const FitResult far = fitMaximumLikelihood(data, optionsOf(Sigmoid::tdist, 0.25, -1.0));
+    QVERIFY(std::abs(far.threshold - 1e6 - near.threshold) < 1e-8);
+    QVERIFY2(std::abs(far.logLikelihood - near.logLikelihood) < 1e-6, qPrintable(QString::number(far.logLikelihood - near.logLikelihood)));
+    QVERIFY(std::abs(far.deviance - near.deviance) < 1e-6);
 }
 
 void TestFitOptima::heightOfNoRise_data() {
