@@ -52,7 +52,7 @@ inline psychophysics::StimulusDesign stimulusOf(psychophysics::Attribute attribu
         break;
     case Attribute::roughness:
         s.reference = 100e-6;
-        s.fixed = {{"stiffness_N_per_m", 400.0}, {"roughness_wavelength_m", 0.003}, {"damping_Ns_per_m", 1.0}};
+        s.fixed = {{"stiffness_N_per_m", 650.0}, {"roughness_wavelength_m", 0.003}, {"damping_Ns_per_m", 1.0}};
         break;
     case Attribute::friction:
         s.reference = 0.25;

@@ -23,8 +23,11 @@ constexpr double kWaiting_m = 0.050; ///< between trials
 constexpr double kOverPads_m = 0.010; ///< the same where it strokes the air meanwhile: how an instrument runs depends on its depth
 constexpr double kInAir_m = 0.006;   ///< higher than this it touches no pad
 constexpr double kSwing_m = 0.007;  ///< half of a stroke
+constexpr int kTracks = 7;          ///< along which a rough pad is stroked ...
+constexpr double kTracks_m = 0.0048; ///< ... so far to both sides
 constexpr double kTaken_m = 0.0055;  ///< so near to a ring it knows that it has it
 constexpr double kSetDown_m = 0.003; ///< so far below a ring it has put down what it had
+constexpr double kFromEdge_m = 0.0004;
 constexpr double kSettled_s = 0.15; ///< after the last way, for the arm to come after
 
 /// Share of a way done at a share of its time: minimum jerk (Flash & Hogan 1985), and its slope.
@@ -66,7 +69,6 @@ ComparisonExplorer::Way ComparisonExplorer::pressedWay(const Vec3& pad, int step
     const Vec3 low(0.0, 0.0, depth(light_N));
     const Vec3 lower(0.0, 0.0, depth(m_briefing.attribute == ComparedAttribute::friction ? 1.5 * kPull_N : kPull_N));
     const Vec3 aside(0.0, kSwing_m, 0.0);
-    const double lane_m = m_briefing.attribute == ComparedAttribute::roughness ? 0.004 : 0.0; // a rough pad is felt along several tracks
     if (m_briefing.attribute == ComparedAttribute::deformation) {
         switch (step) {
         case 0: return {pad + Vec3(0.0, 0.0, 0.006), 0.30};
@@ -79,23 +81,38 @@ ComparisonExplorer::Way ComparisonExplorer::pressedWay(const Vec3& pad, int step
     switch (step) {
     case 0: return {pad - aside + Vec3(0.0, 0.0, 0.004), 0.34};
     case 1: return {pad - aside + low, 0.15};
-    case 2: return {pad + aside + low - Vec3(lane_m, 0.0, 0.0), 0.20};
-    case 3: return {pad - aside + low + Vec3(lane_m, 0.0, 0.0), 0.20};
-    case 4: return {pad + aside + lower + Vec3(0.5 * lane_m, 0.0, 0.0), 0.22};
-    case 5: return {pad - aside + lower - Vec3(0.5 * lane_m, 0.0, 0.0), 0.22};
+    case 2: return {pad + aside + low, 0.20};
+    case 3: return {pad - aside + low, 0.20};
+    case 4: return {pad + aside + lower, 0.22};
+    case 5: return {pad - aside + lower, 0.22};
     case 6: return {pad - aside + Vec3(0.0, 0.0, kAbove_m), 0.18};
     default: return {};
     }
 }
 
+/// A rough pad is felt along several tracks, so far apart that each meets heights of its own.
+ComparisonExplorer::Way ComparisonExplorer::roughWay(const Vec3& pad, int step) const noexcept {
+    const double pressed_m = kPull_N / m_briefing.usualStiffness_N_per_m + kPull_N / m_arm_N_per_m;
+    const Vec3 side(-kTracks_m, step % 2 == 1 ? -kSwing_m : kSwing_m, -pressed_m);
+    if (step == 0)
+        return {pad + Vec3(side.x(), -kSwing_m, 0.004), 0.34};
+    if (step == 1)
+        return {pad + side, 0.15};
+    if (step < 2 + kTracks)
+        return {pad + side + Vec3(2.0 * kTracks_m * (step - 1) / kTracks, 0.0, 0.0), 0.20};
+    return step == 2 + kTracks ? Way{pad + Vec3(kTracks_m, -side.y(), kAbove_m), 0.18} : Way{};
+}
+
 ComparisonExplorer::Way ComparisonExplorer::way(int place, int step) const noexcept {
     if (simulation::isHooked(m_briefing.attribute))
         return hookedWay(ring(place), step);
-    return pressedWay(ring(place) - Vec3(0.0, 0.0, m_briefing.height_m), step);
+    const Vec3 pad = ring(place) - Vec3(0.0, 0.0, m_briefing.height_m);
+    return m_briefing.attribute == ComparedAttribute::roughness ? roughWay(pad, step) : pressedWay(pad, step);
 }
 
 bool ComparisonExplorer::strokes() const noexcept {
-    return m_briefing.attribute == ComparedAttribute::viscosity || m_briefing.attribute == ComparedAttribute::friction;
+    return m_briefing.attribute == ComparedAttribute::viscosity || m_briefing.attribute == ComparedAttribute::friction ||
+           m_briefing.attribute == ComparedAttribute::roughness;
 }
 
 void ComparisonExplorer::begin() noexcept {
@@ -192,6 +209,7 @@ bool ComparisonExplorer::feels(int place, const Vec3& tip, double& displacement_
         displacement_m = -tip.z();
         return displacement_m > 0.0;
     case ComparedAttribute::roughness:
+        return feelsRough(place, displacement_m);
     case ComparedAttribute::friction:
     case ComparedAttribute::viscosity:
         break;
@@ -200,12 +218,21 @@ bool ComparisonExplorer::feels(int place, const Vec3& tip, double& displacement_
     return displacement_m > 0.001;
 }
 
+/// On the flat top alone: beyond, the edge falls off by more than any roughness.
+bool ComparisonExplorer::feelsRough(int place, double& displacement_m) const noexcept {
+    const Vec3& tip = m_instrument.tip();
+    displacement_m = -tip.z();
+    return displacement_m > 0.001 && std::hypot(tip.x() - ring(place).x(), tip.y()) < m_briefing.padRadius_m - kFromEdge_m;
+}
+
 void ComparisonExplorer::feel(const mechanisms::HandPerception& seen) noexcept {
     FeltSample felt;
     felt.force = seen.f_T_D;
     felt.velocity = seen.v_DT;
     felt.acceleration = (seen.v_DT - m_lastVelocity) / core::kTickSeconds;
     m_lastVelocity = seen.v_DT;
+    m_instrument.feel(seen.p_DT, seen.f_T_D);
+    felt.own = m_instrument.own();
     if (m_calm && seen.p_DT.z() > kInAir_m && m_way_s > m_way.time_s + m_reaction_s)
         m_air.add(felt);
     if (m_calm || m_explored || seen.cues.force != core::ForceState::on)

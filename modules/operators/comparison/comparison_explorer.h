@@ -21,6 +21,7 @@ struct ComparisonBriefing {
     std::array<double, 3> x_m{};
     double height_m = 0.030;       ///< of the rings
     double usualStiffness_N_per_m = 200.0; ///< of a tube or pad
+    double padRadius_m = 0.009;    ///< of a pad's flat top: it sees it
     double share = 0.0;            ///< how much stiffer a quick press is: k₁/k
 };
 
@@ -53,6 +54,7 @@ private:
     bool strokes() const noexcept;
     Way hookedWay(const core::Vec3& ring, int step) const noexcept;
     Way pressedWay(const core::Vec3& pad, int step) const noexcept;
+    Way roughWay(const core::Vec3& pad, int step) const noexcept;
     core::Vec3 ring(int place) const noexcept;
     void begin() noexcept;
     void learnPull() noexcept;
@@ -60,6 +62,7 @@ private:
     void notice(const mechanisms::HandPerception& seen) noexcept;
     void feel(const mechanisms::HandPerception& seen) noexcept;
     bool feels(int place, const core::Vec3& tip, double& displacement_m) const noexcept;
+    bool feelsRough(int place, double& displacement_m) const noexcept;
 
     ComparisonBriefing m_briefing;
     double m_grip_N_per_m;
@@ -67,6 +70,7 @@ private:
     double m_reaction_s;
     std::array<ExploredPlace, 3> m_places;
     AirStroke m_air; ///< strokes without an object
+    InstrumentFeel m_instrument;
     core::Vec3 m_at = core::Vec3::Zero(); ///< where the present way began
     Way m_way;
     double m_way_s = 0.0;   ///< along it

@@ -16,6 +16,7 @@ ComparisonBriefing comparisonBriefing(const simulation::ComparisonParameters& p)
     briefing.usualStiffness_N_per_m = p.attribute == simulation::ComparedAttribute::stiffness && !p.values.empty()
                                           ? p.values.front()[0]
                                           : p.object.stiffness_N_per_m;
+    briefing.padRadius_m = p.padRadius_m;
     briefing.share = p.object.recoveryShare;
     return briefing;
 }
@@ -28,7 +29,7 @@ mechanisms::HandParameters comparisonHand() noexcept {
 
 ComparisonExplorer::ComparisonExplorer(const ComparisonBriefing& briefing, const mechanisms::HandParameters& hand) noexcept
     : m_briefing(briefing), m_grip_N_per_m(hand.gripStiffness_N_per_m), m_arm_N_per_m(hand.stiffness_N_per_m),
-      m_reaction_s(hand.reactionDelay_s) {}
+      m_reaction_s(hand.reactionDelay_s), m_instrument(hand) {}
 
 ComparisonExplorer::~ComparisonExplorer() = default;
 

@@ -24,6 +24,7 @@ double way(double v) noexcept { return std::tanh(v / kSticking_m_per_s); }
 
 void ExploredPlace::reset() noexcept {
     m_line.reset();
+    m_rough.reset();
     for (auto& fit : m_bank)
         fit.reset();
     m_dent.fill(0.0);
@@ -35,16 +36,26 @@ void ExploredPlace::reset() noexcept {
 void AirStroke::add(const FeltSample& felt) noexcept {
     const double v = felt.velocity.y();
     m_line.add({v, way(v), felt.acceleration.y(), 1.0}, -felt.force.y());
+    m_own.add(felt.own, felt.force.z());
 }
 
 void AirStroke::learn() noexcept {
     if (const auto fit = m_line.solve(); fit.good)
         m_slope = fit.slope;
+    if (const auto fit = m_own.solve(); fit.good)
+        m_ownSlope = fit.slope;
 }
 
 double AirStroke::force_N(const FeltSample& felt) const noexcept {
     const double v = felt.velocity.y();
     return m_slope[0] * v + m_slope[1] * way(v) + m_slope[2] * felt.acceleration.y() + m_slope[3];
+}
+
+double AirStroke::lift_N(const FeltSample& felt) const noexcept {
+    double lift_N = 0.0;
+    for (std::size_t i = 1; i < felt.own.size(); ++i)
+        lift_N += m_ownSlope[i] * felt.own[i];
+    return lift_N;
 }
 
 void ExploredPlace::add(ComparedAttribute attribute, const FeltSample& felt, const AirStroke& air, const KnownObject& known) noexcept {
@@ -61,8 +72,9 @@ void ExploredPlace::add(ComparedAttribute attribute, const FeltSample& felt, con
         m_line.add({1.0, way(v_z), v_z, felt.acceleration.z(), 0.0}, -felt.force.z());
         break;
     case ComparedAttribute::roughness:
+        m_known_N_per_m = known.stiffness_N_per_m;
         if (strokes)
-            m_line.add({felt.displacement_m, 1.0, v_z, felt.acceleration.z(), way(v_z)}, felt.force.z());
+            m_rough.add({1.0}, felt.force.z() - known.stiffness_N_per_m * felt.displacement_m - air.lift_N(felt));
         break;
     case ComparedAttribute::friction:
         if (std::abs(v_y) > kSliding_m_per_s)
@@ -89,9 +101,12 @@ double ExploredPlace::fitted(ComparedAttribute attribute) const noexcept {
         return kNan;
     if (attribute == ComparedAttribute::mass)
         return fit.slope[0] / core::kStandardGravity;
-    if (attribute == ComparedAttribute::roughness)
-        return fit.slope[0] > 0.0 ? std::sqrt(std::max(0.0, fit.residual) / fit.n) / fit.slope[0] : kNan;
     return fit.slope[0];
+}
+
+double ExploredPlace::roughness() const noexcept {
+    const auto fit = m_rough.solve();
+    return fit.good ? std::sqrt(fit.residual / fit.n) / m_known_N_per_m : kNan;
 }
 
 double ExploredPlace::recoveryTime() const noexcept {
@@ -115,7 +130,9 @@ double ExploredPlace::recoveryTime() const noexcept {
 }
 
 double ExploredPlace::estimate(ComparedAttribute attribute) const noexcept {
-    const double value = attribute == ComparedAttribute::deformation ? recoveryTime() : fitted(attribute);
+    const double value = attribute == ComparedAttribute::deformation ? recoveryTime()
+                         : attribute == ComparedAttribute::roughness ? roughness()
+                                                                     : fitted(attribute);
     return value > 0.0 ? value : kNan;
 }
 

@@ -45,7 +45,7 @@ double noise(int trials, Attribute attribute, bool print) {
 }
 
 void recovery(int seeds, Attribute attribute, double weber, bool legacy, simulation::ComparisonControl control) {
-    const double rendering = noise(24, attribute, false);
+    const double rendering = noise(66, attribute, false); // 198 explorations a level (psychophysics.md §6)
     session::RenderedRunRequest request;
     request.design = legacy ? testing::descendingStudy(attribute) : testing::rank3Study(attribute);
     request.condition = "main";

@@ -66,6 +66,17 @@ private slots:
         }
         QVERIFY(inside >= 2);
     }
+    /// A difference of 0.21 log10 units is felt as such; once a trembling hand and the pad's edge left it 0.08.
+    void roughnessIsFeltAsItIs() {
+        const auto design = testing::rank3Study(Attribute::roughness);
+        const auto noise = session::renderingNoise(design, "main", 20, 36, 17);
+        QVERIFY(noise);
+        QCOMPARE(noise->missed, 0);
+        const double difference = 2.0 * design.conditions.front().stimulus.differences[20];
+        const double felt = difference + noise->mean[2] - noise->mean[0];
+        QVERIFY2(std::abs(felt / difference - 1.0) < 0.1, qPrintable(QString("%1 of %2").arg(felt).arg(difference)));
+        QVERIFY2(noise->pooledSd < 0.05, qPrintable(QString::number(noise->pooledSd)));
+    }
     /// What the meter says of each place of the widest table is what was asked for, and it notices what is not.
     void frictionIsRenderedAsAsked() {
         const auto design = testing::rank3Study(Attribute::friction);
