@@ -17,6 +17,7 @@ private slots:
     void largeTables();
     void noBetterThanGuessing_data();
     void noBetterThanGuessing();
+    void countsGivenTwice();
     void fitsOfWhatIsNotThere();
     void ranksThatAreNone();
     void rankingsLeftOut();
@@ -118,6 +119,14 @@ void TestCliPsychophysicsEdges::noBetterThanGuessing() {
     const CliRun run = runCli(QStringList{"psychophysics", "dprime", "--json"} + options);
     QVERIFY2(run.exitCode == 0, run.err.constData());
     QVERIFY2(warns(object(run.out), "chance"), run.out.constData());
+}
+
+void TestCliPsychophysicsEdges::countsGivenTwice() {
+    const QString table = file("counts.csv", "n_correct,n_total\n5,10\n");
+    QString fault = refusalFault(runCli({"psychophysics", "dprime", table, "--task", "2afc", "--correct", "3", "--total", "5"}), 2, QStringList{"--correct beside a table"});
+    QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    fault = refusalFault(runCli({"psychophysics", "dprime", "--task", "2afc", "--correct", "3", "--total", "5", "--proportion", "0.6"}), 2, QStringList{"beside --proportion"});
+    QVERIFY2(fault.isEmpty(), qPrintable(fault));
 }
 
 void TestCliPsychophysicsEdges::fitsOfWhatIsNotThere() {

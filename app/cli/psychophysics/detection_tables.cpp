@@ -47,7 +47,7 @@ core::Result<long long> count(const CsvTable& table, std::size_t row, int column
     if (!value)
         return tl::unexpected(value.error());
     if (!(*value >= 0.0 && *value <= 1e9) || *value != std::floor(*value))
-        return table.fault(row, column, QStringLiteral("a whole number from 0"));
+        return table.fault(row, column, QStringLiteral("a whole number from 0 to 1e9"));
     return static_cast<long long>(*value);
 }
 
@@ -188,6 +188,9 @@ core::Result<CommandOutput> detectionTables(const Arguments& arguments) {
     const bool isTable = !arguments.operand(0).isEmpty();
     std::vector<Row> rows;
     if (isTable) {
+        for (const char* option : {"hits", "misses", "false-alarms", "correct-rejections", "correct", "total", "proportion"})
+            if (arguments.has(QLatin1String(option)))
+                return wrongUse(QStringLiteral("--%1 beside a table: expected one of them").arg(QLatin1String(option)));
         auto read = readRows(arguments.operand(0), fourCounts);
         if (!read)
             return tl::unexpected(read.error());
