@@ -135,6 +135,9 @@ void TestCliPsychophysicsEdges::fitsOfWhatIsNotThere() {
     const CliRun below = runCli({"psychophysics", "fit", levels, "--threshold-at", "0.4", "--json"});
     QVERIFY2(below.exitCode == 0 && object(below.out).value("threshold_at").toObject().value("value").isNull() && warns(object(below.out), "never_reached"), below.out.constData());
     QVERIFY(warns(object(runCli({"psychophysics", "fit", levels, "--reference", "0", "--json"}).out), "no_reference"));
+    const CliRun read = runCli({"psychophysics", "fit", levels, "--threshold-at", "0.75", "--reference", "2", "--curve", "3"});
+    for (const char* asked : {"threshold at 0.75: ", "Weber fraction at 2: ", "intensity"})
+        QVERIFY2(read.out.contains(asked), read.out.constData());
     QString fault = refusalFault(runCli({"psychophysics", "fit", levels, "--guess", "0.6", "--lapse", "0.5"}), 2, QStringList{"--guess", "less than 1 together"});
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
     fault = refusalFault(runCli({"psychophysics", "fit", file("many.csv", head + "1,10,20\n2,15,1e12\n")}), 3, QStringList{"many.csv:3: column n_total", "at most 1e9"});

@@ -191,6 +191,27 @@ core::Result<void> addDerived(const Arguments& arguments, const FitResult& fit, 
     return {};
 }
 
+/// What was asked for beside the parameters, a line or a table each.
+QString derivedText(const QJsonObject& json) {
+    const auto shown = [](const QJsonValue& value) { return shortNumber(value.toDouble(std::nan(""))); };
+    QString words;
+    if (json.contains("threshold_at")) {
+        const QJsonObject at = json["threshold_at"].toObject();
+        const QJsonArray ci = at["ci"].toArray();
+        words += QStringLiteral("threshold at %1%2: %3 (%4 to %5)\n")
+                     .arg(shown(at["proportion"]), at["unscaled"].toBool() ? QStringLiteral(" of the curve without guess and lapse") : QString(), shown(at["value"]), shown(ci[0]), shown(ci[1]));
+    }
+    if (json.contains("weber"))
+        words += QStringLiteral("Weber fraction at %1: %2\n").arg(shown(json["reference"]), shown(json["weber"]));
+    if (json.contains("curve")) {
+        TextTable table({">intensity", ">fitted", ">low", ">high"});
+        for (const QJsonValue& sample : json["curve"].toArray())
+            table.add({shown(sample["intensity"]), shown(sample["fitted"]), shown(sample["low"]), shown(sample["high"])});
+        words += table.toText();
+    }
+    return words;
+}
+
 QString fitText(const QJsonObject& json) {
     TextTable table({"parameter", ">value", ">low", ">high"});
     for (const char* name : {"threshold", "width", "lapse", "guess", "eta"}) {
@@ -205,6 +226,7 @@ QString fitText(const QJsonObject& json) {
     words += table.toText();
     words += QStringLiteral("deviance %1 (p %2), log-likelihood %3\nPSE %4, JND %5\n")
                  .arg(number("deviance"), number("p_value"), number("log_likelihood"), number("pse"), number("jnd"));
+    words += derivedText(json);
     for (const QJsonValue& warning : json["warnings"].toArray())
         words += QStringLiteral("! %1\n").arg(warning.toString());
     return words;
