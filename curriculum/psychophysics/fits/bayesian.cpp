@@ -60,9 +60,9 @@ FitResult fitBayesian(const PsychometricData& data, const FitOptions& options) {
     const FreeParameters free = freeParameters(options);
     const PosteriorModel model{levels, options.function, priorsFor(levels, options, result.scale), free, free.lapse ? 0.0 : options.lapse.value,
                                free.guess || free.equal ? 0.0 : options.guess.value, options.overdispersion};
-    const PosteriorGrid whole(model, wholeSpace(model, kCoarse));
+    const DensityGrid whole(model, wholeSpace(model, kCoarse));
     const CurveParameters mode = posteriorMode(model, likelyCells(whole));
-    const PosteriorGrid grid(model, posteriorRegion(model, whole, mode, free.guess ? kFineFreeGuess : kFine));
+    const DensityGrid grid(model, posteriorRegion(model, whole, mode, free.guess ? kFineFreeGuess : kFine));
     result.fitted = true;
     result.best = fromUnitAxis(mode, levels);
     result.logPosterior = model.logDensity(mode);

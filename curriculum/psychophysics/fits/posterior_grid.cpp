@@ -68,7 +68,7 @@ std::size_t PosteriorAxes::cells() const noexcept {
     return product;
 }
 
-PosteriorGrid::PosteriorGrid(const PosteriorModel& model, PosteriorAxes axes)
+DensityGrid::DensityGrid(const PosteriorModel& model, PosteriorAxes axes)
     : m_axes(std::move(axes)), m_equal(model.free.equal), m_logs(m_axes.cells()) {
     std::size_t stride = 1;
     for (std::size_t axis = PosteriorAxes::count; axis-- > 0;) {
@@ -79,7 +79,7 @@ PosteriorGrid::PosteriorGrid(const PosteriorModel& model, PosteriorAxes axes)
     m_highest = *std::max_element(m_logs.begin(), m_logs.end());
 }
 
-void PosteriorGrid::fill(const PosteriorModel& model) {
+void DensityGrid::fill(const PosteriorModel& model) {
     const auto tables = tablesFor(model, m_axes);
     const auto& axis = m_axes.axis;
     const std::size_t etas = axis[PosteriorAxes::eta].size(), levels = model.levels.size();
@@ -121,7 +121,7 @@ void PosteriorGrid::fill(const PosteriorModel& model) {
     });
 }
 
-std::vector<double> PosteriorGrid::profile(std::size_t axis) const {
+std::vector<double> DensityGrid::profile(std::size_t axis) const {
     std::vector<double> most(m_axes.axis[axis].size(), kImpossible);
     for (std::size_t cell = 0; cell < m_logs.size(); ++cell) {
         double& here = most[nodeOf(cell, axis)];
@@ -130,7 +130,7 @@ std::vector<double> PosteriorGrid::profile(std::size_t axis) const {
     return most;
 }
 
-CurveParameters PosteriorGrid::parametersAt(std::size_t cell) const noexcept {
+CurveParameters DensityGrid::parametersAt(std::size_t cell) const noexcept {
     const auto node = [&](std::size_t axis) { return m_axes.axis[axis].nodes[nodeOf(cell, axis)]; };
     const double lapse = node(PosteriorAxes::lapse);
     return {node(PosteriorAxes::threshold), std::exp(node(PosteriorAxes::logWidth)), lapse, m_equal ? lapse : node(PosteriorAxes::guess),
@@ -149,11 +149,11 @@ PosteriorAxes wholeSpace(const PosteriorModel& model, const GridSize& size) {
     return axes;
 }
 
-PosteriorAxes posteriorRegion(const PosteriorModel& model, const PosteriorGrid& whole, const CurveParameters& mode,
+PosteriorAxes posteriorRegion(const PosteriorModel& model, const DensityGrid& whole, const CurveParameters& mode,
                               const GridSize& fine) {
     PosteriorAxes axes = whole.axes();
-    const PosteriorGrid* grid = &whole;
-    std::vector<PosteriorGrid> pass;
+    const DensityGrid* grid = &whole;
+    std::vector<DensityGrid> pass;
     pass.reserve(1);
     constexpr int kMostPasses = 24;
     for (int i = 0; i < kMostPasses; ++i) {
@@ -183,7 +183,7 @@ PosteriorAxes posteriorRegion(const PosteriorModel& model, const PosteriorGrid& 
     return axes;
 }
 
-std::vector<CurveParameters> likelyCells(const PosteriorGrid& grid) {
+std::vector<CurveParameters> likelyCells(const DensityGrid& grid) {
     constexpr std::size_t kParts = 3;
     std::array<std::size_t, kParts> best{};
     std::array<double, kParts> height;

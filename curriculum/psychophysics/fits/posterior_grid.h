@@ -19,9 +19,9 @@ struct GridSize {
 };
 
 /// Log densities (over threshold, width, lapse, guess, η) at all nodes.
-class PosteriorGrid {
+class DensityGrid {
 public:
-    PosteriorGrid(const PosteriorModel& model, PosteriorAxes axes);
+    DensityGrid(const PosteriorModel& model, PosteriorAxes axes);
 
     const PosteriorAxes& axes() const noexcept { return m_axes; }
     const std::vector<double>& logs() const noexcept { return m_logs; }
@@ -43,9 +43,9 @@ private:
 /// The whole of what the priors allow.
 PosteriorAxes wholeSpace(const PosteriorModel& model, const GridSize& size);
 /// Axes around where the posterior lies (less than e^−14 of the largest density outside, `mode` inside), found by passes of a coarse grid.
-PosteriorAxes posteriorRegion(const PosteriorModel& model, const PosteriorGrid& whole, const CurveParameters& mode,
+PosteriorAxes posteriorRegion(const PosteriorModel& model, const DensityGrid& whole, const CurveParameters& mode,
                               const GridSize& fine);
 /// Starts for the search of the mode: the best cells of a grid in three ranges of width.
-std::vector<CurveParameters> likelyCells(const PosteriorGrid& grid);
+std::vector<CurveParameters> likelyCells(const DensityGrid& grid);
 
 } // namespace chiron::psychophysics

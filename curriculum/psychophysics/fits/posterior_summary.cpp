@@ -20,7 +20,7 @@ struct Masses {
     double total = 0.0;
 };
 
-Masses massesOf(const PosteriorGrid& grid) {
+Masses massesOf(const DensityGrid& grid) {
     const auto& axis = grid.axes().axis;
     Masses masses;
     masses.cell.resize(grid.logs().size());
@@ -84,7 +84,7 @@ FitInterval percentiles(const QuadratureAxis& axis, const std::vector<double>& m
 }
 
 /// The extent along each axis of the joint region of highest density.
-std::array<FitInterval, Axes::count> projections(const PosteriorGrid& grid, const Masses& masses, double confidence) {
+std::array<FitInterval, Axes::count> projections(const DensityGrid& grid, const Masses& masses, double confidence) {
     std::vector<std::size_t> order(masses.cell.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return grid.logs()[a] > grid.logs()[b]; });
@@ -104,7 +104,7 @@ std::array<FitInterval, Axes::count> projections(const PosteriorGrid& grid, cons
     return extent;
 }
 
-void addIntervals(FitResult& result, const PosteriorGrid& grid, const Masses& masses, const PreparedLevels& levels, const FitOptions& options) {
+void addIntervals(FitResult& result, const DensityGrid& grid, const Masses& masses, const PreparedLevels& levels, const FitOptions& options) {
     std::array<FitInterval, Axes::count> interval;
     if (options.credible == CredibleMethod::projection) {
         interval = projections(grid, masses, options.confidence);
@@ -133,7 +133,7 @@ double within(const QuadratureAxis& axis, std::size_t node, double share) noexce
     return from + share * axis.weights[node];
 }
 
-void addDraws(FitResult& result, const PosteriorGrid& grid, const Masses& masses, const PreparedLevels& levels, const FitOptions& options, int draws) {
+void addDraws(FitResult& result, const DensityGrid& grid, const Masses& masses, const PreparedLevels& levels, const FitOptions& options, int draws) {
     core::Random random = core::Random::stream(options.seed, "posterior draws");
     const bool equal = freeParameters(options).equal;
     const double step = masses.total / draws;
@@ -154,7 +154,7 @@ void addDraws(FitResult& result, const PosteriorGrid& grid, const Masses& masses
 
 } // namespace
 
-void addPosterior(FitResult& result, const PosteriorGrid& grid, const PreparedLevels& levels, const FitOptions& options) {
+void addPosterior(FitResult& result, const DensityGrid& grid, const PreparedLevels& levels, const FitOptions& options) {
     const Masses masses = massesOf(grid);
     const auto moments = [&](std::size_t a) { return momentsOf(grid.axes().axis[a], masses.node[a], masses.total, a == Axes::logWidth); };
     const Moments threshold = moments(Axes::threshold), width = moments(Axes::logWidth), lapse = moments(Axes::lapse);

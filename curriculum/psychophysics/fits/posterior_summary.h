@@ -7,6 +7,6 @@ namespace chiron::psychophysics {
 
 /// Posterior mean and standard deviation, credible intervals, draws and the band of the curve, from a grid; fills mean, error, ci,
 /// draws and curve of the result as the options ask for.
-void addPosterior(FitResult& result, const PosteriorGrid& grid, const PreparedLevels& levels, const FitOptions& options);
+void addPosterior(FitResult& result, const DensityGrid& grid, const PreparedLevels& levels, const FitOptions& options);
 
 } // namespace chiron::psychophysics

@@ -13,15 +13,15 @@ constexpr double kHalf_mm = 0.28;
 constexpr double kEdge_mm = 0.22;   // of the black round the bright line
 constexpr float kInwards_mm = 1.2F; // before the wall, which is not flat
 
-Qt3DRender::QParameter* parameter(const char* name, const QVariant& value, Qt3DCore::QNode* parent) {
+Qt3DRender::QParameter* uniform(const char* name, const QVariant& value, Qt3DCore::QNode* parent) {
     return new Qt3DRender::QParameter(QLatin1String(name), value, parent);
 }
 
 } // namespace
 
 LandmarkMarks::LandmarkMarks(const UrethraDrawing& drawing, EffectShelf& effects, Qt3DCore::QEntity* anatomy)
-    : m_entity(new Qt3DCore::QEntity(anatomy)), m_bright(parameter("tint", QVector4D(1, 1, 1, 1), m_entity)),
-      m_dark(parameter("tint", QVector4D(0, 0, 0, 1), m_entity)) {
+    : m_entity(new Qt3DCore::QEntity(anatomy)), m_bright(uniform("tint", QVector4D(1, 1, 1, 1), m_entity)),
+      m_dark(uniform("tint", QVector4D(0, 0, 0, 1), m_entity)) {
     for (const simulation::BladderLandmark& landmark : drawing.parameters().landmarks)
         add(drawing, landmark, effects);
     m_entity->setEnabled(false);
@@ -43,7 +43,7 @@ void LandmarkMarks::add(const UrethraDrawing& drawing, const simulation::Bladder
     transform->setTranslation(toMillimetres(drawing.landmark_A(landmark)) + kInwards_mm * toVector(in));
     transform->setRotation(toQuaternion(core::Quat(axes)));
     place->addComponent(transform);
-    auto* whole = parameter("share", 2.0F, place);
+    auto* whole = uniform("share", 2.0F, place);
     auto* bright = effects.materialWith("#define BOTH_SIDES\n", "mark.vert", "turn.frag", {m_bright, whole}, Blend::opaque, place);
     auto* dark = effects.materialWith("#define BOTH_SIDES\n", "mark.vert", "turn.frag", {m_dark, whole}, Blend::opaque, place);
     auto* tick = new Qt3DCore::QEntity(place);
