@@ -57,6 +57,21 @@ struct Detection {
     }
 };
 
+struct Mean {
+    double value = 0.0, error = 0.0;
+};
+/// With its standard error.
+inline Mean meanOf(const std::vector<double>& values) {
+    double sum = 0.0, squares = 0.0;
+    for (const double v : values) {
+        sum += v;
+        squares += v * v;
+    }
+    const double n = static_cast<double>(values.size()), mean = sum / n;
+    return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean) / std::max(1.0, n - 1.0))};
+}
+inline double errorOf(double a, double b) { return std::sqrt(a * a + b * b); }
+
 inline int regionOf(const simulation::PalpationParameters& p, const core::Vec2& place_m) {
     const auto cell = [](double x, double half, int n) { return std::clamp(static_cast<int>(std::floor((x + half) / (2.0 * half) * n)), 0, n - 1); };
     return cell(place_m.y(), p.areaHalf_m.y(), p.regionRows) * p.regionColumns + cell(place_m.x(), p.areaHalf_m.x(), p.regionColumns);

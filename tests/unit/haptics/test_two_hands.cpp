@@ -6,6 +6,7 @@
 #include "core/units.h"
 #include "haptics/passivity_controller.h"
 #include "simulation/exercises/elastic_tube/elastic_tube_scene.h"
+#include "support/sanitized.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -187,10 +188,12 @@ void TestTwoHands::theStiffestTubesAreHeldForAMinute_data() {
     QTest::addColumn<double>("viscosity");
     QTest::addColumn<bool>("swings");
     QTest::newRow("drawn by a level: 500 N/m") << 500.0 << 0.0 << false;
+    QTest::newRow("2000 N/m, 2 N s/m, slack in every cycle") << 2000.0 << 2.0 << true;
+    if (support::kSanitized)
+        return; // the others run the same instructions with other numbers
     QTest::newRow("500 N/m, slack in every cycle") << 500.0 << 0.0 << true;
     QTest::newRow("500 N/m, 0.5 N s/m along it") << 500.0 << 0.5 << false; // felt late, it drives
     QTest::newRow("an object's own: 2000 N/m") << 2000.0 << 0.0 << false;
-    QTest::newRow("2000 N/m, 2 N s/m, slack in every cycle") << 2000.0 << 2.0 << true;
 }
 
 void TestTwoHands::theStiffestTubesAreHeldForAMinute() {
@@ -223,6 +226,7 @@ void TestTwoHands::whatTheDelayCarriesIsLeftAlone() {
 }
 
 void TestTwoHands::theStiffestStableTubeFollowsTheDelay() {
+    CHIRON_SKIP_STATISTICS(); // a search through 30 runs like those above
     // devices.md §6: K < (b + B)/(T/2 + t_d). In the tube both tips move against each other, so that each meets 2k; t_d is the
     // sample's delay and the amplifier's lag.
     double before = 1e9;

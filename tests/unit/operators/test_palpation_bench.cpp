@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/palpation_bench.h"
 #include "support/palpation_detection.h"
+#include "support/sanitized.h"
 
 #include <QtTest>
 #include <functional>
@@ -10,7 +11,11 @@ using support::BenchOutcome;
 using support::BenchTrial;
 using support::countTrial;
 using support::Detection;
+using support::errorOf;
+using support::Mean;
+using support::meanOf;
 using support::PalpationBench;
+using support::repeated;
 using operators::PalpationOperatorSettings;
 
 /// Scripted palpators on a tissue (support/palpation_bench.h): they find what can be felt, nothing else, and differ as they should.
@@ -76,20 +81,6 @@ Measured measure(const simulation::PalpationParameters& p, const PalpationOperat
     return out;
 }
 
-struct Mean {
-    double value = 0.0, error = 0.0;
-};
-Mean meanOf(const std::vector<double>& values) {
-    double sum = 0.0, squares = 0.0;
-    for (const double v : values) {
-        sum += v;
-        squares += v * v;
-    }
-    const double n = static_cast<double>(values.size()), mean = sum / n;
-    return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean) / std::max(1.0, n - 1.0))};
-}
-double errorOf(double a, double b) { return std::sqrt(a * a + b * b); }
-
 constexpr simulation::LumpKind kUsual{0.0075, 0.012, 10.0, 5};
 
 } // namespace
@@ -111,7 +102,8 @@ void TestPalpationBench::detectionFollowsTheLump() {
     QFETCH(QVector<double>, ratio);
     std::vector<Detection> found;
     for (int i = 0; i < 3; ++i)
-        found.push_back(measure({}, settingsOf("expert"), {radius[i], depth[i], ratio[i], 3}, {}, 5, 4, true).found);
+        found.push_back(measure({}, settingsOf("expert"), {radius[i], depth[i], ratio[i], 3}, {}, repeated(5), repeated(4), true).found);
+    CHIRON_SKIP_STATISTICS();
     const auto rise = [&](int from, int to) {
         const Detection &a = found[static_cast<std::size_t>(from)], &b = found[static_cast<std::size_t>(to)];
         return (b.hitShare() - a.hitShare()) / errorOf(a.hitShareError(), b.hitShareError());
@@ -137,7 +129,8 @@ void TestPalpationBench::nothingToFeelIsChance() {
     guesser.criterion = 1.5;
     simulation::PalpationParameters p;
     p.hitRadius_m = 0.015; // as large as a region: else a guess falls into one more easily than near a lump, and d' is below 0
-    const Measured m = measure(p, guesser, {0.0075, 0.012, ratio, 5}, {forceOff, 0.0, core::Vec2::Zero()}, 10, 4);
+    const Measured m = measure(p, guesser, {0.0075, 0.012, ratio, 5}, {forceOff, 0.0, core::Vec2::Zero()}, repeated(10), repeated(4, 2));
+    CHIRON_SKIP_STATISTICS();
     QVERIFY(m.found.hits + m.found.falseAlarms >= 20); // it did guess
     const double interval = 1.96 * m.found.dPrimeError();
     const QString told = QString("d' %1 ± %2, hits %3, on shams %4").arg(m.found.dPrime()).arg(interval).arg(m.found.hits).arg(m.sham.hits);
@@ -152,7 +145,7 @@ void TestPalpationBench::movedLumpTakesTheMarkAlong() {
     Detection there, before;
     core::Random random(kFirst);
     PalpationBench bench(p, settingsOf("expert"), kFirst);
-    for (int trial = 0; trial < 16; ++trial) {
+    for (int trial = 0; trial < repeated(16, 2); ++trial) {
         auto lumps = support::drawLumps(p, kUsual, 1, random);
         simulation::PalpationControl control;
         control.moveAfter_s = 2.0;
@@ -162,16 +155,18 @@ void TestPalpationBench::movedLumpTakesTheMarkAlong() {
         lumps[0].place_m += control.move_m;
         countTrial(there, p, lumps, o.findings);
     }
+    CHIRON_SKIP_STATISTICS();
     const double error = errorOf(there.hitShareError(), before.hitShareError());
     const QString told = QString("%1 where it went, %2 where it was").arg(there.hits).arg(before.hits);
     QVERIFY2(there.hitShare() - before.hitShare() > 3.0 * error, qPrintable(told));
 }
 
 void TestPalpationBench::expertBeatsNovice() {
-    const Measured expert = measure({}, settingsOf("expert"), kUsual, {}, 8, 4, true);
-    const Measured novice = measure({}, settingsOf("novice"), kUsual, {}, 8, 4, true);
+    const Measured expert = measure({}, settingsOf("expert"), kUsual, {}, repeated(8), repeated(4), true);
+    const Measured novice = measure({}, settingsOf("novice"), kUsual, {}, repeated(8), repeated(4), true);
     QCOMPARE(expert.done, expert.trials); // both come to an end in time
     QCOMPARE(novice.done, novice.trials);
+    CHIRON_SKIP_STATISTICS();
     const Mean wide = meanOf(expert.coverage), narrow = meanOf(novice.coverage);
     QVERIFY(wide.value - narrow.value > 2.0 * errorOf(wide.error, narrow.error));
     QVERIFY(expert.found.dPrime() - novice.found.dPrime() > 2.0 * errorOf(expert.found.dPrimeError(), novice.found.dPrimeError()));
@@ -180,8 +175,9 @@ void TestPalpationBench::expertBeatsNovice() {
 }
 
 void TestPalpationBench::unsafePressesTooHard() {
-    const Measured unsafe = measure({}, settingsOf("unsafe"), kUsual, {}, 3, 4);
-    const Measured expert = measure({}, settingsOf("expert"), kUsual, {}, 3, 4);
+    const Measured unsafe = measure({}, settingsOf("unsafe"), kUsual, {}, repeated(3), repeated(4, 2));
+    const Measured expert = measure({}, settingsOf("expert"), kUsual, {}, repeated(3), repeated(4, 2));
+    CHIRON_SKIP_STATISTICS();
     const Mean hard = meanOf(unsafe.maximum_N), good = meanOf(expert.maximum_N);
     QVERIFY(hard.value - good.value > 2.0 * errorOf(hard.error, good.error));
     const double limit = simulation::PalpationParameters{}.maximumForce_N;
@@ -198,7 +194,7 @@ void TestPalpationBench::sizeIsHeardInTheReport() {
     for (const double radius : {0.0065, 0.009}) {
         core::Random random(kFirst);
         PalpationBench bench(p, settingsOf("expert"), kFirst);
-        for (int trial = 0; trial < 12; ++trial) {
+        for (int trial = 0; trial < repeated(12, 2); ++trial) {
             const auto lumps = support::drawLumps(p, {radius, 0.012, 10.0, 5}, 1, random);
             for (const core::Finding& finding : bench.run({lumps, {}}).findings) {
                 if (!finding.present)
@@ -210,6 +206,7 @@ void TestPalpationBench::sizeIsHeardInTheReport() {
             }
         }
     }
+    CHIRON_SKIP_STATISTICS();
     QVERIFY(small.size() >= 4 && big.size() >= 8);
     const Mean a = meanOf(small), b = meanOf(big);
     QVERIFY(b.value - a.value > 2.0 * errorOf(a.error, b.error));
@@ -251,12 +248,13 @@ void TestPalpationBench::onAnOrgan() {
     p.areaHalf_m = {0.030, 0.030};
     QFETCH(int, fingers);
     p.fingers = fingers;
-    const Measured m = measure(p, settingsOf("expert"), kUsual, {}, 4, 4);
+    const Measured m = measure(p, settingsOf("expert"), kUsual, {}, repeated(4), repeated(4, 2));
     QCOMPARE(m.done, m.trials);
-    const QString told = QString("d' %1 ± %2").arg(m.found.dPrime()).arg(1.96 * m.found.dPrimeError());
-    QVERIFY2(m.found.dPrime() > 3.0 * m.found.dPrimeError(), qPrintable(told));
     for (const double force : m.maximum_N)
         QVERIFY(force < 1.5 * p.maximumForce_N);
+    CHIRON_SKIP_STATISTICS();
+    const QString told = QString("d' %1 ± %2").arg(m.found.dPrime()).arg(1.96 * m.found.dPrimeError());
+    QVERIFY2(m.found.dPrime() > 3.0 * m.found.dPrimeError(), qPrintable(told));
 }
 
 // Two lobes that bend by a radius of 11 mm, nothing in them: where it is steep, the bend is not taken for a lump. Measured from the plane at the
@@ -272,12 +270,13 @@ void TestPalpationBench::bentOrganIsNoLump() {
     p.hitRadius_m = 0.008;
     p.regionColumns = 2;
     int marks = 0, trials = 0;
-    for (std::uint64_t seed = kFirst; seed < kFirst + 4; ++seed, trials += 3) {
+    for (std::uint64_t seed = kFirst; seed < kFirst + (support::kSanitized ? 1 : 4); ++seed, trials += 3) {
         PalpationBench bench(p, settingsOf("expert"), seed);
         for (int trial = 0; trial < 3; ++trial)
             marks += bench.run({}).marks();
     }
-    const Measured m = measure(p, settingsOf("expert"), kUsual, {}, 3, 4, true);
+    const Measured m = measure(p, settingsOf("expert"), kUsual, {}, repeated(3), repeated(4), true);
+    CHIRON_SKIP_STATISTICS();
     const QString told = QString("%1 marks in %2 trials; %3 hits and %4 false alarms with lumps").arg(marks).arg(trials).arg(m.found.hits).arg(m.found.falseAlarms);
     QVERIFY2(marks <= trials / 4, qPrintable(told)); // before: 35 in 24
     QVERIFY2(m.found.dPrime() > 2.0 * m.found.dPrimeError() && m.found.falseAlarms <= m.trials / 4, qPrintable(told));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One potential, and dissipation.
 #include "core/fp_environment.h"
+#include "support/sanitized.h"
 #include "urethra_states.h"
 
 #include <QtTest>
@@ -90,7 +91,7 @@ void TestUrethraForcesEnergy::wrenchIsMinusGradientOfEnergy() {
     for (const Variant& v : variants()) {
         const UrethraForces forces(v.anatomy, v.endoscope, v.settings);
         const auto energy = [&](const EndoscopeMotion& m) { return forces.respond(m).energy_J; };
-        for (int n = 0; n < 20000; ++n) {
+        for (int n = 0; n < support::repeated(20000, 2000); ++n) {
             EndoscopeMotion motion =
                 n % 4 == 0 ? randomInBladder(random, forces) : randomMotion(random, forces.centreline());
             motion.v_A.setZero();
