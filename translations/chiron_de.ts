@@ -8755,16 +8755,8 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>kommt noch</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
         <source>Begin</source>
         <translation>Beginnen</translation>
-    </message>
-    <message>
-        <source>Begin or go on with %1</source>
-        <translation>Mit %1 beginnen oder weitermachen</translation>
     </message>
     <message>
         <source>answered</source>
@@ -8776,11 +8768,39 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
     </message>
     <message>
         <source>Answer</source>
-        <translation>Antwort</translation>
+        <translation>Beantworten</translation>
     </message>
     <message>
         <source>Answer %1</source>
         <translation>%1 beantworten</translation>
+    </message>
+    <message>
+        <source>Begin %1</source>
+        <translation>%1 beginnen</translation>
+    </message>
+    <message>
+        <source>interrupted at trial %1 of at most %2</source>
+        <translation>unterbrochen bei Durchgang %1 von höchstens %2</translation>
+    </message>
+    <message>
+        <source>interrupted at trial %1</source>
+        <translation>unterbrochen bei Durchgang %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Resume here</source>
+        <translation>Hier fortsetzen</translation>
+    </message>
+    <message>
+        <source>Resume %1 where it was interrupted</source>
+        <translation>%1 fortsetzen, wo unterbrochen wurde</translation>
+    </message>
+    <message>
+        <source>Others who were interrupted</source>
+        <translation>Andere, die unterbrochen wurden</translation>
     </message>
 </context>
 <context>
@@ -10536,22 +10556,6 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Zeit (s)</translation>
     </message>
     <message>
-        <source>Peak force (N)</source>
-        <translation>Spitzenkraft (N)</translation>
-    </message>
-    <message>
-        <source>Speed (mm/s)</source>
-        <translation>Geschwindigkeit (mm/s)</translation>
-    </message>
-    <message>
-        <source>Late ticks</source>
-        <translation>Verspätete Takte</translation>
-    </message>
-    <message>
-        <source>Felt value off by</source>
-        <translation>Gefühlter Wert weicht ab um</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
@@ -10570,6 +10574,61 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>correct</source>
         <translation>richtig</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <comment>heading of a column: speed</comment>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>Late</source>
+        <comment>heading of a column: share of late ticks</comment>
+        <translation>Spät</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <comment>heading of a column: felt value against the one asked for</comment>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Number of the presentation</source>
+        <translation>Nummer der Darbietung</translation>
+    </message>
+    <message>
+        <source>How much more the object had</source>
+        <translation>Um wie viel mehr der Gegenstand hatte</translation>
+    </message>
+    <message>
+        <source>What the participant said</source>
+        <translation>Was die Person sagte</translation>
+    </message>
+    <message>
+        <source>Whether the trial counts, and why not</source>
+        <translation>Ob der Durchgang zählt, und warum nicht</translation>
+    </message>
+    <message>
+        <source>Time until the answer</source>
+        <translation>Zeit bis zur Antwort</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>Mean speed of the tool</source>
+        <translation>Mittlere Geschwindigkeit des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Share of ticks that came late</source>
+        <translation>Anteil verspäteter Takte</translation>
+    </message>
+    <message>
+        <source>How far the felt value was from the one asked for</source>
+        <translation>Wie weit der gefühlte Wert vom verlangten abwich</translation>
     </message>
 </context>
 <context>
@@ -10784,6 +10843,10 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>Re-arm (R)</source>
         <translation>Freigeben (R)</translation>
+    </message>
+    <message>
+        <source>The sphere is too stiff for this device: %1 N/m are asked for, and at its delay it renders at most %2 N/m without trembling. Use a faster device, or plan a softer sphere in another study.</source>
+        <translation>Die Kugel ist zu steif für dieses Gerät: Verlangt sind %1 N/m, und bei seiner Verzögerung gibt es ohne Zittern höchstens %2 N/m wieder. Nehmen Sie ein schnelleres Gerät, oder planen Sie in einer anderen Studie eine weichere Kugel.</translation>
     </message>
 </context>
 <context>

@@ -8755,16 +8755,8 @@ A run that was interrupted goes on at the trial where it stopped.</source>
         <translation>ακολουθεί</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Συνέχεια</translation>
-    </message>
-    <message>
         <source>Begin</source>
         <translation>Αρχή</translation>
-    </message>
-    <message>
-        <source>Begin or go on with %1</source>
-        <translation>Αρχή ή συνέχεια: %1</translation>
     </message>
     <message>
         <source>answered</source>
@@ -8781,6 +8773,34 @@ A run that was interrupted goes on at the trial where it stopped.</source>
     <message>
         <source>Answer %1</source>
         <translation>Απάντηση: %1</translation>
+    </message>
+    <message>
+        <source>Begin %1</source>
+        <translation>Έναρξη: %1</translation>
+    </message>
+    <message>
+        <source>interrupted at trial %1 of at most %2</source>
+        <translation>διακόπηκε στη δοκιμή %1 από το πολύ %2</translation>
+    </message>
+    <message>
+        <source>interrupted at trial %1</source>
+        <translation>διακόπηκε στη δοκιμή %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Resume here</source>
+        <translation>Συνέχεια από εδώ</translation>
+    </message>
+    <message>
+        <source>Resume %1 where it was interrupted</source>
+        <translation>Συνέχεια για %1 από το σημείο διακοπής</translation>
+    </message>
+    <message>
+        <source>Others who were interrupted</source>
+        <translation>Άλλες διακοπές</translation>
     </message>
 </context>
 <context>
@@ -10536,22 +10556,6 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Χρόνος (s)</translation>
     </message>
     <message>
-        <source>Peak force (N)</source>
-        <translation>Μέγιστη δύναμη (N)</translation>
-    </message>
-    <message>
-        <source>Speed (mm/s)</source>
-        <translation>Ταχύτητα (mm/s)</translation>
-    </message>
-    <message>
-        <source>Late ticks</source>
-        <translation>Καθυστερημένοι κύκλοι</translation>
-    </message>
-    <message>
-        <source>Felt value off by</source>
-        <translation>Απόκλιση αίσθησης</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>καμία</translation>
     </message>
@@ -10570,6 +10574,61 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>correct</source>
         <translation>σωστό</translation>
+    </message>
+    <message>
+        <source>Force (N)</source>
+        <translation>Δύναμη (N)</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <comment>heading of a column: speed</comment>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>Late</source>
+        <comment>heading of a column: share of late ticks</comment>
+        <translation>Αργά</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <comment>heading of a column: felt value against the one asked for</comment>
+        <translation>Απόκλιση</translation>
+    </message>
+    <message>
+        <source>Number of the presentation</source>
+        <translation>Αριθμός της παρουσίασης</translation>
+    </message>
+    <message>
+        <source>How much more the object had</source>
+        <translation>Πόσο περισσότερο είχε το αντικείμενο</translation>
+    </message>
+    <message>
+        <source>What the participant said</source>
+        <translation>Τι είπε το άτομο</translation>
+    </message>
+    <message>
+        <source>Whether the trial counts, and why not</source>
+        <translation>Αν η δοκιμή μετρά, και γιατί όχι</translation>
+    </message>
+    <message>
+        <source>Time until the answer</source>
+        <translation>Χρόνος έως την απάντηση</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Μέγιστη δύναμη</translation>
+    </message>
+    <message>
+        <source>Mean speed of the tool</source>
+        <translation>Μέση ταχύτητα του εργαλείου</translation>
+    </message>
+    <message>
+        <source>Share of ticks that came late</source>
+        <translation>Ποσοστό καθυστερημένων κύκλων</translation>
+    </message>
+    <message>
+        <source>How far the felt value was from the one asked for</source>
+        <translation>Πόσο απείχε η τιμή που αποδόθηκε από τη ζητούμενη</translation>
     </message>
 </context>
 <context>
@@ -10784,6 +10843,10 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     <message>
         <source>Re-arm (R)</source>
         <translation>Ενεργοποίηση (R)</translation>
+    </message>
+    <message>
+        <source>The sphere is too stiff for this device: %1 N/m are asked for, and at its delay it renders at most %2 N/m without trembling. Use a faster device, or plan a softer sphere in another study.</source>
+        <translation>Η σφαίρα είναι πολύ δύσκαμπτη για αυτή τη συσκευή: ζητούνται %1 N/m, και με την καθυστέρησή της αποδίδει χωρίς τρέμουλο το πολύ %2 N/m. Χρησιμοποιήστε ταχύτερη συσκευή ή σχεδιάστε μαλακότερη σφαίρα σε άλλη μελέτη.</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,9 @@ void FittedTable::setRowsSeen(int rows) {
 }
 
 void FittedTable::fit() {
+    for (int column = 0; column < columnCount(); ++column)
+        if (horizontalHeader()->sectionResizeMode(column) == QHeaderView::Stretch) // that column has the rest
+            return horizontalHeader()->setStretchLastSection(false);
     int needed = 0;
     for (int column = 0; column < columnCount(); ++column)
         needed += std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column));

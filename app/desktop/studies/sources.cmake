@@ -12,4 +12,4 @@ set(study_screen_sources
     questionnaire/questionnaire_form.cpp questionnaire/questionnaire_screen.cpp
     study_run/apex_stage.cpp study_run/break_panel.cpp study_run/experimenter_panel.cpp study_run/places_view.cpp
     study_run/trials_screen.cpp study_run/trials_screen_build.cpp study_run/trials_screen_show.cpp
-    study_data/ranking_box.cpp)
+    study_data/ranking_box.cpp study_run/run_screen_left.cpp)

@@ -2,9 +2,34 @@
 #include "desktop/studies/study_store.h"
 
 #include "desktop/studies/study_words.h"
+#include "session/study/presentation_order.h"
+#include "session/study/study_analysis.h"
 #include "session/study/study_store.h"
 
+#include <algorithm>
+
 namespace chiron::desktop {
+
+namespace {
+
+bool counts(const database::StudyTrial& trial) { return !trial.practice && !trial.undone && trial.spoiled.empty() && (trial.answer >= 0 || trial.value); }
+
+core::Result<std::vector<LeftRun>> leftRuns(database::StudyReader& reader, const OpenStudy& study, const std::vector<database::StudyRun>& runs) {
+    std::vector<LeftRun> all;
+    for (const database::StudyRun& run : runs) {
+        if (run.state != database::StudyRunState::open)
+            continue;
+        const auto trials = reader.studyTrials(run.id);
+        if (!trials)
+            return tl::unexpected(trials.error());
+        const psychophysics::Condition* condition = session::analysedBy(study.design, study.blinding, run.condition);
+        all.push_back({run.id, static_cast<int>(std::count_if(trials->begin(), trials->end(), counts)), condition ? session::trialsAtMost(*condition) : 0,
+                       trials->empty() ? run.startedUtc : trials->back().utc});
+    }
+    return all;
+}
+
+} // namespace
 
 core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::StudyNumber study) {
     auto record = reader.study(study);
@@ -25,7 +50,10 @@ core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::Study
         auto runs = reader.runs(participant.id);
         if (!runs)
             return tl::unexpected(runs.error());
-        open.participants.push_back({std::move(participant), std::move(*runs)});
+        auto left = leftRuns(reader, open, *runs);
+        if (!left)
+            return tl::unexpected(left.error());
+        open.participants.push_back({std::move(participant), std::move(*runs), std::move(*left)});
     }
     auto answers = reader.questionnaireAnswers(study);
     if (!answers)

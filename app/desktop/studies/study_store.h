@@ -46,10 +46,19 @@ void writeStudies(AppContext& context, QObject* owner, Job job, Done done) {
         std::move(done));
 }
 
+/// A run that was interrupted, as far as it got.
+struct LeftRun {
+    database::StudyRunNumber run = 0;
+    int scored = 0;      ///< trials
+    int atMost = 0;      ///< of the condition; 0: not known
+    std::string lastUtc; ///< of the last trial; of the run's beginning where there is none
+};
+
 /// A participant with what they have done so far.
 struct ParticipantRow {
     database::Participant participant;
     std::vector<database::StudyRun> runs;
+    std::vector<LeftRun> left; ///< of the open ones
 };
 
 /// One study as its screens need it.

@@ -7,6 +7,7 @@
 #include "desktop/widgets/kit.h"
 
 #include <QComboBox>
+#include <QHeaderView>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
@@ -42,14 +43,25 @@ TrialsPageOfRun::TrialsPageOfRun(AppContext& app, const StudyFacts& facts, datab
     column->addWidget(table(*shown));
 }
 
+// Short, so that a window of 1280 pixels holds them in every language; what each means is in its tool tip.
+void TrialsPageOfRun::setHeadings(QTableWidget& shown) {
+    shown.setHorizontalHeaderLabels({tr("No."), tr("Difference"), tr("Answer"), tr("Counts"), tr("Time (s)"), tr("Force (N)"), tr("mm/s", "heading of a column: speed"),
+                                     tr("Late", "heading of a column: share of late ticks"), tr("Off by", "heading of a column: felt value against the one asked for")});
+    const QStringList tips{tr("Number of the presentation"), tr("How much more the object had"), tr("What the participant said"), tr("Whether the trial counts, and why not"),
+                           tr("Time until the answer"), tr("Peak force"), tr("Mean speed of the tool"), tr("Share of ticks that came late"),
+                           tr("How far the felt value was from the one asked for")};
+    for (int column = 0; column < columns; ++column)
+        shown.horizontalHeaderItem(column)->setToolTip(tips[column]);
+    shown.horizontalHeader()->setSectionResizeMode(countsColumn, QHeaderView::Stretch); // its words are the longest: what does not fit is in the tool tip
+}
+
 QWidget* TrialsPageOfRun::table(const RunFacts& run) const {
     const Theme& theme = m_app.theme();
     const QLocale locale = m_app.locale();
     auto* shown = new FittedTable(theme, columns);
     shown->setObjectName(QStringLiteral("data.trials"));
     shown->setAccessibleName(tr("Trials"));
-    shown->setHorizontalHeaderLabels({tr("No."), tr("Difference"), tr("Answer"), tr("Counts"), tr("Time (s)"), tr("Peak force (N)"), tr("Speed (mm/s)"),
-                                      tr("Late ticks"), tr("Felt value off by")});
+    setHeadings(*shown);
     const std::optional<psychophysics::Condition>& condition = m_facts.designed[run.condition];
     shown->setRowCount(static_cast<int>(run.trials.size()));
     for (int row = 0; row < shown->rowCount(); ++row) {
@@ -74,6 +86,7 @@ QWidget* TrialsPageOfRun::table(const RunFacts& run) const {
             put(countsColumn, study_words::spoiled(trial.spoiled))->setIcon(theme.icon(QStringLiteral("dialog-warning"), Colour::warning));
         else
             put(countsColumn, tr("Counts"))->setIcon(theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good));
+        shown->item(row, countsColumn)->setToolTip(shown->item(row, countsColumn)->text());
         put(timeColumn, study_words::number(trial.exploration_s, locale));
         put(forceColumn, study_words::number(numberIn(fidelity, "peak_force_N"), locale));
         put(speedColumn, study_words::number(1e3 * numberIn(fidelity, "mean_speed_m_per_s"), locale));

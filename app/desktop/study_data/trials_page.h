@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+class QTableWidget;
+
 namespace chiron::desktop {
 
 /// Every presentation of a run with its fidelity; what did not count says why. GUI thread; the facts outlive it.
@@ -17,6 +19,7 @@ signals:
     void runChosen(qlonglong run);
 
 private:
+    static void setHeadings(QTableWidget& shown);
     QWidget* table(const RunFacts& run) const;
 
     AppContext& m_app;

@@ -93,12 +93,13 @@ void ExperimenterPanel::show(const session::LiveStudyView& view, const session::
 }
 
 QString ExperimenterPanel::fidelityText(const session::LiveStudyNumbers& numbers) const {
-    if (m_seen <= 0)
-        return tr("The fidelity of each trial will be here.") + QLatin1Char('\n') + delayText(numbers.limits);
     const session::TrialFidelity& trial = numbers.lastFidelity;
+    const bool none = trial.contacts == 0 && !std::isfinite(trial.meanSpeed_m_per_s) && !std::isfinite(trial.duration_s); // in this sitting: others may have been before
+    if (m_seen <= 0 || none)
+        return tr("The fidelity of each trial will be here.") + QLatin1Char('\n') + delayText(numbers.limits);
     QStringList words;
     words << (numbers.lastSpoiled.empty() ? tr("Last trial: counted.") : tr("Last trial: repeated. %1.").arg(study_words::spoiled(numbers.lastSpoiled)));
-    words << (std::isfinite(trial.peakForce_N) ? forceText(trial)
+    words << (std::isfinite(trial.peakForce_N) || !numbers.blind ? forceText(trial)
                                                : tr("Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would tell the condition.")
                                                      .arg(study_words::number(1e3 * trial.meanSpeed_m_per_s, m_locale), m_locale.toString(trial.contacts),
                                                           study_words::number(trial.duration_s, m_locale), study_words::percent(trial.lateTicks, m_locale)));

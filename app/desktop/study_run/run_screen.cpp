@@ -8,25 +8,10 @@
 #include "session/study/study_store.h"
 
 #include <QComboBox>
+#include <QPushButton>
 #include <algorithm>
 
 namespace chiron::desktop {
-
-namespace {
-
-constexpr double kButtonCell_px = 170;
-
-/// Where a row has its button, or has none: as wide in every row, so that what stands before it is in line.
-QVBoxLayout* buttonCell(const Theme& theme, QHBoxLayout& line) {
-    auto* cell = new QWidget;
-    cell->setFixedWidth(theme.px(kButtonCell_px));
-    auto* column = new QVBoxLayout(cell);
-    column->setContentsMargins(0, 0, 0, 0);
-    line.addWidget(cell);
-    return column;
-}
-
-} // namespace
 
 RunScreen::RunScreen(AppContext& context, const Place& place)
     : Screen(context, place), m_study(place.parameters.value(QStringLiteral("study")).toLongLong()),
@@ -139,6 +124,8 @@ QWidget* RunScreen::choiceBox() {
         if (!row.participant.simulated)
             m_participantChoice->addItem(tr("%1 · %2").arg(code, study_words::participantState(row.participant.state)), code);
     }
+    if (m_participant.isEmpty())
+        m_participant = firstChoice();
     const int wanted = m_participantChoice->findData(m_participant);
     m_participantChoice->setCurrentIndex(std::max(0, wanted));
     m_participant = m_participantChoice->currentData().toString();
@@ -158,7 +145,13 @@ QWidget* RunScreen::choiceBox() {
 void RunScreen::showParticipant() {
     context().navigator().note({{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}});
     delete m_shown;
-    m_shown = participantBox();
+    m_shown = new QWidget;
+    auto* column = new QVBoxLayout(m_shown);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(context().theme().px(16));
+    column->addWidget(participantBox());
+    if (QWidget* left = leftBox())
+        column->addWidget(left);
     m_holder->addWidget(m_shown);
 }
 
@@ -213,19 +206,27 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
     const QString name = conditionName(open, label, context().language());
     line->addWidget(kit::label(theme, tr("%1. %2").arg(context().locale().toString(position + 1), name), TextStyle::strong), 2);
     QString state = tr("to come");
-    bool started = false;
+    const database::StudyRun* interrupted = nullptr;
     for (const database::StudyRun& run : row.runs)
         if (session::labelOf(run) == label) {
             state = study_words::runState(run.state);
-            started = run.state == database::StudyRunState::open;
+            interrupted = run.state == database::StudyRunState::open ? &run : nullptr;
         }
-    line->addWidget(kit::label(theme, state, TextStyle::body, "muted"), 1);
+    for (const LeftRun& left : row.left)
+        if (interrupted && left.run == interrupted->id)
+            state = leftWords(left);
+    auto* words = kit::label(theme, state, TextStyle::body, interrupted ? "warning" : "muted");
+    words->setObjectName(QStringLiteral("run.state.%1").arg(position));
+    line->addWidget(words, 1);
     QVBoxLayout* cell = buttonCell(theme, *line);
     if (next) {
-        auto* go = kit::button(theme, started ? tr("Go on") : tr("Begin"), "primary", QStringLiteral("media-playback-start"));
+        QPushButton* go = interrupted ? resumeButton(m_participant, *interrupted)
+                                      : kit::button(theme, tr("Begin"), "primary", QStringLiteral("media-playback-start"));
         go->setObjectName(QStringLiteral("run.begin"));
-        go->setAccessibleName(tr("Begin or go on with %1").arg(name));
-        connect(go, &QPushButton::clicked, this, [this, label] { run(label); });
+        if (!interrupted) {
+            go->setAccessibleName(tr("Begin %1").arg(name));
+            connect(go, &QPushButton::clicked, this, [this, label] { run(label); });
+        }
         cell->addWidget(go, 0, Qt::AlignRight);
     }
     box.layout->addLayout(line);

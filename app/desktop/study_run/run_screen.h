@@ -8,11 +8,14 @@
 #include <vector>
 
 class QComboBox;
+class QHBoxLayout;
+class QPushButton;
 class QVBoxLayout;
 
 namespace chiron::desktop {
 
 class StatePanel;
+class Theme;
 
 /// Who takes part next, at what: studies that can be run, participants by code, their conditions in order (by sealed code where the
 /// experimenter is blind) and questionnaires. Place: {study, participant}. GUI thread.
@@ -30,6 +33,12 @@ private:
     void loaded(core::Result<std::vector<OpenStudy>> studies);
     void build();
     QWidget* choiceBox();
+    /// Where a row has its button, or has none: as wide in every row, so that what stands before it is in line.
+    static QVBoxLayout* buttonCell(const Theme& theme, QHBoxLayout& line);
+    QWidget* leftBox(); ///< what was interrupted of the others; null where nothing was
+    QString leftWords(const LeftRun& left) const;
+    QPushButton* resumeButton(const QString& participant, const database::StudyRun& run);
+    QString firstChoice() const; ///< whoever was interrupted last, else the first who still takes part
     QWidget* participantBox();
     QWidget* conditionRow(const ParticipantRow& row, int position, const std::string& label, bool next);
     QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire);

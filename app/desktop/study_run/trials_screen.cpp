@@ -67,7 +67,7 @@ void TrialsScreen::begin() {
     request.nextStation = [] { return session::keyboardMouseStation(); };
     auto live = session::LiveSitting::start(context().site().database(), context().actor(), std::move(request));
     if (!live) {
-        fail(live.error());
+        refuse(live.error());
         return;
     }
     m_live = std::move(*live);
@@ -233,6 +233,17 @@ void TrialsScreen::fail(const core::Error& error) {
     m_keys->setActive(false);
     context().setTrialRuns(false);
     m_panel->showError(tr("The sitting could not be run"), error, [this] { goBack(); });
+}
+
+void TrialsScreen::refuse(const session::SittingError& error) {
+    const core::Error worded{error.code, error.tooStiff ? refusalWords(*error.tooStiff, context().locale()).toStdString() : error.message};
+    fail(worded);
+}
+
+QString TrialsScreen::refusalWords(const session::TooStiff& refused, const QLocale& locale) {
+    return tr("The sphere is too stiff for this device: %1 N/m are asked for, and at its delay it renders at most %2 N/m without trembling. "
+              "Use a faster device, or plan a softer sphere in another study.")
+        .arg(locale.toString(qRound(refused.sphere_N_per_m)), locale.toString(qRound(refused.device_N_per_m)));
 }
 
 std::vector<ScreenCommand> TrialsScreen::commands() {

@@ -44,6 +44,9 @@ public:
 
     session::LiveSitting* live() const { return m_live.get(); } ///< null before it begins
 
+    /// Why a sphere is not rendered, in the language of the program.
+    static QString refusalWords(const session::TooStiff& refused, const QLocale& locale);
+
 private:
     // trials_screen_build.cpp
     QWidget* buildHead();
@@ -77,6 +80,7 @@ private:
     void askToStop();
     void finished();
     void fail(const core::Error& error);
+    void refuse(const session::SittingError& error); ///< what was typed in words of its own
     void toggleExperimenter();
     void freePointer();
     void capturePointer();

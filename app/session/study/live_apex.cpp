@@ -26,14 +26,16 @@ core::Result<double> stiffest(const OpenedStudy& study, const psychophysics::Con
     return stiffness;
 }
 
-core::Result<void> renderable(const OpenedStudy& study, const psychophysics::Condition& condition, const RenderingLimits& limits) {
+SittingResult<void> renderable(const OpenedStudy& study, const psychophysics::Condition& condition, const RenderingLimits& limits) {
     const auto stiffness = stiffest(study, condition);
     if (!stiffness)
         return tl::unexpected(stiffness.error());
     if (*stiffness <= limits.largestStiffness_N_per_m)
         return {};
-    return core::fail(core::ErrorCode::badInput, "a sphere of " + std::to_string(std::lround(*stiffness)) + " N/m, and the device renders " +
-                                                     std::to_string(std::lround(limits.largestStiffness_N_per_m)) + " N/m at most");
+    SittingError error({core::ErrorCode::badInput, "a sphere of " + std::to_string(std::lround(*stiffness)) + " N/m, and the device renders " +
+                                                       std::to_string(std::lround(limits.largestStiffness_N_per_m)) + " N/m at most"});
+    error.tooStiff = {*stiffness, limits.largestStiffness_N_per_m};
+    return tl::unexpected(std::move(error));
 }
 
 } // namespace
@@ -41,16 +43,19 @@ core::Result<void> renderable(const OpenedStudy& study, const psychophysics::Con
 LiveApex::LiveApex(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 LiveApex::~LiveApex() = default;
 
-core::Result<std::unique_ptr<LiveApex>> LiveApex::start(database::Database& database, const database::Actor& actor,
-                                                        const ConductedSitting& sitting, LiveStudyRequest request) {
+SittingResult<std::unique_ptr<LiveApex>> LiveApex::start(database::Database& database, const database::Actor& actor,
+                                                         const ConductedSitting& sitting, LiveStudyRequest request) {
     auto state = State::conducted(database, actor, sitting, std::move(request));
-    if (!state)
-        return tl::unexpected(sealedError(sitting.study, sitting.run, state.error()));
+    if (!state) {
+        SittingError error(sealedError(sitting.study, sitting.run, state.error()));
+        error.tooStiff = state.error().tooStiff;
+        return tl::unexpected(std::move(error));
+    }
     return std::unique_ptr<LiveApex>(new LiveApex(std::move(*state)));
 }
 
-core::Result<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(database::Database& database, const database::Actor& actor,
-                                                                          const ConductedSitting& sitting, LiveStudyRequest request) {
+SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(database::Database& database, const database::Actor& actor,
+                                                                           const ConductedSitting& sitting, LiveStudyRequest request) {
     const OpenedStudy& study = sitting.study;
     const psychophysics::Condition& condition = *sitting.condition();
     const RenderingLimits limits = limitsAt(request.station.devices.front()->descriptor(), request.measuredDelay_s);

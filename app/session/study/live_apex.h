@@ -14,7 +14,7 @@ struct ConductedSitting;
 class LiveApex final : public LiveSitting {
 public:
     /// Of a condition that looks for an apex. Failure: as LiveSitting::start.
-    static core::Result<std::unique_ptr<LiveApex>> start(database::Database& database, const database::Actor& actor,
+    static SittingResult<std::unique_ptr<LiveApex>> start(database::Database& database, const database::Actor& actor,
                                                    const ConductedSitting& sitting, LiveStudyRequest request);
     ~LiveApex() override;
 

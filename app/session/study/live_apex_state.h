@@ -70,7 +70,7 @@ struct LiveApex::State {
     void describe();
     LiveStudyView::State where() const;
     /// A sitting of this run, under way.
-    static core::Result<std::unique_ptr<State>> conducted(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting,
+    static SittingResult<std::unique_ptr<State>> conducted(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting,
                                                           LiveStudyRequest request);
     /// Whether forces and felt values would tell a blind experimenter which condition this is.
     bool forcesTell() const { return blinding.on && !blinding.oneStimulus; }

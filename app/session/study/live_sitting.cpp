@@ -8,8 +8,8 @@
 
 namespace chiron::session {
 
-core::Result<std::unique_ptr<LiveSitting>> LiveSitting::start(database::Database& database, const database::Actor& actor,
-                                                              LiveStudyRequest request) {
+SittingResult<std::unique_ptr<LiveSitting>> LiveSitting::start(database::Database& database, const database::Actor& actor,
+                                                               LiveStudyRequest request) {
     const auto sitting = conductSitting(database, actor, request);
     if (!sitting)
         return tl::unexpected(sitting.error());

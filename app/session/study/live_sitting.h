@@ -86,6 +86,20 @@ struct LiveStudyResult {
     bool completed = false; ///< else it goes on in another sitting
 };
 
+/// A sphere that the device cannot render stably. Where experimenters are blind it is the stiffest of all conditions.
+struct TooStiff {
+    double sphere_N_per_m = 0.0;
+    double device_N_per_m = 0.0;
+};
+
+/// Why a sitting does not begin: in a word that a window has words of its own for, where there is one.
+struct SittingError : core::Error {
+    SittingError(core::Error error) : core::Error(std::move(error)) {} // not explicit: whatever fails on the way is one
+    std::optional<TooStiff> tooStiff;
+};
+template <class T>
+using SittingResult = tl::expected<T, SittingError>;
+
 /// A run of a study in real time for a window, whatever is asked: each trial is stored as soon as it is answered, so that a stop or a kill
 /// loses at most the trial at hand. All of it on the GUI thread; call poll() each frame (it also beats). Destroying it ends the sitting:
 /// the run stays open and is resumed at the trial by another sitting.
@@ -94,8 +108,8 @@ public:
     /// Begins one, or goes on with one: of comparisons (LiveStudy) or of the apex (LiveApex), as the condition has it. Failure: notFound
     /// (study, participant, condition), notAllowed, wrongUse (not frozen, completed, withdrawn, no consent), badInput (what cannot be
     /// made, or not be rendered by the device).
-    static core::Result<std::unique_ptr<LiveSitting>> start(database::Database& database, const database::Actor& actor,
-                                                            LiveStudyRequest request);
+    static SittingResult<std::unique_ptr<LiveSitting>> start(database::Database& database, const database::Actor& actor,
+                                                             LiveStudyRequest request);
     LiveSitting(const LiveSitting&) = delete;
     LiveSitting& operator=(const LiveSitting&) = delete;
     virtual ~LiveSitting() = default;

@@ -5,6 +5,7 @@
 #include "report/plot_view.h"
 #include "session/study/study_runner.h"
 #include "support/every_place.h"
+#include "support/picture_look.h"
 
 #include <QDir>
 #include <QLabel>
@@ -38,6 +39,7 @@ class TestApexPage : public QObject {
 private slots:
     void initTestCase() {
         m_site = std::make_unique<DesktopFixture>();
+        tests::applyLook(*m_site);
         m_site->logIn("rhea");
         const psychophysics::StudyDesign design = apexStudy();
         const database::Actor rhea = m_site->actor("rhea");
@@ -109,11 +111,9 @@ private:
         }
     }
     void keep(const char* name) {
-        if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty()) {
+        if (qEnvironmentVariableIsSet("CHIRON_KEEP_PICTURES"))
             m_site->window->resize(1280, 1200);
-            QTest::qWait(300);
-            m_site->window->grab().save(QDir(folder).filePath(QStringLiteral("apex_%1.png").arg(QLatin1String(name))));
-        }
+        tests::keepPicture(*m_site, QStringLiteral("apex_%1").arg(QLatin1String(name)));
     }
 
     std::unique_ptr<DesktopFixture> m_site;

@@ -7,6 +7,7 @@
 #include "session/study/study_store.h"
 #include "support/apex_marker.h"
 #include "support/every_place.h"
+#include "support/picture_look.h"
 
 #include <QDir>
 #include <QLabel>
@@ -71,12 +72,7 @@ private:
         return runs.empty() ? std::vector<database::StudyTrial>()
                             : *database::StudyReader(**connection, m_site->context.actor()).studyTrials(runs.front().id);
     }
-    void keep(const char* name) {
-        if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty()) {
-            QTest::qWait(400);
-            m_site->window->grab().save(QDir(folder).filePath(QStringLiteral("apex_trials_%1.png").arg(QLatin1String(name))));
-        }
-    }
+    void keep(const char* name) { tests::keepPicture(*m_site, QStringLiteral("apex_trials_%1").arg(QLatin1String(name))); }
 
     std::unique_ptr<tests::DesktopFixture> m_site;
     database::StudyNumber m_study = 0;
@@ -86,8 +82,10 @@ private:
 };
 
 void TestApexTrials::initTestCase() {
-    qputenv("CHIRON_NO_3D", "1");
+    if (!tests::hasLook("scene"))
+        qputenv("CHIRON_NO_3D", "1");
     m_site = std::make_unique<tests::DesktopFixture>();
+    tests::applyLook(*m_site);
     const database::Actor rhea = m_site->actor("rhea");
     const psychophysics::StudyDesign design = apexStudy();
     m_study = tests::addDraft(*m_site, rhea, design);

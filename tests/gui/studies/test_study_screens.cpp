@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QRadioButton>
+#include <QScrollBar>
 #include <QTabBar>
 #include <QTableWidget>
 
@@ -35,6 +36,7 @@ private slots:
     void runsInOrder();
     void questionnaire();
     void dataAndUnblinding();
+    void theTableOfTrialsFits();
     void archivedWithUndo();
 
 private:
@@ -54,7 +56,7 @@ private:
         return label ? label->text() : QString();
     }
     std::unique_ptr<DesktopFixture> m_site;
-    database::StudyNumber m_study = 0;
+    database::StudyNumber m_study = 0, m_data = 0;
     QString m_code;
 };
 
@@ -166,6 +168,7 @@ void TestStudyScreens::questionnaire() {
 
 void TestStudyScreens::dataAndUnblinding() {
     const tests::VisitedStudies studies = tests::addVisitedStudies(*m_site);
+    m_data = studies.data;
     go("study_data", {{QStringLiteral("study"), qlonglong(studies.data)}});
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), 30000);
     QCOMPARE(m_site->find<QTableWidget>(QStringLiteral("data.runs"))->rowCount(), 3);
@@ -186,6 +189,23 @@ void TestStudyScreens::dataAndUnblinding() {
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.condition.0")) &&
                                  m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() == QStringLiteral("Stiffness of a tube"),
                              30000);
+}
+
+/// Nothing is cut off or scrolled to at 1280 pixels, in any language; every heading says what it means.
+void TestStudyScreens::theTableOfTrialsFits() {
+    constexpr int kReadable_px = 120; // "Zählt", "Practice" and the beginning of a reason
+    for (const char* language : {"de", "el", "en"}) {
+        m_site->settings.setLanguage(QLatin1String(language));
+        go("study_data", {{QStringLiteral("study"), qlonglong(m_data)}, {QStringLiteral("tab"), desktop::StudyDataScreen::trialsTab}});
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.trials")), 30000);
+        auto* table = m_site->find<QTableWidget>(QStringLiteral("data.trials"));
+        QCOMPARE(m_site->window->width(), 1280);
+        QTRY_VERIFY2(table->horizontalScrollBar()->maximum() == 0, language);
+        QVERIFY2(table->columnWidth(3) >= kReadable_px, qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(language)).arg(table->columnWidth(3))));
+        for (int column = 0; column < table->columnCount(); ++column)
+            QVERIFY(!table->horizontalHeaderItem(column)->toolTip().isEmpty());
+        QVERIFY(!table->item(0, 3)->toolTip().isEmpty());
+    }
 }
 
 void TestStudyScreens::archivedWithUndo() {

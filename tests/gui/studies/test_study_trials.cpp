@@ -16,6 +16,7 @@ private slots:
     void cleanupTestCase() { m_site.reset(); }
     void unknownParticipantIsSaid();
     void trialsAreAnsweredAndKept();
+    void offeredOnTheRunScreen();
     void goesOnWhereItStopped();
 
 private:
@@ -30,6 +31,8 @@ private:
     database::StudyNumber m_study = 0;
     database::Participant m_participant;
     std::size_t m_stored = 0;
+    std::vector<database::StudyTrial> m_trials;
+    psychophysics::StudyDesign m_design;
 };
 
 void TestStudyTrials::initTestCase() {
@@ -38,6 +41,7 @@ void TestStudyTrials::initTestCase() {
     psychophysics::StudyDesign design = tests::smallStudy("trials");
     design.trial.mustTouchAll = false;
     design.trial.betweenTrials_s = 0.1;
+    m_design = design;
     m_study = tests::addDraft(*m_site, rhea, design);
     tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
     m_participant = tests::addParticipant(*m_site, rhea, m_study, design, "somebody");
@@ -105,14 +109,56 @@ void TestStudyTrials::trialsAreAnsweredAndKept() {
     press(screen, "trials.experimenter");
     QTRY_VERIFY(!screen->findChild<QLabel*>(QStringLiteral("experimenter.progress"))->text().isEmpty());
     stop(screen);
-    m_stored = stored().size();
+    m_trials = stored();
+    m_stored = m_trials.size();
     QVERIFY(m_stored >= 3);
+}
+
+/// What was left is said with its trial and moment, also beside somebody else's conditions; one click goes on.
+void TestStudyTrials::offeredOnTheRunScreen() {
+    const QString code = QString::fromStdString(m_participant.code);
+    const QString other = QString::fromStdString(tests::addParticipant(*m_site, m_site->context.actor(), m_study, m_design, "somebody else").code);
+    const auto open = [&](const QString& participant) {
+        m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), participant}});
+        QVERIFY(tests::waitUntilLoaded(*m_site));
+    };
+    open({}); // nobody asked for: whoever was interrupted
+    const auto scored = std::count_if(m_trials.begin(), m_trials.end(), [](const database::StudyTrial& trial) { return trial.spoiled.empty(); });
+    auto* state = m_site->find<QLabel>(QStringLiteral("run.state.0"));
+    auto* second = m_site->find<QLabel>(QStringLiteral("run.state.1"));
+    QVERIFY(state && second);
+    const QString told = state->text() + second->text();
+    QVERIFY2(told.contains(QStringLiteral("interrupted at trial %1 of at most 40").arg(scored + 1)), qPrintable(told));
+    QVERIFY(!m_site->find<QFrame>(QStringLiteral("run.left"))); // nobody else was
+    open(other);
+    auto* go = m_site->find<QPushButton>(QStringLiteral("run.resume.%1").arg(code));
+    QVERIFY(go);
+    QCOMPARE(go->text(), QStringLiteral("Resume here"));
+    if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty())
+        m_site->window->grab().save(folder + QStringLiteral("/run_interrupted.png"));
+    go->click();
+    auto* screen = m_site->screen<desktop::TrialsScreen>();
+    QVERIFY(screen);
+    QVERIFY(screen->live());
+    QCOMPARE(screen->live()->numbers().scored, static_cast<int>(scored));
+    stop(screen);
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(), code);
+    m_stored = stored().size();
 }
 
 void TestStudyTrials::goesOnWhereItStopped() {
     desktop::TrialsScreen* screen = sit(QString::fromStdString(m_participant.code));
     QVERIFY(screen && screen->live());
     QCOMPARE(screen->live()->numbers().scored + screen->live()->numbers().spoiled, static_cast<int>(m_stored));
+    press(screen, "trials.experimenter"); // no trial of this sitting yet: nothing counted, and nothing is sealed
+    const auto beside = [screen] {
+        QString words;
+        for (const QLabel* label : screen->findChildren<QLabel*>())
+            words += label->text() + QLatin1Char('\n');
+        return words;
+    };
+    QTRY_VERIFY2(beside().contains(QStringLiteral("The fidelity of each trial will be here")), qPrintable(beside()));
+    QVERIFY(!beside().contains(QStringLiteral("sealed")));
     stop(screen);
     QVERIFY(stored().size() >= m_stored);
 }

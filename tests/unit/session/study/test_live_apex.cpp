@@ -271,6 +271,8 @@ void TestLiveApex::aDeviceThatIsTooSlowIsRefused() {
     const auto live = session::LiveSitting::start(*site.fixture.database, site.actor, std::move(request));
     QVERIFY(!live);
     QVERIFY2(live.error().message.find("500 N/m") != std::string::npos && live.error().message.find("98 N/m") != std::string::npos, live.error().message.c_str());
+    const auto& typed = live.error().tooStiff; // a window has its own words for it
+    QVERIFY(typed && typed->sphere_N_per_m == 500.0 && std::lround(typed->device_N_per_m) == 98);
 }
 
 /// A window that sleeps for too long is told that ticks are missing, and of every event.

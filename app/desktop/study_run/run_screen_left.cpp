@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was interrupted, and one click to go on with it.
+#include "desktop/study_run/run_screen.h"
+
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/kit.h"
+#include "session/study/study_store.h"
+
+#include <QPushButton>
+#include <algorithm>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr double kButtonCell_px = 170;
+}
+
+QVBoxLayout* RunScreen::buttonCell(const Theme& theme, QHBoxLayout& line) {
+    auto* cell = new QWidget;
+    cell->setFixedWidth(theme.px(kButtonCell_px));
+    auto* column = new QVBoxLayout(cell);
+    column->setContentsMargins(0, 0, 0, 0);
+    line.addWidget(cell);
+    return column;
+}
+
+QString RunScreen::firstChoice() const {
+    const ParticipantRow* first = nullptr;
+    const ParticipantRow* last = nullptr;
+    std::string when;
+    for (const ParticipantRow& row : study()->participants) {
+        const auto state = row.participant.state;
+        if (row.participant.simulated)
+            continue;
+        if (!first && (state == database::ParticipantState::enrolled || state == database::ParticipantState::consented))
+            first = &row;
+        for (const LeftRun& left : row.left)
+            if (state == database::ParticipantState::consented && left.lastUtc > when) {
+                last = &row;
+                when = left.lastUtc;
+            }
+    }
+    const ParticipantRow* chosen = last ? last : first;
+    return chosen ? QString::fromStdString(chosen->participant.code) : QString();
+}
+
+QString RunScreen::leftWords(const LeftRun& left) const {
+    const QLocale locale = context().locale();
+    const QString next = locale.toString(left.scored + 1);
+    const QString where = left.atMost > 0 ? tr("interrupted at trial %1 of at most %2").arg(next, locale.toString(std::max(left.atMost, left.scored + 1)))
+                                          : tr("interrupted at trial %1").arg(next);
+    return tr("%1, %2").arg(where, study_words::moment(left.lastUtc, locale));
+}
+
+QPushButton* RunScreen::resumeButton(const QString& participant, const database::StudyRun& run) {
+    auto* go = kit::button(context().theme(), tr("Resume here"), "primary", QStringLiteral("media-playback-start"));
+    go->setAccessibleName(tr("Resume %1 where it was interrupted").arg(participant));
+    connect(go, &QPushButton::clicked, this, [this, participant, label = session::labelOf(run)] {
+        m_participant = participant;
+        this->run(label);
+    });
+    return go;
+}
+
+QWidget* RunScreen::leftBox() {
+    const Theme& theme = context().theme();
+    kit::Box box = kit::box(theme);
+    box.frame->setObjectName(QStringLiteral("run.left"));
+    box.layout->addWidget(kit::label(theme, tr("Others who were interrupted"), TextStyle::title));
+    int rows = 0;
+    for (const ParticipantRow& row : study()->participants)
+        for (const LeftRun& left : row.left) {
+            const auto run = std::find_if(row.runs.begin(), row.runs.end(), [&](const database::StudyRun& each) { return each.id == left.run; });
+            const QString code = QString::fromStdString(row.participant.code);
+            if (row.participant.simulated || row.participant.state != database::ParticipantState::consented || code == m_participant)
+                continue;
+            const kit::Box inner = kit::box(theme, "raised");
+            auto* line = new QHBoxLayout;
+            line->addWidget(kit::label(theme, tr("%1 · %2").arg(code, conditionName(*study(), session::labelOf(*run), context().language())), TextStyle::strong), 2);
+            line->addWidget(kit::label(theme, leftWords(left), TextStyle::body, "muted"), 1);
+            QPushButton* go = resumeButton(code, *run);
+            go->setObjectName(QStringLiteral("run.resume.%1").arg(code));
+            buttonCell(theme, *line)->addWidget(go, 0, Qt::AlignRight);
+            inner.layout->addLayout(line);
+            box.layout->addWidget(inner.frame);
+            ++rows;
+        }
+    if (rows > 0)
+        return box.frame;
+    delete box.frame;
+    return nullptr;
+}
+
+} // namespace chiron::desktop
