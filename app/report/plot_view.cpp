@@ -10,6 +10,16 @@
 
 namespace chiron::report {
 
+namespace {
+
+/// A row that is not shown takes no room: a least size of its own (0 would be none) overrules that of its words.
+void takeRoom(QCPLayoutElement& row, bool shown) {
+    row.setMinimumSize(shown ? QSize(0, 0) : QSize(1, 1));
+    row.setMaximumSize(QWIDGETSIZE_MAX, shown ? QWIDGETSIZE_MAX : 1);
+}
+
+} // namespace
+
 PlotView::PlotView(const PlotTheme& theme, QWidget* parent)
     : QWidget(parent), m_impl(std::make_unique<Impl>(theme, this)) {
     setMinimumSize(qRound(160 * theme.scale), qRound(120 * theme.scale));
@@ -27,7 +37,7 @@ void PlotView::resizeEvent(QResizeEvent* event) {
 void PlotView::setTitle(const QString& title) {
     m_impl->title->setText(title);
     m_impl->title->setVisible(!title.isEmpty());
-    m_impl->title->setMaximumSize(QWIDGETSIZE_MAX, title.isEmpty() ? 0 : QWIDGETSIZE_MAX); // no title, no room
+    takeRoom(*m_impl->title, !title.isEmpty());
     m_impl->title->setMargins(title.isEmpty() ? QMargins() : QMargins(2, 0, 0, 2));
     setAccessibleName(title);
 }
@@ -65,7 +75,7 @@ void PlotView::setEqualScale(bool equal) {
 
 void PlotView::setLegendShown(bool shown) {
     m_impl->plot->legend->setVisible(shown);
-    m_impl->plot->legend->setMaximumSize(QWIDGETSIZE_MAX, shown ? QWIDGETSIZE_MAX : 0);
+    takeRoom(*m_impl->plot->legend, shown);
 }
 
 QStringList PlotView::legendTexts() const {

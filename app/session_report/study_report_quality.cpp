@@ -90,8 +90,8 @@ QString StudyReportBlocks::answersTo(const std::string& questionnaire, const Que
     std::sort(numbers.begin(), numbers.end());
     if (item.kind != QuestionnaireItem::Kind::choice)
         return Words::tr("Median %1, middle half %2 to %3, of %4")
-            .arg(words::number(quantileOf(numbers, 0.5), locale), words::number(quantileOf(numbers, 0.25), locale),
-                 words::number(quantileOf(numbers, 0.75), locale), locale.toString(static_cast<int>(numbers.size())));
+            .arg(words::plainNumber(quantileOf(numbers, 0.5), locale), words::plainNumber(quantileOf(numbers, 0.25), locale),
+                 words::plainNumber(quantileOf(numbers, 0.75), locale), locale.toString(static_cast<int>(numbers.size())));
     QStringList counts;
     for (std::size_t i = 0; i < item.choices.size(); ++i)
         counts << QStringLiteral("%1: %2").arg(words::text(item.choices[i], m_data.language),

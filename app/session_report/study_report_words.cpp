@@ -127,6 +127,11 @@ QString number(double value, const QLocale& locale) {
     return locale.toString(value, 'f', std::max(0, kDigits - whole));
 }
 
+QString plainNumber(double value, const QLocale& locale) {
+    constexpr int kDigits = 6;
+    return std::isfinite(value) ? locale.toString(value, 'g', kDigits) : QStringLiteral("–");
+}
+
 QString percent(double ratio, const QLocale& locale) {
     return std::isfinite(ratio) ? number(100.0 * ratio, locale) + QStringLiteral(" %") : QStringLiteral("–");
 }

@@ -25,6 +25,7 @@ QString spoiled(const std::string& token); ///< why a trial was repeated
 
 /// A number in three significant digits; a dash where it is none.
 QString number(double value, const QLocale& locale);
+QString plainNumber(double value, const QLocale& locale); ///< as the scale has it: 4, 4.5
 QString percent(double ratio, const QLocale& locale);
 QString intervalPercent(double low, double high, const QLocale& locale); ///< a dash where one end is missing
 QString value(double si, psychophysics::Attribute attribute, const QLocale& locale);

@@ -19,6 +19,7 @@ private slots:
     void refusals_data();
     void refusals();
     void allFaultsAtOnce();
+    void performanceGoesWithAnswers();
     void halfWayLeavesNothing();
     void onlyThoseWhoMay();
 
@@ -205,6 +206,44 @@ void TestCliQuestionnaires::allFaultsAtOnce() {
     const CliRun paper = import(kHeading + who + ",1,,,,,\n", {"--incomplete"}); // left out on paper: kept as left out
     QVERIFY2(paper.exitCode == 0, paper.err.constData());
     QCOMPARE(QJsonDocument::fromJson(paper.out).object()["stored"].toInt(), 1);
+}
+
+// Who feels finer finds the stiffness more real here, and the weight less: the order of answers and that of results agree, or are opposite.
+// Only where asked for, and nothing while the study is blinded.
+void TestCliQuestionnaires::performanceGoesWithAnswers() {
+    const QString database = m_folder.filePath("performance.db");
+    const auto rosa = [&](const QStringList& arguments) {
+        const CliRun run = runCli(arguments + QStringList{"--database", database, "--as", "rosa", "--json"}, {}, {{"CHIRON_PASSWORD", "correct horse battery"}, {"CHIRON_NEW_PASSWORD", "correct horse battery"}});
+        if (run.exitCode != 0)
+            qWarning("%s", run.err.constData());
+        return QJsonDocument::fromJson(run.out).object();
+    };
+    QCOMPARE(runCli({"init", "--admin", "alice", "--database", database}, {}, {{"CHIRON_PASSWORD", "correct horse battery"}}).exitCode, 0);
+    QCOMPARE(runCli({"user", "add", "rosa", "--role", "researcher", "--database", database, "--as", "alice"}, {},
+                    {{"CHIRON_PASSWORD", "correct horse battery"}, {"CHIRON_NEW_PASSWORD", "correct horse battery"}}).exitCode, 0);
+    rosa({"study", "new", "surgeons"});
+    rosa({"study", "freeze", "surgeons"});
+    QByteArray file = "participant,face_validity.stiffness_real,face_validity.weight_real,face_validity.surface_real,face_validity.no_disturbance,face_validity.handle_real\n";
+    const QStringList webers{"0.03", "0.1", "0.3", "0.9"};
+    for (int i = 0; i < webers.size(); ++i) {
+        const QString code = QStringLiteral("S0%1").arg(i + 1);
+        QVERIFY(!rosa({"study", "run", "surgeons", "--participant", code, "--observer", "weber:" + webers[i], "--quick", "--seed", QString::number(i + 1)}).isEmpty());
+        file += code.toLatin1() + ',' + QByteArray::number(5 - i) + ',' + QByteArray::number(1 + i) + ",3,3,3\n";
+    }
+    QFile given(m_folder.filePath("performance.csv"));
+    QVERIFY(given.open(QIODevice::WriteOnly) && given.write(file) == file.size());
+    given.close();
+    QCOMPARE(rosa({"study", "questionnaire", "import", "surgeons", given.fileName()})["participants"].toInt(), 4);
+    const auto tau = [&](const QString& item, const QStringList& more) -> QJsonValue {
+        const QJsonArray told = rosa(QStringList{"study", "questionnaire", "summary", "surgeons"} + more)["questionnaires"].toArray();
+        return withId(withId(told, "id", "face_validity")["likert"].toArray(), "item", item)["performance"].toObject()["tau"];
+    };
+    QVERIFY(!tau("stiffness_real", {"--performance"}).isDouble()); // tables differ: blinded, no run has a result
+    rosa({"study", "unblind", "surgeons"});
+    QVERIFY(!tau("stiffness_real", {}).isDouble());
+    QCOMPARE(tau("stiffness_real", {"--performance"}).toDouble(), 1.0);
+    QCOMPARE(tau("weight_real", {"--performance"}).toDouble(), -1.0);
+    QVERIFY(!tau("surface_real", {"--performance"}).isDouble()); // one answer of everybody goes with nothing
 }
 
 // The database refuses the fourth answer: the three before it are gone, too, and so are their lines of the audit.

@@ -84,6 +84,7 @@ private:
         if (!frozen)
             qFatal("%s", frozen.error().message.c_str());
         sha256 = *frozen;
+        double answer = 4.0;
         for (const auto& [code, words, weber] : {std::tuple{"ALPHA", "weber:0.1", 0.1}, std::tuple{"BRAVO", "weber:0.15", 0.15}}) {
             const auto participant = write([&, name = code, observer = words](database::StudyRepository& all) { return all.enrolParticipant(study, {}, 0, observer, name); });
             session::StudyRunRequest request;
@@ -93,6 +94,8 @@ private:
             request.quick = true;
             if (const auto run = session::runStudyHeadless(*m_site.database, database::Actor::simulated(), request); !run || !run->completed)
                 qFatal("%s", run ? "not completed" : run.error().message.c_str());
+            if (!design.questionnaires.empty())
+                write([&](database::StudyRepository& all) { return all.storeQuestionnaireAnswers({{participant->id, design.questionnaires.front().id, "realism", answer++, {}, {}}}); });
         }
         return study;
     }
@@ -127,6 +130,7 @@ void TestStudyReport::tellsAll() {
                                 QStringLiteral("BRAVO"), QStringLiteral("150 N/m"), QStringLiteral("2 participant"), QStringLiteral("Fidelity"),
                                 QStringLiteral("How real did it feel?"), QStringLiteral("Weber fraction of the group"), QStringLiteral("Page"), QStringLiteral("Worth of each object")})
         QVERIFY2(text.contains(word), qPrintable(word + QStringLiteral(" is not in: ") + text));
+    QVERIFY2(text.contains(QStringLiteral("Median 4.5, middle half 4.25 to 4.75")), qPrintable(text)); // as the scale has it, without noughts
     QVERIFY(report(study, file("study_de.pdf"), "de"));
     QVERIFY(textOf(file("study_de.pdf")).contains(QStringLiteral("Steifigkeit fühlen")));
 }
