@@ -10826,7 +10826,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     </message>
     <message>
         <source>Click or press Enter where it is highest.</source>
-        <translation>Klicken Sie oder drücken Sie Enter, wo sie am höchsten ist.</translation>
+        <translation>Klicken Sie oder drücken Sie Enter, wo die Kugel am höchsten ist.</translation>
     </message>
     <message>
         <source>Feel for it first.</source>
