@@ -9751,7 +9751,7 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
     </message>
     <message>
         <source>Open</source>
-        <translation>Offen</translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Run</source>

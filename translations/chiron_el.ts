@@ -9751,7 +9751,7 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
     </message>
     <message>
         <source>Open</source>
-        <translation>Ανοικτό</translation>
+        <translation>Άνοιγμα</translation>
     </message>
     <message>
         <source>Run</source>

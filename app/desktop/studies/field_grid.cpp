@@ -19,6 +19,20 @@ namespace chiron::desktop {
 namespace {
 constexpr double kCell_px = 250;
 constexpr double kLine_px = 22;
+
+/// A number as somebody would write it: 300 and 0.75, not 300.0000 and 0.750.
+class PlainSpinBox final : public QDoubleSpinBox {
+public:
+    QString textFromValue(double value) const override {
+        QString text = QDoubleSpinBox::textFromValue(value);
+        const QString point = locale().decimalPoint();
+        if (!text.contains(point))
+            return text;
+        while (text.endsWith(locale().zeroDigit()))
+            text.chop(1);
+        return text.endsWith(point) ? text.chopped(point.size()) : text;
+    }
+};
 } // namespace
 
 FieldGrid::FieldGrid(const Theme& theme, const QLocale& locale, bool readOnly, QWidget* parent)
@@ -57,7 +71,7 @@ void FieldGrid::put(QWidget* widget, bool wide) {
 }
 
 QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, double value, const NumberRange& range, std::function<void(double)> taken) {
-    auto* field = new QDoubleSpinBox;
+    auto* field = new PlainSpinBox;
     field->setLocale(m_locale);
     field->setDecimals(range.decimals);
     field->setRange(range.minimum, range.maximum);

@@ -6,6 +6,8 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 
+#include <QBoxLayout>
+#include <QPushButton>
 #include <algorithm>
 
 namespace chiron::desktop {
@@ -169,11 +171,18 @@ QWidget* QuestionnairesPage::itemPart(std::size_t index, std::size_t item) {
     grid->check(tr("Must be answered"), prefix + QStringLiteral("required"), shown.required, [edit, prefix](bool now) {
         edit(prefix + QStringLiteral("required"), false, [now](QuestionnaireItem& changed) { changed.required = now; });
     });
-    if (!m_page.readOnly)
-        grid->wide(action(tr("Remove question %1").arg(item + 1), "edit-delete", prefix + QStringLiteral("remove"), [index, item](StudyDesign& design) {
+    if (!m_page.readOnly) {
+        QPushButton* remove = action(tr("Remove question %1").arg(item + 1), "edit-delete", prefix + QStringLiteral("remove"), [index, item](StudyDesign& design) {
             std::vector<QuestionnaireItem>& items = design.questionnaires[index].items;
             items.erase(items.begin() + static_cast<std::ptrdiff_t>(item));
-        }));
+        });
+        auto* row = new QWidget; // at the left, where the fields begin
+        auto* line = new QHBoxLayout(row);
+        line->setContentsMargins(0, 0, 0, 0);
+        line->addWidget(remove);
+        line->addStretch();
+        grid->wide(row);
+    }
     return grid;
 }
 
