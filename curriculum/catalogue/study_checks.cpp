@@ -136,7 +136,7 @@ void checkLevels(const Condition& condition, const QString& path, Problems& prob
 
 double middleReference(const Condition& condition) {
     const Range range = rangeOf(condition.stimulus.attribute);
-    const double multiple = condition.task == Task::rank3 ? 2.0 : 1.0;
+    const double multiple = psychophysics::ranksThree(condition.task) ? 2.0 : 1.0;
     const auto& differences = condition.stimulus.differences;
     const double below = differences.empty() ? 0.0 : std::min(0.0, multiple * differences.front());
     const double above = differences.empty() ? 0.0 : std::max(0.0, multiple * differences.back());

@@ -18,6 +18,7 @@ private slots:
     void init();
     void designIsMasked();
     void unlikeConditionsAreMaskedWholly();
+    void wideTablesStayReadable();
 
 private:
     template <class Job>
@@ -108,6 +109,23 @@ void TestStudyMask::unlikeConditionsAreMaskedWholly() {
         QVERIFY(each.stimulus.attribute == psychophysics::Attribute::apex && each.stimulus.reference < 0.02 && each.procedures.size() == 1);
     }
     QCOMPARE(maskedDesign("{}", {}, codes).error().code, core::ErrorCode::badInput); // what does not read shows nothing
+}
+
+// The neutral reference leaves room for the largest object of a ranking, with ties or without: 0, D and 2D above it.
+void TestStudyMask::wideTablesStayReadable() {
+    const std::vector<SealedCondition> codes{{"", "K2P"}, {"", "Q7M"}};
+    for (const std::string task : {"rank3", "rank3_ties"}) {
+        std::string design = someDesign("wide");
+        for (const auto& [from, to] : {std::pair<std::string, std::string>{"0.1]}", "1.8]}"}, {"200", "3"}, {"800", "4"}, {"\"rank3\"", "\"" + task + "\""}, {"[0.1,", "[1.8,"}}) {
+            for (std::size_t at = design.find(from); at != std::string::npos; at = design.find(from, at + to.size())) {
+                design.replace(at, from.size(), to);
+            }
+        }
+        REQUIRE(catalogue::readStudy(QByteArray::fromStdString(design), "design"));
+        const auto masked = maskedDesign(design, blindingOf(design, false).value(), codes);
+        REQUIRE(masked);
+        REQUIRE(catalogue::readStudy(QByteArray::fromStdString(*masked), "masked"));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestStudyMask)
