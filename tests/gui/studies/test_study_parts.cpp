@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts of the researcher's screens that need no site: answers, forms, drafts, words.
+// Parts of the researcher's screens that need no site: forms, drafts, words.
 #include "catalogue/study_reader.h"
 #include "desktop/questionnaire/questionnaire_form.h"
 #include "desktop/studies/difference_table.h"
@@ -9,7 +9,6 @@
 #include "desktop/studies/procedure_form.h"
 #include "desktop/studies/study_draft.h"
 #include "desktop/studies/study_words.h"
-#include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/widgets/flow_layout.h"
 #include "session_report/study_warning_words.h"
@@ -24,10 +23,6 @@ using psychophysics::Task;
 class TestStudyParts : public QObject {
     Q_OBJECT
 private slots:
-    void rankingsBecomeAnswers();
-    void tiesBecomeAnswers();
-    void everyTaskIsAnswered();
-    void nothingIsTakenWhileClosed();
     void draftsAreUndone();
     void listsAreRead();
     void plainStudyReads();
@@ -43,24 +38,6 @@ private:
     desktop::Theme m_theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
     QLocale m_locale{QLocale::English, QLocale::UnitedKingdom};
 };
-
-namespace {
-
-struct Given {
-    int answer = -1;
-    std::optional<double> value;
-    int count = 0;
-};
-
-void listen(desktop::AnswerPanel& panel, Given& given) {
-    QObject::connect(&panel, &desktop::AnswerPanel::answered, &panel, [&given](int answer, std::optional<double> value) {
-        given.answer = answer;
-        given.value = value;
-        ++given.count;
-    });
-}
-
-} // namespace
 
 /// Blind, the panel beside the trials tells neither condition nor estimate nor forces; what has to do with neither is told. CHIRON_KEEP_PICTURES=<folder>
 /// keeps a picture.
@@ -104,96 +81,6 @@ void TestStudyParts::experimentersAreBlindToForces() {
     QVERIFY(told().contains(QStringLiteral("A rough stone")));
     numbers.blind = true;
     QVERIFY(!told().contains(QStringLiteral("A rough stone")));
-}
-
-void TestStudyParts::rankingsBecomeAnswers() {
-    const auto& all = psychophysics::arrangements(Task::rank3);
-    for (std::size_t i = 0; i < all.size(); ++i) { // the person says exactly what lies there
-        desktop::AnswerPanel panel(m_theme, Task::rank3, psychophysics::Attribute::stiffness);
-        Given given;
-        listen(panel, given);
-        panel.setOpen(true);
-        for (int rank = 0; rank < 2; ++rank)
-            for (int place = 0; place < 3; ++place)
-                if (all[i][static_cast<std::size_t>(place)] == rank)
-                    QVERIFY(panel.key(Qt::Key_1 + place));
-        QCOMPARE(given.count, 0); // said, not confirmed
-        panel.enterKey();
-        QCOMPARE(given.answer, static_cast<int>(i));
-        QCOMPARE(psychophysics::outcomeOf(Task::rank3, static_cast<int>(i), given.answer), 0);
-    }
-}
-
-/// Every ranking of three, with ties: places from least to most, "=" before one that equals the last.
-void TestStudyParts::tiesBecomeAnswers() {
-    for (int answer = 0; answer < psychophysics::kRankings; ++answer) {
-        const psychophysics::Ranking& said = psychophysics::rankings()[static_cast<std::size_t>(answer)];
-        desktop::AnswerPanel panel(m_theme, Task::rank3Ties, psychophysics::Attribute::stiffness);
-        Given given;
-        listen(panel, given);
-        panel.setOpen(true);
-        QVERIFY(panel.key(Qt::Key_Equal)); // equal to nothing: no meaning, and none taken
-        for (int rank = 0; rank < 3; ++rank)
-            for (int place = 0, first = 1; place < 3; ++place) {
-                if (said[static_cast<std::size_t>(place)] != rank)
-                    continue;
-                if (first == 0)
-                    QVERIFY(panel.key(Qt::Key_Equal));
-                panel.enterKey();
-                QCOMPARE(given.count, 0); // not all three yet
-                QVERIFY(panel.key(Qt::Key_1 + place));
-                first = 0;
-            }
-        QCOMPARE(panel.marks().filter(QStringLiteral("=")).size(), std::count_if(said.begin(), said.end(), [&](int own) { return std::count(said.begin(), said.end(), own) > 1; }));
-        panel.enterKey();
-        QCOMPARE(given.answer, answer);
-    }
-    desktop::AnswerPanel panel(m_theme, Task::rank3Ties, psychophysics::Attribute::stiffness);
-    panel.setOpen(true);
-    for (const int key : {Qt::Key_1, Qt::Key_Equal, Qt::Key_Backspace, Qt::Key_2, Qt::Key_Backspace, Qt::Key_3}) // back takes "=" and places one by one
-        QVERIFY(panel.key(key));
-    QCOMPARE(panel.marks(), (QStringList{"1", "", "2"}));
-}
-
-void TestStudyParts::everyTaskIsAnswered() {
-    for (int t = 0; t < psychophysics::kTasks; ++t) {
-        const Task task = static_cast<Task>(t);
-        desktop::AnswerPanel panel(m_theme, task, psychophysics::Attribute::mass);
-        Given given;
-        listen(panel, given);
-        panel.setOpen(true);
-        if (task == Task::yesNo) {
-            QVERIFY(panel.key(Qt::Key_Y));
-            QCOMPARE(given.answer, 1);
-        } else if (task == Task::magnitude) {
-            panel.enterKey(); // nothing said yet
-            QCOMPARE(given.count, 0);
-            panel.findChild<QLineEdit*>(QStringLiteral("answer.number"))->setText(QStringLiteral("12"));
-            panel.enterKey();
-            QCOMPARE(given.value.value_or(0.0), 12.0);
-        } else if (task == Task::adjustment) {
-            int steps = 0;
-            connect(&panel, &desktop::AnswerPanel::adjusted, &panel, [&steps](int by) { steps += by; });
-            QVERIFY(panel.key(Qt::Key_Plus) && panel.key(Qt::Key_Plus) && panel.key(Qt::Key_Minus));
-            QCOMPARE(steps, 1);
-            panel.enterKey();
-            QCOMPARE(given.answer, 0);
-        } else if (!psychophysics::ranksThree(task)) {
-            QVERIFY(panel.key(Qt::Key_2));
-            QCOMPARE(given.answer, 1);
-            QCOMPARE(panel.key(Qt::Key_3), psychophysics::answers(task) > 2);
-        }
-        QVERIFY(!panel.question().isEmpty());
-    }
-}
-
-void TestStudyParts::nothingIsTakenWhileClosed() {
-    desktop::AnswerPanel panel(m_theme, Task::twoAfc, psychophysics::Attribute::stiffness);
-    Given given;
-    listen(panel, given);
-    panel.setOpen(false, QStringLiteral("Touch every object first."));
-    QVERIFY(!panel.key(Qt::Key_1));
-    QCOMPARE(given.count, 0);
 }
 
 void TestStudyParts::draftsAreUndone() {
