@@ -131,31 +131,33 @@ void FidelityMeter::fit(Place& place, const FidelitySample& sample, const std::a
     const auto& v = sample.velocity_m_per_s;
     const double speed = std::hypot(v[0], v[1]);
     const double along = speed > 0.0 ? -(f[0] * v[0] + f[1] * v[1]) / speed : 0.0;
+    const bool says = !sample.saturated; // at its limit the force is the device's, and no longer the object's: `saturated` counts those
     switch (m_parameters.attribute) {
     case ComparedAttribute::stiffness:
-        if (sample.displacement_m > kTaut_m)
+        if (says && sample.displacement_m > kTaut_m)
             place.line.add({sample.displacement_m, 1.0, v[2]}, norm(f));
         break;
     case ComparedAttribute::mass:
-        if (sample.displacement_m > kAir_m + m_parameters.hookReach_m)
+        if (says && sample.displacement_m > kAir_m + m_parameters.hookReach_m)
             place.line.add({1.0, 0.0, 0.0}, -f[2]);
         break;
     case ComparedAttribute::roughness:
-        if (speed > kSliding_m_per_s)
+        if (says && speed > kSliding_m_per_s)
             place.line.add({sample.depth_m, 1.0, v[2]}, f[2]);
         break;
     case ComparedAttribute::friction:
         place.trail.drag(v[0] * core::kTickSeconds, v[1] * core::kTickSeconds, trailLength_m(sample.place, f[2]));
-        if (place.trail.taut() && speed > kDragging_m_per_s)
+        if (says && place.trail.taut() && speed > kDragging_m_per_s)
             place.line.add({f[2], 0.0, 0.0}, place.trail.against(f[0], f[1])); // pressed evenly, a speed of its own would take part of μ
         break;
     case ComparedAttribute::viscosity:
-        if (speed > kSliding_m_per_s && sample.depth_m > 0.0005)
+        if (says && speed > kSliding_m_per_s && sample.depth_m > 0.0005)
             place.line.add({speed, 1.0, 0.0}, along);
         break;
     case ComparedAttribute::deformation:
         for (std::size_t i = 0; i < kTimes; ++i) {
-            place.bank[i].add({sample.depth_m, sample.depth_m - place.dent[i], 1.0}, f[2]);
+            if (says)
+                place.bank[i].add({sample.depth_m, sample.depth_m - place.dent[i], 1.0}, f[2]);
             place.dent[i] += (sample.depth_m - place.dent[i]) * m_share[i];
         }
         break;

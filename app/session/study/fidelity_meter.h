@@ -21,6 +21,7 @@ namespace chiron::session {
 ///   roughness    rms of f_z = k d + c + b v_z while sliding, over the fixed k     → rms height
 ///   friction     −f_t·v̂ = μ f_z while sliding                                 → μ
 ///   viscosity    −f_t·v = b v² + c |v|                                        → b
+/// Ticks with the force at its limit are in none of them: their share is a measure of its own.
 /// Of stiffness, mass, viscosity and friction `stiffnessError` is a limit: those of a short stroke over a random surface,
 /// and of a time constant, scatter by more than any sensible limit. Not for the haptic thread. Source: psychophysics.md §3.2; the
 /// regressions are our choice.
