@@ -4,6 +4,7 @@
 #include "desktop/training/force_bar.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/widgets/state_panel.h"
+#include "haptics/safety_settings.h"
 
 #include <QDialog>
 #include <QElapsedTimer>
@@ -32,6 +33,18 @@ database::SessionRecord recordOf(TrainingBench& bench, database::SessionId id, c
     if (!record)
         qFatal("%s", record.error().message.c_str());
     return *record;
+}
+
+/// How old the window's newest sign of life ever was, by what is recorded.
+std::uint32_t longestSilence_ms(TrainingBench& bench, database::SessionId id) {
+    const OpenStored stored(bench.desktop.database(), id);
+    const auto frames = stored.session->reader().allFrames();
+    if (!frames)
+        qFatal("%s", frames.error().message.c_str());
+    std::uint32_t longest_ms = 0;
+    for (const core::HapticFrame& frame : *frames)
+        longest_ms = std::max<std::uint32_t>(longest_ms, frame.header.heartbeatAge_ms);
+    return longest_ms;
 }
 
 } // namespace
@@ -227,7 +240,8 @@ void TestTrainingScreen::cuesFollowTheLevel() {
     QVERIFY(bench.text("training.device").contains(QStringLiteral("shown, not felt")));
 }
 
-/// The window does nothing for a second; lateness is printed beside the same run without that.
+/// The window does nothing for a second; lateness is printed beside the same run without that. A busy machine may keep the window as long by
+/// itself: what the guard must never do is to speak of a window that was not away; how long it was is recorded.
 void TestTrainingScreen::aStallCostsNoTick() {
     for (const bool stall : {false, true}) {
         TrainingBench bench;
@@ -237,7 +251,8 @@ void TestTrainingScreen::aStallCostsNoTick() {
         if (stall)
             QThread::msleep(1000);
         QTRY_VERIFY(bench.state().tick > at);
-        QCOMPARE((bench.state().guardsSeen & core::guard_bits::kHeartbeat) != 0, stall);
+        const bool seen = (bench.state().guardsSeen & core::guard_bits::kHeartbeat) != 0;
+        QVERIFY(seen || !stall);
         QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000); // comes back by itself
         QCOMPARE(bench.state().droppedFrames, std::uint64_t{0});
         const haptics::LoopStatistics& loop = bench.screen()->feed()->training().statistics().latest();
@@ -245,6 +260,10 @@ void TestTrainingScreen::aStallCostsNoTick() {
               static_cast<unsigned long long>(loop.ticks()), static_cast<unsigned long long>(loop.late()),
               static_cast<unsigned long long>(loop.skippedDeadlines()), loop.lateness().percentile_us(0.99),
               1e-3 * static_cast<double>(loop.lateness().maximum_ns()));
+        const database::SessionId id = bench.screen()->feed()->training().sessionId();
+        bench.screen()->feed()->training().requestStop();
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.desktop.context.trialRuns(), 15'000);
+        QVERIFY(!seen || longestSilence_ms(bench, id) >= haptics::SafetySettings{}.heartbeatLimit_ms);
     }
 }
 
