@@ -93,7 +93,7 @@ QString KillCampaign::waitForDeathMoment(const Child& child, KillMoment moment) 
     };
     const auto start = Clock::now();
     while (!reached()) {
-        if (ended(child.pid))
+        if (ended(child.pid) && !reached()) // it may have reached it and ended between two looks
             return "the child ended before the moment to kill it";
         if (std::chrono::duration<double>(Clock::now() - start).count() > kPatience_s)
             return "the child hangs";
