@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The endoscope's view on a real window: needs a display with OpenGL (Xvfb with Mesa will do), else it says so and skips.
 #include "desktop/scene3d/scene_loader.h"
+#include "gui/scene3d/scene_at_rest.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/urethra_samples.h"
 
@@ -187,7 +188,7 @@ private slots:
     void nothingIsDrawnBetweenCalls() {
         Shown shown(plain());
         QVERIFY(!shown.picture(samples::urethraState(plain(), {.s_m = 0.050})).isNull());
-        QTest::qWait(600);
+        QVERIFY(tests::comesToRest(*shown.scene.view));
         const auto before = shown.scene.view->framesDrawn();
         QTest::qWait(300);
         QCOMPARE(shown.scene.view->framesDrawn(), before);

@@ -3,6 +3,7 @@
 // skips.
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/scene3d/sphere_apex/apex_mesh.h"
+#include "gui/scene3d/scene_at_rest.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/shader_dents.h"
 
@@ -111,7 +112,7 @@ private slots:
         later.ghost = later.tool[0];
         later.marked = true;
         shown.scene.view->show(later);
-        QTest::qWait(500);
+        QVERIFY(tests::comesToRest(*shown.scene.view));
         const QImage once = shown.window.screen()->grabWindow(shown.window.winId()).toImage();
         QCOMPARE(shown.picture(later), once.convertToFormat(QImage::Format_RGB32));
         QVERIFY(reddish(once) > 480 * 360 / 6);
@@ -125,7 +126,7 @@ private slots:
         state.tool[0].present = false;
         shown.scene.view->show(state);
         QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
-        QTest::qWait(300);
+        QVERIFY(tests::comesToRest(*shown.scene.view));
         state.objectShown = true;
         const auto before = shown.scene.view->framesDrawn();
         shown.scene.view->show(state);
@@ -139,7 +140,7 @@ private slots:
     void nothingIsDrawnBetweenCalls() {
         Shown shown;
         QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
-        QTest::qWait(600);
+        QVERIFY(tests::comesToRest(*shown.scene.view));
         const auto before = shown.scene.view->framesDrawn();
         QTest::qWait(300);
         QCOMPARE(shown.scene.view->framesDrawn(), before);
