@@ -166,6 +166,7 @@ void TestFirstStart::siteWithoutPeopleAsksForItsAdministrator() {
     station.context.openSite();
     QTRY_COMPARE_WITH_TIMEOUT(station.context.navigator().current().screen, QStringLiteral("first_start"), 20000);
     QVERIFY(!station.find<QPushButton>("first_start.demonstration")->isVisible());
+    QTRY_COMPARE(focusName(), QStringLiteral("first_start.set_up"));
     press(Qt::Key_Space);
     fillForm(QStringLiteral("ada"));
     QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), 20000);
@@ -175,6 +176,7 @@ void TestFirstStart::siteWithoutPeopleAsksForItsAdministrator() {
 void TestFirstStart::codeSurvivesAnotherLanguage() {
     EmptyStation station;
     station.show("first_start");
+    QTRY_COMPARE(focusName(), QStringLiteral("first_start.set_up"));
     press(Qt::Key_Space);
     fillForm(QStringLiteral("ada"));
     QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), 20000);

@@ -141,6 +141,7 @@ private slots:
         Station station(m_folder);
         QTRY_VERIFY(station.isOn("login"));
         QTRY_VERIFY(station.site.isOpen());
+        QTRY_COMPARE(focusName(), QStringLiteral("login.name")); // the form comes once the names are read
         QVERIFY(tabTo(QStringLiteral("login.name")));
         type(QStringLiteral("ada"));
         QVERIFY(tabTo(QStringLiteral("login.password")));
