@@ -8,8 +8,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QTableWidget>
+#include <QThread>
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -93,9 +95,14 @@ private slots:
         auto* screen = openStorage(desktop);
         QVERIFY(screen);
         QSignalSpy ended(screen, &StorageScreen::taskEnded);
+        const auto later = std::make_shared<QSemaphore>(); // it must not be done before it is stopped
+        const int workers = QThread::idealThreadCount();
+        for (int i = 0; i < workers; ++i)
+            desktop.context.background().run(&desktop.context, [later](WorkToken&) { return later->tryAcquire(1, 60'000); }, [](bool) {});
         screen->findChild<QPushButton*>(QStringLiteral("storage.verify"))->click();
         QVERIFY(!screen->findChild<QPushButton*>(QStringLiteral("storage.back_up"))->isEnabled()); // one task at a time
         screen->findChild<QPushButton*>(QStringLiteral("task.cancel"))->click();
+        later->release(workers);
         QTRY_COMPARE(ended.count(), 1);
         QVERIFY(noticeOf(screen, "storage.report").contains(QStringLiteral("stopped")));
     }
