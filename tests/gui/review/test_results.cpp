@@ -115,11 +115,11 @@ void TestResults::exportsEverything() {
     open();
     QTemporaryDir target;
     m_site->screen<desktop::ResultsScreen>()->exportTo(target.path());
-    QTRY_COMPARE(QDir(target.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->context.background().idle(), 60'000); // seconds of samples are written
+    QCOMPARE(QDir(target.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
     QDir folder(target.path());
     QVERIFY(folder.cd(folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot).first()));
-    QTRY_COMPARE(folder.entryList({QStringLiteral("session_*.csv")}).size(), 7);
-    QTRY_VERIFY(m_site->context.background().idle());
+    QCOMPARE(folder.entryList({QStringLiteral("session_*.csv")}).size(), 7);
     QFile json(folder.filePath(QStringLiteral("person.json")));
     QVERIFY(json.open(QIODevice::ReadOnly));
     const QJsonObject everything = QJsonDocument::fromJson(json.readAll()).object();
