@@ -212,7 +212,7 @@ void TestTrainingScreen::aStopShowsNoForce() {
         bench.wheel(-240);
         QTest::qWait(30);
     }
-    QVERIFY(bar->isOver());
+    QTRY_VERIFY(bar->isOver());
     bench.key(Qt::Key_Escape);
     QTRY_VERIFY(!bar->isOver());
     bench.key(Qt::Key_R);
