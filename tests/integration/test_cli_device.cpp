@@ -18,6 +18,7 @@ private slots:
     void aFastSineDoesNotHold();
     void seriesAndDegradationWhereAskedFor();
     void theGimbalsFriction();
+    void theGimbalsDelay();
     void whatIsWrongIsRefused();
 
 private:
@@ -70,12 +71,25 @@ void TestCliDevice::theGimbalsFriction() {
     QCOMPARE(object(run)["friction"].toArray().size(), 3);
 }
 
+/// Measured as on any device, and what follows for a wall (devices.md §6).
+void TestCliDevice::theGimbalsDelay() {
+    const QJsonObject quick = object(runCli({"device", "check", "--mechanism", "gimbal_hprd", "--json"}));
+    const QJsonObject late = object(runCli({"device", "check", "--mechanism", "gimbal_hprd", "--sample-delay", "2", "--json"}));
+    QVERIFY(quick["holds"].toBool() && late["holds"].toBool());
+    QVERIFY(std::abs(late["latency_us"].toDouble() - quick["latency_us"].toDouble() - 2000.0) < 100.0);
+    QVERIFY(late["latency_error_us"].toDouble() > 0.0);
+    QCOMPARE(late["latency_given_us"].toDouble(), 2300.0);
+    QVERIFY(std::abs(late["stiffness_cap_N_per_m"].toDouble() - 2.0 / (0.0005 + 1e-6 * late["latency_us"].toDouble())) < 1e-6);
+}
+
 void TestCliDevice::whatIsWrongIsRefused() {
     QCOMPARE(refusalFault(runCli({"device", "check", "--mechanism", "crane"}), 2, {"mechanism", "crane", "fingertip_arm"}), QString());
     QCOMPARE(refusalFault(runCli({"device", "check", "--poses", "0"}), 2, {"poses"}), QString());
     QCOMPARE(refusalFault(runCli({"device", "check", "--driver", "crane"}), 2, {"crane"}), QString());
     QCOMPARE(refusalFault(runCli({"device", "check", "--driver", "keyboard_mouse"}), 5, {"keyboard_mouse", "no motors"}), QString());
     QCOMPARE(refusalFault(runCli({"device", "check", "--mechanism", "gimbal_hprd", "--degrade"}), 2, {"degrade"}), QString());
+    QCOMPARE(refusalFault(runCli({"device", "check", "--mechanism", "gimbal_hprd", "--sample-delay", "4"}), 2, {"sample-delay", "0", "3"}), QString());
+    QCOMPARE(refusalFault(runCli({"device", "check", "--sample-delay", "1"}), 2, {"sample-delay", "fingertip_arm"}), QString());
     QVERIFY(runCli({"device", "check", "--help"}).out.contains("chiron-cli device check --seed 1 --degrade --json"));
 }
 

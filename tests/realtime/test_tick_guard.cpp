@@ -5,6 +5,7 @@
 #include "devices/drivers/replay/replay_device.h"
 #include "devices/drivers/simulated/simulated_device.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
+#include "haptics/delay_probe.h"
 #include "haptics/recorded_inputs.h"
 #include "mechanisms/scripted_motion.h"
 #include "operators/sphere_apex/sphere_apex_operator.h"
@@ -218,6 +219,17 @@ private slots:
         }
         QVERIFY2(forbiddenCounts().total() == 0, words(forbiddenCounts()));
         QCOMPARE(again.frames.size(), store.frames.size());
+    }
+
+    void aDelayIsMeasured() {
+        const auto device = gimbal(1);
+        haptics::DelayRecord record;
+        haptics::DelayListener listener({}, record);
+        haptics::LiveInputs inputs;
+        LoopBench bench({{*device, {}}}, inputs, listener, std::make_unique<haptics::DelayProbe>(haptics::DelayProbeSettings{}, record));
+        const ForbiddenCounts counts = guardedRun(*bench.loop, inputs, nullptr);
+        QVERIFY2(counts.total() == 0, words(counts));
+        QVERIFY(record.forces > 1000 && record.forces == record.places);
     }
 
     void swappingScenes() {

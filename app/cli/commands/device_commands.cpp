@@ -5,7 +5,10 @@
 #include "cli/messages.h"
 #include "cli/text_table.h"
 #include "devices/driver_catalogue.h"
+#include "devices/drivers/simulated/simulated_device.h"
 #include "mechanisms/friction_identification.h"
+#include "mechanisms/scripted_motion.h"
+#include "session/delay_measurement.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -79,18 +82,34 @@ core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::opti
     return describeFingertipCheck(check, arguments.has(QStringLiteral("series")));
 }
 
-/// P2's gimbal: friction of its motor axes by Tholey's method, beside what the plant was given; holds within a twentieth.
-core::Result<CommandOutput> checkGimbal(double damping) {
-    const mechanisms::GimbalPlantParameters parameters;
+constexpr double kDelayTolerance_s = 0.0002; ///< a fifth of a tick
+
+/// The gimbal's delay as it is measured on any device: shaken through loop and supervisor, a hand at rest on it.
+core::Result<haptics::DelayEstimate> delayOf(const mechanisms::GimbalPlantParameters& plant) {
+    devices::SimulatedDevice::Configuration configuration;
+    configuration.plant = plant;
+    auto device = devices::SimulatedDevice::create(configuration, std::make_unique<mechanisms::ScriptedMotion>(configuration.start_D));
+    return device ? session::measureDelay(**device, configuration.mapping) : tl::unexpected(device.error());
+}
+
+/// P2's gimbal: friction of its motor axes by Tholey's method, beside what the plant was given; holds within a twentieth. And its delay, beside
+/// the age of its samples and the lag of its motors.
+core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
+    mechanisms::GimbalPlantParameters parameters;
+    parameters.sampleDelay_ticks = sampleDelay_ticks;
     mechanisms::GimbalPlant plant(parameters);
     const auto found = mechanisms::identifyFriction(plant, {});
     if (!found)
         return tl::unexpected(found.error());
-    const double latency_s = core::kTickSeconds * parameters.sampleDelay_ticks + parameters.amplifierLag_s;
+    const double given_s = core::kTickSeconds * parameters.sampleDelay_ticks + parameters.amplifierLag_s;
+    const auto delay = delayOf(parameters);
+    if (!delay)
+        return tl::unexpected(delay.error());
+    const double latency_s = delay->delay_s;
     const double cap = mechanisms::stiffnessCap_N_per_m(damping, core::kTickSeconds, latency_s);
     TextTable table({QStringLiteral("axis"), QStringLiteral(">Coulomb"), QStringLiteral(">given"), QStringLiteral(">viscous"), QStringLiteral(">given")});
     QJsonArray axes;
-    bool holds = true;
+    bool holds = std::abs(latency_s - given_s) <= kDelayTolerance_s;
     const std::array<const char*, 4> names{"heading", "pitch", "roll", "depth"};
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto& axis = (*found)[i];
@@ -103,12 +122,15 @@ core::Result<CommandOutput> checkGimbal(double damping) {
         table.add({names[i], shortNumber(axis->coulomb), shortNumber(given.coulomb), shortNumber(axis->viscous), shortNumber(given.viscous)});
     }
     const QString text = QStringLiteral("Gimbal, simulated; N·m and N·m·s/rad, depth N and N·s/m.\n\n") + table.toText() + QLatin1Char('\n') +
-                         alignedPairs({{QStringLiteral("latency"), shortNumber(1e3 * latency_s) + QStringLiteral(" ms")},
+                         alignedPairs({{QStringLiteral("latency, measured"), QStringLiteral("%1 ± %2 ms").arg(shortNumber(1e3 * latency_s), shortNumber(1e3 * delay->standardError_s))},
+                                       {QStringLiteral("latency, given"), shortNumber(1e3 * given_s) + QStringLiteral(" ms")},
                                        {QStringLiteral("stiffest wall"), shortNumber(cap) + QStringLiteral(" N/m")}});
     return CommandOutput{QJsonDocument(QJsonObject{{"mechanism", "gimbal_hprd"},
                                                    {"holds", holds},
                                                    {"friction", axes},
                                                    {"latency_us", 1e6 * latency_s},
+                                                   {"latency_error_us", 1e6 * delay->standardError_s},
+                                                   {"latency_given_us", 1e6 * given_s},
                                                    {"damping_Ns_per_m", damping},
                                                    {"stiffness_cap_N_per_m", cap}}),
                          text, holds ? 0 : 1};
@@ -124,12 +146,17 @@ core::Result<CommandOutput> check(const Arguments& arguments) {
         return tl::unexpected(mechanism.error());
     if (!damping)
         return tl::unexpected(damping.error());
+    const auto sampleDelay = arguments.integer(QStringLiteral("sample-delay"), 0, 3, 0);
+    if (!sampleDelay)
+        return tl::unexpected(sampleDelay.error());
+    if (*mechanism == fingertip && arguments.has(QStringLiteral("sample-delay")))
+        return wrongUse(QStringLiteral("option --sample-delay: means nothing with --mechanism fingertip_arm"));
     if (*mechanism == fingertip)
         return checkFingertip(arguments, arguments.has(QStringLiteral("damping")) ? std::optional(*damping) : std::nullopt);
     for (const char* option : {"seed", "frequency", "poses", "degrade", "series"})
         if (arguments.has(QString::fromLatin1(option)))
             return wrongUse(QStringLiteral("option --%1: means nothing with --mechanism gimbal_hprd").arg(QLatin1String(option)));
-    return checkGimbal(*damping);
+    return checkGimbal(*damping, static_cast<int>(*sampleDelay));
 }
 
 CommandSpec checkCommand() {
@@ -138,12 +165,13 @@ CommandSpec checkCommand() {
     command.verb = QStringLiteral("check");
     command.summary = QStringLiteral("verify a mechanism: force and angle beside P3's figures, friction, latency, stiffness cap");
     command.options = {
-        {QStringLiteral("mechanism"), QStringLiteral("ID"), QStringLiteral("fingertip_arm (default) or gimbal_hprd (friction alone)")},
+        {QStringLiteral("mechanism"), QStringLiteral("ID"), QStringLiteral("fingertip_arm (default) or gimbal_hprd (friction and latency)")},
         {QStringLiteral("driver"), QStringLiteral("ID"), QStringLiteral("the device's driver (default: simulated)")},
         {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of sensor noise and poses (default 1)")},
         {QStringLiteral("frequency"), QStringLiteral("HZ"), QStringLiteral("of the 1 N sine, 0.05 to 5 (default 0.5; P3 does not print it)")},
         {QStringLiteral("poses"), QStringLiteral("N"), QStringLiteral("random orientations, 1 to 10000 (default 100)")},
         {QStringLiteral("damping"), QStringLiteral("B"), QStringLiteral("of device, hand and wall together in the stiffness cap, N·s/m (default: drives and pad; gimbal: 2)")},
+        {QStringLiteral("sample-delay"), QStringLiteral("TICKS"), QStringLiteral("of gimbal_hprd: how old its samples are, 0 to 3 (default 0)")},
         {QStringLiteral("degrade"), {}, QStringLiteral("also a table: force noise, converter, delay, friction, backlash, IMU times 0, 1, 2, 4")},
         {QStringLiteral("series"), {}, QStringLiteral("with --json also every tick of the sine and every pose")}};
     command.example = QStringLiteral("chiron-cli device check --seed 1 --degrade --json");

@@ -91,7 +91,16 @@ QString marksText(const QJsonArray& runs) {
     return any ? table.toText() : QString();
 }
 
-core::Result<CommandOutput> told(database::Database& database, const database::Actor& actor, const database::StudyRecord& study, const database::Participant& participant) {
+/// What the device could render, at the delay that was measured on it; nothing for a quick run, which has no device.
+QJsonValue deviceJson(const std::optional<session::RenderingLimits>& limits) {
+    if (!limits)
+        return QJsonValue::Null;
+    return QJsonObject{{"delay_us", 1e6 * limits->delay_s}, {"delay_measured", limits->measured}, {"stiffness_cap_N_per_m", number(limits->largestStiffness_N_per_m)},
+                       {"force_limit_N", number(limits->largestForce_N)}, {"viscosity_cap_Ns_per_m", number(limits->largestViscosity_Ns_per_m)}};
+}
+
+core::Result<CommandOutput> told(database::Database& database, const database::Actor& actor, const database::StudyRecord& study, const database::Participant& participant,
+                                 const session::StudyRunReport& report) {
     auto connection = database.openReader();
     if (!connection)
         return tl::unexpected(connection.error());
@@ -100,7 +109,8 @@ core::Result<CommandOutput> told(database::Database& database, const database::A
     if (!data)
         return tl::unexpected(data.error());
     const QJsonArray runs = runsJson(*data, participant.code);
-    QJsonObject json{{"study", text(study.summary.key)}, {"sha256", text(study.summary.sha256)}, {"participant", text(participant.code)}, {"observer", text(participant.observer)}, {"blinded", data->blinded}, {"runs", runs}};
+    QJsonObject json{{"study", text(study.summary.key)}, {"sha256", text(study.summary.sha256)}, {"participant", text(participant.code)}, {"observer", text(participant.observer)}, {"blinded", data->blinded},
+                     {"device", deviceJson(report.limits)}, {"runs", runs}};
     if (!runs.isEmpty()) { // the contract's keys: of the first condition
         json.insert("trials", runs.first()["trials"]);
         json.insert("estimate", runs.first()["estimate"]);
@@ -175,7 +185,7 @@ core::Result<CommandOutput> runStudy(const Arguments& arguments) {
     auto report = session::runStudyHeadless(*site->database, *actor, *request);
     if (!report)
         return tl::unexpected(report.error());
-    return told(*site->database, *actor, ready->study, ready->participant);
+    return told(*site->database, *actor, ready->study, ready->participant, *report);
 }
 
 core::Result<CommandOutput> rerunStudy(const Arguments& arguments) {

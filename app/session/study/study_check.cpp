@@ -2,7 +2,7 @@
 #include "session/study/study_check.h"
 
 #include "session/study/apex_sitting.h"
-#include "session/study/study_limits.h"
+#include "session/study/simulated_limits.h"
 #include "session/study/study_setup.h"
 
 #include <algorithm>
@@ -11,24 +11,25 @@ namespace chiron::session {
 
 namespace {
 
-core::Result<RenderingLimits> stationLimits(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, const std::string& trainee) {
+/// Whether the condition can be put before its simulated participant at all.
+core::Result<void> checkStation(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, const std::string& trainee) {
     if (looksForApex(condition)) {
         auto level = apexStudyLevel(design, condition, 1);
         if (!level)
             return tl::unexpected(level.error());
         const auto station = apexStation(*level, trainee, 1);
-        return station ? core::Result<RenderingLimits>(renderingLimits(station->devices.front()->descriptor())) : tl::unexpected(station.error());
+        return station ? core::Result<void>() : tl::unexpected(station.error());
     }
     auto level = studyLevel(design, condition);
     if (!level)
         return tl::unexpected(level.error());
-    auto participant = participantStation(*level, 1);
-    return participant ? core::Result<RenderingLimits>(renderingLimits(participant->station.devices.front()->descriptor()))
-                       : tl::unexpected(participant.error());
+    const auto participant = participantStation(*level, 1);
+    return participant ? core::Result<void>() : tl::unexpected(participant.error());
 }
 
-core::Result<void> checkCondition(const psychophysics::StudyDesign& design, bool blind, const psychophysics::Condition& condition, const StudyRunRequest& request) {
-    const auto limit = limitOnStation(design, blind, condition, request);
+core::Result<void> checkCondition(const psychophysics::StudyDesign& design, bool blind, const psychophysics::Condition& condition, const StudyRunRequest& request,
+                                  const RenderingLimits& limits) {
+    const auto limit = limitOnStation(design, blind, condition, request, limits);
     if (!limit)
         return tl::unexpected(limit.error());
     const auto progress = StudyProgress::begin(design, condition.id, 1, *limit);
@@ -44,14 +45,15 @@ core::Result<void> checkObserver(const psychophysics::StudyDesign& design, const
     return {};
 }
 
+core::Result<RenderingLimits> limitsOfRun(const StudyRunRequest& request) { return request.quick ? RenderingLimits{} : simulatedLimits(); }
+
 core::Result<double> limitOnStation(const psychophysics::StudyDesign& design, bool blind, const psychophysics::Condition& condition,
-                                    const StudyRunRequest& request) {
+                                    const StudyRunRequest& request, const RenderingLimits& limits) {
     if (request.quick)
         return StudyProgress::kNoLimit;
-    const auto limits = stationLimits(design, condition, request.observer.trainee);
-    if (!limits)
-        return tl::unexpected(limits.error());
-    return (blind ? blindTable(design, condition, *limits) : limitedTable(condition, *limits)).limit;
+    if (const auto station = checkStation(design, condition, request.observer.trainee); !station)
+        return tl::unexpected(station.error());
+    return (blind ? blindTable(design, condition, limits) : limitedTable(condition, limits)).limit;
 }
 
 core::Result<void> checkStudyRun(const psychophysics::StudyDesign& design, bool blind, const StudyRunRequest& request) {
@@ -60,9 +62,12 @@ core::Result<void> checkStudyRun(const psychophysics::StudyDesign& design, bool 
     const bool one = !blind && !request.condition.empty();
     if (one && !conditionOf(design, request.condition))
         return core::fail(core::ErrorCode::notFound, "condition \"" + request.condition + "\" is not one of the study's");
+    const auto limits = limitsOfRun(request);
+    if (!limits)
+        return tl::unexpected(limits.error());
     for (const psychophysics::Condition& condition : design.conditions)
         if (!one || condition.id == request.condition)
-            if (auto good = checkCondition(design, blind, condition, request); !good)
+            if (auto good = checkCondition(design, blind, condition, request, *limits); !good)
                 return good;
     return {};
 }

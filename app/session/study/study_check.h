@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "session/study/study_limits.h"
 #include "session/study/study_runner.h"
 
 namespace chiron::session {
@@ -15,8 +16,11 @@ core::Result<void> checkObserver(const psychophysics::StudyDesign& design, const
 /// renders. `blind`: conditions go by sealed codes, so request.condition is left to the database. Failure: wrongUse, notFound, badInput.
 core::Result<void> checkStudyRun(const psychophysics::StudyDesign& design, bool blind, const StudyRunRequest& request);
 
-/// Largest difference that the simulated device renders; a quick run has no device. Failure: badInput, notFound (the scripted trainee).
+/// What the run's device can render: measured once for all its conditions. A quick run has no device. Failure: simulatedLimits().
+core::Result<RenderingLimits> limitsOfRun(const StudyRunRequest& request);
+
+/// Largest difference that the simulated device renders. Failure: badInput, notFound (the scripted trainee).
 core::Result<double> limitOnStation(const psychophysics::StudyDesign& design, bool blind, const psychophysics::Condition& condition,
-                                    const StudyRunRequest& request);
+                                    const StudyRunRequest& request, const RenderingLimits& limits);
 
 } // namespace chiron::session

@@ -178,11 +178,12 @@ core::Result<BegunRun> beginOrResume(database::Database& database, const databas
 }
 
 core::Result<StudyRunSummary> runConducted(database::Database& database, const database::Actor& actor, const StudyRunRequest& request,
-                                           const OpenedStudy& study, const std::string& label, const database::ConductedRun& conducted) {
+                                           const OpenedStudy& study, const std::string& label, const database::ConductedRun& conducted,
+                                           const RenderingLimits& limits) {
     const psychophysics::Condition* found = conditionOf(study.design, conducted.condition);
     if (!found)
         return core::fail(core::ErrorCode::notFound, "condition \"" + label + "\" is not one of the study's");
-    const auto limit = limitOnStation(study.design, study.blind(), *found, request);
+    const auto limit = limitOnStation(study.design, study.blind(), *found, request, limits);
     if (!limit)
         return tl::unexpected(limit.error());
     auto run = beginOrResume(database, actor, study, label, conducted, request, *limit);
@@ -217,14 +218,14 @@ core::Result<StudyRunSummary> runConducted(database::Database& database, const d
 }
 
 core::Result<StudyRunSummary> runCondition(database::Database& database, const database::Actor& actor, const StudyRunRequest& request,
-                                           const OpenedStudy& study, const std::string& label) {
+                                           const OpenedStudy& study, const std::string& label, const RenderingLimits& limits) {
     const auto conducted = conduct(database, actor, study, label);
     if (!conducted)
         return tl::unexpected(conducted.error());
     const auto open = unmasked(study, *conducted);
     if (!open)
         return tl::unexpected(open.error());
-    auto run = runConducted(database, actor, request, *open, label, *conducted);
+    auto run = runConducted(database, actor, request, *open, label, *conducted, limits);
     return run ? std::move(run) : tl::unexpected(sealedError(study, *conducted, run.error()));
 }
 
@@ -258,9 +259,14 @@ core::Result<StudyRunReport> runStudyHeadless(database::Database& database, cons
     std::vector<std::string> conditions = openConditions(*study);
     if (!request.condition.empty())
         conditions = {request.condition};
+    const auto limits = limitsOfRun(request);
+    if (!limits)
+        return tl::unexpected(limits.error());
     StudyRunReport report;
+    if (!request.quick)
+        report.limits = *limits;
     for (const std::string& label : conditions) {
-        auto run = runCondition(database, actor, request, *study, label);
+        auto run = runCondition(database, actor, request, *study, label, *limits);
         if (!run)
             return tl::unexpected(run.error());
         report.runs.push_back(std::move(*run));

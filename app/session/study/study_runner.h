@@ -3,12 +3,14 @@
 
 #include "database/database.h"
 #include "psychophysics/observers/observer_spec.h"
+#include "session/study/study_limits.h"
 #include "session/study/study_progress.h"
 #include "simulation/exercises/comparison/comparison_parameters.h"
 
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,7 @@ struct StudyRunSummary {
 struct StudyRunReport {
     std::vector<StudyRunSummary> runs;
     bool completed = false; ///< every condition of the participant is
+    std::optional<RenderingLimits> limits; ///< of the device, at its measured delay; nothing: a quick run has none
 };
 
 /// Through scene, loop, supervisor and simulated device, recorded as sessions of "comparison" under the actor; trials are stored as they are

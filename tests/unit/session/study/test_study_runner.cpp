@@ -168,6 +168,31 @@ private slots:
             QCOMPARE(opened->runs.front().state, database::StudyRunState::open);
         }
     }
+    /// The device's delay is measured before a run, and what it would make tremble is not in the run's table.
+    void theMeasuredDelayLimitsTheTable() {
+        psychophysics::StudyDesign design = testing::rank3Study(psychophysics::Attribute::stiffness, 6, 6);
+        design.conditions.front().stimulus.reference = 2000.0;
+        Site site(design);
+        const std::string code = site.enrol(kObserver);
+        const auto quick = site.run(site.request(site.enrol(kObserver), true));
+        QVERIFY(quick && !quick->limits); // nothing renders it
+        auto request = site.request(code, false);
+        request.trialsAtMost = 1;
+        const auto report = site.run(request);
+        QVERIFY2(report, report ? "" : report.error().message.c_str());
+        QVERIFY(report->limits->measured);
+        QVERIFY(report->limits->delay_s > 0.0001 && report->limits->delay_s < 0.0003); // of 0.3 ms of lag, less half a step of its integration
+        const double cap = report->limits->largestStiffness_N_per_m;
+        const auto opened = session::openStudy(*site.fixture.database, site.actor, site.study, code);
+        const double limit = session::StudyProgress::limitOf(opened->runs.front().procedures);
+        QVERIFY(2000.0 * std::pow(10.0, 2.0 * limit) <= cap); // the third object is two differences away
+        QVERIFY(limit < design.conditions.front().stimulus.differences.back());
+        design.conditions.front().stimulus.reference = 3500.0; // without delay the gimbal would render up to 4000 N/m
+        Site stiffer(design);
+        const auto refused = stiffer.run(stiffer.request(stiffer.enrol(kObserver), false));
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, core::ErrorCode::badInput);
+    }
     void theGroupIsOfPeopleWhoTakePart() {
         Site site(testing::rank3Study(psychophysics::Attribute::stiffness, 20, 20), true);
         QVERIFY(site.run(site.request(site.enrol(kObserver), true)));
