@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study_people.h"
+
+#include "database/query.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace chiron;
+using namespace chiron::database;
+using namespace chiron::test;
+
+/// Runs of a study in the database: consent, trials, sealed codes, answers.
+class TestStudyRuns : public QObject, StudyPeople {
+    Q_OBJECT
+private slots:
+    void init() { begin(); }
+    void consentComesBeforeARun();
+    void runsAreOpenOnceAndResumed();
+    void trialsComeBackAsStored();
+    void trialsFollowOnAndStay();
+    void sealedCodesCannotBeComputed();
+    void answersMustFit();
+};
+
+void TestStudyRuns::consentComesBeforeARun() {
+    const StudyNumber study = frozen("consent");
+    const auto who = write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(study, "x", 0, ""); });
+    REQUIRE(who);
+    const std::string soft = codeOf(*reader(), study, "soft");
+    const auto begin = [&](ParticipantNumber id) {
+        return write(m_ruth, [&](StudyRepository& s) { return s.beginRun({id, soft, 0, 1, "descending@1"}); });
+    };
+    QVERIFY(begin(who->id).error().message.find("consent") != std::string::npos);
+    const auto agree = [&](const std::string& sha) {
+        return write(m_ruth, [&](StudyRepository& s) { return s.recordConsent(who->id, sha); });
+    };
+    QCOMPARE(agree(catalogue::sha256Hex("another text")).error().code, core::ErrorCode::badInput);
+    REQUIRE(agree(catalogue::sha256Hex("Ich nehme teil."))); // any language's text
+    QCOMPARE(agree(consentDigest()).error().code, core::ErrorCode::wrongUse);
+    const auto stored = StudyReader(*reader(), m_ruth).participantByCode(study, who->code);
+    QCOMPARE(stored->consentSha256, catalogue::sha256Hex("Ich nehme teil."));
+    QVERIFY(stored->state == ParticipantState::consented && !stored->consentUtc.empty());
+    REQUIRE(begin(who->id));
+    const auto simulated = write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(study, "", 0, "weber:0.1"); });
+    REQUIRE(begin(simulated->id));
+}
+
+void TestStudyRuns::runsAreOpenOnceAndResumed() {
+    const StudyNumber study = frozen("runs");
+    const ParticipantNumber who = consented(study);
+    const auto begin = [&](const std::string& condition) {
+        const std::string code = codeOf(*reader(), study, condition);
+        return write(m_ruth, [&](StudyRepository& s) { return s.beginRun({who, code.empty() ? condition : code, 0, 9, "descending@1"}); });
+    };
+    const auto finish = [&](StudyRunNumber run, StudyRunState state) {
+        return write(m_ruth, [&](StudyRepository& s) { return s.finishRun(run, state); });
+    };
+    const auto first = begin("soft");
+    REQUIRE(first);
+    QCOMPARE(begin("soft").error().code, core::ErrorCode::wrongUse);
+    QCOMPARE(begin("velvet").error().code, core::ErrorCode::badInput);
+    REQUIRE(begin("hard"));
+    QCOMPARE(write(m_ruth, [&](StudyRepository& s) { return s.completeParticipant(who); }).error().code, core::ErrorCode::wrongUse);
+    REQUIRE(m->reopen()); // the program ended in between
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.storeStudyTrial(someTrial(*first, 0)); }));
+    QCOMPARE(finish(*first, StudyRunState::open).error().code, core::ErrorCode::badInput);
+    REQUIRE(finish(*first, StudyRunState::stopped));
+    QCOMPARE(finish(*first, StudyRunState::stopped).error().code, core::ErrorCode::wrongUse);
+    const auto again = begin("soft");
+    REQUIRE(again);
+    REQUIRE(finish(*again, StudyRunState::completed));
+    QCOMPARE(begin("soft").error().code, core::ErrorCode::wrongUse);
+    const auto runs = StudyReader(*reader(), m_ruth).runs(who);
+    QCOMPARE(runs->size(), std::size_t{3});
+    QCOMPARE(runs->front().seed, std::uint64_t{9});
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.withdrawParticipant(who, false); })); // stops what is open
+    QCOMPARE(StudyReader(*reader(), m_ruth).runs(who)->at(1).state, StudyRunState::stopped);
+    QCOMPARE(begin("hard").error().code, core::ErrorCode::wrongUse);
+}
+
+void TestStudyRuns::trialsComeBackAsStored() {
+    const StudyNumber study = frozen("trials");
+    const ParticipantNumber who = consented(study);
+    const auto session = storeSession(*m->database, m_ruth, 1);
+    REQUIRE(session);
+    const std::string soft = codeOf(*reader(), study, "soft");
+    const auto run = write(m_ruth, [&](StudyRepository& s) { return s.beginRun({who, soft, 0, 1, "descending@1"}); });
+    StudyTrial magnitude = someTrial(*run, 2, *session);
+    magnitude.value = -0.1 - 0.2;
+    for (const StudyTrial& trial : {someTrial(*run, 0, *session), someTrial(*run, 1), magnitude}) {
+        REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.storeStudyTrial(trial); }));
+    }
+    const auto trials = StudyReader(*reader(), m_ruth).studyTrials(*run);
+    REQUIRE(trials);
+    QCOMPARE(trials->size(), std::size_t{3});
+    const StudyTrial& first = trials->front();
+    QVERIFY(first.session == *session && first.practice && first.entropyMargin == 0.25 && first.spoiled.empty());
+    QVERIFY(trials->at(1).session == 0 && std::isnan(trials->at(1).entropyMargin) && trials->at(1).spoiled == "late_ticks");
+    QVERIFY(trials->at(2).value == -0.1 - 0.2 && trials->at(2).fidelityJson == "{\"contacts\":3}");
+    QCOMPARE(StudyReader(*reader(), m_ruth).study(study)->summary.trials, 1); // neither practice nor spoiled
+}
+
+void TestStudyRuns::trialsFollowOnAndStay() {
+    const StudyNumber study = frozen("order");
+    const ParticipantNumber who = consented(study);
+    const std::string soft = codeOf(*reader(), study, "soft");
+    const auto run = write(m_ruth, [&](StudyRepository& s) { return s.beginRun({who, soft, 0, 1, "descending@1"}); });
+    const auto store = [&](const StudyTrial& trial) { return write(m_ruth, [&](StudyRepository& s) { return s.storeStudyTrial(trial); }); };
+    REQUIRE(store(someTrial(*run, 0)));
+    const auto with = [&](auto change) {
+        StudyTrial trial = someTrial(*run, 1);
+        change(trial);
+        return store(trial).error().code;
+    };
+    const core::ErrorCode bad = core::ErrorCode::badInput;
+    QCOMPARE(with([](StudyTrial& t) { t.ordinal = 2; }), bad);
+    QCOMPARE(with([](StudyTrial& t) { t.ordinal = 0; }), bad);
+    QCOMPARE(with([](StudyTrial& t) { t.difference = std::nan(""); }), bad);
+    QCOMPARE(with([](StudyTrial& t) { t.value = std::numeric_limits<double>::infinity(); }), bad);
+    QCOMPARE(with([](StudyTrial& t) { t.exploration_s = -1.0; }), bad);
+    QCOMPARE(with([](StudyTrial& t) { t.candidate = 4096; }), bad);
+    QCOMPARE(with([](StudyTrial& t) { t.arrangement = 16; }), bad);
+    QCOMPARE(with([](StudyTrial& t) { t.lastTick = 0; }), bad);
+    QCOMPARE(with([](StudyTrial& t) { t.fidelityJson = "nonsense"; }), bad);
+    QCOMPARE(with([](StudyTrial& t) { t.session = 77; }), bad);
+    for (const char* sql : {"UPDATE study_trial SET answer = 1", "DELETE FROM study_trial"}) {
+        QVERIFY(!m->database->write([&](WriteContext& w) { return w.connection().execute(sql); }));
+    }
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.finishRun(*run, StudyRunState::completed); }));
+    QCOMPARE(store(someTrial(*run, 1)).error().code, core::ErrorCode::wrongUse);
+}
+
+void TestStudyRuns::sealedCodesCannotBeComputed() {
+    const auto codes = [&] {
+        const StudyNumber study = frozen("sealed");
+        return m->database->write([&](WriteContext& w) { return StudyReader(w.connection(), m_ruth).sealedConditions(study); }).value();
+    };
+    const auto here = codes();
+    QCOMPARE(here.size(), std::size_t{2});
+    QVERIFY(here[0].condition == "soft" && here[0].sealedCode != here[1].sealedCode && here[0].sealedCode.size() == 3);
+    init(); // another site's key, the same design: another code
+    const auto there = codes();
+    QVERIFY(here[0].sealedCode != there[0].sealedCode || here[1].sealedCode != there[1].sealedCode);
+    const ParticipantNumber who = consented(StudyReader(*reader(), m_ruth).studyByKey("sealed")->summary.id);
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.beginRun({who, there[1].sealedCode, 0, 1, "descending@1"}); }));
+    QCOMPARE(StudyReader(*reader(), m_ruth).runs(who)->front().sealedCode, there[1].sealedCode);
+}
+
+void TestStudyRuns::answersMustFit() {
+    const StudyNumber study = frozen("answers");
+    const ParticipantNumber who = consented(study);
+    const auto store = [&](std::vector<QuestionnaireAnswer> answers) {
+        return write(m_ruth, [&](StudyRepository& s) { return s.storeQuestionnaireAnswers(answers); });
+    };
+    const QuestionnaireAnswer good{who, "face", "real", 5.0, "", ""};
+    for (const QuestionnaireAnswer& wrong : {QuestionnaireAnswer{who, "face", "real", 6.0, "", ""}, {who, "face", "real", 2.5, "", ""},
+                                             {who, "face", "real", {}, "yes", ""}, {who, "face", "years", 61.0, "", ""},
+                                             {who, "face", "hand", 2.0, "", ""}, {who, "face", "remarks", 1.0, "", ""},
+                                             {who, "face", "size", 1.0, "", ""}, {who, "back", "real", 1.0, "", ""}}) {
+        QCOMPARE(store({good, wrong}).error().code, core::ErrorCode::badInput);
+    }
+    QVERIFY(StudyReader(*reader(), m_ruth).questionnaireAnswers(study)->empty()); // all or nothing
+    REQUIRE(store({good, {who, "face", "years", 7.5, "", ""}, {who, "face", "hand", 0.0, "", ""}, {who, "face", "remarks", {}, "weich, \"ähnlich\"", ""}}));
+    QCOMPARE(store({good}).error().code, core::ErrorCode::wrongUse);
+    const auto asked = write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(study, "Jane Roe", 0, ""); });
+    REQUIRE(asked);
+    QCOMPARE(store({{asked->id, "face", "real", 5.0, "", ""}}).error().code, core::ErrorCode::wrongUse); // no consent
+    const auto answers = StudyReader(*reader(), m_ruth).questionnaireAnswers(study);
+    QCOMPARE(answers->size(), std::size_t{4});
+    QVERIFY(answers->front().number == 5.0 && answers->back().text == "weich, \"ähnlich\"" && !answers->back().number);
+}
+
+QTEST_GUILESS_MAIN(TestStudyRuns)
+#include "test_study_runs.moc"
