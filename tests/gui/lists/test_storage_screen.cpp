@@ -20,6 +20,8 @@ namespace {
 
 using tests::DesktopFixture;
 
+constexpr int kPatience_ms = 30000; // what is copied and checked is on a disk that others use, too
+
 StorageScreen* openStorage(DesktopFixture& desktop) {
     desktop.logIn("ada");
     desktop.go(QStringLiteral("storage"));
@@ -35,7 +37,7 @@ bool runTask(StorageScreen* screen, const char* button) {
     if (!found || !found->isEnabled())
         return false;
     found->click();
-    return QTest::qWaitFor([&ended] { return ended.count() == 1; }, 20000);
+    return QTest::qWaitFor([&ended] { return ended.count() == 1; }, kPatience_ms);
 }
 
 int sessionsOf(DesktopFixture& desktop) {
@@ -103,7 +105,7 @@ private slots:
         QVERIFY(!screen->findChild<QPushButton*>(QStringLiteral("storage.back_up"))->isEnabled()); // one task at a time
         screen->findChild<QPushButton*>(QStringLiteral("task.cancel"))->click();
         later->release(workers);
-        QTRY_COMPARE(ended.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience_ms);
         QVERIFY(noticeOf(screen, "storage.report").contains(QStringLiteral("stopped")));
     }
 
@@ -127,7 +129,7 @@ private slots:
         QSignalSpy ended(screen, &StorageScreen::taskEnded);
         answer("wrong-password-here");
         QVERIFY(!screen->mayLeave()); // there is no database meanwhile
-        QTRY_COMPARE(ended.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience_ms);
         QVERIFY(desktop.site.isOpen() && screen->mayLeave());
         QCOMPARE(sessionsOf(desktop), 2); // as it was
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the dialog
@@ -135,7 +137,7 @@ private slots:
 
         QSignalSpy opened(&desktop.context, &AppContext::siteOpened);
         answer(tests::kTestPassword);
-        QTRY_COMPARE(opened.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatience_ms);
         QCOMPARE(desktop.context.navigator().current().screen, QStringLiteral("login"));
         QVERIFY(!desktop.context.loggedIn());
         QCOMPARE(sessionsOf(desktop), 1);

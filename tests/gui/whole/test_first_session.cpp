@@ -18,6 +18,7 @@ using namespace chiron::tests;
 namespace {
 
 constexpr const char* kPassword = "eleven-fine-horses";
+constexpr int kPatience_ms = 30000; // a site is made, stored and read on a disk that others use, too
 
 /// The shipped content with two spheres in the first level, so that a set takes seconds.
 class ShortContent {
@@ -74,27 +75,27 @@ public:
 
 /// From the home screen, by keys alone, through both spheres of the first level to the debrief.
 void trainByKeys(Station& station) {
-    QTRY_VERIFY(station.isOn("home"));
+    QTRY_VERIFY_WITH_TIMEOUT(station.isOn("home"), kPatience_ms);
     QVERIFY(tabTo(QStringLiteral("nav.exercises"))); // action 1
     press(Qt::Key_Space);
-    QTRY_VERIFY(station.isOn("exercises"));
-    QTRY_VERIFY(station.window->findChild<QPushButton*>(QStringLiteral("exercise.sphere_apex.1")));
+    QTRY_VERIFY_WITH_TIMEOUT(station.isOn("exercises"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QPushButton*>(QStringLiteral("exercise.sphere_apex.1")), kPatience_ms);
     QVERIFY(tabTo(QStringLiteral("exercise.sphere_apex.1"))); // action 2
     press(Qt::Key_Space);
-    QTRY_VERIFY(station.isOn("exercise_setup"));
-    QTRY_VERIFY(station.window->findChild<QPushButton*>(QStringLiteral("setup.start")));
-    QTRY_VERIFY(station.window->findChild<QPushButton*>(QStringLiteral("setup.start"))->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(station.isOn("exercise_setup"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QPushButton*>(QStringLiteral("setup.start")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QPushButton*>(QStringLiteral("setup.start"))->isEnabled(), kPatience_ms);
     QVERIFY(tabTo(QStringLiteral("setup.start"))); // action 3
     press(Qt::Key_Space);
-    QTRY_VERIFY(station.isOn("training"));
-    QTRY_VERIFY_WITH_TIMEOUT(station.context.trialRuns(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(station.isOn("training"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.context.trialRuns(), kPatience_ms);
     // Enter marks once a trial runs; pressed again and again it does nothing in between.
     for (int i = 0; i < 150 && !station.isOn("debrief"); ++i) {
         QTest::keyClick(station.window.get(), Qt::Key_Return);
         QTest::qWait(200);
     }
     QVERIFY(station.isOn("debrief"));
-    QTRY_VERIFY_WITH_TIMEOUT(station.window->screen()->findChild<QLabel*>(QStringLiteral("debrief.verdict")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(station.window->screen()->findChild<QLabel*>(QStringLiteral("debrief.verdict")), kPatience_ms);
     QVERIFY(!station.context.trialRuns());
 }
 
@@ -117,7 +118,7 @@ class TestFirstSession : public QObject {
 private slots:
     void firstStartToFirstDebrief() {
         Station station(m_folder);
-        QTRY_VERIFY(station.isOn("first_start"));
+        QTRY_VERIFY_WITH_TIMEOUT(station.isOn("first_start"), kPatience_ms);
         QVERIFY(tabTo(QStringLiteral("first_start.set_up")));
         press(Qt::Key_Space);
         QVERIFY(tabTo(QStringLiteral("first_start.name")));
@@ -127,8 +128,8 @@ private slots:
         QVERIFY(tabTo(QStringLiteral("first_start.repeat")));
         type(QLatin1String(kPassword));
         press(Qt::Key_Return);
-        QTRY_VERIFY(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written")));
-        QTRY_VERIFY(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written"))->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written")), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written"))->isVisible(), kPatience_ms);
         QVERIFY(tabTo(QStringLiteral("recovery.written")));
         press(Qt::Key_Space);
         QVERIFY(tabTo(QStringLiteral("recovery.continue")));
@@ -139,9 +140,9 @@ private slots:
 
     void loginToDebriefByKeysAlone() { // after the one above: the site is there
         Station station(m_folder);
-        QTRY_VERIFY(station.isOn("login"));
-        QTRY_VERIFY(station.site.isOpen());
-        QTRY_COMPARE(focusName(), QStringLiteral("login.name")); // the form comes once the names are read
+        QTRY_VERIFY_WITH_TIMEOUT(station.isOn("login"), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(station.site.isOpen(), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("login.name"), kPatience_ms); // the form comes once the names are read
         QVERIFY(tabTo(QStringLiteral("login.name")));
         type(QStringLiteral("ada"));
         QVERIFY(tabTo(QStringLiteral("login.password")));
