@@ -102,6 +102,7 @@ void TestCliStudy::aRunIsGoneOnWith() {
     QVERIFY(!part["runs"][0]["completed"].toBool(true));
     const QJsonArray before = part["trials"].toArray();
     QCOMPARE(before.size(), 10);
+    QCOMPARE(refusalFault(cli({"study", "run", kStudy, "--participant", "S02", "--observer", "weber:0.12,lapse:0.02", "--seed", "2", "--quick"}), 2, {"seed"}), QString());
     const QJsonObject whole = object(quick("S02"));
     const QJsonArray after = whole["trials"].toArray();
     QVERIFY(whole["runs"][0]["completed"].toBool());
@@ -109,10 +110,13 @@ void TestCliStudy::aRunIsGoneOnWith() {
     for (qsizetype i = 0; i < before.size(); ++i)
         QCOMPARE(after[i], before[i]);
     QCOMPARE(object(quick("S02")), whole); // completed: nothing is added
+    QCOMPARE(whole["device"], QJsonValue(QJsonValue::Null));
 }
 
 void TestCliStudy::renderedTrialsAreRecorded() {
     const QJsonObject run = object(cli({"study", "run", kStudy, "--participant", "S03", "--observer", "weber:0.12", "--seed", "3", "--trials", "2"}));
+    QVERIFY(run["device"]["delay_measured"].toBool());
+    QVERIFY(run["device"]["stiffness_cap_N_per_m"].toDouble() > 2000.0 && run["device"]["stiffness_cap_N_per_m"].toDouble() < 4000.0);
     const QJsonArray trials = run["trials"].toArray();
     QCOMPARE(trials.size(), 2);
     for (const QJsonValue& trial : trials) {

@@ -135,6 +135,7 @@ core::Result<session::StudyRunRequest> requestOf(const Arguments& arguments) {
         return tl::unexpected(seed ? most.error() : seed.error());
     request.observer = *observer;
     request.seed = *seed;
+    request.seedGiven = arguments.has(QStringLiteral("seed"));
     request.trialsAtMost = static_cast<int>(*most);
     request.quick = arguments.has(QStringLiteral("quick"));
     request.condition = arguments.value(QStringLiteral("condition")).toStdString();

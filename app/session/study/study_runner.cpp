@@ -153,10 +153,21 @@ core::Result<void> sameKind(const database::StudyRun& run, const std::vector<dat
                  : core::Result<void>();
 }
 
+/// A seed that is asked for and would change nothing is refused: the run's choices are those of the one it was begun with.
+core::Result<void> sameSeed(const database::StudyRun& run, std::uint64_t asked, const StudyRunRequest& request) {
+    if (!request.seedGiven || run.seed == asked)
+        return {};
+    return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run.id) + " was begun with another seed than " + std::to_string(request.seed) +
+                                                     ": expected that one, or none, to go on with it");
+}
+
 core::Result<BegunRun> beginOrResume(database::Database& database, const database::Actor& actor, const OpenedStudy& study, const std::string& label,
                                      database::ConductedRun conducted, const StudyRunRequest& request, double limit) {
+    const std::uint64_t seed = core::Random::mix(runSeed(study, label), std::to_string(request.seed)) >> 1;
     if (const auto& open = conducted.open) {
         auto alike = sameKind(*open, conducted.trials, request.quick);
+        if (alike)
+            alike = sameSeed(*open, seed, request);
         if (alike)
             alike = sameTable(*open, limit);
         if (!alike)
@@ -167,7 +178,6 @@ core::Result<BegunRun> beginOrResume(database::Database& database, const databas
             return tl::unexpected(progress.error());
         return BegunRun{open->id, open->sealedCode, open->seed, std::move(conducted.trials), std::move(*progress)};
     }
-    const std::uint64_t seed = core::Random::mix(runSeed(study, label), std::to_string(request.seed)) >> 1;
     auto progress = StudyProgress::begin(study.design, conducted.condition, seed, limit);
     if (!progress)
         return tl::unexpected(progress.error());

@@ -22,6 +22,7 @@ struct StudyRunRequest {
     std::string participantCode;
     psychophysics::ObserverSpec observer;
     std::uint64_t seed = 1;   ///< of participant and runs; the stored seed of a run that is resumed holds
+    bool seedGiven = false;   ///< asked for by name: a run that was begun with another one is then refused
     bool quick = false;       ///< no rendering: the observer is told the values; trials have no session
     std::string condition;    ///< id, or sealed code while blinded; empty: all that are not completed, in the participant's order
     int trialsAtMost = 0;     ///< > 0: stops after so many presentations of a run, as an interruption does (it is resumed by another call)
@@ -50,7 +51,7 @@ struct StudyRunReport {
 /// Through scene, loop, supervisor and simulated device, recorded as sessions of "comparison" under the actor; trials are stored as they are
 /// answered, so a kill or a stop loses the trial at hand at most, and the next call resumes there. Deterministic: same study, observer
 /// and seed, same trials. Failure: notFound, notAllowed, wrongUse (not frozen; a person's code;
-/// another observer than the one enrolled; a quick run that is to go on rendered, or the other way round), badInput, storage.
+/// another observer than the one enrolled, another seed, where one is given, than a run was begun with; a quick run that is to go on rendered, or the other way round), badInput, storage.
 core::Result<StudyRunReport> runStudyHeadless(database::Database& database, const database::Actor& actor, const StudyRunRequest& request);
 
 } // namespace chiron::session
