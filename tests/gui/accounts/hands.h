@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "support/clipping.h"
+#include "support/settled.h"
 
 #include <QApplication>
 #include <QLineEdit>
@@ -53,7 +53,6 @@ inline void picture(QWidget* window, const QString& name) {
 /// Nothing on this page is cut off, and every control has a name and a place in the tab order.
 #define VERIFY_READABLE(page)                                                                                                      \
     do {                                                                                                                           \
-        QTest::qWait(50); /* layouts settle */                                                                                     \
-        const QStringList findings_ = chiron::tests::clippedOn(page) + chiron::tests::unnamedOn(page);                             \
+        const QStringList findings_ = chiron::tests::settledFindings(page);                                                        \
         QVERIFY2(findings_.isEmpty(), qPrintable(findings_.join(QLatin1Char('\n'))));                                              \
     } while (false)

@@ -5,8 +5,8 @@
 #include "desktop/theme/theme_colour.h"
 #include "desktop/widgets/state_panel.h"
 #include "support/desktop_fixture.h"
-#include "support/clipping.h"
 #include "support/made_session.h"
+#include "support/settled.h"
 
 #include <QDir>
 #include <QScreen>
@@ -71,8 +71,7 @@ template <class Show> QStringList findingsOn(DesktopFixture& site, Show show) {
             site.context.applyAppearance();
             site.window->resize(1280, 720);
             show();
-            QTest::qWait(50); // layouts settle
-            for (const QString& finding : clippedOn(site.window->screen()) + unnamedOn(site.window->screen()))
+            for (const QString& finding : settledFindings(site.window->screen()))
                 findings << QStringLiteral("%1 %2: %3").arg(QLatin1String(language)).arg(scale).arg(finding);
         }
     }

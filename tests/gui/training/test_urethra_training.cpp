@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/training/training_bench.h"
-#include "support/clipping.h"
+#include "support/settled.h"
 
 #include "desktop/training/force_bar.h"
 #include "desktop/training/insertion_values.h"
@@ -215,7 +215,7 @@ void TestUrethraTraining::fitsSmallWindowsAndLargeText() {
         QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 20'000);
         QTest::qWait(300);
         QCOMPARE(bench.desktop.window->size(), QSize(1280, 720)); // a screen must not force the window to grow
-        const QStringList findings = clippedOn(bench.screen()) + unnamedOn(bench.screen());
+        const QStringList findings = settledFindings(bench.screen());
         QVERIFY2(findings.isEmpty(), qPrintable(findings.join(QLatin1Char('\n'))));
         bench.screen()->feed()->training().requestStop();
         QTRY_VERIFY_WITH_TIMEOUT(!bench.desktop.context.trialRuns(), 15'000);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/screen_catalogue.h"
-#include "support/clipping.h"
 #include "support/every_place.h"
+#include "support/settled.h"
 
 using namespace chiron;
 
@@ -56,15 +56,9 @@ private slots:
     }
 
 private:
-    /// What is wrong with the screen, once its layouts are at rest: words that a worker brought ask for another layout.
+    /// What is wrong with the screen, once its layouts are at rest.
     QStringList settledFindings() {
-        QStringList found;
-        for (int look = 0; look < 5; ++look) {
-            QTest::qWait(20 << look);
-            found = tests::clippedOn(m_desktop->window.get()) + tests::unnamedOn(m_desktop->window.get());
-            if (found.isEmpty())
-                break;
-        }
+        QStringList found = tests::settledFindings(m_desktop->window.get(), 20);
         const QSize size = m_desktop->window->size(); // a screen must not force the window to grow
         if (size != QSize(1280, 720)) {
             found << QStringLiteral("makes the window %1 x %2").arg(size.width()).arg(size.height());
