@@ -25,6 +25,7 @@ class DelayProbe final : public simulation::IScene {
 public:
     /// `record` outlives the scene; it is sized here, so that no tick allocates.
     DelayProbe(const DelayProbeSettings& settings, DelayRecord& record);
+    ~DelayProbe() override;
     void respond(const realtime::HapticTick& now, const simulation::SceneInput& in, simulation::SceneOutput& out) noexcept override;
 
     static std::uint64_t ticksOf(const DelayProbeSettings& settings) noexcept; ///< from full force to the end
@@ -42,6 +43,7 @@ private:
 class DelayListener final : public core::IFrameSink {
 public:
     DelayListener(const DelayProbeSettings& settings, DelayRecord& record) noexcept : m_axis_W(settings.axis_W), m_record(record) {}
+    ~DelayListener() override;
     bool tryPush(const core::HapticFrame& frame) noexcept override;
 
 private:
