@@ -2844,10 +2844,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Weber-Bruch (%)</translation>
     </message>
     <message>
-        <source>estimate, half of its 95 % interval up and down</source>
-        <translation>Schätzung, halbes 95-%-Intervall nach oben und unten</translation>
-    </message>
-    <message>
         <source>group</source>
         <translation>Gruppe</translation>
     </message>
@@ -3428,10 +3424,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>One participant is not a group: there is no interval.</source>
         <translation>Eine Person ist keine Gruppe: Es gibt kein Intervall.</translation>
     </message>
-    <message>
-        <source>People differ by more than their own uncertainty: see also what is expected of a further participant.</source>
-        <translation>Menschen unterscheiden sich um mehr als ihre eigene Unsicherheit: Sehen Sie auch, was von einer weiteren Person zu erwarten ist.</translation>
-    </message>
     <message numerus="yes">
         <source>%n participant(s) of the group were simulated without rendering: told the values, nothing was felt.</source>
         <translation>
@@ -3489,6 +3481,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Ranking of three, with ties</source>
         <translation>Rangfolge von dreien, mit Gleichständen</translation>
+    </message>
+    <message>
+        <source>People differ by more than the uncertainty of each: the group&apos;s figure says little about one person.</source>
+        <translation>Die Personen unterscheiden sich um mehr als die Unsicherheit jeder einzelnen: Der Wert der Gruppe sagt wenig über eine einzelne Person.</translation>
     </message>
 </context>
 <context>
@@ -4616,10 +4612,6 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Mehrere werden zufällig verschränkt.</translation>
     </message>
     <message>
-        <source>x is</source>
-        <translation>x ist</translation>
-    </message>
-    <message>
         <source>Scale of the procedure</source>
         <translation>Skala des Verfahrens</translation>
     </message>
@@ -4662,6 +4654,10 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>The procedure works on</source>
+        <translation>Das Verfahren arbeitet mit</translation>
     </message>
 </context>
 <context>
@@ -5774,10 +5770,6 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Person</translation>
     </message>
     <message>
-        <source>estimate, half of its 95 % interval up and down</source>
-        <translation>Schätzung, halbes 95-%-Intervall nach oben und unten</translation>
-    </message>
-    <message>
         <source>No estimate yet</source>
         <translation>Noch keine Schätzung</translation>
     </message>
@@ -5828,6 +5820,10 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
     <message>
         <source>Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 % or less)</source>
         <translation>Rangfolgen ganz in der wahren Ordnung: %1 von %2 (%3; Raten ergibt 16,7 % oder weniger)</translation>
+    </message>
+    <message>
+        <source>estimate with its 95 % interval</source>
+        <translation>Schätzung mit 95-%-Intervall</translation>
     </message>
 </context>
 <context>
@@ -7555,10 +7551,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Geratene Antworten</translation>
     </message>
     <message>
-        <source>Runs a condition</source>
-        <translation>Läufe je Bedingung</translation>
-    </message>
-    <message>
         <source>Preview</source>
         <translation>Vorschau</translation>
     </message>
@@ -7635,6 +7627,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>The conditions are sealed while the study is blind, and with them what a preview would say. Its author can make one.</source>
         <translation>Solange die Studie blind ist, sind die Bedingungen versiegelt und damit auch, was eine Vorschau sagen würde. Wer die Studie verfasst hat, kann eine machen.</translation>
+    </message>
+    <message>
+        <source>Runs per condition</source>
+        <translation>Läufe je Bedingung</translation>
     </message>
 </context>
 <context>
@@ -9808,6 +9804,10 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
         <source>Open the study</source>
         <translation>Studie öffnen</translation>
     </message>
+    <message>
+        <source>Key</source>
+        <translation>Kennung</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudyDataScreen</name>
@@ -10580,21 +10580,6 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Kraft (N)</translation>
     </message>
     <message>
-        <source>mm/s</source>
-        <comment>heading of a column: speed</comment>
-        <translation>mm/s</translation>
-    </message>
-    <message>
-        <source>Late</source>
-        <comment>heading of a column: share of late ticks</comment>
-        <translation>Spät</translation>
-    </message>
-    <message>
-        <source>Off by</source>
-        <comment>heading of a column: felt value against the one asked for</comment>
-        <translation>Fehler</translation>
-    </message>
-    <message>
         <source>Number of the presentation</source>
         <translation>Nummer der Darbietung</translation>
     </message>
@@ -10629,6 +10614,18 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>How far the felt value was from the one asked for</source>
         <translation>Wie weit der gefühlte Wert vom verlangten abwich</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Tempo (mm/s)</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Späte Takte</translation>
+    </message>
+    <message>
+        <source>Felt off by</source>
+        <translation>Abweichung</translation>
     </message>
 </context>
 <context>
@@ -10847,6 +10844,22 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>The sphere is too stiff for this device: %1 N/m are asked for, and at its delay it renders at most %2 N/m without trembling. Use a faster device, or plan a softer sphere in another study.</source>
         <translation>Die Kugel ist zu steif für dieses Gerät: Verlangt sind %1 N/m, und bei seiner Verzögerung gibt es ohne Zittern höchstens %2 N/m wieder. Nehmen Sie ein schnelleres Gerät, oder planen Sie in einer anderen Studie eine weichere Kugel.</translation>
+    </message>
+    <message>
+        <source>Not with this device</source>
+        <translation>Nicht mit diesem Gerät</translation>
+    </message>
+    <message>
+        <source>Back to the participant</source>
+        <translation>Zurück zur Person</translation>
+    </message>
+    <message>
+        <source>This device renders none of the condition&apos;s differences at its delay. Use a faster or stronger device, or plan another reference in another study.</source>
+        <translation>Dieses Gerät kann bei seiner Verzögerung keinen der Unterschiede dieser Bedingung darstellen. Verwenden Sie ein schnelleres oder stärkeres Gerät, oder planen Sie in einer anderen Studie eine andere Referenz.</translation>
+    </message>
+    <message>
+        <source>This run was begun on a device that renders larger differences than this one. It goes on with such a device alone, so that all of its trials can be compared.</source>
+        <translation>Dieser Lauf wurde mit einem Gerät begonnen, das größere Unterschiede darstellt als dieses. Er geht nur mit einem solchen Gerät weiter, damit alle seine Durchgänge vergleichbar sind.</translation>
     </message>
 </context>
 <context>

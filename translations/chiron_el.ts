@@ -2844,10 +2844,6 @@ Do you want to replace it?</source>
         <translation>Κλάσμα Weber (%)</translation>
     </message>
     <message>
-        <source>estimate, half of its 95 % interval up and down</source>
-        <translation>εκτίμηση, μισό του διαστήματος 95 % πάνω και κάτω</translation>
-    </message>
-    <message>
         <source>group</source>
         <translation>ομάδα</translation>
     </message>
@@ -3428,10 +3424,6 @@ Do you want to replace it?</source>
         <source>One participant is not a group: there is no interval.</source>
         <translation>Ένας συμμετέχων δεν είναι ομάδα: δεν υπάρχει διάστημα.</translation>
     </message>
-    <message>
-        <source>People differ by more than their own uncertainty: see also what is expected of a further participant.</source>
-        <translation>Τα άτομα διαφέρουν περισσότερο από τη δική τους αβεβαιότητα: δείτε και τι αναμένεται από έναν ακόμη συμμετέχοντα.</translation>
-    </message>
     <message numerus="yes">
         <source>%n participant(s) of the group were simulated without rendering: told the values, nothing was felt.</source>
         <translation>
@@ -3489,6 +3481,10 @@ Do you want to replace it?</source>
     <message>
         <source>Ranking of three, with ties</source>
         <translation>Κατάταξη τριών, με ισοβαθμίες</translation>
+    </message>
+    <message>
+        <source>People differ by more than the uncertainty of each: the group&apos;s figure says little about one person.</source>
+        <translation>Τα άτομα διαφέρουν περισσότερο από την αβεβαιότητα του καθενός: η τιμή της ομάδας λέει λίγα για ένα μόνο άτομο.</translation>
     </message>
 </context>
 <context>
@@ -4616,10 +4612,6 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Περισσότερες εναλλάσσονται τυχαία.</translation>
     </message>
     <message>
-        <source>x is</source>
-        <translation>το x είναι</translation>
-    </message>
-    <message>
         <source>Scale of the procedure</source>
         <translation>Κλίμακα της διαδικασίας</translation>
     </message>
@@ -4662,6 +4654,10 @@ Recording and scores are kept; they count for nothing.</source>
     <message>
         <source>%1 to %2</source>
         <translation>%1 έως %2</translation>
+    </message>
+    <message>
+        <source>The procedure works on</source>
+        <translation>Η διαδικασία δουλεύει με</translation>
     </message>
 </context>
 <context>
@@ -5622,7 +5618,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>Participants planned</source>
-        <translation>Προγραμματισμένοι συμμετέχοντες</translation>
+        <translation>Πλήθος συμμετεχόντων</translation>
     </message>
     <message>
         <source>Number of participants</source>
@@ -5774,10 +5770,6 @@ Press again to end the trial without it.</source>
         <translation>Συμμετέχων</translation>
     </message>
     <message>
-        <source>estimate, half of its 95 % interval up and down</source>
-        <translation>εκτίμηση, μισό του διαστήματος 95 % πάνω και κάτω</translation>
-    </message>
-    <message>
         <source>No estimate yet</source>
         <translation>Καμία εκτίμηση ακόμη</translation>
     </message>
@@ -5828,6 +5820,10 @@ Press again to end the trial without it.</source>
     <message>
         <source>Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 % or less)</source>
         <translation>Κατατάξεις στην αληθινή σειρά: %1 από %2 (%3· η τύχη δίνει 16,7 % ή λιγότερο)</translation>
+    </message>
+    <message>
+        <source>estimate with its 95 % interval</source>
+        <translation>εκτίμηση με διάστημα 95 %</translation>
     </message>
 </context>
 <context>
@@ -7555,10 +7551,6 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Απαντήσεις στην τύχη</translation>
     </message>
     <message>
-        <source>Runs a condition</source>
-        <translation>Εκτελέσεις ανά συνθήκη</translation>
-    </message>
-    <message>
         <source>Preview</source>
         <translation>Προεπισκόπηση</translation>
     </message>
@@ -7635,6 +7627,10 @@ Choose a second session to see it beside this one: each of its trials starts whe
     <message>
         <source>The conditions are sealed while the study is blind, and with them what a preview would say. Its author can make one.</source>
         <translation>Όσο η μελέτη είναι τυφλή οι συνθήκες είναι σφραγισμένες, και μαζί ό,τι θα έδειχνε μια προεπισκόπηση. Ο συντάκτης της μπορεί να κάνει μία.</translation>
+    </message>
+    <message>
+        <source>Runs per condition</source>
+        <translation>Εκτελέσεις ανά συνθήκη</translation>
     </message>
 </context>
 <context>
@@ -9808,6 +9804,10 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
         <source>Open the study</source>
         <translation>Άνοιγμα μελέτης</translation>
     </message>
+    <message>
+        <source>Key</source>
+        <translation>Κλειδί</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudyDataScreen</name>
@@ -10580,21 +10580,6 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Δύναμη (N)</translation>
     </message>
     <message>
-        <source>mm/s</source>
-        <comment>heading of a column: speed</comment>
-        <translation>mm/s</translation>
-    </message>
-    <message>
-        <source>Late</source>
-        <comment>heading of a column: share of late ticks</comment>
-        <translation>Αργά</translation>
-    </message>
-    <message>
-        <source>Off by</source>
-        <comment>heading of a column: felt value against the one asked for</comment>
-        <translation>Απόκλιση</translation>
-    </message>
-    <message>
         <source>Number of the presentation</source>
         <translation>Αριθμός της παρουσίασης</translation>
     </message>
@@ -10629,6 +10614,18 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>How far the felt value was from the one asked for</source>
         <translation>Πόσο απείχε η τιμή που αποδόθηκε από τη ζητούμενη</translation>
+    </message>
+    <message>
+        <source>Speed (mm/s)</source>
+        <translation>Ταχύτητα (mm/s)</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Αργοί κύκλοι</translation>
+    </message>
+    <message>
+        <source>Felt off by</source>
+        <translation>Απόκλιση</translation>
     </message>
 </context>
 <context>
@@ -10847,6 +10844,22 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     <message>
         <source>The sphere is too stiff for this device: %1 N/m are asked for, and at its delay it renders at most %2 N/m without trembling. Use a faster device, or plan a softer sphere in another study.</source>
         <translation>Η σφαίρα είναι πολύ δύσκαμπτη για αυτή τη συσκευή: ζητούνται %1 N/m, και με την καθυστέρησή της αποδίδει χωρίς τρέμουλο το πολύ %2 N/m. Χρησιμοποιήστε ταχύτερη συσκευή ή σχεδιάστε μαλακότερη σφαίρα σε άλλη μελέτη.</translation>
+    </message>
+    <message>
+        <source>Not with this device</source>
+        <translation>Όχι με αυτή τη συσκευή</translation>
+    </message>
+    <message>
+        <source>Back to the participant</source>
+        <translation>Πίσω στον συμμετέχοντα</translation>
+    </message>
+    <message>
+        <source>This device renders none of the condition&apos;s differences at its delay. Use a faster or stronger device, or plan another reference in another study.</source>
+        <translation>Με την καθυστέρησή της, η συσκευή δεν αποδίδει καμία από τις διαφορές αυτής της συνθήκης. Χρησιμοποιήστε ταχύτερη ή ισχυρότερη συσκευή ή σχεδιάστε άλλη αναφορά σε άλλη μελέτη.</translation>
+    </message>
+    <message>
+        <source>This run was begun on a device that renders larger differences than this one. It goes on with such a device alone, so that all of its trials can be compared.</source>
+        <translation>Αυτή η εκτέλεση άρχισε σε συσκευή που αποδίδει μεγαλύτερες διαφορές από αυτή. Συνεχίζεται μόνο με τέτοια συσκευή, ώστε όλες οι δοκιμές της να είναι συγκρίσιμες.</translation>
     </message>
 </context>
 <context>

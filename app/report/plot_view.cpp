@@ -119,6 +119,16 @@ void PlotView::addMarkers(const QString& name, const std::vector<PlotPoint>& poi
 
 void PlotView::addMeans(const QString& name, const std::vector<PlotPoint>& means,
                         const std::vector<double>& spreads) {
+    std::vector<Interval> intervals;
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        const double spread = i < spreads.size() ? spreads[i] : std::numeric_limits<double>::quiet_NaN();
+        intervals.push_back({means[i].y - spread, means[i].y + spread});
+    }
+    addEstimates(name, means, intervals);
+}
+
+void PlotView::addEstimates(const QString& name, const std::vector<PlotPoint>& estimates,
+                            const std::vector<Interval>& intervals) {
     const QColor ink = m_impl->theme.ink;
     QCPGraph* graph = m_impl->addGraph(name);
     graph->setLineStyle(QCPGraph::lsNone);
@@ -131,12 +141,12 @@ void PlotView::addMeans(const QString& name, const std::vector<PlotPoint>& means
     bars->setPen(QPen(ink, 1.4));
     bars->setWhiskerWidth(9);
     bars->setSymbolGap(11);
-    for (std::size_t i = 0; i < means.size(); ++i) {
-        const double spread = i < spreads.size() ? spreads[i] : std::numeric_limits<double>::quiet_NaN();
-        graph->addData(means[i].x, means[i].y);
-        bars->addData(spread);
-        m_impl->takeX(means[i].x);
-        for (const double edge : {means[i].y, means[i].y - spread, means[i].y + spread})
+    for (std::size_t i = 0; i < std::min(estimates.size(), intervals.size()); ++i) {
+        const auto [low, high] = intervals[i];
+        graph->addData(estimates[i].x, estimates[i].y);
+        bars->addData(estimates[i].y - low, high - estimates[i].y);
+        m_impl->takeX(estimates[i].x);
+        for (const double edge : {estimates[i].y, low, high})
             m_impl->takeY(edge);
     }
 }

@@ -63,6 +63,13 @@ public:
     /// A marker with a vertical bar from y - spread to y + spread; no bar where the spread is not finite.
     void addMeans(const QString& name, const std::vector<PlotPoint>& means,
                   const std::vector<double>& spreads);
+    struct Interval {
+        double low = 0.0;
+        double high = 0.0;
+    };
+    /// A marker with a vertical bar between the ends of its interval; no bar where an end is not finite.
+    void addEstimates(const QString& name, const std::vector<PlotPoint>& estimates,
+                      const std::vector<Interval>& intervals);
     /// Bars of one of `count` groups side by side around each x.
     void addBars(const QString& name, const std::vector<PlotPoint>& tops, PlotStyle style, int index,
                  int count);

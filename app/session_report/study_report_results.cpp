@@ -92,7 +92,7 @@ void StudyReportBlocks::addGroup(std::size_t at) {
 void StudyReportBlocks::addWeberPlot(const session::AnalysedCondition& condition) {
     std::vector<QString> names;
     std::vector<report::PlotPoint> points;
-    std::vector<double> spreads;
+    std::vector<PlotView::Interval> intervals; // longer upwards: they are of a logarithm
     for (const session::AnalysedRun& run : condition.runs) {
         const psychophysics::RunEstimate& estimate = run.estimate;
         const double place = static_cast<double>(names.size());
@@ -100,13 +100,13 @@ void StudyReportBlocks::addWeberPlot(const session::AnalysedCondition& condition
         if (!std::isfinite(estimate.weber))
             continue;
         points.push_back({place, kPercent * estimate.weber});
-        spreads.push_back(0.5 * kPercent * (estimate.weber95.high - estimate.weber95.low));
+        intervals.push_back({kPercent * estimate.weber95.low, kPercent * estimate.weber95.high});
     }
     if (points.empty())
         return;
     auto plot = std::make_unique<PlotView>(m_theme);
     plot->setYAxis({Words::tr("Weber fraction (%)"), 0.0, {}});
-    plot->addMeans(Words::tr("estimate, half of its 95 % interval up and down"), points, spreads);
+    plot->addEstimates(Words::tr("estimate with its 95 % interval"), points, intervals);
     if (std::isfinite(condition.group.weber))
         plot->addReference(Words::tr("group"), kPercent * condition.group.weber);
     plot->setXCategories(names);

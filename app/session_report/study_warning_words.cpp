@@ -119,7 +119,7 @@ QString ofGroup(const Warning& warning) {
     case fewParticipants:
         return Words::tr("Only %n participant(s): how people differ is hardly known.", nullptr, n);
     case heterogeneous:
-        return Words::tr("People differ by more than their own uncertainty: see also what is expected of a further participant.");
+        return Words::tr("People differ by more than the uncertainty of each: the group's figure says little about one person.");
     case withdrawn:
         return Words::tr("%n participant(s) who withdrew are left out.", nullptr, n);
     case simulatedLeftOut:

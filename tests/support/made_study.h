@@ -9,6 +9,7 @@
 #include "session/study/study_progress.h"
 #include "support/desktop_fixture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -108,7 +109,9 @@ inline void addRun(DesktopFixture& desktop, const database::Actor& actor, const 
     auto progress = session::StudyProgress::begin(design, condition, seed);
     if (!progress)
         qFatal("%s", progress.error().message.c_str());
-    psychophysics::SimulatedObserver observer({.weber = weber, .lapse = 0.02}, seed);
+    const auto of = std::find_if(design.conditions.begin(), design.conditions.end(), [&](const auto& each) { return each.id == condition; });
+    const psychophysics::Task task = of->task;
+    psychophysics::SimulatedObserver observer({.weber = weber, .lapse = 0.02, .ties = 0.6}, seed);
     const database::NewStudyRun asked{participant.id, labelOf(desktop, actor, design, participant.study, condition), 0, seed, progress->procedureIds()};
     const auto run = *writeAs(desktop, actor, [&](database::StudyRepository& studies) { return studies.beginRun(asked); });
     for (int ordinal = 0; !progress->done(); ++ordinal) {
@@ -118,7 +121,7 @@ inline void addRun(DesktopFixture& desktop, const database::Actor& actor, const 
         for (const double value : progress->next().values)
             log10Values.push_back(std::log10(value));
         session::StudyAnswer answer;
-        answer.answer = observer.answer(psychophysics::Task::rank3, log10Values);
+        answer.answer = observer.answer(task, log10Values);
         answer.exploration_s = 6.5;
         answer.answer_s = 0.8;
         answer.spoiled = ordinal % 9 == 8 ? "experimenter" : "";
@@ -170,6 +173,7 @@ inline VisitedStudies addVisitedStudies(DesktopFixture& desktop) {
         addRun(desktop, rhea, design, participant, "stiffness", webers[i], static_cast<std::uint64_t>(7 + i));
         addRun(desktop, rhea, design, participant, "mass", 1.3 * webers[i], static_cast<std::uint64_t>(17 + i));
         addAnswers(desktop, rhea, participant, 3 + i % 3);
+        writeAs(desktop, rhea, [&](database::StudyRepository& all) { return all.completeParticipant(participant.id); });
     }
     studies.waiting = QString::fromStdString(addParticipant(desktop, rhea, studies.data, design, "surgeon 4").code);
     const psychophysics::StudyDesign sealed = smallStudy("jnd_blind", true);

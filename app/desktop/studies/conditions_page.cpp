@@ -198,7 +198,7 @@ QWidget* ConditionsPage::proceduresBox() {
     if (condition().procedures.size() > 1)
         box.layout->addWidget(kit::label(theme, tr("Several are interleaved at random."), TextStyle::body, "muted"));
     auto* scale = new FieldGrid(theme, m_page.app.locale(), m_page.readOnly);
-    scale->choice(tr("x is"), QStringLiteral("condition.scale"),
+    scale->choice(tr("The procedure works on"), QStringLiteral("condition.scale"),
                   {{study_words::scale(ProcedureScale::difference), static_cast<int>(ProcedureScale::difference)},
                    {study_words::scale(ProcedureScale::logDifference), static_cast<int>(ProcedureScale::logDifference)}},
                   static_cast<int>(condition().scale), [this](const QVariant& now) {

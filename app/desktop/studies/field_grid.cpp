@@ -56,16 +56,15 @@ void FieldGrid::add(const QString& label, QWidget* field, const QString& name, b
         column->addWidget(words);
     }
     column->addWidget(field);
-    column->addStretch();
-    put(cell, wide);
+    put(cell, wide, Qt::AlignBottom); // fields are level where a label takes two lines or, of a check box, none
 }
 
 void FieldGrid::wide(QWidget* widget) { put(widget, true); }
 
 void FieldGrid::cell(QWidget* widget) { put(widget, false); }
 
-void FieldGrid::put(QWidget* widget, bool wide) {
-    m_cells.push_back({widget, wide});
+void FieldGrid::put(QWidget* widget, bool wide, Qt::AlignmentFlag level) {
+    m_cells.push_back({widget, wide, level});
     m_columns = 0;
     arrange(std::max(1, width() / m_theme.px(kCell_px)));
 }
@@ -182,7 +181,8 @@ void FieldGrid::arrange(int columns) {
             ++row;
             column = 0;
         }
-        m_grid->addWidget(cell.widget, row, column, 1, cell.wide ? columns : 1);
+        // Aligned, which also keeps a cell from asking for more height: rows and cards would then share what a high page has left over.
+        m_grid->addWidget(cell.widget, row, column, 1, cell.wide ? columns : 1, cell.level);
         column = cell.wide ? columns : column + 1;
     }
     for (int i = 0; i < std::max(columns, m_grid->columnCount()); ++i)

@@ -58,12 +58,13 @@ protected:
 
 private:
     void add(const QString& label, QWidget* field, const QString& name, bool wide = false);
-    void put(QWidget* widget, bool wide);
+    void put(QWidget* widget, bool wide, Qt::AlignmentFlag level = Qt::AlignTop);
     void arrange(int columns);
 
     struct Cell {
         QWidget* widget;
         bool wide;
+        Qt::AlignmentFlag level;
     };
     const Theme& m_theme;
     QLocale m_locale;

@@ -65,7 +65,7 @@ QWidget* PreviewPage::observerBox() {
     const auto& conditions = m_page.draft.design().conditions;
     if (std::any_of(conditions.begin(), conditions.end(), [](const psychophysics::Condition& c) { return c.task == psychophysics::Task::rank3Ties; }))
         grid->number(tr("They call equal, below (in σ)"), QStringLiteral("preview.ties"), m_observer.ties, {0, 10, 2, {}, 0.1}, [this](double now) { m_observer.ties = now; });
-    grid->whole(tr("Runs a condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000, [this](int now) { m_runs = now; });
+    grid->whole(tr("Runs per condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000, [this](int now) { m_runs = now; });
     box.layout->addWidget(grid);
     auto* row = new QHBoxLayout;
     m_start = kit::button(theme, tr("Preview"), "primary", QStringLiteral("media-playback-start"));

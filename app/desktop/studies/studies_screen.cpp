@@ -16,7 +16,7 @@ namespace chiron::desktop {
 
 namespace {
 
-enum Column { titleColumn, stateColumn, progressColumn, trialsColumn, shaColumn, sinceColumn, columns };
+enum Column { titleColumn, keyColumn, stateColumn, progressColumn, trialsColumn, shaColumn, sinceColumn, columns };
 
 const char* iconOf(database::StudyState state) {
     switch (state) {
@@ -86,7 +86,7 @@ QWidget* StudiesScreen::tablePart() {
     m_table = new FittedTable(context().theme(), columns);
     m_table->setObjectName(QStringLiteral("studies.table"));
     m_table->setAccessibleName(title());
-    m_table->setHorizontalHeaderLabels({tr("Study"), tr("State"), tr("Participants"), tr("Trials"), tr("SHA-256"), tr("Since")});
+    m_table->setHorizontalHeaderLabels({tr("Study"), tr("Key"), tr("State"), tr("Participants"), tr("Trials"), tr("SHA-256"), tr("Since")});
     m_table->setMinimumHeight(context().theme().px(220));
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &StudiesScreen::showActions);
     connect(m_table, &QTableWidget::activated, this, [this] { open(QStringLiteral("study")); });
@@ -162,6 +162,7 @@ void StudiesScreen::fill() {
             return item;
         };
         put(titleColumn, QString::fromStdString(study.title));
+        put(keyColumn, QString::fromStdString(study.key))->setFont(theme.font(TextStyle::mono)); // titles may be alike
         put(stateColumn, study_words::state(study.state))->setIcon(theme.icon(QLatin1String(iconOf(study.state))));
         put(progressColumn, study.participants == 0 ? tr("none") : tr("%1 of %2 done").arg(locale.toString(study.completed), locale.toString(study.participants)));
         put(trialsColumn, locale.toString(study.trials))->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -183,6 +183,10 @@ QString scale(psychophysics::ProcedureScale scale) {
     return scale == psychophysics::ProcedureScale::difference ? Words::tr("Difference D") : Words::tr("Logarithm of D");
 }
 
+QString studyName(const database::StudySummary& study) {
+    return QStringLiteral("%1 · %2").arg(QString::fromStdString(study.title), QString::fromStdString(study.key));
+}
+
 QString order(psychophysics::OrderDesign order) {
     switch (order) {
     case psychophysics::OrderDesign::fixed:

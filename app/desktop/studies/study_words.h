@@ -26,6 +26,8 @@ QString procedureInWords(std::string_view kind);
 QString scale(psychophysics::ProcedureScale scale);
 QString order(psychophysics::OrderDesign order);
 QString state(database::StudyState state);
+/// What a study goes by in a list to choose from: titles may be alike, keys are not.
+QString studyName(const database::StudySummary& study);
 QString participantState(database::ParticipantState state);
 QString runState(database::StudyRunState state);
 /// Why a trial did not count ("force_error"); several separated by commas.

@@ -121,7 +121,7 @@ QWidget* GroupPage::plotBox() {
     plot->setXAxis({tr("Participant"), {}, {}});
     std::vector<QString> names;
     std::vector<report::PlotPoint> points;
-    std::vector<double> spreads;
+    std::vector<report::PlotView::Interval> intervals; // longer upwards: they are of a logarithm
     for (const RunFacts* run : runs()) {
         const psychophysics::RunEstimate& estimate = run->estimate;
         const double at = static_cast<double>(names.size());
@@ -129,9 +129,9 @@ QWidget* GroupPage::plotBox() {
         if (!std::isfinite(estimate.weber))
             continue;
         points.push_back({at, kPercent * estimate.weber});
-        spreads.push_back(0.5 * kPercent * (estimate.weber95.high - estimate.weber95.low));
+        intervals.push_back({kPercent * estimate.weber95.low, kPercent * estimate.weber95.high});
     }
-    plot->addMeans(tr("estimate, half of its 95 % interval up and down"), points, spreads);
+    plot->addEstimates(tr("estimate with its 95 % interval"), points, intervals);
     plot->setXCategories(names);
     if (points.empty())
         plot->setNote(tr("No estimate yet"));

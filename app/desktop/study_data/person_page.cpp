@@ -95,10 +95,11 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
     if (std::isfinite(estimate.tie))
         fact(tr("Called equal below, in σ"), study_words::number(estimate.tie, locale), study_words::interval(estimate.tie95.low, estimate.tie95.high, locale));
     box.layout->addWidget(grid);
+    const QString method = session_report::methodWords(estimate.method);
     box.layout->addWidget(kit::label(theme, tr("%1. %2. %3 scored trials, %4 repeated. %5")
                                                 .arg(condition ? study_words::task(condition->task) : QStringLiteral("–"),
                                                      run.run.procedures.empty() ? QStringLiteral("–") : study_words::procedure(run.run.procedures), locale.toString(run.scored),
-                                                     locale.toString(run.spoiled), session_report::methodWords(estimate.method)),
+                                                     locale.toString(run.spoiled), method.isEmpty() ? method : method + QLatin1Char('.')),
                                      TextStyle::small, "muted"));
     const session::ReplayedChoices& again = run.replayed;
     if (again.trials > 0)
@@ -121,7 +122,7 @@ QWidget* PersonPage::curveBox(const RunFacts& run) const {
     plot->setMinimumHeight(theme.px(320));
     plot->setTitle(tr("Right answers by difference"));
     plot->setXAxis({tr("Difference from the reference (%)"), {}, {}});
-    plot->setYAxis({tr("Proportion right"), 0.0, 1.02});
+    plot->setYAxis({tr("Proportion right"), -0.02, 1.02}); // markers at 0 and 1 are seen whole
     const auto percentOf = [](const std::vector<double>& differences) {
         std::vector<double> percents;
         for (const double difference : differences)

@@ -138,7 +138,7 @@ QWidget* StudyDataScreen::headRow() {
     choice->setFont(theme.font(TextStyle::body));
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     for (const database::StudySummary& each : m_list)
-        choice->addItem(QString::fromStdString(each.title), qlonglong(each.id));
+        choice->addItem(study_words::studyName(each), qlonglong(each.id));
     choice->setCurrentIndex(choice->findData(qlonglong(m_study)));
     connect(choice, &QComboBox::activated, this, [this, choice] {
         m_study = choice->currentData().toLongLong();

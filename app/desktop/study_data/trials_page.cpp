@@ -18,6 +18,7 @@ namespace chiron::desktop {
 namespace {
 enum Column { numberColumn, differenceColumn, answerColumn, countsColumn, timeColumn, forceColumn, speedColumn, lateColumn, felt, columns };
 constexpr int kMostRows = 16;
+constexpr double kLargeScale = 1.5;
 
 double numberIn(const QJsonObject& object, const char* key) {
     const QJsonValue value = object.value(QLatin1String(key));
@@ -45,14 +46,13 @@ TrialsPageOfRun::TrialsPageOfRun(AppContext& app, const StudyFacts& facts, datab
 
 // Short, so that a window of 1280 pixels holds them in every language; what each means is in its tool tip.
 void TrialsPageOfRun::setHeadings(QTableWidget& shown) {
-    shown.setHorizontalHeaderLabels({tr("No."), tr("Difference"), tr("Answer"), tr("Counts"), tr("Time (s)"), tr("Force (N)"), tr("mm/s", "heading of a column: speed"),
-                                     tr("Late", "heading of a column: share of late ticks"), tr("Off by", "heading of a column: felt value against the one asked for")});
+    shown.setHorizontalHeaderLabels({tr("No."), tr("Difference"), tr("Answer"), tr("Counts"), tr("Time (s)"), tr("Force (N)"), tr("Speed (mm/s)"),
+                                     tr("Late ticks"), tr("Felt off by")});
     const QStringList tips{tr("Number of the presentation"), tr("How much more the object had"), tr("What the participant said"), tr("Whether the trial counts, and why not"),
                            tr("Time until the answer"), tr("Peak force"), tr("Mean speed of the tool"), tr("Share of ticks that came late"),
                            tr("How far the felt value was from the one asked for")};
     for (int column = 0; column < columns; ++column)
         shown.horizontalHeaderItem(column)->setToolTip(tips[column]);
-    shown.horizontalHeader()->setSectionResizeMode(countsColumn, QHeaderView::Stretch); // its words are the longest: what does not fit is in the tool tip
 }
 
 QWidget* TrialsPageOfRun::table(const RunFacts& run) const {
@@ -62,6 +62,8 @@ QWidget* TrialsPageOfRun::table(const RunFacts& run) const {
     shown->setObjectName(QStringLiteral("data.trials"));
     shown->setAccessibleName(tr("Trials"));
     setHeadings(*shown);
+    if (theme.scale() < kLargeScale) // its words are the longest: what does not fit is in the tool tip. At a large scale nothing would be left of it: the table scrolls
+        shown->horizontalHeader()->setSectionResizeMode(countsColumn, QHeaderView::Stretch);
     const std::optional<psychophysics::Condition>& condition = m_facts.designed[run.condition];
     shown->setRowCount(static_cast<int>(run.trials.size()));
     for (int row = 0; row < shown->rowCount(); ++row) {

@@ -13,6 +13,10 @@ namespace chiron::desktop {
 
 using psychophysics::Task;
 
+namespace {
+constexpr double kLargeScale = 1.5;
+}
+
 QStringList AnswerPanel::placeNames(int places) {
     if (places == 1)
         return {tr("here")};
@@ -31,10 +35,7 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
     words->setAlignment(Qt::AlignCenter);
     column->addWidget(words);
     m_row = new QWidget;
-    auto* row = new QHBoxLayout(m_row);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(theme.px(12));
-    row->addStretch();
+    auto* row = new FlowLayout(theme.px(12), m_row); // a large scale needs a second line
     switch (task) {
     case Task::rank3:
     case Task::rank3Ties:
@@ -76,8 +77,11 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
             connect(m_choices[i], &QPushButton::clicked, this, [this, i] { choose(static_cast<int>(i)); });
     if (m_confirm)
         connect(m_confirm, &QPushButton::clicked, this, &AnswerPanel::confirm);
-    row->addStretch();
-    column->addWidget(m_row);
+    auto* line = new QHBoxLayout;
+    line->addStretch(1);
+    line->addWidget(m_row, 1000);
+    line->addStretch(1);
+    column->addLayout(line);
     m_why = kit::label(theme, QStringLiteral(" "), TextStyle::small, "muted");
     m_why->setObjectName(QStringLiteral("answer.why"));
     m_why->setAlignment(Qt::AlignCenter);
@@ -86,13 +90,23 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
     setOpen(false);
 }
 
+/// The answers are in the middle, as wide as all of them or as there is room. How wide they are is known once they are styled.
+void AnswerPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    const QLayout& row = *m_row->layout();
+    int width = 0;
+    for (int i = 0; i < row.count(); ++i)
+        width += row.itemAt(i)->sizeHint().width() + (i > 0 ? row.spacing() : 0);
+    m_row->setMaximumWidth(width);
+}
+
 QString AnswerPanel::question() const { return study_words::question(m_task, m_attribute); }
 
 QPushButton* AnswerPanel::add(const QString& text, const QString& name, const char* kind) {
     auto* button = kit::button(m_theme, text, kind);
     button->setObjectName(name);
-    button->setFont(m_theme.font(TextStyle::title));
-    static_cast<QHBoxLayout*>(m_row->layout())->addWidget(button);
+    button->setFont(m_theme.font(m_theme.scale() < kLargeScale ? TextStyle::title : TextStyle::strong)); // large enough, and fewer lines
+    m_row->layout()->addWidget(button);
     return button;
 }
 

@@ -41,6 +41,9 @@ signals:
     void adjusted(int steps);
     void marksChanged();
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     QPushButton* add(const QString& text, const QString& name, const char* kind = "");
     void buildRanking();

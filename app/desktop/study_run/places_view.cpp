@@ -21,7 +21,7 @@ constexpr double kShaft_m = 0.09;
 } // namespace
 
 PlacesView::PlacesView(const Theme& theme, const PlacesSetup& setup, QWidget* parent) : QWidget(parent), m_theme(theme), m_setup(setup) {
-    setMinimumSize(theme.px(320), theme.px(200));
+    setMinimumSize(theme.px(160), theme.px(60)); // at 200 % the answers need the room more
     setAccessibleName(tr("Objects to explore"));
     setFocusPolicy(Qt::StrongFocus);
 }

@@ -116,7 +116,7 @@ QWidget* RunScreen::choiceBox() {
     };
     m_studyChoice = add(tr("Study"), "run.study");
     for (const OpenStudy& each : m_studies)
-        m_studyChoice->addItem(QString::fromStdString(each.summary.title), qlonglong(each.summary.id));
+        m_studyChoice->addItem(study_words::studyName(each.summary), qlonglong(each.summary.id));
     m_studyChoice->setCurrentIndex(m_studyChoice->findData(qlonglong(m_study)));
     m_participantChoice = add(tr("Participant, by code"), "run.participant");
     for (const ParticipantRow& row : study()->participants) {
@@ -204,7 +204,10 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
     const kit::Box box = kit::box(theme, "raised");
     auto* line = new QHBoxLayout;
     const QString name = conditionName(open, label, context().language());
-    line->addWidget(kit::label(theme, tr("%1. %2").arg(context().locale().toString(position + 1), name), TextStyle::strong), 2);
+    auto* said = new QVBoxLayout; // one under the other: beside each other, what was interrupted breaks into four lines
+    said->setSpacing(theme.px(2));
+    line->addLayout(said, 1);
+    said->addWidget(kit::label(theme, tr("%1. %2").arg(context().locale().toString(position + 1), name), TextStyle::strong));
     QString state = tr("to come");
     const database::StudyRun* interrupted = nullptr;
     for (const database::StudyRun& run : row.runs)
@@ -217,8 +220,8 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
             state = leftWords(left);
     auto* words = kit::label(theme, state, TextStyle::body, interrupted ? "warning" : "muted");
     words->setObjectName(QStringLiteral("run.state.%1").arg(position));
-    line->addWidget(words, 1);
-    QVBoxLayout* cell = buttonCell(theme, *line);
+    said->addWidget(words);
+    QVBoxLayout* cell = buttonCell(*line);
     if (next) {
         QPushButton* go = interrupted ? resumeButton(m_participant, *interrupted)
                                       : kit::button(theme, tr("Begin"), "primary", QStringLiteral("media-playback-start"));
@@ -238,10 +241,13 @@ QWidget* RunScreen::questionnaireRow(const ParticipantRow& row, const psychophys
     const kit::Box box = kit::box(theme, "raised");
     auto* line = new QHBoxLayout;
     const QString name = study_words::text(questionnaire.title, context().language());
-    line->addWidget(kit::label(theme, name, TextStyle::strong), 2);
+    auto* said = new QVBoxLayout;
+    said->setSpacing(theme.px(2));
+    line->addLayout(said, 1);
+    said->addWidget(kit::label(theme, name, TextStyle::strong));
     const bool done = study()->answered.contains({row.participant.id, questionnaire.id});
-    line->addWidget(kit::label(theme, done ? tr("answered") : tr("not answered yet"), TextStyle::body, "muted"), 1);
-    QVBoxLayout* cell = buttonCell(theme, *line);
+    said->addWidget(kit::label(theme, done ? tr("answered") : tr("not answered yet"), TextStyle::body, "muted"));
+    QVBoxLayout* cell = buttonCell(*line);
     if (!done && row.participant.state != database::ParticipantState::withdrawn) {
         auto* go = kit::button(theme, tr("Answer"), "", QStringLiteral("document-edit"));
         go->setObjectName(QStringLiteral("run.questionnaire.%1").arg(QString::fromStdString(questionnaire.id)));

@@ -34,7 +34,7 @@ private:
     void build();
     QWidget* choiceBox();
     /// Where a row has its button, or has none: as wide in every row, so that what stands before it is in line.
-    static QVBoxLayout* buttonCell(const Theme& theme, QHBoxLayout& line);
+    static QVBoxLayout* buttonCell(QHBoxLayout& line);
     QWidget* leftBox(); ///< what was interrupted of the others; null where nothing was
     QString leftWords(const LeftRun& left) const;
     QPushButton* resumeButton(const QString& participant, const database::StudyRun& run);

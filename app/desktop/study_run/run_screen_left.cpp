@@ -11,13 +11,9 @@
 
 namespace chiron::desktop {
 
-namespace {
-constexpr double kButtonCell_px = 170;
-}
-
-QVBoxLayout* RunScreen::buttonCell(const Theme& theme, QHBoxLayout& line) {
+QVBoxLayout* RunScreen::buttonCell(QHBoxLayout& line) {
     auto* cell = new QWidget;
-    cell->setFixedWidth(theme.px(kButtonCell_px));
+    cell->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     auto* column = new QVBoxLayout(cell);
     column->setContentsMargins(0, 0, 0, 0);
     line.addWidget(cell);
@@ -76,11 +72,14 @@ QWidget* RunScreen::leftBox() {
                 continue;
             const kit::Box inner = kit::box(theme, "raised");
             auto* line = new QHBoxLayout;
-            line->addWidget(kit::label(theme, tr("%1 · %2").arg(code, conditionName(*study(), session::labelOf(*run), context().language())), TextStyle::strong), 2);
-            line->addWidget(kit::label(theme, leftWords(left), TextStyle::body, "muted"), 1);
+            auto* said = new QVBoxLayout;
+            said->setSpacing(theme.px(2));
+            line->addLayout(said, 1);
+            said->addWidget(kit::label(theme, tr("%1 · %2").arg(code, conditionName(*study(), session::labelOf(*run), context().language())), TextStyle::strong));
+            said->addWidget(kit::label(theme, leftWords(left), TextStyle::body, "muted"));
             QPushButton* go = resumeButton(code, *run);
             go->setObjectName(QStringLiteral("run.resume.%1").arg(code));
-            buttonCell(theme, *line)->addWidget(go, 0, Qt::AlignRight);
+            buttonCell(*line)->addWidget(go, 0, Qt::AlignRight);
             inner.layout->addLayout(line);
             box.layout->addWidget(inner.frame);
             ++rows;

@@ -67,7 +67,8 @@ void TrialsScreen::begin() {
     request.nextStation = [] { return session::keyboardMouseStation(); };
     auto live = session::LiveSitting::start(context().site().database(), context().actor(), std::move(request));
     if (!live) {
-        refuse(live.error());
+        const QString words = refusalWords(live.error(), context().locale());
+        words.isEmpty() ? fail(live.error()) : refuse(words);
         return;
     }
     m_live = std::move(*live);
@@ -228,22 +229,33 @@ void TrialsScreen::goBack() {
 }
 
 void TrialsScreen::fail(const core::Error& error) {
+    over();
+    m_panel->showError(tr("The sitting could not be run"), error, [this] { goBack(); });
+}
+
+/// No failure: another device, or another study, is what it takes.
+void TrialsScreen::refuse(const QString& words) {
+    over();
+    m_panel->showEmpty(tr("Not with this device"), words, tr("Back to the participant"), [this] { goBack(); });
+}
+
+void TrialsScreen::over() {
     m_over = true;
     m_frame.stop();
     m_keys->setActive(false);
     context().setTrialRuns(false);
-    m_panel->showError(tr("The sitting could not be run"), error, [this] { goBack(); });
 }
 
-void TrialsScreen::refuse(const session::SittingError& error) {
-    const core::Error worded{error.code, error.tooStiff ? refusalWords(*error.tooStiff, context().locale()).toStdString() : error.message};
-    fail(worded);
-}
-
-QString TrialsScreen::refusalWords(const session::TooStiff& refused, const QLocale& locale) {
+QString TrialsScreen::refusalWords(const session::SittingError& error, const QLocale& locale) {
+    if (error.device == session::DeviceRefusal::rendersNone)
+        return tr("This device renders none of the condition's differences at its delay. Use a faster or stronger device, or plan another reference in another study.");
+    if (error.device == session::DeviceRefusal::rendersLess)
+        return tr("This run was begun on a device that renders larger differences than this one. It goes on with such a device alone, so that all of its trials can be compared.");
+    if (!error.tooStiff)
+        return {};
     return tr("The sphere is too stiff for this device: %1 N/m are asked for, and at its delay it renders at most %2 N/m without trembling. "
               "Use a faster device, or plan a softer sphere in another study.")
-        .arg(locale.toString(qRound(refused.sphere_N_per_m)), locale.toString(qRound(refused.device_N_per_m)));
+        .arg(locale.toString(qRound(error.tooStiff->sphere_N_per_m)), locale.toString(qRound(error.tooStiff->device_N_per_m)));
 }
 
 std::vector<ScreenCommand> TrialsScreen::commands() {

@@ -44,8 +44,8 @@ public:
 
     session::LiveSitting* live() const { return m_live.get(); } ///< null before it begins
 
-    /// Why a sphere is not rendered, in the language of the program.
-    static QString refusalWords(const session::TooStiff& refused, const QLocale& locale);
+    /// Why the device is not taken, in the language of the program; empty where it is refused for something else.
+    static QString refusalWords(const session::SittingError& error, const QLocale& locale);
 
 private:
     // trials_screen_build.cpp
@@ -80,7 +80,8 @@ private:
     void askToStop();
     void finished();
     void fail(const core::Error& error);
-    void refuse(const session::SittingError& error); ///< what was typed in words of its own
+    void refuse(const QString& words);
+    void over();
     void toggleExperimenter();
     void freePointer();
     void capturePointer();
@@ -99,6 +100,7 @@ private:
     ApexStage* m_apex = nullptr;      ///< null where places are compared
     QLabel* m_note = nullptr;
     QProgressBar* m_progress = nullptr;
+    QWidget* m_timeRow = nullptr;
     QProgressBar* m_time = nullptr;
     ExperimenterPanel* m_experimenter = nullptr;
     QPushButton* m_stop = nullptr;

@@ -70,6 +70,7 @@ QWidget* TrialsScreen::buildHead() {
     m_progress = new QProgressBar;
     m_progress->setObjectName(QStringLiteral("trials.progress"));
     m_progress->setAccessibleName(tr("How far this part is"));
+    m_progress->setToolTip(tr("How far this part is"));
     m_progress->setTextVisible(false);
     m_progress->setRange(0, 100);
     row->addWidget(m_progress, 2);
@@ -101,11 +102,17 @@ QWidget* TrialsScreen::buildStage() {
     auto* column = new QVBoxLayout(m_trial);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(8));
+    m_timeRow = new QWidget;
+    auto* time = new QHBoxLayout(m_timeRow);
+    time->setContentsMargins(0, 0, 0, 0);
+    time->setSpacing(theme.px(8));
+    time->addWidget(kit::label(theme, tr("Time to explore"), TextStyle::small, "muted"));
     m_time = new QProgressBar;
     m_time->setAccessibleName(tr("Time to explore"));
     m_time->setTextVisible(false);
-    m_time->setFixedHeight(theme.px(10));
-    column->addWidget(m_time);
+    m_time->setFixedHeight(theme.px(20));
+    time->addWidget(m_time, 1);
+    column->addWidget(m_timeRow);
     m_stage->addWidget(m_trial);
     return m_stage;
 }

@@ -80,7 +80,7 @@ QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
 void TrialsScreen::showScene(const session::LiveStudyView& view) {
     haptics::DisplayState state;
     m_live->training().display().read(state);
-    m_time->setVisible(view.timeLeft_s > 0.0);
+    m_timeRow->setVisible(view.timeLeft_s > 0.0);
     const double most_s = m_live->design().trial.exploreLimit_s;
     if (most_s > 0.0)
         m_time->setValue(static_cast<int>(std::lround(100.0 * view.timeLeft_s / most_s)));

@@ -4,6 +4,7 @@
 #include "session/study/study_setup.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace chiron::session {
 
@@ -21,10 +22,21 @@ core::Result<std::string> chosenLabel(const OpenedStudy& study, const std::strin
                       "condition \"" + label + "\" is completed, or not one of the study's");
 }
 
-core::Result<BegunRun> goOnWith(const OpenedStudy& study, const database::ConductedRun& conducted, double limit) {
+SittingError refused(core::Error error, DeviceRefusal device) {
+    SittingError typed(std::move(error));
+    typed.device = device;
+    return typed;
+}
+
+bool rendersAny(const psychophysics::Condition& condition, double limit) {
+    const std::vector<double>& differences = condition.stimulus.differences;
+    return std::any_of(differences.begin(), differences.end(), [limit](double difference) { return std::abs(difference) <= limit; });
+}
+
+SittingResult<BegunRun> goOnWith(const OpenedStudy& study, const database::ConductedRun& conducted, double limit) {
     const database::StudyRun& begun = *conducted.open;
     if (auto same = sameTable(begun, limit); !same)
-        return tl::unexpected(same.error());
+        return tl::unexpected(refused(same.error(), DeviceRefusal::rendersLess));
     auto progress = StudyProgress::resume(study.design, conducted.condition, begun.seed, conducted.trials, StudyProgress::limitOf(begun.procedures));
     if (!progress)
         return tl::unexpected(progress.error());
@@ -56,13 +68,18 @@ core::Result<ConductedSitting> conductSitting(database::Database& database, cons
     return sitting;
 }
 
-core::Result<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting, double limit) {
+SittingError sealed(const ConductedSitting& sitting, SittingError error) {
+    error.message = sealedError(sitting.study, sitting.run, error).message;
+    return error;
+}
+
+SittingResult<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting, double limit) {
     if (sitting.run.open)
         return goOnWith(sitting.study, sitting.run, limit);
     const std::uint64_t seed = runSeed(sitting.study, sitting.label);
     auto progress = StudyProgress::begin(sitting.study.design, sitting.run.condition, seed, limit);
     if (!progress)
-        return tl::unexpected(progress.error());
+        return tl::unexpected(rendersAny(*sitting.condition(), limit) ? SittingError(progress.error()) : refused(progress.error(), DeviceRefusal::rendersNone));
     auto run = beginRun(database, actor, sitting.study, sitting.label, seed, progress->procedureIds());
     if (!run)
         return tl::unexpected(run.error());

@@ -28,7 +28,10 @@ struct BegunRun {
     std::uint64_t seed = 0;
     StudyProgress progress;
 };
-/// `limit`: the largest difference that the device renders. Failure: wrongUse (begun on a device that renders more), badInput, storage.
-core::Result<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting, double limit);
+/// `limit`: the largest difference that the device renders. Failure: wrongUse (begun on a device that renders more), badInput (it renders
+/// none), storage.
+SittingResult<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting, double limit);
+/// The error without the condition's name where experimenters are blind; typed as it was.
+SittingError sealed(const ConductedSitting& sitting, SittingError error);
 
 } // namespace chiron::session

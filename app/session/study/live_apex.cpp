@@ -46,11 +46,8 @@ LiveApex::~LiveApex() = default;
 SittingResult<std::unique_ptr<LiveApex>> LiveApex::start(database::Database& database, const database::Actor& actor,
                                                          const ConductedSitting& sitting, LiveStudyRequest request) {
     auto state = State::conducted(database, actor, sitting, std::move(request));
-    if (!state) {
-        SittingError error(sealedError(sitting.study, sitting.run, state.error()));
-        error.tooStiff = state.error().tooStiff;
-        return tl::unexpected(std::move(error));
-    }
+    if (!state)
+        return tl::unexpected(sealed(sitting, state.error()));
     return std::unique_ptr<LiveApex>(new LiveApex(std::move(*state)));
 }
 

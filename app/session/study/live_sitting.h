@@ -92,10 +92,17 @@ struct TooStiff {
     double device_N_per_m = 0.0;
 };
 
+/// What else a device is refused for.
+enum class DeviceRefusal {
+    rendersNone, ///< no difference of the condition, or where experimenters are blind none of those of another with the same table
+    rendersLess  ///< than the device that the run was begun on, which it goes on with
+};
+
 /// Why a sitting does not begin: in a word that a window has words of its own for, where there is one.
 struct SittingError : core::Error {
     SittingError(core::Error error) : core::Error(std::move(error)) {} // not explicit: whatever fails on the way is one
     std::optional<TooStiff> tooStiff;
+    std::optional<DeviceRefusal> device;
 };
 template <class T>
 using SittingResult = tl::expected<T, SittingError>;

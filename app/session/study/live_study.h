@@ -11,9 +11,9 @@ struct ConductedSitting;
 class LiveStudy final : public LiveSitting {
 public:
     /// Failure: as LiveSitting::start.
-    static core::Result<std::unique_ptr<LiveStudy>> start(database::Database& database, const database::Actor& actor,
+    static SittingResult<std::unique_ptr<LiveStudy>> start(database::Database& database, const database::Actor& actor,
                                                           LiveStudyRequest request);
-    static core::Result<std::unique_ptr<LiveStudy>> start(database::Database& database, const database::Actor& actor,
+    static SittingResult<std::unique_ptr<LiveStudy>> start(database::Database& database, const database::Actor& actor,
                                                    const ConductedSitting& sitting, LiveStudyRequest request);
     ~LiveStudy() override;
 

@@ -9,21 +9,21 @@
 
 namespace chiron::session {
 
-core::Result<std::unique_ptr<LiveStudy>> LiveStudy::start(database::Database& database, const database::Actor& actor,
+SittingResult<std::unique_ptr<LiveStudy>> LiveStudy::start(database::Database& database, const database::Actor& actor,
                                                           LiveStudyRequest request) {
     const auto sitting = conductSitting(database, actor, request);
     return sitting ? start(database, actor, *sitting, std::move(request)) : tl::unexpected(sitting.error());
 }
 
-core::Result<std::unique_ptr<LiveStudy>> LiveStudy::start(database::Database& database, const database::Actor& actor,
+SittingResult<std::unique_ptr<LiveStudy>> LiveStudy::start(database::Database& database, const database::Actor& actor,
                                                           const ConductedSitting& sitting, LiveStudyRequest request) {
     auto state = State::conducted(database, actor, sitting, std::move(request));
     if (!state)
-        return tl::unexpected(sealedError(sitting.study, sitting.run, state.error()));
+        return tl::unexpected(sealed(sitting, state.error()));
     return std::unique_ptr<LiveStudy>(new LiveStudy(std::move(*state)));
 }
 
-core::Result<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(database::Database& database, const database::Actor& actor,
+SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(database::Database& database, const database::Actor& actor,
                                                                             const ConductedSitting& sitting, LiveStudyRequest request) {
     const OpenedStudy& study = sitting.study;
     const psychophysics::Condition& condition = *sitting.condition();

@@ -54,7 +54,7 @@ struct LiveStudy::State {
     static double secondsSince(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
     /// A sitting of this run, under way.
-    static core::Result<std::unique_ptr<State>> conducted(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting,
+    static SittingResult<std::unique_ptr<State>> conducted(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting,
                                                           LiveStudyRequest request);
     void describeRun(const database::ConductedRun& conducted, const LimitedTable& limited, const RenderingLimits& limits);
     void wantPause(bool wanted);

@@ -3,6 +3,8 @@
 #include "desktop/study_run/answer_panel.h"
 
 #include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
 #include <QtTest>
 #include <algorithm>
 
@@ -16,6 +18,7 @@ private slots:
     void tiesBecomeAnswers();
     void everyTaskIsAnswered();
     void nothingIsTakenWhileClosed();
+    void everyAnswerIsReadable();
 
 private:
     desktop::Theme m_theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
@@ -127,6 +130,35 @@ void TestAnswerPanel::nothingIsTakenWhileClosed() {
     panel.setOpen(false, QStringLiteral("Touch every object first."));
     QVERIFY(!panel.key(Qt::Key_1));
     QCOMPARE(given.count, 0);
+}
+
+/// At every scale, also beside the experimenter's panel: what does not fit into a line goes into the next.
+void TestAnswerPanel::everyAnswerIsReadable() {
+    for (const double scale : {1.0, 2.0})
+        for (const int width : {1240, 640}) {
+            const desktop::Theme theme = *desktop::Theme::load(desktop::ThemeName::light, scale);
+            QWidget stage;
+            auto* column = new QVBoxLayout(&stage);
+            column->setContentsMargins(0, 0, 0, 0);
+            column->addStretch();
+            auto* panel = new desktop::AnswerPanel(theme, Task::rank3Ties, psychophysics::Attribute::mass);
+            column->addWidget(panel);
+            stage.resize(width, 700);
+            stage.show();
+            QTest::qWait(50);
+            QCOMPARE(stage.width(), width);
+            int left = width;
+            int right = 0;
+            for (const QPushButton* button : panel->findChildren<QPushButton*>()) {
+                QVERIFY2(button->width() >= button->sizeHint().width(), qPrintable(button->text()));
+                const QRect at(button->mapTo(&stage, QPoint()), button->size());
+                QVERIFY2(stage.rect().contains(at), qPrintable(button->text()));
+                left = std::min(left, at.left());
+                right = std::max(right, at.right());
+            }
+            if (scale == 1.0 && width == 1240) // one line, in the middle
+                QVERIFY2(std::abs(left + right - width) < 12, qPrintable(QStringLiteral("%1 to %2").arg(left).arg(right)));
+        }
 }
 
 QTEST_MAIN(TestAnswerPanel)

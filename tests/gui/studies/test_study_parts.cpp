@@ -11,10 +11,15 @@
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/widgets/flow_layout.h"
+#include "desktop/plots/plot_theme_of.h"
+#include "report/plot_view.h"
 #include "session_report/study_warning_words.h"
 #include "support/made_study.h"
 
+#include <QLabel>
 #include <QLineEdit>
+#include <QSpinBox>
+#include <QVBoxLayout>
 #include <QRadioButton>
 
 using namespace chiron;
@@ -33,11 +38,65 @@ private slots:
     void numbersWithUnits();
     void controlsOfALineAreLevel();
     void experimentersAreBlindToForces();
+    void fieldsTakeNoMoreRoomThanTheyNeed();
+    void intervalsAreNoHalves();
 
 private:
     desktop::Theme m_theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
     QLocale m_locale{QLocale::English, QLocale::UnitedKingdom};
 };
+
+/// In a high window rows and cards stay together: what is left over is below all of them.
+void TestStudyParts::fieldsTakeNoMoreRoomThanTheyNeed() {
+    QWidget page;
+    auto* column = new QVBoxLayout(&page);
+    auto* card = new QFrame;
+    auto* inside = new QVBoxLayout(card);
+    auto* grid = new desktop::FieldGrid(m_theme, m_locale, false);
+    auto* first = grid->whole(QStringLiteral("First"), QStringLiteral("first"), 1, 0, 9, [](int) {});
+    grid->longText(QStringLiteral("Words"), QStringLiteral("words"), {}, 2, [](const QString&) {});
+    auto* last = grid->whole(QStringLiteral("Last"), QStringLiteral("last"), 1, 0, 9, [](int) {});
+    inside->addWidget(grid);
+    auto* below = new QLabel(QStringLiteral("below"));
+    inside->addWidget(below);
+    column->addWidget(card);
+    column->addStretch();
+    page.resize(900, 1600);
+    page.show();
+    const auto top = [&](const QWidget* widget) { return widget->mapTo(&page, QPoint()).y(); };
+    QVERIFY2(top(last) - top(first) < 250, qPrintable(QString::number(top(last) - top(first))));
+    QVERIFY2(top(below) - top(last) < 100, qPrintable(QString::number(top(below) - top(last))));
+}
+
+/// The interval of a Weber fraction is longer upwards, and so is its bar.
+void TestStudyParts::intervalsAreNoHalves() {
+    report::PlotView plot(desktop::plotThemeOf(m_theme, m_locale));
+    plot.setYAxis({QStringLiteral("y"), 0.0, 40.0});
+    plot.setXAxis({QStringLiteral("x"), -1.0, 1.0});
+    plot.setLegendShown(false);
+    plot.addEstimates(QStringLiteral("estimate"), {{0.0, 10.0}}, {{5.0, 35.0}});
+    plot.resize(400, 400);
+    plot.show();
+    QTest::qWait(100);
+    const QImage picture = plot.grab().toImage();
+    int most = 0; // dark rows of the column that has most of them, and the first
+    int top = 0;
+    for (int x = picture.width() / 4; x < picture.width() * 9 / 10; ++x) {
+        int dark = 0;
+        int from = 0;
+        for (int y = 20; y < picture.height() * 3 / 4; ++y)
+            if (qGray(picture.pixel(x, y)) < 128) {
+                from = dark == 0 ? y : from;
+                ++dark;
+            }
+        if (dark > most) {
+            most = dark;
+            top = from;
+        }
+    }
+    QVERIFY2(most > picture.height() / 3, qPrintable(QString::number(most))); // 25 of 40 up to its end; the half of 15 would end at 25
+    QVERIFY2(top < picture.height() * 0.25, qPrintable(QString::number(top)));
+}
 
 /// Blind, the panel beside the trials tells neither condition nor estimate nor forces; what has to do with neither is told. CHIRON_KEEP_PICTURES=<folder>
 /// keeps a picture.

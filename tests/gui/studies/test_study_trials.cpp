@@ -4,6 +4,7 @@
 #include "desktop/widgets/state_panel.h"
 #include "support/every_place.h"
 
+#include <QComboBox>
 #include <QLabel>
 
 using namespace chiron;
@@ -18,6 +19,8 @@ private slots:
     void trialsAreAnsweredAndKept();
     void offeredOnTheRunScreen();
     void goesOnWhereItStopped();
+    void refusalsOfADeviceHaveWords();
+    void studiesOfOneTitleAreToldApart();
 
 private:
     desktop::TrialsScreen* sit(const QString& code);
@@ -161,6 +164,44 @@ void TestStudyTrials::goesOnWhereItStopped() {
     QVERIFY(!beside().contains(QStringLiteral("sealed")));
     stop(screen);
     QVERIFY(stored().size() >= m_stored);
+}
+
+/// In the language of the program; whatever else is refused keeps its own words.
+void TestStudyTrials::refusalsOfADeviceHaveWords() {
+    session::SittingError none({core::ErrorCode::badInput, "condition \"stiffness\": the device renders none of its differences"});
+    none.device = session::DeviceRefusal::rendersNone;
+    session::SittingError less({core::ErrorCode::wrongUse, "run 1 was begun on a device that renders larger differences"});
+    less.device = session::DeviceRefusal::rendersLess;
+    session::SittingError stiff({core::ErrorCode::badInput, "a sphere of 500 N/m"});
+    stiff.tooStiff = {500.0, 98.0};
+    const session::SittingError other({core::ErrorCode::notFound, "nobody"});
+    QStringList told;
+    for (const char* language : {"en", "de", "el"}) {
+        m_site->settings.setLanguage(QLatin1String(language));
+        m_site->context.applyAppearance();
+        for (const session::SittingError* error : {&none, &less, &stiff}) {
+            const QString words = desktop::TrialsScreen::refusalWords(*error, m_site->context.locale());
+            QVERIFY(!words.isEmpty() && !words.contains(QLatin1String(error->message.c_str())));
+            QVERIFY2(!told.contains(words), qPrintable(words));
+            told << words;
+        }
+        QVERIFY(desktop::TrialsScreen::refusalWords(other, m_site->context.locale()).isEmpty());
+    }
+    m_site->settings.setLanguage(QStringLiteral("en"));
+    m_site->context.applyAppearance();
+}
+
+void TestStudyTrials::studiesOfOneTitleAreToldApart() {
+    const psychophysics::StudyDesign twin = tests::smallStudy("twin"); // of the same title
+    const auto second = tests::addDraft(*m_site, m_site->context.actor(), twin);
+    tests::writeAs(*m_site, m_site->context.actor(), [&](database::StudyRepository& studies) { return studies.freezeStudy(second); });
+    for (const auto& [screen, name] : {std::pair{"study_run", "run.study"}, {"study_data", "data.study"}}) {
+        m_site->go(QLatin1String(screen), {{QStringLiteral("study"), qlonglong(m_study)}});
+        QVERIFY(tests::waitUntilLoaded(*m_site));
+        const auto* choice = m_site->find<QComboBox>(QLatin1String(name));
+        QVERIFY(choice && choice->count() == 2);
+        QVERIFY2(choice->itemText(0) != choice->itemText(1), qPrintable(choice->itemText(0)));
+    }
 }
 
 QTEST_MAIN(TestStudyTrials)

@@ -3,6 +3,7 @@
 // on the screen, not in the widgets. Makes its own site; the sessions in it are scripted.
 #include "desktop/screen_catalogue.h"
 #include "desktop/training/training_screen.h"
+#include "study_pictures.h"
 #include "support/every_place.h"
 
 #include <QDir>
@@ -144,34 +145,6 @@ void takePalpation(tests::DesktopFixture& desktop, const QDir& folder, const Loo
     }
 }
 
-/// A participant's view and the experimenter's beside it; what the study lacks is left out.
-void takeTrials(tests::DesktopFixture& desktop, const QDir& folder, const Look& look, std::string& person, const tests::VisitedStudies& studies) {
-    const tests::VisitedPlace place{"run_trials", "rhea", {QStringLiteral("study_trials"), {{"study", qlonglong(studies.data)}, {"participant", studies.waiting}}}};
-    tests::visit(desktop, place, person);
-    const auto picture = [&](const char* part) {
-        take(desktop, folder.filePath(QStringLiteral("run_trials_%1_%2.png").arg(QLatin1String(part), QLatin1String(look.name))));
-    };
-    picture("instructions");
-    if (auto* begin = desktop.find<QPushButton>(QStringLiteral("break.button")))
-        begin->click();
-    QTest::qWait(4000);
-    picture("participant");
-    if (auto* beside = desktop.find<QPushButton>(QStringLiteral("trials.experimenter")))
-        beside->click();
-    QTest::keyClick(desktop.window.get(), Qt::Key_1);
-    QTest::keyClick(desktop.window.get(), Qt::Key_3);
-    QTest::qWait(500);
-    picture("experimenter");
-    QTimer::singleShot(600, qApp, [&desktop] {
-        if (auto* stop = desktop.find<QPushButton>(QStringLiteral("trials.ask.stop")))
-            stop->click();
-    });
-    if (auto* stop = desktop.find<QPushButton>(QStringLiteral("trials.stop")))
-        stop->click();
-    if (!QTest::qWaitFor([&desktop] { return !desktop.context.trialRuns(); }, 10000))
-        std::fprintf(stderr, "the sitting did not end\n");
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -193,11 +166,15 @@ int main(int argc, char** argv) {
     const Wanted wanted(names);
     tests::DesktopFixture desktop;
     const bool onlyStudies = !names.isEmpty() && std::all_of(names.begin(), names.end(), [](const QString& name) {
-        return QStringList{QStringLiteral("stud"), QStringLiteral("run"), QStringLiteral("data"), QStringLiteral("questionnaire"), QStringLiteral("home_researcher")}.contains(name);
+        const QStringList of{QStringLiteral("stud"), QStringLiteral("run"), QStringLiteral("data"), QStringLiteral("questionnaire"), QStringLiteral("home_researcher")};
+        return std::any_of(of.begin(), of.end(), [&name](const QString& beginning) { return name.startsWith(beginning); });
     });
     const tests::VisitedSessions sessions = onlyStudies ? tests::VisitedSessions() : tests::addVisitedSessions(desktop); // they take a while
     const tests::VisitedStudies studies = tests::addVisitedStudies(desktop);
-    const auto places = tests::everyPlace(sessions, studies);
+    const tests::MoreStudies more = studies.data != 0 ? tests::addMoreStudies(desktop) : tests::MoreStudies();
+    auto places = tests::everyPlace(sessions, studies);
+    if (studies.data != 0)
+        tests::addMorePlaces(places, studies, more);
     std::string person;
     for (const Look& look : kLooks) {
         if (looks.isEmpty() ? look.height != 720 : !looks.contains(QLatin1String(look.name)))
@@ -213,8 +190,22 @@ int main(int argc, char** argv) {
             tests::visit(desktop, place, person);
             take(desktop, folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(place.name), QLatin1String(look.name))));
         }
-        if (studies.data != 0 && desktop::findScreen(QStringLiteral("study_trials")) && wanted.has("run_trials"))
-            takeTrials(desktop, folder, look, person, studies);
+        const auto picture = [&](const char* name) { take(desktop, folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(name), QLatin1String(look.name)))); };
+        const auto dialog = [&](const char* name, QWidget& shown) {
+            QTest::qWait(300);
+            shown.grab().save(folder.filePath(QStringLiteral("%1_%2.png").arg(QLatin1String(name), QLatin1String(look.name))));
+        };
+        if (studies.data != 0 && desktop::findScreen(QStringLiteral("study_trials"))) {
+            tests::StudyPictures pictures{desktop, studies, more, person, picture, dialog};
+            if (wanted.has("run_trials"))
+                pictures.trials();
+            if (wanted.has("run_apex"))
+                pictures.apexTrials();
+            if (wanted.has("study_dialog"))
+                pictures.dialogs();
+            if (wanted.has("study_preview_done"))
+                pictures.preview();
+        }
         if (wanted.has("training"))
             takeTraining(desktop, folder, look, person);
         if (wanted.has("training_urethra"))

@@ -6,6 +6,7 @@
 #include "database/repositories/study_repository.h"
 #include "session/study/live_study.h"
 #include "session/study/sample_tap.h"
+#include "session/study/study_setup.h"
 #include "support/session_fixture.h"
 #include "support/study_designs.h"
 
@@ -57,7 +58,7 @@ struct Site {
         });
         code = who.code;
     }
-    std::unique_ptr<session::LiveStudy> sit() {
+    session::LiveStudyRequest request() const {
         session::LiveStudyRequest request;
         request.study = study;
         request.participantCode = code;
@@ -66,7 +67,22 @@ struct Site {
         if (!station)
             qFatal("%s", station.error().message.c_str());
         request.station = std::move(*station);
-        auto live = session::LiveStudy::start(*fixture.database, actor, std::move(request));
+        return request;
+    }
+    /// On a device that renders force, with this delay.
+    session::SittingError refusal(double delay_s) {
+        auto asked = request();
+        const auto kind = session::exerciseKind("comparison");
+        const auto level = session::studyLevel(design, design.conditions.front());
+        asked.station = std::move(*session::scriptedStation(**kind, *level, "participant", 1));
+        asked.measuredDelay_s = delay_s;
+        auto live = session::LiveStudy::start(*fixture.database, actor, std::move(asked));
+        if (live)
+            qFatal("it was not refused");
+        return live.error();
+    }
+    std::unique_ptr<session::LiveStudy> sit() {
+        auto live = session::LiveStudy::start(*fixture.database, actor, request());
         if (!live)
             qFatal("%s", live.error().message.c_str());
         return std::move(*live);
@@ -91,6 +107,7 @@ private slots:
     void aBlindExperimenterIsToldNoCondition();
     void noEventIsMissed();
     void limitsOfAnUnmeasuredDeviceAreCautious();
+    void whatADeviceCannotRenderIsTyped();
 };
 
 /// Instructions are read before the session is up, for as long as it takes: however often a pause is asked for, going on is heard.
@@ -200,6 +217,24 @@ void TestLiveStudy::limitsOfAnUnmeasuredDeviceAreCautious() {
     QCOMPARE(session::limitsAt(device, 0.0).delay_s, 0.002); // nothing is that quick
     device.inProcess = true;
     QCOMPARE(session::limitsAt(device, std::nullopt).delay_s, 0.0);
+}
+
+/// A window has its own words for both; nothing is stored of a sitting that does not begin.
+void TestLiveStudy::whatADeviceCannotRenderIsTyped() {
+    for (const bool blind : {false, true}) {
+        Site site(blind);
+        const session::SittingError none = site.refusal(0.1); // 20 N/m: not even the reference
+        QVERIFY2(none.device == session::DeviceRefusal::rendersNone, none.message.c_str());
+        QVERIFY(!none.tooStiff);
+        site.sit(); // without force there is no limit
+        const session::SittingError less = site.refusal(0.1);
+        QVERIFY2(less.device == session::DeviceRefusal::rendersLess, less.message.c_str());
+    }
+    Site site;
+    auto asked = site.request();
+    asked.participantCode = "ZZZ-ZZZ";
+    const auto unknown = session::LiveStudy::start(*site.fixture.database, site.actor, std::move(asked));
+    QVERIFY(!unknown && !unknown.error().device && !unknown.error().tooStiff);
 }
 
 QTEST_MAIN(TestLiveStudy)
