@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureAlignmentRms(std::span<const PreparedTrial> trials) {
     if (auto why = withoutCanal(trials))
         return *why;
     RootMeanSquare angle_rad;
@@ -32,7 +32,7 @@ MetricDefinition alignmentRmsMetric() {
                 "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the "
                 "samples in the urethra (0 <= s <= L), on the way in and out.",
             .source = "models.md §6, insertion",
-            .measure = measure};
+            .measure = measureAlignmentRms};
 }
 
 } // namespace chiron::scoring

@@ -5,7 +5,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureApexBiasY(std::span<const PreparedTrial> trials) {
     const ApexAnswers all = apexAnswers(trials);
     if (all.undefined)
         return *all.undefined;
@@ -27,7 +27,7 @@ MetricDefinition apexBiasYMetric() {
             .tools = MetricTools::first,
             .definition = "Mean of the signed errors 100 (y - y0)/R; nearer zero is better.",
             .source = "models.md §2.3; P2, Preliminary Validation",
-            .measure = measure};
+            .measure = measureApexBiasY};
 }
 
 } // namespace chiron::scoring

@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureApexErrorMean(std::span<const PreparedTrial> trials) {
     const ApexAnswers all = apexAnswers(trials);
     if (all.undefined)
         return *all.undefined;
@@ -31,7 +31,7 @@ MetricDefinition apexErrorMeanMetric() {
                 "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials, misses "
                 "included.",
             .source = "models.md §2.3; P2, Preliminary Validation",
-            .measure = measure};
+            .measure = measureApexErrorMean};
 }
 
 } // namespace chiron::scoring

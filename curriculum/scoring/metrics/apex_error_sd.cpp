@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureApexErrorSd(std::span<const PreparedTrial> trials) {
     const ApexAnswers all = apexAnswers(trials);
     if (all.undefined)
         return *all.undefined;
@@ -38,7 +38,7 @@ MetricDefinition apexErrorSdMetric() {
                 "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all "
                 "trials.",
             .source = "models.md §2.3; P2, Preliminary Validation",
-            .measure = measure};
+            .measure = measureApexErrorSd};
 }
 
 } // namespace chiron::scoring

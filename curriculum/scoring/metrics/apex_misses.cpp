@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureApexMisses(std::span<const PreparedTrial> trials) {
     const ApexAnswers all = apexAnswers(trials);
     if (all.undefined)
         return *all.undefined;
@@ -29,7 +29,7 @@ MetricDefinition apexMissesMetric() {
                 "Trials marked out of contact, marked farther than R from the apex, or not marked in time; "
                 "their errors count all the same.",
             .source = "models.md §2.3; P2, Preliminary Validation",
-            .measure = measure};
+            .measure = measureApexMisses};
 }
 
 } // namespace chiron::scoring

@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureBendAlignment(std::span<const PreparedTrial> trials) {
     if (auto why = withoutCanal(trials))
         return *why;
     RootMeanSquare angle_rad;
@@ -33,7 +33,7 @@ MetricDefinition bendAlignmentMetric() {
                 "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the "
                 "samples of the insertion within 10 mm of the bend (s_B), where the orientation has to change.",
             .source = "models.md §6, insertion; P1, point B",
-            .measure = measure};
+            .measure = measureBendAlignment};
 }
 
 } // namespace chiron::scoring

@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureCoverage(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined("no trials");
     double sum = 0.0;
@@ -33,7 +33,7 @@ MetricDefinition coverageMetric() {
             .definition = "Share of the search area that was pressed with at least the level's cover force by the trial's end, "
                           "as recorded; the mean over the trials.",
             .source = "models.md §6 (area covered)",
-            .measure = measure};
+            .measure = measureCoverage};
 }
 
 } // namespace chiron::scoring

@@ -12,7 +12,7 @@ bool isHeldStep(double step) {
            isTubeStep(step, Step::carry);
 }
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureDrops(std::span<const PreparedTrial> trials) {
     if (auto why = withoutTube(trials, "grip_1"))
         return *why;
     std::size_t count = 0;
@@ -42,7 +42,7 @@ MetricDefinition dropsMetric() {
             .definition = "How often the tube, once held as the task needs it, was let go of before the task was done, so that it had to "
                           "be grasped again. What is let go in a pause does not count.",
             .source = "models.md §2.4, §6",
-            .measure = measure};
+            .measure = measureDrops};
 }
 
 } // namespace chiron::scoring

@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureForceBandTime(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined("no trials");
     double pressing_s = 0.0;
@@ -39,7 +39,7 @@ MetricDefinition forceBandTimeMetric() {
             .definition = "Share of the pressing time (over 0.02 N, each finger's own, added up) for which |f| of that finger "
                           "was within the level's force band, both ends included, each sample held until the next.",
             .source = "models.md §6; our definition",
-            .measure = measure};
+            .measure = measureForceBandTime};
 }
 
 } // namespace chiron::scoring

@@ -5,7 +5,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureForceImpulseOverLimit(std::span<const PreparedTrial> trials) {
     double impulse_Ns = 0.0;
     bool any = false;
     const double limit_N = trials.empty() ? 0.0 : trials.front().forceLimit_N;
@@ -31,7 +31,7 @@ MetricDefinition forceImpulseOverLimitMetric() {
                 "Integral of |f| dt while |f| is over the level's force limit, each sample held until the "
                 "next.",
             .source = "models.md §6",
-            .measure = measure};
+            .measure = measureForceImpulseOverLimit};
 }
 
 } // namespace chiron::scoring

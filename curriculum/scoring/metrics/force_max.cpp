@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureForceMax(std::span<const PreparedTrial> trials) {
     double largest_N = -1.0;
     forEachForce(trials, [&](double f_N, double) { largest_N = std::max(largest_N, f_N); });
     return largest_N < 0.0 ? noSamples() : Measurement::of(largest_N);
@@ -26,7 +26,7 @@ MetricDefinition forceMaxMetric() {
             .needsForces = true,
             .definition = "Largest |f|.",
             .source = "models.md §6",
-            .measure = measure};
+            .measure = measureForceMax};
 }
 
 } // namespace chiron::scoring

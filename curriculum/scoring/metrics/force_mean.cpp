@@ -5,7 +5,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureForceMean(std::span<const PreparedTrial> trials) {
     double sum_N = 0.0;
     std::size_t samples = 0;
     forEachForce(trials, [&](double f_N, double) {
@@ -31,7 +31,7 @@ MetricDefinition forceMeanMetric() {
             .needsForces = true,
             .definition = "Mean of |f| over the samples above 0.02 N.",
             .source = "models.md §6",
-            .measure = measure};
+            .measure = measureForceMean};
 }
 
 } // namespace chiron::scoring

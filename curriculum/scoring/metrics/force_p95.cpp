@@ -8,7 +8,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureForceP95(std::span<const PreparedTrial> trials) {
     std::vector<double> forces_N;
     forEachForce(trials, [&](double f_N, double) { forces_N.push_back(f_N); });
     if (forces_N.empty())
@@ -34,7 +34,7 @@ MetricDefinition forceP95Metric() {
             .needsForces = true,
             .definition = "95th percentile of |f| over all samples, linear between order statistics.",
             .source = "models.md §6; Hyndman & Fan 1996, definition 7",
-            .measure = measure};
+            .measure = measureForceP95};
 }
 
 } // namespace chiron::scoring

@@ -8,7 +8,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureForcePeakRate(std::span<const PreparedTrial> trials) {
     double largest = -1.0;
     for (const PreparedTrial& trial : trials) {
         if (trial.tool == nullptr)
@@ -35,7 +35,7 @@ MetricDefinition forcePeakRateMetric() {
             .needsForces = true,
             .definition = "Largest |d|f|/dt| between neighbouring samples as recorded.",
             .source = "models.md §6",
-            .measure = measure};
+            .measure = measureForcePeakRate};
 }
 
 } // namespace chiron::scoring

@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureForceRms(std::span<const PreparedTrial> trials) {
     double squares = 0.0;
     std::size_t samples = 0;
     forEachForce(trials, [&](double f_N, double) {
@@ -30,7 +30,7 @@ MetricDefinition forceRmsMetric() {
             .needsForces = true,
             .definition = "Square root of the mean of |f|^2 over all samples.",
             .source = "models.md §6",
-            .measure = measure};
+            .measure = measureForceRms};
 }
 
 } // namespace chiron::scoring

@@ -5,7 +5,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureForceTimeOverLimit(std::span<const PreparedTrial> trials) {
     double time_s = 0.0;
     bool any = false;
     const double limit_N = trials.empty() ? 0.0 : trials.front().forceLimit_N;
@@ -30,7 +30,7 @@ MetricDefinition forceTimeOverLimitMetric() {
             .definition =
                 "Time for which |f| is over the level's force limit, each sample held until the next.",
             .source = "models.md §6",
-            .measure = measure};
+            .measure = measureForceTimeOverLimit};
 }
 
 } // namespace chiron::scoring

@@ -9,7 +9,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureHardnessOrder(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
         return *undefined;
@@ -43,7 +43,7 @@ MetricDefinition hardnessOrderMetric() {
             .definition = "Share of the pairs of lumps found in one trial whose harder one was called harder; pairs truly alike "
                           "are left out, called alike is not right; all trials pooled.",
             .source = "models.md §6 (hardness-rank correctness); our definition",
-            .measure = measure};
+            .measure = measureHardnessOrder};
 }
 
 } // namespace chiron::scoring

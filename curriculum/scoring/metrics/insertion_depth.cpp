@@ -8,7 +8,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureInsertionDepth(std::span<const PreparedTrial> trials) {
     if (auto why = withoutCanal(trials))
         return *why;
     double sum_mm = 0.0;
@@ -37,7 +37,7 @@ MetricDefinition insertionDepthMetric() {
                 "The deepest place that the tip reached along the centre-line, no farther than 10 mm beside it, at most "
                 "the level's goal; the mean over the trials.",
             .source = "models.md §1.3",
-            .measure = measure};
+            .measure = measureInsertionDepth};
 }
 
 } // namespace chiron::scoring

@@ -24,7 +24,7 @@ private:
     std::size_t m_at = 0;
 };
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureInspectionTravel(std::span<const PreparedTrial> trials) {
     if (auto why = withoutCanal(trials))
         return *why;
     double travel_m = 0.0;
@@ -61,7 +61,7 @@ MetricDefinition inspectionTravelMetric() {
                 "Sum of |dp| of the tip while the bladder is inspected, low-passed at 20 Hz and at 100 Hz: a tip that is "
                 "turned, not moved, sees as much.",
             .source = "models.md §1.3, §6",
-            .measure = measure};
+            .measure = measureInspectionTravel};
 }
 
 } // namespace chiron::scoring

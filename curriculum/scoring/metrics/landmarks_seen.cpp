@@ -5,7 +5,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureLandmarksSeen(std::span<const PreparedTrial> trials) {
     if (auto why = withoutCanal(trials))
         return *why;
     std::size_t asked = 0;
@@ -32,7 +32,7 @@ MetricDefinition landmarksSeenMetric() {
             .definition =
                 "Landmarks of the bladder that were inspected, in % of those that the level asks for.",
             .source = "models.md §1.3, §6",
-            .measure = measure};
+            .measure = measureLandmarksSeen};
 }
 
 } // namespace chiron::scoring

@@ -6,7 +6,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureLdlj(std::span<const PreparedTrial> trials) {
     return subMovementMedian(trials, &PreparedTrial::jerkMotion, logDimensionlessJerk);
 }
 
@@ -24,7 +24,7 @@ MetricDefinition ldljMetric() {
                 "Median over the sub-movements (speed over 5 % of its peak for 100 ms) of their log "
                 "dimensionless jerk, low-passed at 6 Hz.",
             .source = "models.md §6; Balasubramanian et al. 2015, J NeuroEng Rehabil 12:112",
-            .measure = measure};
+            .measure = measureLdlj};
 }
 
 } // namespace chiron::scoring

@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureLocalisationError(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
         return *undefined;
@@ -33,7 +33,7 @@ MetricDefinition localisationErrorMetric() {
             .definition = "Distance of a finding from the place on the surface above the lump that it found, straight; the mean "
                           "over all hits.",
             .source = "models.md §6",
-            .measure = measure};
+            .measure = measureLocalisationError};
 }
 
 } // namespace chiron::scoring

@@ -9,7 +9,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureOffsetMax(std::span<const PreparedTrial> trials) {
     if (auto why = withoutCanal(trials))
         return *why;
     double largest_m = -1.0;
@@ -33,7 +33,7 @@ MetricDefinition offsetMaxMetric() {
             .definition =
                 "Largest distance of the tip from the centre-line in the urethra (0 <= s <= L), on the way in and out.",
             .source = "models.md §6, insertion",
-            .measure = measure};
+            .measure = measureOffsetMax};
 }
 
 } // namespace chiron::scoring

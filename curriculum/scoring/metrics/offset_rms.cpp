@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureOffsetRms(std::span<const PreparedTrial> trials) {
     if (auto why = withoutCanal(trials))
         return *why;
     RootMeanSquare offset_m;
@@ -32,7 +32,7 @@ MetricDefinition offsetRmsMetric() {
                 "Root mean square of the tip's distance from the centre-line over the samples in the urethra "
                 "(0 <= s <= L), on the way in and out.",
             .source = "models.md §6, insertion",
-            .measure = measure};
+            .measure = measureOffsetRms};
 }
 
 } // namespace chiron::scoring

@@ -25,7 +25,7 @@ std::size_t overStretches(const PreparedTrial& trial) {
     return count;
 }
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureOverStretches(std::span<const PreparedTrial> trials) {
     if (auto why = withoutTube(trials, "stretch_m", "over_stretch_m"))
         return *why;
     std::size_t count = 0;
@@ -47,7 +47,7 @@ MetricDefinition overStretchesMetric() {
             .definition = "How often the tube was stretched beyond the level's limit, to be counted again only from below 80 % of it. A "
                           "tear is one too.",
             .source = "models.md §6, tube",
-            .measure = measure};
+            .measure = measureOverStretches};
 }
 
 } // namespace chiron::scoring

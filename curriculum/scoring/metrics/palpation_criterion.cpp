@@ -5,7 +5,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measurePalpationCriterion(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
         return *undefined;
@@ -26,7 +26,7 @@ MetricDefinition palpationCriterionMetric() {
             .definition = "c = -1/2 (z(H) + z(F)) with the rates of palpation_d_prime; above 0: rather no; absent below 20 "
                           "regions of either kind.",
             .source = "models.md §6; Hautus 1995; Macmillan & Creelman 2005, eq. 2.1",
-            .measure = measure};
+            .measure = measurePalpationCriterion};
 }
 
 } // namespace chiron::scoring

@@ -5,7 +5,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measurePalpationDPrime(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
         return *undefined;
@@ -26,7 +26,7 @@ MetricDefinition palpationDPrimeMetric() {
             .definition = "d' = z(H) - z(F) over the regions of all trials, H = (hits + 1/2)/(regions with a lump + 1), F = "
                           "(false alarms + 1/2)/(regions without + 1); absent below 20 of either kind.",
             .source = "models.md §6; Hautus 1995; Macmillan & Creelman 2005, eq. 1.5",
-            .measure = measure};
+            .measure = measurePalpationDPrime};
 }
 
 } // namespace chiron::scoring

@@ -5,7 +5,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measurePalpationFalseAlarms(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
         return *undefined;
@@ -27,7 +27,7 @@ MetricDefinition palpationFalseAlarmsMetric() {
             .tools = MetricTools::first,
             .definition = "Findings, of those not taken back, that found no lump; a second one of the same lump is one.",
             .source = "models.md §6; our matching",
-            .measure = measure};
+            .measure = measurePalpationFalseAlarms};
 }
 
 } // namespace chiron::scoring

@@ -5,7 +5,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measurePalpationHits(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
         return *undefined;
@@ -30,7 +30,7 @@ MetricDefinition palpationHitsMetric() {
             .definition = "Lumps that were found: a finding lies within the hit radius of the lump's place, or within the "
                           "lump's radius where that is larger; the nearest pair first, each finding and lump once.",
             .source = "models.md §6; our matching",
-            .measure = measure};
+            .measure = measurePalpationHits};
 }
 
 } // namespace chiron::scoring

@@ -5,7 +5,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measurePalpationMisses(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
         return *undefined;
@@ -29,7 +29,7 @@ MetricDefinition palpationMissesMetric() {
             .tools = MetricTools::first,
             .definition = "Lumps that no finding found (palpation_hits) by the trial's end.",
             .source = "models.md §6; our matching",
-            .measure = measure};
+            .measure = measurePalpationMisses};
 }
 
 } // namespace chiron::scoring

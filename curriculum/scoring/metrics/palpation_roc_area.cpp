@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measurePalpationRocArea(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
         return *undefined;
@@ -38,7 +38,7 @@ MetricDefinition palpationRocAreaMetric() {
             .definition = "Area under the ROC of the regions of all trials, straight lines between the confidence ratings 5 to "
                           "1, unrated and not reported; 0.5 says nothing, 1 is perfect; absent below 20 regions of either kind.",
             .source = "Macmillan & Creelman 2005, ch. 3",
-            .measure = measure};
+            .measure = measurePalpationRocArea};
 }
 
 } // namespace chiron::scoring

@@ -6,7 +6,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measurePathInefficiency(std::span<const PreparedTrial> trials) {
     constexpr double kShortest_m = 0.005; // models.md §6: below, the ratio says nothing
     double sum_percent = 0.0;
     int counted = 0;
@@ -42,7 +42,7 @@ MetricDefinition pathInefficiencyMetric() {
                 "100 (L/D - 1), D the straight distance between the trial's ends; the mean over the trials "
                 "where D is at least 5 mm.",
             .source = "models.md §6",
-            .measure = measure};
+            .measure = measurePathInefficiency};
 }
 
 } // namespace chiron::scoring

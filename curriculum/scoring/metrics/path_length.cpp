@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measurePathLength(std::span<const PreparedTrial> trials) {
     double length_m = 0.0;
     bool any = false;
     for (const PreparedTrial& trial : trials)
@@ -32,7 +32,7 @@ MetricDefinition pathLengthMetric() {
             .tools = MetricTools::first,
             .definition = "Sum of |dp| of the tool tip, low-passed at 20 Hz and at 100 Hz.",
             .source = "models.md §6",
-            .measure = measure};
+            .measure = measurePathLength};
 }
 
 } // namespace chiron::scoring

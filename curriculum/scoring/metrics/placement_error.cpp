@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measurePlacementError(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined("no trials");
     double sum_m = 0.0;
@@ -34,7 +34,7 @@ MetricDefinition placementErrorMetric() {
                 "Distance, seen from above, between the target's middle and that of the object held last (of the nearest one where "
                 "nothing was held) when the trial ended, whether it was finished or not; the mean over the trials.",
             .source = "models.md §2.2; our definition",
-            .measure = measure};
+            .measure = measurePlacementError};
 }
 
 } // namespace chiron::scoring

@@ -28,7 +28,7 @@ double pressed_s(const PreparedTrial& trial) {
     return sum_s;
 }
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measurePressingTime(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined("no trials");
     double time_s = 0.0;
@@ -53,7 +53,7 @@ MetricDefinition pressingTimeMetric() {
             .needsForces = true,
             .definition = "Time for which any finger pressed the tissue with more than 0.02 N, each sample held until the next.",
             .source = "models.md §6; our definition",
-            .measure = measure};
+            .measure = measurePressingTime};
 }
 
 } // namespace chiron::scoring

@@ -6,7 +6,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureProcedureCompleted(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined("no trials");
     for (const PreparedTrial& trial : trials) // where a mark ends a trial there is no procedure to complete
@@ -32,7 +32,7 @@ MetricDefinition procedureCompletedMetric() {
                 "Procedures done to their end, in % of those begun: one that time ended, or that could not be done any more, is not "
                 "done.",
             .source = "models.md §1.3, §2.2, §2.4; data.md",
-            .measure = measure};
+            .measure = measureProcedureCompleted};
 }
 
 } // namespace chiron::scoring

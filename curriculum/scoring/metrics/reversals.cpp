@@ -6,7 +6,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureReversals(std::span<const PreparedTrial> trials) {
     if (auto why = withoutCanal(trials))
         return *why;
     std::size_t count = 0;
@@ -29,7 +29,7 @@ MetricDefinition reversalsMetric() {
                 "How often the tip went back by 1 mm or more along the centre-line during the insertion; a way back "
                 "ends where the tip has turned forward by 1 mm.",
             .source = "models.md §6, insertion",
-            .measure = measure};
+            .measure = measureReversals};
 }
 
 } // namespace chiron::scoring

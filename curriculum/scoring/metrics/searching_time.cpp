@@ -23,7 +23,7 @@ double searched_s(const ToolTrace& tool, double until_s) {
     return sum_s;
 }
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureSearchingTime(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined("no trials");
     double time_s = 0.0;
@@ -48,7 +48,7 @@ MetricDefinition searchingTimeMetric() {
             .tools = MetricTools::first,
             .definition = "Time of the trials from their start until done was reported, or until they ended, without pauses.",
             .source = "models.md §6; our definition",
-            .measure = measure};
+            .measure = measureSearchingTime};
 }
 
 } // namespace chiron::scoring

@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureSizeError(std::span<const PreparedTrial> trials) {
     const auto [answers, undefined] = judged(trials);
     if (undefined)
         return *undefined;
@@ -36,7 +36,7 @@ MetricDefinition sizeErrorMetric() {
             .tools = MetricTools::first,
             .definition = "|reported - true radius|, the mean over all hits whose size was said.",
             .source = "models.md §6; our definition",
-            .measure = measure};
+            .measure = measureSizeError};
 }
 
 } // namespace chiron::scoring

@@ -6,7 +6,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureSparc(std::span<const PreparedTrial> trials) {
     return subMovementMedian(trials, &PreparedTrial::motion, spectralArcLength);
 }
 
@@ -24,7 +24,7 @@ MetricDefinition sparcMetric() {
                 "Median over the sub-movements (speed over 5 % of its peak for 100 ms) of their spectral arc "
                 "length.",
             .source = "models.md §6; Balasubramanian et al. 2015, J NeuroEng Rehabil 12:112",
-            .measure = measure};
+            .measure = measureSparc};
 }
 
 } // namespace chiron::scoring

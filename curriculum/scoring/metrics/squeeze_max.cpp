@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureSqueezeMax(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined("no trials");
     double largest_N = 0.0;
@@ -34,7 +34,7 @@ MetricDefinition squeezeMaxMetric() {
             .tools = MetricTools::first,
             .definition = "Largest grip force of each jaw on what it held; 0 where nothing was held.",
             .source = "models.md §2.2; P2, Object Orientated Modeling",
-            .measure = measure};
+            .measure = measureSqueezeMax};
 }
 
 } // namespace chiron::scoring

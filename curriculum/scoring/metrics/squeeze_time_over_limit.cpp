@@ -5,7 +5,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureSqueezeTimeOverLimit(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined("no trials");
     double time_s = 0.0;
@@ -37,7 +37,7 @@ MetricDefinition squeezeTimeOverLimitMetric() {
             .definition =
                 "Time for which the grip force of a jaw was over the level's squeeze limit, each sample held until the next.",
             .source = "models.md §2.2, §6",
-            .measure = measure};
+            .measure = measureSqueezeTimeOverLimit};
 }
 
 } // namespace chiron::scoring

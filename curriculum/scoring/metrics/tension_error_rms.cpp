@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureTensionErrorRms(std::span<const PreparedTrial> trials) {
     if (auto why = withoutTube(trials, "tension_N", "target_N"))
         return *why;
     double squares = 0.0;
@@ -33,7 +33,7 @@ MetricDefinition tensionErrorRmsMetric() {
                           "too: each from when the tension first was in the band to the hold's end, in the band or not. A trial that "
                           "held nothing has none.",
             .source = "models.md §6, tube",
-            .measure = measure};
+            .measure = measureTensionErrorRms};
 }
 
 } // namespace chiron::scoring

@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureTensionErrorSd(std::span<const PreparedTrial> trials) {
     if (auto why = withoutTube(trials, "tension_N", "target_N"))
         return *why;
     double squares = 0.0;
@@ -42,7 +42,7 @@ MetricDefinition tensionErrorSdMetric() {
             .definition = "Standard deviation of the tube's tension in all holds of a trial, broken ones too, about the trial's own mean, "
                           "pooled over the trials: how unsteady, whatever the target. A trial that held nothing has none.",
             .source = "models.md §6, tube",
-            .measure = measure};
+            .measure = measureTensionErrorSd};
 }
 
 } // namespace chiron::scoring

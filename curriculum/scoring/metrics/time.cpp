@@ -9,7 +9,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureTime(std::span<const PreparedTrial> trials) {
     double total_s = 0.0;
     bool any = false;
     for (const PreparedTrial& trial : trials) {
@@ -41,7 +41,7 @@ MetricDefinition timeMetric() {
                 "From the first movement (50 ms above 5 mm/s) or contact (0.02 N), whichever is earlier, to "
                 "the trial's end, without pauses.",
             .source = "models.md §6",
-            .measure = measure};
+            .measure = measureTime};
 }
 
 } // namespace chiron::scoring

@@ -35,7 +35,7 @@ std::int64_t inBand_us(const PreparedTrial& trial, const Band& band) {
     return sum;
 }
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureTimeInBand(std::span<const PreparedTrial> trials) {
     if (auto why = withoutTube(trials, "tension_N"))
         return *why;
     std::int64_t sum = 0;
@@ -61,7 +61,7 @@ MetricDefinition timeInBandMetric() {
             .definition = "How long the tension was in its band during the last hold, at most the time it has to be held; where the task is a "
                           "mark, how long the stretch was within its tolerance. 0 where nothing was held; the mean over the trials.",
             .source = "models.md §6, tube",
-            .measure = measure};
+            .measure = measureTimeInBand};
 }
 
 } // namespace chiron::scoring

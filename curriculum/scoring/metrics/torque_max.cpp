@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureTorqueMax(std::span<const PreparedTrial> trials) {
     double largest_Nm = -1.0;
     if (auto why = forEachTorque(trials, [&](double torque_Nm) { largest_Nm = std::max(largest_Nm, torque_Nm); }))
         return *why;
@@ -27,7 +27,7 @@ MetricDefinition torqueMaxMetric() {
             .definition =
                 "Largest |torque| of the tissue about the tip.",
             .source = "models.md §1.2, §6; P1 eq. 4–6",
-            .measure = measure};
+            .measure = measureTorqueMax};
 }
 
 } // namespace chiron::scoring

@@ -7,7 +7,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureTorqueRms(std::span<const PreparedTrial> trials) {
     double squares = 0.0;
     std::size_t samples = 0;
     const auto why = forEachTorque(trials, [&](double torque_Nm) {
@@ -33,7 +33,7 @@ MetricDefinition torqueRmsMetric() {
             .definition =
                 "Square root of the mean of |torque|^2 of the tissue about the tip over all samples.",
             .source = "models.md §1.2, §6; P1 eq. 4–6",
-            .measure = measure};
+            .measure = measureTorqueRms};
 }
 
 } // namespace chiron::scoring

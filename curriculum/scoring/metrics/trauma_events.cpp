@@ -6,7 +6,7 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureTraumaEvents(std::span<const PreparedTrial> trials) {
     if (auto why = withoutCanal(trials))
         return *why;
     std::size_t count = 0;
@@ -30,7 +30,7 @@ MetricDefinition traumaEventsMetric() {
                 "again only from below 80 % of it. It is the whole tissue force without its part along the centre-line's "
                 "tangent at the tip: the wall's push, and of friction along a tilted shaft the part that lies across.",
             .source = "models.md §6, insertion",
-            .measure = measure};
+            .measure = measureTraumaEvents};
 }
 
 } // namespace chiron::scoring

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kWeigh = 1.0; ///< truth "task": simulation::HandlingTask::weigh
 
-Measurement measure(std::span<const PreparedTrial> trials) {
+Measurement measureWeighingCorrect(std::span<const PreparedTrial> trials) {
     if (trials.empty())
         return Measurement::undefined("no trials");
     std::size_t correct = 0;
@@ -37,7 +37,7 @@ MetricDefinition weighingCorrectMetric() {
                 "Trials that were finished and in which the object held last, the answer, was the heaviest, in % of all; one that time "
                 "ended counts as wrong.",
             .source = "P2, Preliminary Validation (mass: three objects from lightest to heaviest); our definition",
-            .measure = measure};
+            .measure = measureWeighingCorrect};
 }
 
 } // namespace chiron::scoring
