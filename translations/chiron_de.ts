@@ -6809,6 +6809,38 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <source>%1 (simulated)</source>
         <translation>%1 (simuliert)</translation>
     </message>
+    <message>
+        <source>Choose a participant in the list first.</source>
+        <translation>Wählen Sie zuerst jemanden in der Liste.</translation>
+    </message>
+    <message>
+        <source>This participant is simulated.</source>
+        <translation>Diese Person ist simuliert.</translation>
+    </message>
+    <message>
+        <source>This participant has withdrawn.</source>
+        <translation>Diese Person nimmt nicht mehr teil.</translation>
+    </message>
+    <message>
+        <source>This participant has done every run.</source>
+        <translation>Diese Person hat alle Läufe erledigt.</translation>
+    </message>
+    <message>
+        <source>Participants are enrolled while a study is frozen, neither before nor after.</source>
+        <translation>Aufgenommen wird, solange eine Studie eingefroren ist, weder vorher noch nachher.</translation>
+    </message>
+    <message>
+        <source>The consent is recorded already.</source>
+        <translation>Die Einwilligung ist schon festgehalten.</translation>
+    </message>
+    <message>
+        <source>The consent has to be recorded first.</source>
+        <translation>Zuerst muss die Einwilligung festgehalten werden.</translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled yet.</source>
+        <translation>Es ist noch niemand aufgenommen.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PasswordChoice</name>
@@ -9808,6 +9840,22 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
         <source>Key</source>
         <translation>Kennung</translation>
     </message>
+    <message>
+        <source>Choose a study in the list first.</source>
+        <translation>Wählen Sie zuerst eine Studie in der Liste.</translation>
+    </message>
+    <message>
+        <source>The design is still a draft: freeze it first.</source>
+        <translation>Noch ist es ein Entwurf: Frieren Sie ihn zuerst ein.</translation>
+    </message>
+    <message>
+        <source>The study is archived: bring it back first.</source>
+        <translation>Die Studie ist archiviert: Holen Sie sie zuerst zurück.</translation>
+    </message>
+    <message>
+        <source>The study is closed already.</source>
+        <translation>Die Studie ist bereits geschlossen.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudyDataScreen</name>
@@ -10176,6 +10224,14 @@ Einfrieren legt den Entwurf unter seinem SHA-256 endgültig fest; von da an kön
     <message>
         <source>The design is saved in %1.</source>
         <translation>Der Entwurf liegt in %1.</translation>
+    </message>
+    <message>
+        <source>The design has to be right before it can be frozen.</source>
+        <translation>Der Entwurf muss fehlerfrei sein, bevor er eingefroren werden kann.</translation>
+    </message>
+    <message>
+        <source>The last changes are still being kept.</source>
+        <translation>Die letzten Änderungen werden noch gespeichert.</translation>
     </message>
 </context>
 <context>

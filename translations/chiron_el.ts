@@ -6809,6 +6809,38 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <source>%1 (simulated)</source>
         <translation>%1 (προσομοιωμένος)</translation>
     </message>
+    <message>
+        <source>Choose a participant in the list first.</source>
+        <translation>Επιλέξτε πρώτα έναν συμμετέχοντα από τη λίστα.</translation>
+    </message>
+    <message>
+        <source>This participant is simulated.</source>
+        <translation>Ο συμμετέχων είναι προσομοιωμένος.</translation>
+    </message>
+    <message>
+        <source>This participant has withdrawn.</source>
+        <translation>Ο συμμετέχων έχει αποσυρθεί.</translation>
+    </message>
+    <message>
+        <source>This participant has done every run.</source>
+        <translation>Ο συμμετέχων ολοκλήρωσε όλες τις εκτελέσεις.</translation>
+    </message>
+    <message>
+        <source>Participants are enrolled while a study is frozen, neither before nor after.</source>
+        <translation>Οι συμμετέχοντες εγγράφονται όσο η μελέτη είναι οριστικοποιημένη, ούτε πριν ούτε μετά.</translation>
+    </message>
+    <message>
+        <source>The consent is recorded already.</source>
+        <translation>Η συγκατάθεση έχει ήδη καταγραφεί.</translation>
+    </message>
+    <message>
+        <source>The consent has to be recorded first.</source>
+        <translation>Πρέπει πρώτα να καταγραφεί η συγκατάθεση.</translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled yet.</source>
+        <translation>Δεν έχει εγγραφεί ακόμη κανείς.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PasswordChoice</name>
@@ -9808,6 +9840,22 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
         <source>Key</source>
         <translation>Κλειδί</translation>
     </message>
+    <message>
+        <source>Choose a study in the list first.</source>
+        <translation>Επιλέξτε πρώτα μια μελέτη από τη λίστα.</translation>
+    </message>
+    <message>
+        <source>The design is still a draft: freeze it first.</source>
+        <translation>Ο σχεδιασμός είναι ακόμη πρόχειρος: οριστικοποιήστε τον πρώτα.</translation>
+    </message>
+    <message>
+        <source>The study is archived: bring it back first.</source>
+        <translation>Η μελέτη είναι αρχειοθετημένη: επαναφέρετέ την πρώτα.</translation>
+    </message>
+    <message>
+        <source>The study is closed already.</source>
+        <translation>Η μελέτη έχει ήδη κλείσει.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudyDataScreen</name>
@@ -10176,6 +10224,14 @@ Freeze fixes the design for good under its SHA-256; participants can be enrolled
     <message>
         <source>The design is saved in %1.</source>
         <translation>Το σχέδιο αποθηκεύτηκε στο %1.</translation>
+    </message>
+    <message>
+        <source>The design has to be right before it can be frozen.</source>
+        <translation>Ο σχεδιασμός πρέπει να είναι σωστός πριν οριστικοποιηθεί.</translation>
+    </message>
+    <message>
+        <source>The last changes are still being kept.</source>
+        <translation>Οι τελευταίες αλλαγές αποθηκεύονται ακόμη.</translation>
     </message>
 </context>
 <context>

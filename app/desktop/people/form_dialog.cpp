@@ -71,6 +71,11 @@ void FormDialog::setAccept(const QString& text, const char* kind) {
     m_accept->setDefault(true);
 }
 
+void FormDialog::cancelAtEnter() {
+    m_cancel->setDefault(true);
+    m_cancel->setFocus();
+}
+
 void FormDialog::setAcceptable(bool acceptable) {
     m_acceptable = acceptable;
     renew();

@@ -33,6 +33,8 @@ protected:
     /// Object name of the button is "<dialog>.accept".
     void setAccept(const QString& text, const char* kind = "primary");
     void setAcceptable(bool acceptable); ///< the form is complete
+    /// What cannot be undone and asks for nothing to be typed: Enter leaves it. After setAccept.
+    void cancelAtEnter();
     /// While working the form cannot be used, unless it shows the progress itself.
     void setWorking(bool working, bool formShowsIt = false);
     bool isWorking() const { return m_working; }

@@ -34,6 +34,7 @@ FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& st
     column()->addWidget(kit::notice(theme(), "warning", tr("This cannot be undone. A study that has to be changed later is copied into a new one.")));
     setAccept(tr("Freeze the design"));
     setAcceptable(true);
+    cancelAtEnter();
 }
 
 void FreezeDialog::submit() {

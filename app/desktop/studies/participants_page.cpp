@@ -107,12 +107,18 @@ const ParticipantRow* ParticipantsPage::selected() const {
 void ParticipantsPage::showActions() {
     using database::ParticipantState;
     const ParticipantRow* row = selected();
-    const bool person = row && !row->participant.simulated;
-    m_enrol->setEnabled(m_study.summary.state == database::StudyState::frozen);
-    m_consent->setEnabled(person && row->participant.state == ParticipantState::enrolled);
-    m_run->setEnabled(person && row->participant.state == ParticipantState::consented);
-    m_withdraw->setEnabled(person && row->participant.state != ParticipantState::withdrawn);
-    m_keys->setEnabled(!m_study.participants.empty());
+    const QString notAPerson = !row                        ? tr("Choose a participant in the list first.")
+                               : row->participant.simulated ? tr("This participant is simulated.")
+                                                            : QString();
+    const auto state = row ? row->participant.state : ParticipantState::enrolled;
+    const QString gone = notAPerson.isEmpty() && state == ParticipantState::withdrawn ? tr("This participant has withdrawn.") : notAPerson;
+    const QString done = gone.isEmpty() && state == ParticipantState::completed ? tr("This participant has done every run.") : gone;
+    const bool consented = done.isEmpty() && state == ParticipantState::consented;
+    kit::allowUnless(*m_enrol, m_study.summary.state == database::StudyState::frozen ? QString() : tr("Participants are enrolled while a study is frozen, neither before nor after."));
+    kit::allowUnless(*m_consent, consented ? tr("The consent is recorded already.") : done);
+    kit::allowUnless(*m_run, done.isEmpty() && !consented ? tr("The consent has to be recorded first.") : done);
+    kit::allowUnless(*m_withdraw, gone);
+    kit::allowUnless(*m_keys, m_study.participants.empty() ? tr("Nobody is enrolled yet.") : QString());
 }
 
 void ParticipantsPage::enrol() {

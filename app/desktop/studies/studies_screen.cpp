@@ -184,13 +184,17 @@ void StudiesScreen::showActions() {
     const database::StudySummary* study = selected();
     if (study)
         m_wanted = study->id;
-    const bool begun = study && study->state != database::StudyState::draft;
-    m_open->setEnabled(study != nullptr);
-    m_run->setEnabled(begun && study->state != database::StudyState::archived);
-    m_data->setEnabled(begun);
-    m_close->setEnabled(study && study->state == database::StudyState::frozen);
-    m_archive->setEnabled(study != nullptr);
-    m_archive->setText(study && study->state == database::StudyState::archived ? tr("Bring back") : tr("Archive"));
+    using database::StudyState;
+    const bool archived = study && study->state == StudyState::archived;
+    const QString none = study ? QString() : tr("Choose a study in the list first.");
+    const QString draft = study && study->state == StudyState::draft ? tr("The design is still a draft: freeze it first.") : none;
+    kit::allowUnless(*m_open, none);
+    kit::allowUnless(*m_run, archived ? tr("The study is archived: bring it back first.") : draft);
+    kit::allowUnless(*m_data, draft);
+    const bool over = draft.isEmpty() && study->state != StudyState::frozen;
+    kit::allowUnless(*m_close, over ? (archived ? tr("The study is archived: bring it back first.") : tr("The study is closed already.")) : draft);
+    kit::allowUnless(*m_archive, none);
+    m_archive->setText(archived ? tr("Bring back") : tr("Archive"));
 }
 
 void StudiesScreen::open(const QString& screen) {

@@ -4,6 +4,7 @@
 #include "desktop/studies/freeze_dialog.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 
 #include <QFile>
@@ -97,7 +98,7 @@ void StudyScreen::showState() {
     if (m_undo) {
         m_undo->setEnabled(m_draft.history().canUndo());
         m_redo->setEnabled(m_draft.history().canRedo());
-        m_freeze->setEnabled(m_good && m_saved);
+        kit::allowUnless(*m_freeze, !m_good ? tr("The design has to be right before it can be frozen.") : !m_saved ? tr("The last changes are still being kept.") : QString());
     }
 }
 

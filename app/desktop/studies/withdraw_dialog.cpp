@@ -20,6 +20,7 @@ WithdrawDialog::WithdrawDialog(AppContext& context, const database::Participant&
     column()->addWidget(kit::notice(theme(), "warning", tr("This cannot be undone.")));
     setAccept(tr("Withdraw"), "danger");
     setAcceptable(true);
+    cancelAtEnter();
 }
 
 void WithdrawDialog::submit() {

@@ -110,13 +110,24 @@ void PlacesView::paintHook(QPainter& painter, double x_m, bool held) const {
     painter.drawEllipse(end, radius, radius);
 }
 
+/// The same for all places, small enough for the longest name to stand beside the others: at large scales there is little room.
+QFont PlacesView::nameFont(double width_px) const {
+    QFont font = m_theme.font(TextStyle::strong);
+    double widest = 1.0;
+    for (const QString& name : m_setup.names)
+        widest = std::max(widest, QFontMetricsF(font).horizontalAdvance(name + QStringLiteral(" ✓ ")));
+    if (widest > width_px)
+        font.setPixelSize(std::max(m_theme.px(8), static_cast<int>(QFontInfo(font).pixelSize() * width_px / widest)));
+    return font;
+}
+
 void PlacesView::paintName(QPainter& painter, int place) const {
     const double x_m = (place - 0.5 * (m_setup.places - 1)) * m_setup.spacing_m;
     const QPointF at = project(x_m, -0.024, 0);
-    painter.setFont(m_theme.font(TextStyle::strong));
+    const double w = m_setup.spacing_m * pixelsPerMetre(0.0);
+    painter.setFont(nameFont(w));
     const bool touched = ((m_now.touched >> place) & 1U) != 0;
     painter.setPen(m_theme.color(m_now.place == place ? Colour::accent : Colour::text));
-    const double w = m_setup.spacing_m * pixelsPerMetre(0.0);
     const int line = painter.fontMetrics().height();
     const QString name = place < m_setup.names.size() ? m_setup.names.at(place) : QString();
     painter.drawText(QRectF(at.x() - 0.5 * w, at.y(), w, line), Qt::AlignCenter, touched ? name + QStringLiteral(" ✓") : name);

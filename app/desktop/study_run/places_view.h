@@ -50,6 +50,7 @@ private:
     void paintPlace(QPainter& painter, int place) const;
     void paintPad(QPainter& painter, double x_m) const;
     void paintHook(QPainter& painter, double x_m, bool held) const;
+    QFont nameFont(double width_px) const;
     void paintName(QPainter& painter, int place) const;
     void paintTool(QPainter& painter) const;
     void paintForce(QPainter& painter) const;

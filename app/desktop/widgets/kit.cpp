@@ -61,6 +61,12 @@ QPushButton* button(const Theme& theme, const QString& text, const char* kind, c
     return button;
 }
 
+void allowUnless(QPushButton& button, const QString& reason) {
+    button.setEnabled(reason.isEmpty());
+    button.setToolTip(reason);
+    button.setAccessibleDescription(reason);
+}
+
 QPushButton* iconButton(const Theme& theme, const QString& icon, const QString& text) {
     auto* made = button(theme, {}, "quiet", icon);
     made->setAccessibleName(text);

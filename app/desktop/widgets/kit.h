@@ -20,6 +20,8 @@ QLabel* label(const Theme& theme, const QString& text, TextStyle style = TextSty
 QLabel* line(const Theme& theme, const QString& text, TextStyle style = TextStyle::body, const char* kind = "");
 /// kind: "", "primary", "danger", "quiet", "tile". `icon` is a Breeze name, may be empty.
 QPushButton* button(const Theme& theme, const QString& text, const char* kind = "", const QString& icon = {});
+/// A button that cannot be pressed now says why in its tool tip and to a screen reader; `reason` is empty when it can.
+void allowUnless(QPushButton& button, const QString& reason);
 /// A button of an icon only; `text` is its accessible name and tool tip.
 QPushButton* iconButton(const Theme& theme, const QString& icon, const QString& text);
 

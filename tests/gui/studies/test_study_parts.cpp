@@ -10,6 +10,7 @@
 #include "desktop/studies/study_draft.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/experimenter_panel.h"
+#include "desktop/study_run/places_view.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "report/plot_view.h"
@@ -40,6 +41,7 @@ private slots:
     void experimentersAreBlindToForces();
     void fieldsTakeNoMoreRoomThanTheyNeed();
     void intervalsAreNoHalves();
+    void namesOfPlacesStandApart();
 
 private:
     desktop::Theme m_theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
@@ -66,6 +68,37 @@ void TestStudyParts::fieldsTakeNoMoreRoomThanTheyNeed() {
     const auto top = [&](const QWidget* widget) { return widget->mapTo(&page, QPoint()).y(); };
     QVERIFY2(top(last) - top(first) < 250, qPrintable(QString::number(top(last) - top(first))));
     QVERIFY2(top(below) - top(last) < 100, qPrintable(QString::number(top(below) - top(last))));
+}
+
+/// At every scale and in the longest words a name stays under its own place: seen in what it changes in the picture.
+void TestStudyParts::namesOfPlacesStandApart() {
+    for (const double scale : {1.0, 2.0}) {
+        const desktop::Theme theme = *desktop::Theme::load(desktop::ThemeName::light, scale);
+        const auto picture = [&](const QStringList& names) {
+            desktop::PlacesSetup setup;
+            setup.names = names;
+            desktop::PlacesView view(theme, setup);
+            desktop::PlacesView::Now now;
+            now.touched = names.isEmpty() ? 0 : 7;
+            view.resize(520, 340);
+            view.show({}, now);
+            return view.grab().toImage();
+        };
+        const QImage without = picture({});
+        const QImage with = picture({QStringLiteral("αριστερά"), QStringLiteral("στη μέση"), QStringLiteral("δεξιά εκεί")});
+        const auto differs = [&](int x) {
+            for (int y = 0; y < with.height(); ++y)
+                if (with.pixel(x, y) != without.pixel(x, y))
+                    return true;
+            return false;
+        };
+        const double apart = 0.04 * 340 / 0.12 * 0.9 / (0.9 - 0.024); // of two places where their names stand, by the view's perspective
+        for (int place = -1; place <= 1; ++place)
+            QVERIFY2(differs(static_cast<int>(260 + place * apart)), qPrintable(QStringLiteral("at %1 nothing under place %2").arg(scale).arg(place)));
+        for (const double between : {-0.5, 0.5})
+            for (int x = -2; x <= 2; ++x)
+                QVERIFY2(!differs(static_cast<int>(260 + between * apart) + x), qPrintable(QStringLiteral("at %1 names touch").arg(scale)));
+    }
 }
 
 /// The interval of a Weber fraction is longer upwards, and so is its bar.

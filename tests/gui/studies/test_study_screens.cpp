@@ -8,6 +8,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
@@ -103,7 +104,8 @@ void TestStudyScreens::faultsAreSaid() {
     auto* screen = m_site->screen<desktop::StudyScreen>();
     screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) { design.conditions.front().stimulus.reference = -1.0; });
     QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("not kept")), 10000);
-    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("study.freeze"))->isEnabled());
+    const auto* freeze = m_site->find<QPushButton>(QStringLiteral("study.freeze"));
+    QVERIFY(!freeze->isEnabled() && !freeze->toolTip().isEmpty());
     click("study.undo");
     QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("everything is kept")), 10000);
     screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) { // small enough for the rest
@@ -118,6 +120,13 @@ void TestStudyScreens::faultsAreSaid() {
 }
 
 void TestStudyScreens::frozen() {
+    const auto* freeze = m_site->find<QPushButton>(QStringLiteral("study.freeze"));
+    QVERIFY(freeze->isEnabled() && freeze->toolTip().isEmpty());
+    click("study.freeze"); // what cannot be undone does not happen at Enter
+    QTRY_VERIFY(m_site->find<QDialog>(QStringLiteral("freeze")));
+    QTest::keyClick(m_site->find<QDialog>(QStringLiteral("freeze")), Qt::Key_Return);
+    QTRY_VERIFY(!m_site->find<QPushButton>(QStringLiteral("freeze.accept")));
+    QVERIFY(m_site->find<QPushButton>(QStringLiteral("study.freeze")));
     click("study.freeze");
     const QString sha = text("freeze.sha256").remove(QLatin1Char(' '));
     QCOMPARE(sha.size(), 64);
