@@ -111,6 +111,8 @@ core::Result<FitOptions> readOptions(const Arguments& arguments) {
         return tl::unexpected(guess ? lapse.error() : guess.error());
     options.guess = *guess;
     options.lapse = *lapse;
+    if (guess->rule == Asymptote::Rule::equal && lapse->rule == Asymptote::Rule::fixed && !(lapse->value < 0.5))
+        return wrongUse(QStringLiteral("--guess equal, --lapse %1: expected a lapse below 0.5, which both are").arg(lapse->value));
     const bool bothFixed = guess->rule == Asymptote::Rule::fixed && lapse->rule == Asymptote::Rule::fixed;
     if (bothFixed && !(guess->value + lapse->value < 1.0))
         return wrongUse(QStringLiteral("--guess %1, --lapse %2: expected less than 1 together").arg(guess->value).arg(lapse->value));

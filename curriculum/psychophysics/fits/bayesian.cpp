@@ -42,7 +42,8 @@ void addGoodnessOfFit(FitResult& result, const PsychometricData& data, FitOption
 
 } // namespace
 
-FitResult fitBayesian(const PsychometricData& data, const FitOptions& options) {
+FitResult fitBayesian(const PsychometricData& data, const FitOptions& given) {
+    const FitOptions options = settled(given);
     FitResult result = startResult(options);
     std::string problem = optionsProblem(options);
     if (problem.empty() && !(options.betaPrior >= 1.0)) {

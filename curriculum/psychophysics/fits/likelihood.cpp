@@ -72,6 +72,15 @@ FreeParameters freeParameters(const FitOptions& options) noexcept {
     return free;
 }
 
+FitOptions settled(FitOptions options) {
+    if (options.guess.rule == Asymptote::Rule::equal && options.lapse.rule == Asymptote::Rule::fixed) {
+        options.guess = options.lapse;
+    } else if (options.lapse.rule == Asymptote::Rule::equal && options.guess.rule == Asymptote::Rule::fixed) {
+        options.lapse = options.guess;
+    }
+    return options;
+}
+
 LevelsView viewOf(const PreparedLevels& levels) noexcept {
     return {levels.unit.data(), levels.right.data(), levels.of.data(), levels.size()};
 }

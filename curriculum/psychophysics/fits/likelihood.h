@@ -28,6 +28,8 @@ struct FreeParameters {
     int count() const noexcept { return static_cast<int>(alpha) + static_cast<int>(beta) + static_cast<int>(lapse) + static_cast<int>(guess); }
 };
 FreeParameters freeParameters(const FitOptions& options) noexcept;
+/// The same with both asymptotes fixed where one is and the other is to equal it.
+FitOptions settled(FitOptions options);
 
 using Vector4 = std::array<double, 4>;
 using Matrix4 = std::array<Vector4, 4>;

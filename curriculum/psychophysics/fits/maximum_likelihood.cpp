@@ -65,7 +65,8 @@ FitResult emptyResult(const FitOptions& options) {
 
 } // namespace
 
-FitResult fitMaximumLikelihood(const PsychometricData& data, const FitOptions& options) {
+FitResult fitMaximumLikelihood(const PsychometricData& data, const FitOptions& given) {
+    const FitOptions options = settled(given);
     FitResult result = emptyResult(options);
     if (std::string problem = optionsProblem(options); !problem.empty()) {
         result.warnings.push_back(std::move(problem));

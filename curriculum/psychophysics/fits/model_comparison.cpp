@@ -199,7 +199,8 @@ std::vector<double> jointStart(const JointModel& model, const FitOptions& option
 
 } // namespace
 
-ConditionsFit fitConditions(const std::vector<PsychometricData>& conditions, const FitOptions& options, const SharedParameters& shared) {
+ConditionsFit fitConditions(const std::vector<PsychometricData>& conditions, const FitOptions& given, const SharedParameters& shared) {
+    const FitOptions options = settled(given);
     ConditionsFit fit;
     if (std::string problem = optionsProblem(options); !problem.empty()) {
         fit.warnings.push_back(std::move(problem));

@@ -37,6 +37,7 @@ Sums<Ends> sumsAt(const LevelsView& levels, const UnitCurve& curve, [[maybe_unus
     for (std::size_t i = 0; i < levels.size; ++i) {
         const double u = levels.unit[i];
         const SigmoidValue s = Shape::at(curve.alpha + curve.beta * u);
+        const double place = std::isfinite(u) ? u : 0.0; // a level of 0 on an axis of logarithms: S is flat there, whatever rounds its slope
         const double psi = curve.guess + reach * s.rise;
         const double rest = curve.lapse + reach * s.rest;
         sums.logLikelihood += levelLogLikelihood(levels.right[i], levels.of[i], psi, rest);
@@ -46,7 +47,7 @@ Sums<Ends> sumsAt(const LevelsView& levels, const UnitCurve& curve, [[maybe_unus
         // Each term by itself: their sum over ψ(1 − ψ) loses what a saturated level says of the lapse, where 1 − ψ has left the doubles.
         const double right = levels.right[i] / std::max(psi, 1e-150), wrong = (levels.of[i] - levels.right[i]) / std::max(rest, 1e-150);
         const double score = right - wrong;
-        std::array<double, kParameters<Ends>> d{reach * s.slope, s.slope > 0.0 ? reach * s.slope * u : 0.0};
+        std::array<double, kParameters<Ends>> d{reach * s.slope, reach * s.slope * place};
         if constexpr (Ends) {
             d[2] = equal ? s.rest - s.rise : -s.rise;
             d[3] = equal ? 0.0 : s.rest;
@@ -59,7 +60,7 @@ Sums<Ends> sumsAt(const LevelsView& levels, const UnitCurve& curve, [[maybe_unus
                 sums.observed[a][b] += curvature * d[a] * d[b];
             }
         }
-        const double place = s.slope > 0.0 ? u : 0.0, bend = score * reach * s.bend;
+        const double bend = score * reach * s.bend;
         sums.observed[0][0] -= bend;
         sums.observed[1][0] -= bend * place;
         sums.observed[1][1] -= bend * place * place;

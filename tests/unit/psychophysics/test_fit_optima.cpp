@@ -5,6 +5,7 @@
 
 #include <QtTest>
 #include <cmath>
+#include <random>
 
 using namespace chiron::psychophysics;
 
@@ -16,6 +17,9 @@ private slots:
     void stepFarFromZero();
     void heightOfNoRise_data();
     void heightOfNoRise();
+    void nothingOfTheStimulus_data();
+    void nothingOfTheStimulus();
+    void equalToAFixedLapse();
 };
 
 namespace {
@@ -95,6 +99,53 @@ void TestFitOptima::heightOfNoRise() {
     QVERIFY(!fit.fitted && std::isnan(fit.threshold) && !fit.warnings.empty());
     QVERIFY2(std::abs(fit.logLikelihood - expected) < 1e-9, qPrintable(QString::number(fit.logLikelihood, 'g', 12)));
     QVERIFY(fit.deviance >= 0.0);
+}
+
+void TestFitOptima::nothingOfTheStimulus_data() {
+    QTest::addColumn<int>("function");
+    for (const Sigmoid function : {Sigmoid::logistic, Sigmoid::gauss, Sigmoid::weibull, Sigmoid::gumbel, Sigmoid::rgumbel, Sigmoid::logn, Sigmoid::tdist, Sigmoid::hyperbolic})
+        QTest::newRow(std::string(token(function)).c_str()) << int(function);
+}
+
+/// Trials without a stimulus, on an axis of logarithms, are answered by guessing whatever the curve is: they add a constant to the likelihood.
+void TestFitOptima::nothingOfTheStimulus() {
+    QFETCH(int, function);
+    std::mt19937_64 random(7);
+    for (int round = 0; round < 40; ++round) {
+        FitOptions options = optionsOf(static_cast<Sigmoid>(function), 0.5, round % 2 == 0 ? 0.02 : -1.0);
+        options.scale = StimulusScale::ln;
+        QVector<double> x{0.5, 1.0, 2.0, 4.0, 8.0}, k;
+        const double steep = 1.0 + 0.15 * round;
+        for (const double at : x)
+            k << static_cast<double>(std::binomial_distribution<int>(30, 0.5 + 0.48 * (1.0 - std::exp(-std::pow(at / 2.0, steep))))(random));
+        const FitResult without = fitMaximumLikelihood(dataOf(x, k, 30.0), options);
+        x.prepend(0.0);
+        k.prepend(13.0);
+        const FitResult with = fitMaximumLikelihood(dataOf(x, k, 30.0), options);
+        QCOMPARE(with.fitted, without.fitted);
+        const double blank = std::lgamma(31.0) - std::lgamma(14.0) - std::lgamma(18.0) + 30.0 * std::log(0.5);
+        QVERIFY2(std::abs(with.logLikelihood - without.logLikelihood - blank) < 1e-6,
+                 qPrintable(QStringLiteral("round %1: %2 short").arg(round).arg(without.logLikelihood + blank - with.logLikelihood)));
+        if (without.fitted && round % 2 == 0)
+            QVERIFY(std::abs(with.threshold / without.threshold - 1.0) < 1e-4);
+    }
+}
+
+/// "equal" beside a lapse that is given: both are that, and nothing of them is fitted.
+void TestFitOptima::equalToAFixedLapse() {
+    const PsychometricData data = dataOf({1, 2, 3, 4, 5}, {3, 6, 14, 24, 28}, 30.0);
+    FitOptions both = optionsOf(Sigmoid::gauss, 0.05, 0.05), equal = both;
+    equal.guess = Asymptote::equalToLapse();
+    for (const bool bayesian : {false, true}) {
+        const auto fit = [&](const FitOptions& options) { return bayesian ? fitBayesian(data, options) : fitMaximumLikelihood(data, options); };
+        const FitResult asked = fit(equal), meant = fit(both);
+        QCOMPARE(asked.guess, 0.05);
+        QCOMPARE(asked.lapse, 0.05);
+        QCOMPARE(asked.threshold, meant.threshold);
+        QCOMPARE(asked.width, meant.width);
+        QCOMPARE(asked.freeParameters, meant.freeParameters);
+        QCOMPARE(asked.aic, meant.aic);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestFitOptima)
