@@ -19,6 +19,8 @@ private slots:
     void noBetterThanGuessing();
     void countsGivenTwice();
     void fitsOfWhatIsNotThere();
+    void rowsLeftOutAreNamed();
+    void tauOfEachJudge();
     void ranksThatAreNone();
     void rankingsLeftOut();
     void pairsRefused_data();
@@ -142,6 +144,30 @@ void TestCliPsychophysicsEdges::fitsOfWhatIsNotThere() {
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
     fault = refusalFault(runCli({"psychophysics", "fit", file("many.csv", head + "1,10,20\n2,15,1e12\n")}), 3, QStringList{"many.csv:3: column n_total", "at most 1e9"});
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
+}
+
+/// Rows that cannot be used are named by their lines; standard errors are told beside intervals.
+void TestCliPsychophysicsEdges::rowsLeftOutAreNamed() {
+    const CliRun run = runCli({"psychophysics", "fit", file("holes.csv", "intensity,n_correct,n_total\n1,3,30\n2,,30\n# a note\n3,14,30\n4,31,30\n5,28,30\n6,29,30\n"), "--method", "ml", "--guess", "0", "--json"});
+    const QJsonObject fit = object(run.out);
+    QVERIFY2(fit["warnings"].toArray().first().toString().contains(QStringLiteral("holes.csv: lines 3, 6)")), run.out.constData());
+    QVERIFY(fit["error"].toObject()["threshold"].toDouble() > 0.0 && fit["error"].toObject()["width"].toDouble() > 0.0);
+}
+
+/// Of each judge with the expected order: 1, a neighbour swapped (1/3), all turned round.
+void TestCliPsychophysicsEdges::tauOfEachJudge() {
+    const CliRun run = runCli({"psychophysics", "rank", file("ranks.csv", "a,b,c\n1,2,3\n1,3,2\n3,2,1\n1,,2\n"), "--json"});
+    const QJsonObject tau = object(run.out)["kendall_tau"].toObject();
+    const QJsonArray each = tau["each"].toArray();
+    QCOMPARE(each.size(), 4);
+    const std::array expected{1.0, 1.0 / 3.0, -1.0};
+    for (int i = 0; i < 3; ++i)
+        QVERIFY(std::abs(each[i].toObject()["tau"].toDouble() - expected[static_cast<std::size_t>(i)]) < 1e-12);
+    QVERIFY(each[3].toObject()["tau"].isNull());
+    QCOMPARE(tau["judges"].toInt(), 3);
+    QVERIFY(std::abs(tau["mean"].toDouble() - 1.0 / 9.0) < 1e-12);
+    const QJsonObject turned = object(runCli({"psychophysics", "rank", m_folder.filePath("ranks.csv"), "--order", "c,b,a", "--json"}).out)["kendall_tau"].toObject();
+    QVERIFY(std::abs(turned["mean"].toDouble() + 1.0 / 9.0) < 1e-12);
 }
 
 void TestCliPsychophysicsEdges::ranksThatAreNone() {

@@ -110,6 +110,7 @@ void TestCliStudy::aRunIsGoneOnWith() {
     for (qsizetype i = 0; i < before.size(); ++i)
         QCOMPARE(after[i], before[i]);
     QCOMPARE(object(quick("S02")), whole); // completed: nothing is added
+    QCOMPARE(refusalFault(cli({"study", "run", kStudy, "--participant", "S02", "--observer", "weber:0.12,lapse:0.02", "--seed", "2", "--quick"}), 2, {"every run", "seed"}), QString());
     QCOMPARE(whole["device"], QJsonValue(QJsonValue::Null));
 }
 

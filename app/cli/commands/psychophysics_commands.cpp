@@ -62,10 +62,10 @@ CommandSpec detecting() {
 }
 
 CommandSpec ranking() {
-    CommandSpec row = command("rank", "Kendall's W, Page's L, Thurstone and Plackett-Luce of rankings; Bradley-Terry of pairs",
+    CommandSpec row = command("rank", "Kendall's W and tau, Page's L, Thurstone and Plackett-Luce of rankings; Bradley-Terry of pairs",
                               "chiron-cli psychophysics rank RANKINGS.csv --order soft,medium,hard --json", rankings);
     row.operands = {{"RANKINGS.csv", "a row a judge, a column an object, ranks from 1 (best), ties alike; or pairs: winner,loser[,count]"}};
-    row.options = {{"order", "A,B,...", "the order expected for Page's L, lowest rank first; default: as the columns stand"},
+    row.options = {{"order", "A,B,...", "the order expected for Page's L and Kendall's tau, lowest rank first; default: as the columns stand"},
                    {"regularise", "X", "so many wins of each over each are added where data alone give no finite worths; default: 0"}};
     return row;
 }

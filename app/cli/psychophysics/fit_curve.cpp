@@ -4,6 +4,7 @@
 #include "cli/psychophysics/handlers.h"
 #include "cli/text_table.h"
 #include "psychophysics/fits/fit.h"
+#include "psychophysics/fits/prepared_levels.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -26,7 +27,23 @@ QStringList sigmoidNames() {
     return names;
 }
 
-core::Result<PsychometricData> readLevels(const QString& path) {
+struct ReadLevels {
+    PsychometricData data;
+    QString leftOut; ///< where the rows are that cannot be used; empty: all can
+};
+
+/// "DATA.csv: lines 3, 7": a few of them, since a column of another kind makes all of them so.
+QString placesOf(const CsvTable& table, const std::vector<std::size_t>& rows) {
+    constexpr std::size_t kMostNamed = 5;
+    QStringList lines;
+    for (std::size_t i = 0; i < std::min(rows.size(), kMostNamed); ++i)
+        lines << QString::number(table.lines[rows[i]]);
+    return rows.empty() ? QString()
+                        : QStringLiteral("%1: %2 %3%4").arg(table.name, rows.size() == 1 ? QStringLiteral("line") : QStringLiteral("lines"), lines.join(QStringLiteral(", ")),
+                                                           rows.size() > kMostNamed ? QStringLiteral(" ...") : QString());
+}
+
+core::Result<ReadLevels> readLevels(const QString& path) {
     const auto table = readCsvTable(path);
     if (!table)
         return tl::unexpected(table.error());
@@ -37,7 +54,8 @@ core::Result<PsychometricData> readLevels(const QString& path) {
         if (columns[i] < 0)
             return badInput(QStringLiteral("%1:1: column %2 is missing; expected intensity,n_correct,n_total").arg(path, names[i]));
     }
-    PsychometricData data;
+    ReadLevels read;
+    std::vector<std::size_t> unusable;
     for (std::size_t row = 0; row < table->rows.size(); ++row) {
         std::array<double, 3> values{};
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -49,11 +67,14 @@ core::Result<PsychometricData> readLevels(const QString& path) {
         constexpr double kMostTrials = 1e9; // of a level: beyond, a posterior is narrower than any grid
         if (std::isfinite(values[2]) && values[2] > kMostTrials)
             return table->fault(row, columns[2], QStringLiteral("at most 1e9"));
-        data.x.push_back(values[0]);
-        data.k.push_back(values[1]);
-        data.n.push_back(values[2]);
+        read.data.x.push_back(values[0]);
+        read.data.k.push_back(values[1]);
+        read.data.n.push_back(values[2]);
+        if (!isUsableRow(values[0], values[1], values[2]))
+            unusable.push_back(row);
     }
-    return data;
+    read.leftOut = placesOf(*table, unusable);
+    return read;
 }
 
 /// A proportion, "free", or (where `equal` may be) "equal".
@@ -133,6 +154,11 @@ QJsonObject parameters(const CurveParameters& at, StimulusScale scale) {
     return {{"threshold", fromScale(at.threshold, scale)}, {"width", at.width}, {"lapse", at.lapse}, {"guess", at.guess}, {"eta", at.eta}};
 }
 
+/// Standard errors; of the posterior its standard deviations. All on the fitted axis.
+QJsonObject parameterErrors(const FitResult& fit) {
+    return {{"threshold", fit.error.threshold}, {"width", fit.error.width}, {"lapse", fit.error.lapse}, {"guess", fit.error.guess}, {"eta", fit.error.eta}};
+}
+
 QJsonArray levelsJson(const FitResult& fit) {
     QJsonArray levels;
     for (const FittedLevel& level : fit.levels)
@@ -148,7 +174,7 @@ QJsonObject fitJson(const FitResult& fit) {
                      {"scale", text(token(fit.scale))}, {"threshold", fit.threshold}, {"width", fit.width}, {"lapse", fit.lapse},
                      {"guess", fit.guess}, {"eta", fit.eta}, {"confidence", fit.confidence}, {"ci", intervals(fit.ci)},
                      {"deviance", fit.deviance}, {"degrees_of_freedom", fit.degreesOfFreedom}, {"p_value", fit.pValue},
-                     {"log_likelihood", fit.logLikelihood}, {"aic", fit.aic}, {"levels", levelsJson(fit)}, {"warnings", warnings}};
+                     {"error", parameterErrors(fit)}, {"log_likelihood", fit.logLikelihood}, {"aic", fit.aic}, {"levels", levelsJson(fit)}, {"warnings", warnings}};
     if (fit.method == FitMethod::bayesian)
         json.insert("mean", parameters(fit.mean, fit.scale));
     if (!fit.curve.empty()) {
@@ -245,10 +271,13 @@ core::Result<CommandOutput> fitCurve(const Arguments& arguments) {
         return tl::unexpected(options.error());
     if (*method == u"bayes" && options->bootstrap != Bootstrap::none)
         return wrongUse(QStringLiteral("--bootstrap: expected with --method ml; a Bayesian fit has credible intervals"));
-    const auto data = readLevels(arguments.operand(0));
-    if (!data)
-        return tl::unexpected(data.error());
-    FitResult fit = *method == u"ml" ? fitMaximumLikelihood(*data, *options) : fitBayesian(*data, *options);
+    const auto levels = readLevels(arguments.operand(0));
+    if (!levels)
+        return tl::unexpected(levels.error());
+    FitResult fit = *method == u"ml" ? fitMaximumLikelihood(levels->data, *options) : fitBayesian(levels->data, *options);
+    for (std::string& warning : fit.warnings)
+        if (warning.starts_with("unusable_rows"))
+            warning += " (" + levels->leftOut.toStdString() + ")";
     if (fit.fitted && *method == u"ml" && options->bootstrap == Bootstrap::none && (options->curvePoints > 1 || arguments.has(QStringLiteral("threshold-at"))))
         fit.warnings.emplace_back("no_interval: a curve and a threshold at another proportion have intervals with --bootstrap only, by this method");
     QJsonObject json = fitJson(fit);

@@ -112,6 +112,27 @@ core::Result<std::vector<std::vector<double>>> inOrder(const Judges& judges, con
     return rows;
 }
 
+/// Kendall's tau of each judge with the expected order, and their mean; of many judges the mean alone.
+QJsonObject tauJson(const std::vector<std::vector<double>>& rows) {
+    constexpr std::size_t kMostShown = 1000;
+    QJsonArray each;
+    double sum = 0.0;
+    int counted = 0;
+    for (const auto& ranks : rows) {
+        std::vector<double> expected(ranks.size());
+        std::iota(expected.begin(), expected.end(), 1.0);
+        const bool whole = std::all_of(ranks.begin(), ranks.end(), [](double r) { return std::isfinite(r); });
+        const RankCorrelation tau = whole ? kendallTau(expected, ranks) : RankCorrelation{};
+        if (std::isfinite(tau.tau)) {
+            sum += tau.tau;
+            ++counted;
+        }
+        if (rows.size() <= kMostShown)
+            each.append(QJsonObject{{"tau", tau.tau}, {"p_value", tau.pValue}, {"exact", tau.exact}});
+    }
+    return {{"mean", counted > 0 ? sum / counted : std::nan("")}, {"judges", counted}, {"each", each}};
+}
+
 core::Result<QJsonObject> ranksJson(const Arguments& arguments, const CsvTable& table, const WorthOptions& options) {
     const auto judges = readJudges(table);
     if (!judges)
@@ -137,6 +158,7 @@ core::Result<QJsonObject> ranksJson(const Arguments& arguments, const CsvTable& 
                        {"kendall_w", QJsonObject{{"w", w.w}, {"chi_square", w.chiSquare}, {"degrees_of_freedom", w.objects - 1}, {"p_value", w.pValue}, {"exact_p", w.exactP}, {"warnings", words(w.warnings)}}},
                        {"page", QJsonObject{{"order", QJsonArray::fromStringList(order->isEmpty() ? judges->items : *order)}, {"l", page.l}, {"expected", page.expected}, {"z", page.z},
                                             {"p_value", page.pValue}, {"exact_p", page.exactP}, {"warnings", words(page.warnings)}}},
+                       {"kendall_tau", tauJson(*rows)},
                        {"plackett_luce", worthJson(fitPlackettLuce(objects, selections, options), judges->items, true, judges->leftOut)},
                        {"thurstone", worthJson(fitThurstoneOrders(objects, judges->bestFirst), judges->items, false, judges->leftOut)}};
 }
@@ -172,9 +194,9 @@ QString textOf(const QJsonObject& json) {
     QString text;
     if (json.contains("kendall_w")) {
         const QJsonObject w = json["kendall_w"].toObject(), page = json["page"].toObject();
-        text += QStringLiteral("Kendall's W %1 (p %2), Page's L %3 (p %4), %5 judges\n")
+        text += QStringLiteral("Kendall's W %1 (p %2), Page's L %3 (p %4), mean Kendall's tau with that order %5, %6 judges\n")
                     .arg(shortNumber(w["w"].toDouble(std::nan(""))), shortNumber(w["p_value"].toDouble(std::nan(""))), shortNumber(page["l"].toDouble(std::nan(""))),
-                         shortNumber(page["p_value"].toDouble(std::nan(""))))
+                         shortNumber(page["p_value"].toDouble(std::nan(""))), shortNumber(json["kendall_tau"].toObject()["mean"].toDouble(std::nan(""))))
                     .arg(json["judges"].toInt());
         for (const QJsonValue& warning : json["warnings"].toArray())
             text += QStringLiteral("! %1\n").arg(warning.toString());

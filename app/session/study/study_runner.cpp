@@ -5,6 +5,7 @@
 #include "core/random.h"
 #include "session/study/apex_sitting.h"
 #include "session/study/rendered_run.h"
+#include "session/study/run_seed.h"
 #include "session/study/study_check.h"
 #include "session/study/study_director.h"
 #include "session/study/study_setup.h"
@@ -153,21 +154,13 @@ core::Result<void> sameKind(const database::StudyRun& run, const std::vector<dat
                  : core::Result<void>();
 }
 
-/// A seed that is asked for and would change nothing is refused: the run's choices are those of the one it was begun with.
-core::Result<void> sameSeed(const database::StudyRun& run, std::uint64_t asked, const StudyRunRequest& request) {
-    if (!request.seedGiven || run.seed == asked)
-        return {};
-    return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run.id) + " was begun with another seed than " + std::to_string(request.seed) +
-                                                     ": expected that one, or none, to go on with it");
-}
-
 core::Result<BegunRun> beginOrResume(database::Database& database, const database::Actor& actor, const OpenedStudy& study, const std::string& label,
                                      database::ConductedRun conducted, const StudyRunRequest& request, double limit) {
-    const std::uint64_t seed = core::Random::mix(runSeed(study, label), std::to_string(request.seed)) >> 1;
+    const std::uint64_t seed = seedOf(study, label, request);
     if (const auto& open = conducted.open) {
         auto alike = sameKind(*open, conducted.trials, request.quick);
         if (alike)
-            alike = sameSeed(*open, seed, request);
+            alike = sameSeed(study, *open, request);
         if (alike)
             alike = sameTable(*open, limit);
         if (!alike)
@@ -269,6 +262,9 @@ core::Result<StudyRunReport> runStudyHeadless(database::Database& database, cons
     std::vector<std::string> conditions = openConditions(*study);
     if (!request.condition.empty())
         conditions = {request.condition};
+    else if (conditions.empty())
+        if (auto same = seedIsOfWhatWasDone(*study, request); !same)
+            return tl::unexpected(same.error());
     const auto limits = limitsOfRun(request);
     if (!limits)
         return tl::unexpected(limits.error());

@@ -28,7 +28,7 @@ std::vector<Row> usableRows(const PsychometricData& data, StimulusScale scale, P
     rows.reserve(complete);
     for (std::size_t i = 0; i < complete; ++i) {
         const double x = data.x[i], k = data.k[i], n = data.n[i];
-        if (!std::isfinite(x) || !wholeNumber(k) || !wholeNumber(n) || k > n) {
+        if (!isUsableRow(x, k, n)) {
             ++unusable;
         } else if (const double axis = toScale(x, scale); std::isnan(axis)) {
             ++offScale;
@@ -162,6 +162,10 @@ double logFactorial(double n) noexcept {
     const double inverse = 1.0 / n;
     const double series = inverse * (1.0 / 12.0 - inverse * inverse * (1.0 / 360.0 - inverse * inverse / 1260.0));
     return (n + 0.5) * std::log(n) - n + 0.5 * std::log(2.0 * std::numbers::pi) + series;
+}
+
+bool isUsableRow(double x, double right, double of) noexcept {
+    return std::isfinite(x) && wholeNumber(right) && wholeNumber(of) && right <= of;
 }
 
 PreparedLevels prepareLevels(const PsychometricData& data, StimulusScale scale) {

@@ -28,6 +28,9 @@ struct PreparedLevels {
     bool usable() const noexcept { return range > 0.0; }
 };
 
+/// A finite place, whole numbers of answers, not more right than given. The others are left out, with a warning.
+bool isUsableRow(double x, double right, double of) noexcept;
+
 /// More places than this are put together, since the time of a fit grows with them.
 inline constexpr std::size_t kMostFittedLevels = 256;
 
