@@ -10,8 +10,6 @@
 
 #include "core/random.h"
 
-#include <algorithm>
-
 namespace chiron::psychophysics {
 
 namespace {
@@ -32,15 +30,7 @@ struct FactoryOf {
     Factory operator()(const DescendingSpec& spec) const { return checked([spec](std::uint64_t) { return Descending::make(spec); }); }
     Factory operator()(const QuestSpec& spec) const { return checked([spec](std::uint64_t) { return Quest::make(spec); }); }
     Factory operator()(const QuestPlusSpec& spec) const { return ofModel(questPlusModel(spec), std::to_string(spec.seed)); }
-    Factory operator()(const Rank3Spec& spec) const {
-        constexpr std::size_t kMostEntries = 4'000'000; // differences times cells, of which every outcome has a table
-        const std::size_t cells = std::max<std::size_t>(spec.log10Sigma.size(), 1) * std::max<std::size_t>(spec.lapse.size(), 1) *
-                                  (spec.allowTies ? 2 * std::max<std::size_t>(spec.tieThresholds.size(), 1) : 1); // 13 outcomes, not six
-        if (spec.differences.size() > kMostEntries / cells)
-            return core::fail(core::ErrorCode::badInput, "differences: times log10_sigma, lapse_rates and tie_thresholds more than " + std::to_string(kMostEntries) +
-                                                             ": expected fewer");
-        return ofModel(rank3Model(spec), {});
-    }
+    Factory operator()(const Rank3Spec& spec) const { return ofModel(rank3Model(spec), {}); }
 
     static Factory ofModel(const core::Result<std::shared_ptr<const QuestPlusModel>>& model, const std::string& purpose) {
         if (!model)

@@ -15,6 +15,7 @@ using core::fail;
 namespace {
 
 constexpr double kMostTie = 20.0; ///< σ
+constexpr std::size_t kMostTableEntries = 4'000'000; ///< differences times cells, of which every outcome has a table
 
 using Table = std::vector<std::vector<std::vector<double>>>;
 
@@ -25,8 +26,8 @@ core::Result<void> check(const Rank3Spec& spec) {
         return bad("differences: expected positive numbers (log10 of a ratio), at least one");
     if (!std::all_of(spec.log10Sigma.begin(), spec.log10Sigma.end(), [](double s) { return std::abs(s) < 20.0; }))
         return bad("log10_sigma: expected finite numbers within 20 of 0");
-    if (!std::all_of(spec.lapse.begin(), spec.lapse.end(), [](double l) { return l >= 0.0 && l < 1.0; }))
-        return bad("lapse_rates: expected shares from 0 to below 1");
+    if (spec.lapse.empty() || !std::all_of(spec.lapse.begin(), spec.lapse.end(), [](double l) { return l >= 0.0 && l < 1.0; }))
+        return bad("lapse_rates: expected shares from 0 to below 1, at least one");
     if (spec.stop.trials <= 0 && !(spec.stop.sd > 0.0))
         return bad("stop: expected trials or sd");
     if (spec.allowTies && (spec.tieThresholds.empty() || !std::all_of(spec.tieThresholds.begin(), spec.tieThresholds.end(),
@@ -89,6 +90,16 @@ std::vector<double> defaultLog10Sigma(const std::vector<double>& differences) {
     return grid;
 }
 
+/// Whether all tables together stay of a size that memory and time allow; the grid of log10 σ is there.
+core::Result<void> checkSize(const Rank3Spec& spec) {
+    std::size_t most = kMostTableEntries / spec.differences.size();
+    for (const std::size_t factor : {spec.log10Sigma.size(), spec.lapse.size(), spec.allowTies ? 2 * spec.tieThresholds.size() : 1}) // 13 outcomes, not six
+        most /= factor;
+    if (most == 0)
+        return fail(ErrorCode::badInput, "differences: times log10_sigma, lapse_rates and tie_thresholds more than " + std::to_string(kMostTableEntries) + ": expected fewer");
+    return {};
+}
+
 } // namespace
 
 core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& given) {
@@ -97,6 +108,8 @@ core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& 
     Rank3Spec spec = given;
     if (spec.log10Sigma.empty())
         spec.log10Sigma = defaultLog10Sigma(spec.differences);
+    if (auto good = checkSize(spec); !good)
+        return tl::unexpected(good.error());
     std::vector<ParameterGrid> axes{{"log10_sigma", spec.log10Sigma, {}, false}, {"lapse", spec.lapse, {}, false}};
     if (spec.allowTies)
         axes.insert(axes.begin() + 1, {"tie_threshold", spec.tieThresholds, {}, false});

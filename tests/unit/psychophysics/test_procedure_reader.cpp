@@ -146,6 +146,14 @@ void TestProcedureReader::gridsOfRank3() {
     const auto spec = read(R"({"kind": "rank3_quest_plus", "differences": [)" + numbers + R"(], "log10_sigma": [)" + numbers + "]}");
     QVERIFY(!spec);
     QVERIFY2(QString::fromStdString(spec.error().message).contains("$.differences: times log10_sigma, lapse_rates and tie_thresholds more than 4000000"), spec.error().message.c_str());
+    QByteArray many = "1e-4"; // the grid of sigma left out counts too
+    for (int i = 1; i < 60'000; ++i)
+        many += "," + QByteArray::number(1e-4 + 1e-5 * i);
+    const QByteArray lapses = "0.02" + QByteArray(",0.02").repeated(49);
+    const auto byDefault = read(R"({"kind": "rank3_quest_plus", "differences": [)" + many + R"(], "lapse_rates": [)" + lapses + "]}");
+    QVERIFY(!byDefault);
+    QVERIFY2(QString::fromStdString(byDefault.error().message).contains("$.differences: times log10_sigma, lapse_rates and tie_thresholds more than 4000000"),
+             byDefault.error().message.c_str());
 }
 
 void TestProcedureReader::faults() {
