@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <sstream>
 
 namespace chiron::psychophysics {
 
@@ -10,6 +12,12 @@ using core::ErrorCode;
 using core::fail;
 
 namespace {
+
+std::string digits(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
 
 core::Result<void> check(const QuestSpec& spec) {
     const auto bad = [](const char* what) { return fail(ErrorCode::badInput, what); };
@@ -21,8 +29,10 @@ core::Result<void> check(const QuestSpec& spec) {
         return bad("slope: expected a positive number");
     if (!(spec.guess >= 0.0 && spec.guess < 1.0) || !(spec.lapse >= 0.0 && spec.lapse < 1.0))
         return bad("guess, lapse: expected shares from 0 to below 1");
-    if (std::isnan(questEpsilon(spec.target, spec.slope, spec.guess, spec.lapse)))
-        return bad("target: expected a proportion between the lower and the upper asymptote");
+    const double upper = 1.0 - spec.lapse * (1.0 - spec.guess);
+    const double nearest = 1e-9 * (upper - spec.guess); // on an asymptote but for rounding
+    if (!(spec.target > spec.guess + nearest && spec.target < upper - nearest))
+        return fail(ErrorCode::badInput, "target: expected a proportion above guess, " + digits(spec.guess) + ", and below 1 - lapse (1 - guess), " + digits(upper));
     if (!(spec.grain > 0.0) || !(spec.range > 0.0) || !(spec.range / spec.grain <= 1e6) || !(spec.range / spec.grain >= 2.0))
         return bad("grain, range: expected positive numbers, range 2 to 1e6 times the grain");
     if (spec.method != "quantile" && spec.method != "mean" && spec.method != "mode")
@@ -57,17 +67,20 @@ core::Result<std::unique_ptr<Procedure>> Quest::make(const QuestSpec& spec) {
 Quest::Quest(QuestSpec spec) : m_spec(std::move(spec)) {
     m_half = std::ceil(m_spec.range / m_spec.grain / 2.0);
     m_right.resize(static_cast<std::size_t>(4.0 * m_half) + 1);
+    m_wrong.resize(m_right.size());
     tabulate(0.0);
     tabulate(offset());
     m_order = optimalQuantileOrder(m_right.front(), m_right.back());
     restart();
 }
 
+/// Both outcomes, each from what it is made of: one less the other loses what is tiny, and far from the threshold that is what tells.
 void Quest::tabulate(double epsilon) {
+    const double range = (1.0 - m_spec.lapse) * (1.0 - m_spec.guess); // between the asymptotes
     for (std::size_t i = 0; i < m_right.size(); ++i) {
-        const double exponent = m_spec.slope * ((static_cast<double>(i) - 2.0 * m_half) * m_spec.grain + epsilon);
-        m_right[i] = m_spec.lapse * m_spec.guess +
-                     (1.0 - m_spec.lapse) * (1.0 - (1.0 - m_spec.guess) * std::exp(-std::pow(10.0, exponent)));
+        const double hazard = std::pow(10.0, m_spec.slope * ((static_cast<double>(i) - 2.0 * m_half) * m_spec.grain + epsilon));
+        m_right[i] = m_spec.guess - range * std::expm1(-hazard);
+        m_wrong[i] = m_spec.lapse * (1.0 - m_spec.guess) + range * std::exp(-hazard);
     }
 }
 
@@ -119,8 +132,8 @@ core::Result<void> Quest::take(const RecordedTrial& trial) {
     std::vector<double> pdf = m_pdf;
     double sum = 0.0;
     for (std::size_t i = 0; i < pdf.size(); ++i) {
-        const double right = m_right[static_cast<std::size_t>(offset + 3.0 * m_half - static_cast<double>(i))];
-        sum += pdf[i] *= trial.outcome == 1 ? right : 1.0 - right;
+        const auto at = static_cast<std::size_t>(offset + 3.0 * m_half - static_cast<double>(i));
+        sum += pdf[i] *= trial.outcome == 1 ? m_right[at] : m_wrong[at];
     }
     if (!(sum > 0.0))
         return fail(ErrorCode::badInput, "outcome " + std::to_string(trial.outcome) +
@@ -151,23 +164,20 @@ double Quest::sd() const {
 }
 
 double Quest::quantile(double order) const {
-    // Between points where the distribution rises, as a straight line (points before each rise, the very last left out).
-    double below = m_pdf[0];
-    if (order < below)
-        return m_spec.priorMean + x(0);
-    double lastP = std::numeric_limits<double>::quiet_NaN();
+    // A straight line between the points at which the distribution has risen, the very last among them; where it has not, nothing lies.
+    const double wanted = order * std::accumulate(m_pdf.begin(), m_pdf.end(), 0.0);
+    double lastP = 0.0;
     double lastX = 0.0;
-    for (std::size_t i = 0; i + 1 < m_pdf.size(); ++i) {
-        const double next = below + m_pdf[i + 1];
-        if (next != below) {
-            if (below >= order)
-                return m_spec.priorMean + (std::isnan(lastP) ? x(i) : lastX + (x(i) - lastX) * (order - lastP) / (below - lastP));
-            lastP = below;
-            lastX = x(i);
-        }
-        below = next;
+    for (std::size_t i = 0; i < m_pdf.size(); ++i) {
+        const double p = lastP + m_pdf[i];
+        if (p == lastP)
+            continue;
+        if (p >= wanted)
+            return m_spec.priorMean + (lastP > 0.0 ? lastX + (x(i) - lastX) * (wanted - lastP) / (p - lastP) : x(i));
+        lastP = p;
+        lastX = x(i);
     }
-    return m_spec.priorMean + (std::isnan(lastP) ? x(m_pdf.size() - 1) : lastX);
+    return m_spec.priorMean + lastX;
 }
 
 bool Quest::done() const noexcept {

@@ -13,13 +13,13 @@ double optimalQuantileOrder(double low, double high) noexcept;
 
 /// QUEST (Watson & Pelli 1983) on a grid of thresholds around the prior mean. The first trial is at the prior mean; then at the optimal
 /// quantile, mean or mode of the posterior, within minimum..maximum. Interpolation as in the common implementations, also of ε (quest@1 had
-/// it in closed form), whose sequences it gives.
+/// it in closed form) and to the grid's last point (quest@2 left it out, and lost tiny probabilities), whose sequences it gives.
 class Quest final : public LoggedProcedure {
 public:
     static core::Result<std::unique_ptr<Procedure>> make(const QuestSpec& spec);
     explicit Quest(QuestSpec spec);
 
-    std::string_view id() const noexcept override { return "quest@2"; }
+    std::string_view id() const noexcept override { return "quest@3"; }
     Choice next() const override;
     bool done() const noexcept override;
     ProcedureEstimate estimate() const override;
@@ -44,6 +44,7 @@ private:
     double m_half = 0.0;         ///< grid points on either side of the prior mean
     double m_order = 0.5;
     std::vector<double> m_right; ///< p(right) by (stimulus - threshold)/grain + 2 m_half
+    std::vector<double> m_wrong; ///< p(wrong), as exact where it is tiny
     std::vector<double> m_pdf;
 };
 

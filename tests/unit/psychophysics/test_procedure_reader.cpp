@@ -135,6 +135,9 @@ void TestProcedureReader::faults_data() {
     add("function", R"({"kind": "quest_plus", "function": "weibul", "stimuli": [{"name": "x", "values": [1]}], "parameters": []})", "$.function: \"weibul\"");
     add("parameter", R"({"kind": "quest_plus", "stimuli": [{"name": "x", "values": [1]}], "parameters": [{"name": "threshold", "values": [1]}]})", "slope is missing");
     add("grid", R"({"kind": "quest_plus", "stimuli": [{"name": "x", "from": 1, "to": 0, "step": 1}], "parameters": []})", "$.stimuli[0].step");
+    add("target at the lower asymptote", R"({"kind": "quest", "target": 0.5})", "$.target: 0.5: expected a proportion above guess, 0.5, and below 1 - lapse (1 - guess), 0.995");
+    add("target at the upper asymptote", R"({"kind": "quest", "target": 0.995})", "$.target: 0.995: expected a proportion above guess");
+    add("target beyond it", R"({"kind": "quest", "target": 0.2, "guess": 0.25})", "$.target: 0.2: expected a proportion above guess, 0.25,");
     add("ties", R"({"kind": "rank3_quest_plus", "differences": [0.1], "allow_ties": true, "tie_thresholds": [0]})", "$.tie_thresholds: not usable: expected positive numbers");
     add("place", "{\"kind\": \"staircase\",\n \"down\": 0}", "procedure.json:2:");
 }

@@ -102,6 +102,8 @@ private slots:
     void targets();
     void questOffset();
     void questOnACoarseGrid();
+    void questAtTheEndOfItsGrid();
+    void questKeepsTinyProbabilities();
 };
 
 void TestStaircasePublished::psychopy() {
@@ -218,6 +220,48 @@ void TestStaircasePublished::questOnACoarseGrid() {
     }
     QVERIFY(std::abs(run.mean() + 0.06756398809337227) < 1e-12);
     QVERIFY(std::abs(run.sd() - 0.20961395496140645) < 1e-12);
+}
+
+/// Always wrong: what lies at the grid's last point counts. Stimuli, mean and interval as the formulas of the common implementation give them
+/// in numpy (its quantile between all points at which the distribution has risen).
+void TestStaircasePublished::questAtTheEndOfItsGrid() {
+    QuestSpec spec;
+    spec.priorSd = 1.0;
+    spec.grain = 0.1;
+    spec.range = 2.0;
+    Quest run(spec);
+    QCOMPARE(run.id(), std::string_view("quest@3")); // what chooses otherwise has another id
+    for (const double level : {0.0, 0.5294078367082239, 0.7702681271177795, 0.8976680025273759, 0.9360781828566891, 0.947402209364289, 0.9526321404156224, 0.9571352256299355}) {
+        QVERIFY2(std::abs(run.next().stimulus[0] - level) < 1e-12, qPrintable(QString::number(run.next().stimulus[0], 'g', 16)));
+        QVERIFY(run.record(0, run.next().stimulus));
+    }
+    QVERIFY(std::abs(run.next().stimulus[0] - 0.9584376655515111) < 1e-12);
+    QVERIFY(std::abs(run.mean() - 0.9986965329390362) < 1e-12);
+    QVERIFY(std::abs(run.quantile(0.975) - 0.9974669934426761) < 1e-12);
+    spec.priorSd = 0.001; // all on one point of the grid
+    Quest sure(spec);
+    QVERIFY(sure.record(1, {0.0}));
+    QCOMPARE(sure.quantile(0.025), 0.0);
+    QCOMPARE(sure.quantile(0.975), 0.0);
+}
+
+/// A yes where nearly none is to be expected says how much less likely it is at every threshold above: as the formula has it.
+void TestStaircasePublished::questKeepsTinyProbabilities() {
+    QuestSpec spec;
+    spec.priorSd = 2.0;
+    spec.guess = 0.0;
+    spec.target = 0.6;
+    spec.method = "mean";
+    const auto after = [&spec] {
+        Quest run(spec);
+        (void)run.record(1, {-2.5});
+        (void)run.record(0, {1.5});
+        (void)run.record(0, {1.5});
+        return run.mean();
+    };
+    QVERIFY2(std::abs(after() + 2.3563268) < 5e-7, qPrintable(QString::number(after(), 'g', 16))); // a lapse explains it
+    spec.lapse = 0.0;
+    QVERIFY2(std::abs(after() - 1.6359684) < 5e-7, qPrintable(QString::number(after(), 'g', 16)));
 }
 
 QTEST_APPLESS_MAIN(TestStaircasePublished)
