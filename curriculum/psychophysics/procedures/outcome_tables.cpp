@@ -59,24 +59,24 @@ private:
 
 } // namespace
 
-BestStimulus bestOf(const std::vector<double>& gains, int excluded) {
+BestStimulus bestOf(std::vector<double> gains, const Rows& excluded) {
     const double none = std::numeric_limits<double>::infinity();
+    for (const int row : excluded)
+        gains[static_cast<std::size_t>(row)] = none;
     double least = none;
     double second = none;
     for (std::size_t x = 0; x < gains.size(); ++x) {
-        if (static_cast<int>(x) == excluded)
-            continue;
         second = std::min(second, std::max(gains[x], least));
         least = std::min(least, gains[x]);
     }
     BestStimulus best;
     for (std::size_t x = 0; x < gains.size() && best.index < 0; ++x)
-        if (static_cast<int>(x) != excluded && gains[x] <= least + kEntropyTie)
+        if (gains[x] <= least + kEntropyTie && gains[x] < none)
             best = {static_cast<int>(x), least, second < none ? second - least : best.margin};
     return best;
 }
 
-BestStimulus OutcomeTables::best(const PosteriorGrid& posterior, int excluded) const { return bestOf(gains(posterior), excluded); }
+BestStimulus OutcomeTables::best(const PosteriorGrid& posterior, const Rows& excluded) const { return bestOf(gains(posterior), excluded); }
 
 std::vector<double> OutcomeTables::marginalGains(const PosteriorGrid& posterior) const {
     const std::vector<double>& p = posterior.probability();

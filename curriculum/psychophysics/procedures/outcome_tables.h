@@ -5,6 +5,7 @@
 #include "psychophysics/procedures/psychometric_functions.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace chiron::psychophysics {
@@ -15,6 +16,7 @@ struct BestStimulus {
     double gain = 0.0;   ///< the least: expected entropy after it, less the entropy now (nats, at most 0)
     double margin = std::numeric_limits<double>::quiet_NaN(); ///< the second least less the least
 };
+using Rows = std::span<const int>; ///< of the grid of stimuli, ascending
 inline constexpr double kEntropyTie = 1e-9;
 
 /// p(outcome | stimulus, cell), and what QUEST+ makes of it. Because outcomes sum to one (Watson 2017, eq. 5, rearranged),
@@ -31,8 +33,8 @@ public:
     virtual std::size_t stimuli() const noexcept = 0;
     /// Σ_r P_r ln P_r - (M p)(x) of every stimulus.
     virtual std::vector<double> gains(const PosteriorGrid& posterior) const = 0;
-    /// The best one but `excluded` (-1: none).
-    virtual BestStimulus best(const PosteriorGrid& posterior, int excluded) const;
+    /// The best one but those left out.
+    virtual BestStimulus best(const PosteriorGrid& posterior, const Rows& excluded) const;
     /// One number a cell, padded with zeros.
     virtual void likelihood(std::size_t stimulus, int outcome, std::vector<double>& to) const = 0;
 
@@ -42,7 +44,7 @@ protected:
 };
 
 /// Least, lowest of ties, margin.
-BestStimulus bestOf(const std::vector<double>& gains, int excluded);
+BestStimulus bestOf(std::vector<double> gains, const Rows& excluded);
 
 /// Two outcomes of a psychometric function over a grid whose parameters are the function's, in its order.
 /// Failure: badInput (asymptotes outside 0..1, a function that is not a number somewhere).

@@ -88,23 +88,24 @@ public:
         return gains;
     }
 
-    BestStimulus best(const PosteriorGrid& posterior, int excluded) const override {
+    BestStimulus best(const PosteriorGrid& posterior, const Rows& excluded) const override {
         if (posterior.hasNuisance())
             return bestOf(marginalGains(posterior), excluded);
         const Shapes shapes = shapesOf(posterior);
         std::vector<Bounds> bounds = roughGains(posterior, shapes);
+        for (const int row : excluded)
+            bounds[static_cast<std::size_t>(row)] = {kNone, kNone};
         double least = kNone;
         double second = kNone; // of the upper bounds: two stimuli are no worse
-        for (std::size_t x = 0; x < m_stimuli; ++x)
-            if (static_cast<int>(x) != excluded) {
-                second = std::min(second, std::max(bounds[x].high, least));
-                least = std::min(least, bounds[x].high);
-            }
+        for (const Bounds& bound : bounds) {
+            second = std::min(second, std::max(bound.high, least));
+            least = std::min(least, bound.high);
+        }
         std::vector<double> gains(m_stimuli, kNone);
         for (std::size_t x = 0; x < m_stimuli; ++x)
             if (bounds[x].low <= second + kEntropyTie)
                 gains[x] = gain(posterior, shapes, x);
-        return bestOf(gains, excluded);
+        return bestOf(std::move(gains), excluded);
     }
 
     void likelihood(std::size_t stimulus, int outcome, std::vector<double>& to) const override {

@@ -30,9 +30,16 @@ Choice QuestPlus::next() const {
     return *m_choice;
 }
 
+/// The rows of the stimulus that came as often in a row as it may; none where there is no other.
+Rows QuestPlus::leftOut() const {
+    if (m_model->repeatLimit <= 0 || m_sameInARow < m_model->repeatLimit)
+        return {};
+    const std::vector<int>& rows = m_model->alike[static_cast<std::size_t>(m_lastCandidate)];
+    return rows.size() < m_model->stimuli.size() ? Rows(rows) : Rows();
+}
+
 Choice QuestPlus::choose() const {
-    const bool capped = m_model->repeatLimit > 0 && m_sameInARow >= m_model->repeatLimit && m_model->stimuli.size() > 1;
-    const BestStimulus best = m_model->tables->best(m_posterior, capped ? m_lastCandidate : -1);
+    const BestStimulus best = m_model->tables->best(m_posterior, leftOut());
     Choice choice;
     choice.candidate = best.index;
     choice.entropyMargin = best.margin;
@@ -46,7 +53,7 @@ Choice QuestPlus::choose() const {
     return choice;
 }
 
-double QuestPlus::expectedEntropy() const { return m_posterior.entropy() + m_model->tables->best(m_posterior, -1).gain; }
+double QuestPlus::expectedEntropy() const { return m_posterior.entropy() + m_model->tables->best(m_posterior, {}).gain; }
 
 bool QuestPlus::done() const noexcept { return stopped(m_model->stop, trials(), 0, m_sd); }
 
@@ -114,7 +121,9 @@ core::Result<void> QuestPlus::take(const RecordedTrial& trial) {
         return fail(ErrorCode::badInput, "outcome " + std::to_string(trial.outcome) +
                                              ": impossible at this stimulus for all parameters of the grid: expected a grid with a "
                                              "lapse rate above 0, or another outcome");
-    const int row = candidate >= 0 ? candidate : nearestTo(trial.presented); // a rounded stimulus counts as the row it stands for
+    int row = candidate >= 0 ? candidate : nearestTo(trial.presented); // a rounded stimulus counts as the row it stands for
+    if (m_model->repeatLimit > 0)
+        row = m_model->alike[static_cast<std::size_t>(row)].front();
     m_sameInARow = row == m_lastCandidate ? m_sameInARow + 1 : 1;
     m_lastCandidate = row;
     ++m_taken;

@@ -19,12 +19,16 @@ struct QuestPlusModel {
     std::function<core::Result<std::shared_ptr<const OutcomeTables>>(const Stimulus&)> tablesAt;
     StopRule stop;
     int repeatLimit = 0;
+    std::vector<std::vector<int>> alike; ///< with a limit of repeats: for every stimulus the rows that are the same
     double catchShare = 0.0;
     int easiest = -1; ///< candidate of the catch trials
 };
 
 /// Failure: badInput naming the key and what was expected.
 core::Result<std::shared_ptr<const QuestPlusModel>> questPlusModel(const QuestPlusSpec& spec);
+
+/// Limits repeats of a stimulus, in whatever rows it stands. Where one stands in several the id is version 2: version 1 counted rows.
+void limitRepeats(QuestPlusModel& model, int limit);
 
 /// QUEST+ (Watson 2017): the stimulus that leaves the least expected entropy, by OutcomeTables; posterior means with intervals.
 class QuestPlus final : public LoggedProcedure {
@@ -49,6 +53,7 @@ protected:
 private:
     int candidateOf(const Stimulus& presented) const;
     int nearestTo(const Stimulus& presented) const;
+    Rows leftOut() const;
     core::Result<std::vector<double>> likelihoodOf(const RecordedTrial& trial, int candidate) const;
     Choice choose() const;
 
@@ -56,7 +61,7 @@ private:
     std::uint64_t m_seed;
     PosteriorGrid m_posterior;
     int m_taken = 0;
-    int m_lastCandidate = -1;
+    int m_lastCandidate = -1; ///< with a limit of repeats: the first of the rows that are alike
     int m_sameInARow = 0;
     double m_sd = 0.0; ///< of the first parameter, where the run stops by it
     mutable std::optional<Choice> m_choice; ///< kept until the next outcome

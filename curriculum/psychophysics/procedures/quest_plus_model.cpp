@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace chiron::psychophysics {
 
@@ -155,6 +156,19 @@ core::Result<void> addTable(QuestPlusModel& model, const QuestPlusSpec& spec) {
 
 } // namespace
 
+void limitRepeats(QuestPlusModel& model, int limit) {
+    model.repeatLimit = limit;
+    if (limit <= 0)
+        return;
+    std::map<Stimulus, std::vector<int>> rows;
+    for (std::size_t row = 0; row < model.stimuli.size(); ++row)
+        rows[model.stimuli[row]].push_back(static_cast<int>(row));
+    for (const Stimulus& stimulus : model.stimuli)
+        model.alike.push_back(rows[stimulus]);
+    if (rows.size() < model.stimuli.size())
+        model.id.back() = '2';
+}
+
 core::Result<std::shared_ptr<const QuestPlusModel>> questPlusModel(const QuestPlusSpec& spec) {
     if (auto good = checkRules(spec); !good)
         return tl::unexpected(good.error());
@@ -167,7 +181,7 @@ core::Result<std::shared_ptr<const QuestPlusModel>> questPlusModel(const QuestPl
     if (auto added = spec.function == "table" ? addTable(*model, spec) : addFunction(*model, spec); !added)
         return tl::unexpected(added.error());
     model->stop = spec.stop;
-    model->repeatLimit = spec.repeatLimit;
+    limitRepeats(*model, spec.repeatLimit);
     model->catchShare = spec.catchEvery;
     if (spec.catchEvery > 0.0)
         model->easiest = easiestOf(*model);

@@ -128,7 +128,7 @@ core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& 
     model->tables = std::move(*tables);
     model->tablesAt = [spec, observers, grid = model->prior](const Stimulus& x) { return tablesOf(x, spec, observers, grid); };
     model->stop = spec.stop;
-    model->repeatLimit = spec.repeatLimit;
+    limitRepeats(*model, spec.repeatLimit);
     return model;
 }
 
