@@ -2,6 +2,7 @@
 #include "psychophysics/fits/fit.h"
 
 #include "psychophysics/fits/fit_summary.h"
+#include "psychophysics/fits/posterior_mode.h"
 #include "psychophysics/fits/posterior_summary.h"
 
 #include <cmath>
@@ -62,7 +63,7 @@ FitResult fitBayesian(const PsychometricData& data, const FitOptions& given) {
     const PosteriorModel model{levels, options.function, priorsFor(levels, options, result.scale), free, free.lapse ? 0.0 : options.lapse.value,
                                free.guess || free.equal ? 0.0 : options.guess.value, options.overdispersion};
     const DensityGrid whole(model, wholeSpace(model, kCoarse));
-    const CurveParameters mode = posteriorMode(model, likelyCells(whole));
+    const CurveParameters mode = posteriorMode(model, modeStarts(model, whole));
     const DensityGrid grid(model, posteriorRegion(model, whole, mode, free.guess ? kFineFreeGuess : kFine));
     result.fitted = true;
     result.best = fromUnitAxis(mode, levels);

@@ -183,26 +183,4 @@ PosteriorAxes posteriorRegion(const PosteriorModel& model, const DensityGrid& wh
     return axes;
 }
 
-std::vector<CurveParameters> likelyCells(const DensityGrid& grid) {
-    constexpr std::size_t kParts = 3;
-    std::array<std::size_t, kParts> best{};
-    std::array<double, kParts> height;
-    height.fill(kImpossible);
-    const std::size_t widths = grid.axes().axis[PosteriorAxes::logWidth].size();
-    for (std::size_t cell = 0; cell < grid.logs().size(); ++cell) {
-        const std::size_t part = grid.nodeOf(cell, PosteriorAxes::logWidth) * kParts / widths;
-        if (grid.logs()[cell] > height[part]) {
-            height[part] = grid.logs()[cell];
-            best[part] = cell;
-        }
-    }
-    std::vector<CurveParameters> starts;
-    for (std::size_t part = 0; part < kParts; ++part) {
-        if (std::isfinite(height[part])) {
-            starts.push_back(grid.parametersAt(best[part]));
-        }
-    }
-    return starts;
-}
-
 } // namespace chiron::psychophysics

@@ -45,7 +45,5 @@ PosteriorAxes wholeSpace(const PosteriorModel& model, const GridSize& size);
 /// Axes around where the posterior lies (less than e^−14 of the largest density outside, `mode` inside), found by passes of a coarse grid.
 PosteriorAxes posteriorRegion(const PosteriorModel& model, const DensityGrid& whole, const CurveParameters& mode,
                               const GridSize& fine);
-/// Starts for the search of the mode: the best cells of a grid in three ranges of width.
-std::vector<CurveParameters> likelyCells(const DensityGrid& grid);
 
 } // namespace chiron::psychophysics

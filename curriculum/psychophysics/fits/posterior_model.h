@@ -22,8 +22,4 @@ struct PosteriorModel {
     double logDensity(const CurveParameters& at) const noexcept;
 };
 
-/// The mode: simplex climbs (Nelder & Mead 1965) over threshold, ln width and the roots of the shares, so that a mode at a share of 0
-/// is an inner one.
-CurveParameters posteriorMode(const PosteriorModel& model, const std::vector<CurveParameters>& starts);
-
 } // namespace chiron::psychophysics
