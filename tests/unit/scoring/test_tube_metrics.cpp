@@ -106,6 +106,9 @@ void TestTubeMetrics::everyHoldCounts() {
     QVERIFY(isNear(valueOf(trace, "tension_error_rms"), std::sqrt((1.0 * 1.0 + 3.0 * 0.0025) / 4.0), 1e-3));
     QVERIFY(isNear(valueOf(trace, "tension_error_sd"), 0.95 * std::sqrt(3.0) / 4.0, 1e-3));
     QVERIFY(isNear(valueOf(trace, "time_in_band"), 3.0, 1e-9));
+    // also where the broken one was in the band
+    const auto broken = tubeSession({tubeTrial(5.0, [](double t) { return TubeSample{1.05, 0.02, t < 1.0 || t >= 2.0 ? Step::hold : Step::stretch}; })});
+    QVERIFY(isNear(valueOf(broken, "time_in_band"), 3.0, 1e-9));
 }
 
 void TestTubeMetrics::timeInBandOfAMark() {
