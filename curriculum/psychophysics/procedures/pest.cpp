@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chiron::psychophysics {
 
@@ -41,9 +42,10 @@ core::Result<void> Pest::take(const RecordedTrial& trial) {
     ++m_trialsHere;
     m_rightHere += trial.outcome;
     const double excess = m_rightHere - m_trialsHere * m_spec.target;
-    if (excess > m_spec.waldDeviation)
+    const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * (m_spec.waldDeviation + m_trialsHere); // a deviation just reached is not exceeded
+    if (excess > m_spec.waldDeviation + rounding)
         step(-1);
-    else if (excess < -m_spec.waldDeviation)
+    else if (excess < -m_spec.waldDeviation - rounding)
         step(1);
     return {};
 }
@@ -55,13 +57,13 @@ void Pest::step(int direction) {
         m_step /= 2.0;
         m_stepsThisWay = 1;
         m_lastDoubled = false;
-        m_ended = m_step <= m_spec.smallestStep;
     } else {
         ++m_stepsThisWay;
         m_lastDoubled = m_stepsThisWay > 3 || (m_stepsThisWay == 3 && !m_doubledBeforeReversal);
         if (m_lastDoubled)
             m_step = std::min(2.0 * m_step, m_spec.largestStep);
     }
+    m_ended = m_step <= m_spec.smallestStep; // also the first step, where it is as small
     m_direction = direction;
     m_level = std::clamp(m_level + direction * m_step, m_spec.minimum, m_spec.maximum);
     m_trialsHere = m_rightHere = 0;
@@ -70,7 +72,7 @@ void Pest::step(int direction) {
 ProcedureEstimate Pest::estimate() const {
     ProcedureEstimate estimate;
     estimate.method = m_ended ? "level of the last step (PEST)" : "level reached so far (PEST)";
-    estimate.known = m_reversals > 0;
+    estimate.known = m_reversals > 0 || m_ended;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     if (estimate.known)
         estimate.parameters = {{"threshold", m_level, 0.0, nan, nan}};

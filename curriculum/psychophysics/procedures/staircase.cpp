@@ -12,29 +12,34 @@ using core::fail;
 namespace {
 
 constexpr double kLeastRatio = 1e-300; ///< of a level on a log or dB axis
+constexpr double kLargest = 1e100;     ///< of start and steps: no run comes from there to what is no number
 
 double sizeAt(const std::vector<double>& sizes, int reversals) {
     return sizes[std::min(static_cast<std::size_t>(reversals), sizes.size() - 1)];
 }
 
 bool allPositive(const std::vector<double>& sizes) {
-    return std::all_of(sizes.begin(), sizes.end(), [](double s) { return std::isfinite(s) && s > 0.0; });
+    return std::all_of(sizes.begin(), sizes.end(), [](double s) { return s > 0.0 && s <= kLargest; });
 }
 
 core::Result<void> check(const StaircaseSpec& spec) {
     const auto bad = [](const char* what) { return fail(ErrorCode::badInput, what); };
-    if (!std::isfinite(spec.start))
-        return bad("start: expected a finite number");
-    if (spec.up < 1 || spec.down < 1)
-        return bad("up, down: expected at least 1");
+    if (!(std::abs(spec.start) <= kLargest))
+        return bad("start: expected a number within 1e100 of 0");
+    if (spec.up < 1)
+        return bad("up: expected at least 1");
+    if (spec.down < 1)
+        return bad("down: expected at least 1");
     if (spec.stepsUp.empty() || !allPositive(spec.stepsUp))
-        return bad("steps_up: expected positive numbers, at least one");
+        return bad("steps_up: expected positive numbers up to 1e100, at least one");
     if (!allPositive(spec.stepsDown))
-        return bad("steps_down: expected positive numbers");
-    if (!std::isfinite(spec.stepRatio) || spec.stepRatio < 0.0)
-        return bad("step_ratio: expected 0 or a positive number");
+        return bad("steps_down: expected positive numbers up to 1e100");
+    if (!(spec.stepRatio >= 0.0 && spec.stepRatio <= kLargest))
+        return bad("step_ratio: expected 0 or a positive number up to 1e100");
     if (spec.minimum && spec.maximum && *spec.minimum > *spec.maximum)
         return bad("minimum: expected at most the maximum");
+    if (spec.truncate && ((spec.minimum && spec.start < *spec.minimum) || (spec.maximum && spec.start > *spec.maximum)))
+        return bad("start: expected a number from minimum to maximum, where levels are truncated");
     if (spec.stepType != StaircaseSpec::StepType::linear && spec.start <= 0.0)
         return bad("start: expected a positive number for steps of type log or db");
     if (spec.estimateReversals < 2)

@@ -67,10 +67,13 @@ private slots:
     void refusals();
     void spoiledConstantComesLater();
     void pestBySteps();
+    void pestStepsThatAreTheSmallest();
+    void pestDeviationsJustReached();
     void descendingSaysItsBias();
     void evenNumberOfReversals();
     void questStaysInRange();
     void logStepsComeBackFromTheEnd();
+    void untruncatedStaircaseMayStartOutside();
     void pseInTheMiddleOfAPlateau();
 };
 
@@ -158,6 +161,40 @@ void TestProcedures::pestBySteps() {
     QVERIFY(std::abs(procedure->estimate().parameters[0].mean + 1.3) < 1e-12);
 }
 
+/// A step no larger than the smallest is the last, the first one too.
+void TestProcedures::pestStepsThatAreTheSmallest() {
+    PestSpec spec;
+    spec.step = spec.smallestStep = 0.05;
+    auto procedure = *makeProcedure(spec, 1);
+    QCOMPARE(procedure->id(), std::string_view("pest@2")); // what ends otherwise has another id
+    for (int trial = 0; trial < 5; ++trial) {
+        QVERIFY(!procedure->done());
+        QVERIFY(procedure->record(1, {0.0}));
+    }
+    QVERIFY(procedure->done());
+    QVERIFY(procedure->estimate().known);
+    QCOMPARE(procedure->estimate().parameters[0].mean, -0.05);
+}
+
+/// 6 right and 2 wrong where 0.9 are wanted: 6 - 8 * 0.9 is -1.2, and in binary fractions a little less. What is just reached is not exceeded.
+void TestProcedures::pestDeviationsJustReached() {
+    struct Case {
+        double target, wald;
+        int right, wrong; ///< in this order; after them |k - n target| is the deviation
+    };
+    for (const Case& one : {Case{0.9, 1.2, 6, 2}, Case{0.7, 1.2, 4, 0}, Case{0.6, 1.2, 3, 0}, Case{0.9, 0.7, 7, 0}, Case{0.9, 1.4, 14, 0}, Case{0.55, 1.2, 1, 3}}) {
+        PestSpec spec;
+        spec.target = one.target;
+        spec.waldDeviation = one.wald;
+        auto procedure = *makeProcedure(spec, 1);
+        for (int trial = 0; trial < one.right + one.wrong; ++trial)
+            QVERIFY(procedure->record(trial < one.right ? 1 : 0, {0.0}));
+        QVERIFY2(procedure->next().stimulus[0] == 0.0, qPrintable(QStringLiteral("%1 %2").arg(one.target).arg(one.wald)));
+        QVERIFY(procedure->record(one.wrong == 0 ? 1 : 0, {0.0}));
+        QVERIFY(procedure->next().stimulus[0] != 0.0); // and now it is exceeded
+    }
+}
+
 void TestProcedures::descendingSaysItsBias() {
     DescendingSpec spec;
     spec.levels = {0.3, 0.2, 0.1};
@@ -183,6 +220,22 @@ void TestProcedures::pseInTheMiddleOfAPlateau() {
         if (parameter.name == "pse")
             pse = parameter.mean;
     QCOMPARE(pse, 2.5);
+}
+
+/// Where only what is presented is truncated, the level itself may lie outside.
+void TestProcedures::untruncatedStaircaseMayStartOutside() {
+    StaircaseSpec spec;
+    spec.start = 1.25;
+    spec.maximum = 1.0;
+    spec.truncate = false;
+    auto run = makeProcedure(spec, 1);
+    QVERIFY2(run, run ? "" : run.error().message.c_str());
+    std::vector<double> presented;
+    for (int trial = 0; trial < 4; ++trial) {
+        presented.push_back((*run)->next().stimulus[0]);
+        QVERIFY((*run)->record(1, {presented.back()}));
+    }
+    QVERIFY(presented[0] == 1.0 && presented[1] == 1.0 && presented[2] == 1.0 && std::abs(presented[3] - 0.95) < 1e-12);
 }
 
 /// Down for thousands of trials and up again: never 0, never infinite.
