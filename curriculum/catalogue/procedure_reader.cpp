@@ -3,6 +3,7 @@
 
 #include "catalogue/json_file.h"
 #include "catalogue/procedure_keys.h"
+#include "catalogue/procedure_refusal.h"
 
 #include <QJsonDocument>
 #include <cmath>
@@ -207,25 +208,6 @@ std::vector<ProcedureSpec> kinds() {
     return {StaircaseSpec{}, PestSpec{}, ConstantSpec{}, DescendingSpec{}, QuestSpec{}, QuestPlusSpec{}, Rank3Spec{}};
 }
 
-/// What a procedure refuses, as a problem at the key that it names, or the first of those that is there ("start: expected ...").
-void addRefusal(const core::Error& error, const ObjectReader& json) {
-    const QString message = QString::fromStdString(error.message);
-    QString key;
-    for (const QString& word : message.section(": ", 0, 0).split(", "))
-        if (key.isEmpty() && json.has(word))
-            key = word;
-    const bool named = !key.isEmpty();
-    const QJsonValue value = json.json().value(key);
-    QString found = named ? QStringLiteral("not usable") : QStringLiteral("missing");
-    if (value.isString())
-        found = quoted(value.toString());
-    else if (value.isDouble())
-        found = QString::number(value.toDouble());
-    else if (const QString place = message.section(": ", 1).section("expected ", 0, 0); named && place.endsWith(": "))
-        found = place.chopped(2); // where in a list or table, and what is there
-    json.problems().push_back({named ? memberPath(json.path(), key) : json.path(), found, named && message.contains("expected ") ? message.section("expected ", -1) : message});
-}
-
 } // namespace
 
 ProcedureSpec readProcedure(const ObjectReader& json) {
@@ -243,7 +225,7 @@ ProcedureSpec readProcedure(const ObjectReader& json) {
         reader.refuseOthers("a key of the procedure " + kind);
         if (json.problems().size() == before)
             if (const auto made = makeProcedure(spec, 1); !made)
-                addRefusal(made.error(), json);
+                addRefusal(made.error(), json, writeProcedure(spec));
         return spec;
     }
     if (json.json().value("kind").isString())
@@ -252,13 +234,15 @@ ProcedureSpec readProcedure(const ObjectReader& json) {
     return StaircaseSpec{};
 }
 
-core::Result<ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file) {
+core::Result<ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file, const Schema& schema) {
     constexpr qsizetype kMostMebibytes = 16; // a table of many outcomes has a million numbers
     const auto parsed = JsonFile::parse(json, QString::fromStdString(file), kMostMebibytes);
     if (!parsed)
         return tl::unexpected(parsed.error());
     Problems problems;
     ProcedureSpec spec = readProcedure(ObjectReader(parsed->root(), QStringLiteral("$"), problems));
+    if (problems.empty()) // what was read says more of a fault than a range does
+        validated(parsed->root(), schema, QStringLiteral("$"), problems);
     if (!problems.empty())
         return tl::unexpected(parsed->error(problems));
     return spec;

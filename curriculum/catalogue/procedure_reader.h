@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/object_reader.h"
+#include "catalogue/schema.h"
 #include "core/result.h"
 #include "psychophysics/procedures/procedure_spec.h"
 
@@ -16,8 +17,9 @@ namespace chiron::catalogue {
 /// the problems.
 psychophysics::ProcedureSpec readProcedure(const ObjectReader& json);
 
-/// The same from a file of its own. Failure: badInput, every fault as `file:line:column: $.path: found: expected ...`.
-core::Result<psychophysics::ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file);
+/// The same from a file of its own, which must also keep the limits of the schema (procedure.json; a frozen study is read without any).
+/// Failure: badInput, every fault as `file:line:column: $.path: found: expected ...`.
+core::Result<psychophysics::ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file, const Schema& schema);
 
 /// What readProcedure reads back to the same procedure: every key of its kind.
 QJsonObject writeProcedure(const psychophysics::ProcedureSpec& spec);

@@ -13,6 +13,7 @@ private slots:
     void initTestCase() { QVERIFY(m_folder.isValid()); }
     void answersThatAreNone_data();
     void answersThatAreNone();
+    void linesOfCarriageReturnsAlone();
     void stopsByTheGivenRulesAlone();
     void largeTables();
     void noBetterThanGuessing_data();
@@ -72,6 +73,19 @@ void TestCliPsychophysicsEdges::answersThatAreNone() {
     QCOMPARE(run.exitCode, 3);
     QVERIFY2(run.err.contains("stdin line 1: ") && run.err.contains("expected 0, 1, undo or spoiled"), run.err.constData());
     QCOMPARE(run.out.count('\n'), 1);
+}
+
+/// "1\r0\r" is no answer 1 to a stimulus of 0; "1\r\n" is one line.
+void TestCliPsychophysicsEdges::linesOfCarriageReturnsAlone() {
+    const QString path = file("procedure.json", kStaircase);
+    const CliRun bare = runCli({"psychophysics", "adaptive", "--procedure", path}, "1\r0\r");
+    QCOMPARE(bare.exitCode, 3);
+    QVERIFY2(bare.err.contains("stdin line 1: a carriage return within the line: expected lines that end in a line feed"), bare.err.constData());
+    const CliRun later = runCli({"psychophysics", "adaptive", "--procedure", path}, "1\n1\r0\n");
+    QVERIFY2(later.exitCode == 3 && later.err.contains("stdin line 2: "), later.err.constData());
+    const CliRun both = runCli({"psychophysics", "adaptive", "--procedure", path}, "1\r\n0\r\n1\r");
+    QVERIFY2(both.exitCode == 0, both.err.constData());
+    QCOMPARE(object(both.out.trimmed().split('\n').last())["trial"].toInt(), 3);
 }
 
 /// The rules that are given replace the default ones whole: four trials are four, also where twenty are the default's least.

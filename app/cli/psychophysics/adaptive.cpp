@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/catalogue.h"
 #include "catalogue/procedure_reader.h"
 #include "cli/input_file.h"
 #include "cli/messages.h"
@@ -58,6 +59,8 @@ core::Result<void> answerLines(Procedure& procedure, bool orders, const QStringL
     const auto dimensions = static_cast<std::size_t>(names.isEmpty() ? 1 : names.size());
     std::string text;
     for (int number = 1; std::getline(std::cin, text); ++number) {
+        if (const auto at = text.find('\r'); at != std::string::npos && at + 1 < text.size()) // answers that end in it alone would be one
+            return atLine(number, {core::ErrorCode::badInput, "a carriage return within the line: expected lines that end in a line feed, or in both"});
         const QString words = QString::fromStdString(text);
         if (words.trimmed().isEmpty())
             continue;
@@ -90,7 +93,13 @@ core::Result<CommandOutput> runAdaptive(const Arguments& arguments) {
     const auto bytes = readInputFile(path, kLargest);
     if (!bytes)
         return tl::unexpected(bytes.error());
-    const auto spec = catalogue::readProcedure(*bytes, path.toStdString());
+    const auto content = catalogue::findContentDirectory();
+    if (!content)
+        return tl::unexpected(content.error());
+    const auto schema = catalogue::readSchema(QString::fromStdString(*content) + "/schema", QStringLiteral("procedure"));
+    if (!schema)
+        return tl::unexpected(schema.error());
+    const auto spec = catalogue::readProcedure(*bytes, path.toStdString(), *schema);
     if (!spec)
         return tl::unexpected(spec.error());
     const auto procedure = makeProcedure(*spec, *seed);

@@ -14,8 +14,10 @@ core::Result<std::unique_ptr<Procedure>> Descending::make(const DescendingSpec& 
     for (std::size_t i = 0; i < spec.levels.size(); ++i)
         if (!std::isfinite(spec.levels[i]) || (i > 0 && !(spec.levels[i] < spec.levels[i - 1])))
             return fail(ErrorCode::badInput, "levels: expected finite numbers, descending");
-    if (spec.repeats < 1 || spec.passes < 1 || spec.passes > spec.repeats)
-        return fail(ErrorCode::badInput, "repeats, passes: expected at least 1, and no more passes than repeats");
+    if (spec.repeats < 1)
+        return fail(ErrorCode::badInput, "repeats: expected at least 1");
+    if (spec.passes < 1 || spec.passes > spec.repeats)
+        return fail(ErrorCode::badInput, "passes: expected at least 1, and no more than repeats");
     return std::make_unique<Descending>(spec);
 }
 

@@ -119,7 +119,7 @@ core::Result<std::shared_ptr<const OutcomeTables>> generalTables(const std::vect
             double sum = 0.0;
             for (const auto& outcome : probabilities) {
                 if (!(outcome[x][c] >= 0.0))
-                    return bad("a probability that is negative or not a number");
+                    return bad("a probability that is negative or not a number: expected shares from 0 to 1");
                 sum += outcome[x][c];
             }
             if (std::abs(sum - 1.0) > 1e-9)

@@ -66,7 +66,7 @@ core::Result<PosteriorGrid> PosteriorGrid::make(const std::vector<ParameterGrid>
         if (auto good = check(parameter); !good)
             return tl::unexpected(good.error());
         if (parameter.values.size() > kMostCells / grid.m_cells)
-            return fail(ErrorCode::badInput, "parameters: more than " + std::to_string(kMostCells) + " cells");
+            return fail(ErrorCode::badInput, "parameters: more than " + std::to_string(kMostCells) + " cells: expected fewer");
         grid.m_cells *= parameter.values.size();
     }
     grid.m_strides.resize(parameters.size());

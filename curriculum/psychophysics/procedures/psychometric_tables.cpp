@@ -71,10 +71,6 @@ public:
         return std::all_of(m_f.begin(), m_f.end(), [](double f) { return f >= 0.0 && f <= 1.0; });
     }
 
-    bool rising() const {
-        return std::all_of(m_cells.scale.begin(), m_cells.scale.end(), [](double b) { return b >= 0.0; });
-    }
-
     int outcomes() const noexcept override { return 2; }
     std::size_t stimuli() const noexcept override { return m_stimuli; }
 
@@ -182,20 +178,40 @@ private:
     std::vector<float> m_high, m_low;   ///< M, [stimulus][cell], is their sum
 };
 
+/// What F is defined for, where that is not everything.
+core::Result<void> checkShape(const PsychometricFunction& function, const PosteriorGrid& grid) {
+    for (std::size_t k = 0; k < function.shape.size(); ++k)
+        for (const double value : grid.parameter(k).values)
+            if (!(value > 0.0) && (function.shape[k] == "sd" || (function.positiveStimulus && function.shape[k] == "threshold")))
+                return fail(ErrorCode::badInput, "parameters: " + grid.parameter(k).name + ": expected values above 0 with the function " + std::string(function.name));
+    return {};
+}
+
+core::Result<void> checkAsymptotes(const PsychometricFunction& function, const PosteriorGrid& grid) {
+    std::vector<double> highest;
+    for (std::size_t k = function.shape.size(); k < grid.parameters(); ++k) {
+        const std::vector<double>& values = grid.parameter(k).values;
+        if (std::any_of(values.begin(), values.end(), [](double a) { return a < 0.0 || a > 1.0; }))
+            return fail(ErrorCode::badInput, "parameters: " + grid.parameter(k).name + ": expected values in 0..1");
+        highest.push_back(*std::max_element(values.begin(), values.end()));
+    }
+    if (function.scale(highest.data()) >= 0.0)
+        return {};
+    return fail(ErrorCode::badInput, highest.size() > 1 ? "parameters: lapse_rate: expected values that come to at most 1 with those of lower_asymptote"
+                                                        : "parameters: lapse_rate: expected values of at most 0.5");
+}
+
 } // namespace
 
 core::Result<std::shared_ptr<const OutcomeTables>> psychometricTables(const PsychometricFunction& function,
                                                                       const std::vector<Stimulus>& stimuli, const PosteriorGrid& grid) {
-    for (std::size_t k = 0; k < function.shape.size(); ++k)
-        if (function.shape[k] == "sd" && std::any_of(grid.parameter(k).values.begin(), grid.parameter(k).values.end(), [](double sd) { return !(sd > 0.0); }))
-            return fail(ErrorCode::badInput, "parameters: sd: expected values above 0");
-    for (std::size_t k = function.shape.size(); k < grid.parameters(); ++k)
-        for (const double a : grid.parameter(k).values)
-            if (a < 0.0 || a > 1.0)
-                return fail(ErrorCode::badInput, "parameters: " + grid.parameter(k).name + ": expected values in 0..1");
+    if (auto good = checkShape(function, grid); !good)
+        return tl::unexpected(good.error());
+    if (auto good = checkAsymptotes(function, grid); !good)
+        return tl::unexpected(good.error());
     auto tables = std::make_shared<PsychometricTables>(function, stimuli, grid);
-    if (!tables->finite() || !tables->rising())
-        return fail(ErrorCode::badInput, "function: " + std::string(function.name) + " is no probability for some parameters and stimuli");
+    if (!tables->finite())
+        return fail(ErrorCode::badInput, "function: " + std::string(function.name) + ": expected one that is a probability for all parameters and stimuli");
     return tables;
 }
 

@@ -27,8 +27,10 @@ core::Result<void> check(const QuestSpec& spec) {
         return bad("prior_sd: expected a positive number");
     if (!(spec.slope > 0.0) || !std::isfinite(spec.slope))
         return bad("slope: expected a positive number");
-    if (!(spec.guess >= 0.0 && spec.guess < 1.0) || !(spec.lapse >= 0.0 && spec.lapse < 1.0))
-        return bad("guess, lapse: expected shares from 0 to below 1");
+    if (!(spec.guess >= 0.0 && spec.guess < 1.0))
+        return bad("guess: expected a share from 0 to below 1");
+    if (!(spec.lapse >= 0.0 && spec.lapse < 1.0))
+        return bad("lapse: expected a share from 0 to below 1");
     const double upper = 1.0 - spec.lapse * (1.0 - spec.guess);
     const double nearest = 1e-9 * (upper - spec.guess); // on an asymptote but for rounding
     if (!(spec.target > spec.guess + nearest && spec.target < upper - nearest))

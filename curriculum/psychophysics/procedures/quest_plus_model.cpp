@@ -24,7 +24,7 @@ core::Result<std::vector<Stimulus>> stimuliOf(const QuestPlusSpec& spec) {
         if (values.empty() || !std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
             return fail(ErrorCode::badInput, "stimuli: " + name + ": expected finite numbers, at least one");
         if (values.size() > kMostStimuli / stimuli.size())
-            return fail(ErrorCode::badInput, "stimuli: more than " + std::to_string(kMostStimuli));
+            return fail(ErrorCode::badInput, "stimuli: more than " + std::to_string(kMostStimuli) + ": expected fewer");
         std::vector<Stimulus> longer;
         for (const Stimulus& head : stimuli)
             for (const double value : values) {
@@ -42,14 +42,14 @@ core::Result<std::vector<ParameterGrid>> ordered(const std::vector<ParameterGrid
     for (const std::string_view name : names) {
         const auto found = std::find_if(given.begin(), given.end(), [name](const ParameterGrid& p) { return p.name == name; });
         if (found == given.end())
-            return fail(ErrorCode::badInput, "parameters: " + std::string(name) + " is missing");
+            return fail(ErrorCode::badInput, "parameters: " + std::string(name) + " is missing: expected a grid for every parameter of the function");
         inOrder.push_back(*found);
     }
     for (const ParameterGrid& p : given)
         if (std::find(names.begin(), names.end(), p.name) == names.end())
-            return fail(ErrorCode::badInput, "parameters: " + p.name + ": not a parameter of this function");
+            return fail(ErrorCode::badInput, "parameters: " + p.name + ": not a parameter of this function: expected only those it has");
     if (given.size() != names.size())
-        return fail(ErrorCode::badInput, "parameters: one is given twice");
+        return fail(ErrorCode::badInput, "parameters: one is given twice: expected each once");
     return inOrder;
 }
 
@@ -109,8 +109,12 @@ int easiestOf(const QuestPlusModel& model) {
 
 core::Result<void> addFunction(QuestPlusModel& model, const QuestPlusSpec& spec) {
     const PsychometricFunction* function = psychometricFunction(spec.function);
-    if (function == nullptr)
-        return fail(ErrorCode::badInput, "function: \"" + spec.function + "\" is not known");
+    if (function == nullptr) {
+        std::string known;
+        for (const PsychometricFunction& one : psychometricFunctions())
+            known += std::string(one.name) + ", ";
+        return fail(ErrorCode::badInput, "function: expected one of " + known + "table");
+    }
     if (spec.outcomes != 2)
         return fail(ErrorCode::badInput, "outcomes: expected 2 with this function");
     const auto places = placesOf(spec, *function);
@@ -123,7 +127,7 @@ core::Result<void> addFunction(QuestPlusModel& model, const QuestPlusSpec& spec)
     if (!prior)
         return tl::unexpected(prior.error());
     if (prior->cells() > kMostEntries / model.stimuli.size())
-        return fail(ErrorCode::badInput, "stimuli times parameter cells: more than " + std::to_string(kMostEntries));
+        return fail(ErrorCode::badInput, "parameters: cells times stimuli more than " + std::to_string(kMostEntries) + ": expected fewer");
     std::vector<Stimulus> stimuli;
     for (const Stimulus& given : model.stimuli)
         stimuli.push_back(arranged(given, *places));
@@ -141,7 +145,7 @@ core::Result<void> addTable(QuestPlusModel& model, const QuestPlusSpec& spec) {
     if (!prior)
         return tl::unexpected(prior.error());
     if (!std::is_partitioned(spec.parameters.begin(), spec.parameters.end(), [](const ParameterGrid& p) { return !p.nuisance; }))
-        return fail(ErrorCode::badInput, "parameters: with a table, those that are a nuisance come last");
+        return fail(ErrorCode::badInput, "parameters: expected those that are a nuisance last, with a table");
     if (static_cast<int>(spec.table.size()) != spec.outcomes || spec.outcomes < 2)
         return fail(ErrorCode::badInput, "table: expected as many outcomes as outcomes says, at least 2");
     auto tables = generalTables(spec.table, *prior);

@@ -12,7 +12,10 @@ using namespace chiron::psychophysics;
 
 namespace {
 
-core::Result<ProcedureSpec> read(const QByteArray& json) { return readProcedure(json, "procedure.json"); }
+core::Result<ProcedureSpec> read(const QByteArray& json) {
+    static const auto schema = readSchema(CHIRON_SOURCE_DIR "/curriculum/content/schema", "procedure");
+    return readProcedure(json, "procedure.json", *schema);
+}
 
 std::vector<ProcedureSpec> samples() {
     StaircaseSpec staircase;
@@ -113,7 +116,7 @@ void TestProcedureReader::evenGrids() {
 void TestProcedureReader::faults_data() {
     QTest::addColumn<QByteArray>("json");
     QTest::addColumn<QString>("said");
-    const auto add = [](const char* name, const char* json, const char* said) { QTest::newRow(name) << QByteArray(json) << QString(said); };
+    const auto add = [](const char* name, const QByteArray& json, const char* said) { QTest::newRow(name) << json << QString(said); };
     add("no kind", "{}", "$.kind: missing: expected a text");
     add("another kind", R"({"kind": "quest_pluss"})", "did you mean \"quest_plus\"?");
     add("unknown key", R"({"kind": "staircase", "stpes_up": [1]})", "$.stpes_up: unknown key: expected a key of the procedure staircase");
@@ -130,14 +133,39 @@ void TestProcedureReader::faults_data() {
     add("sum", R"({"kind": "quest_plus", "function": "table", "stimuli": [{"name": "x", "values": [1]}], "parameters": [{"name": "a", "values": [0, 1]}],
         "table": [[[0.2, 0.5]], [[0.8, 0.6]]]})", "$.table: stimulus 0, cell 1: probabilities sum to 1.100000: expected 1");
     add("step type", R"({"kind": "staircase", "step_type": "lin"})", "$.step_type: \"lin\": expected one of linear, log, db");
-    add("no levels", R"({"kind": "constant"})", "levels: expected finite numbers, at least one");
+    add("no levels", R"({"kind": "constant"})", "$.levels: missing: expected finite numbers, at least one");
     add("method", R"({"kind": "quest", "method": "median"})", "$.method: \"median\": expected quantile, mean or mode");
-    add("function", R"({"kind": "quest_plus", "function": "weibul", "stimuli": [{"name": "x", "values": [1]}], "parameters": []})", "$.function: \"weibul\"");
+    add("function", R"({"kind": "quest_plus", "function": "weibul", "stimuli": [{"name": "x", "values": [1]}], "parameters": []})", "$.function: \"weibul\": expected one of weibull_db, weibull_log10, weibull, ");
     add("parameter", R"({"kind": "quest_plus", "stimuli": [{"name": "x", "values": [1]}], "parameters": [{"name": "threshold", "values": [1]}]})", "slope is missing");
     add("grid", R"({"kind": "quest_plus", "stimuli": [{"name": "x", "from": 1, "to": 0, "step": 1}], "parameters": []})", "$.stimuli[0].step");
     add("target at the lower asymptote", R"({"kind": "quest", "target": 0.5})", "$.target: 0.5: expected a proportion above guess, 0.5, and below 1 - lapse (1 - guess), 0.995");
     add("target at the upper asymptote", R"({"kind": "quest", "target": 0.995})", "$.target: 0.995: expected a proportion above guess");
     add("target beyond it", R"({"kind": "quest", "target": 0.2, "guess": 0.25})", "$.target: 0.2: expected a proportion above guess, 0.25,");
+    add("start above the maximum", R"({"kind": "staircase", "start": 10, "maximum": 1})", "$.start: 10: expected a number from minimum to maximum, where levels are truncated");
+    add("start below the minimum", R"({"kind": "staircase", "minimum": 0.1})", "$.start: 0 by default: expected a number from minimum to maximum");
+    add("down beside up", R"({"kind": "staircase", "up": 2, "down": 0})", "$.down: 0: expected at least 1");
+    add("lapse beside guess", R"({"kind": "quest", "guess": 0.5, "lapse": 1})", "$.lapse: 1: expected a share from 0 to below 1");
+    add("passes beside repeats", R"({"kind": "descending", "levels": [2, 1], "repeats": 3, "passes": 4})", "$.passes: 4: expected at least 1, and no more than repeats");
+    add("no table", R"({"kind": "quest_plus", "function": "table", "stimuli": [{"name": "x", "values": [1]}], "parameters": [{"name": "a", "values": [1]}]})",
+        "$.table: missing: expected as many outcomes as outcomes says");
+    add("no lapse rate", R"({"kind": "rank3_quest_plus", "differences": [0.1], "lapse_rates": []})", "$.lapse_rates: not usable: expected shares from 0 to below 1, at least one");
+    const QByteArray grids = R"({"kind": "quest_plus", "stimuli": [{"name": "x", "values": [1]}], "parameters": [{"name": "threshold", "values": [-1, 1]},
+        {"name": "slope", "values": [2], "prior": [1, 2]}, {"name": "lower_asymptote", "values": [0.1, 0.5]}, {"name": "lapse_rate", "values": [0, 0.6]}]})";
+    const auto grid = [&grids](const char* what, const char* with) { return QByteArray(grids).replace(R"(, "prior": [1, 2])", "").replace(what, with); };
+    add("prior", grids, "$.parameters[1].prior: not usable: expected as many numbers as values");
+    add("lapse and guess", grid("$", ""), "$.parameters[3]: not usable: expected values that come to at most 1 with those of lower_asymptote");
+    add("lapse of both sides", grid(R"({"name": "lower_asymptote", "values": [0.1, 0.5]}, )", "").replace(R"("threshold")", R"("mean")").replace(R"("slope")", R"("sd")")
+        .replace(R"("kind")", R"("function": "norm_cdf_2", "kind")"), "$.parameters[2]: not usable: expected values of at most 0.5");
+    add("threshold of a ratio", grid("0.6", "0.02").replace(R"("kind")", R"("function": "weibull", "kind")"), "$.parameters[0]: not usable: expected values above 0 with the function weibull");
+    add("default against what is given", R"({"kind": "quest", "guess": 0.9})", "$.target: 0.82 by default: expected a proportion above guess, 0.9,");
+    add("more than the schema has", R"({"kind": "staircase", "up": 101})", "$.up: 101: expected a whole number, 1 to 100");
+    add("start beyond it", R"({"kind": "staircase", "start": 1e300})", "$.start: 1e+300: expected ");
+    add("steps beyond it", R"({"kind": "staircase", "start": 1e308, "steps_up": [1e308]})", "$.start: 1e+308: expected ");
+    add("one step beyond it", R"({"kind": "staircase", "steps_up": [0.1, 1e10]})", "$.steps_up[1]: 1e+10: expected ");
+    add("list beyond it", "{\"kind\": \"staircase\", \"steps_up\": [0.1" + QByteArray(",0.1").repeated(1000) + "]}", "$.steps_up: an array of 1001: expected an array of so many, 1 to 1000");
+    add("inside a list", R"({"kind": "constant", "levels": [1, 1e10]})", "$.levels[1]: 1e+10: expected a number, -1e+09 to 1e+09 x");
+    add("catch trials", R"({"kind": "quest_plus", "catch_every": 0.999, "stimuli": [{"name": "x", "values": [1]}], "parameters": [{"name": "threshold", "values": [1]},
+        {"name": "slope", "values": [2]}, {"name": "lower_asymptote", "values": [0.5]}, {"name": "lapse_rate", "values": [0]}]})", "$.catch_every: 0.999: expected a number, 0 to 0.99");
     add("ties", R"({"kind": "rank3_quest_plus", "differences": [0.1], "allow_ties": true, "tie_thresholds": [0]})", "$.tie_thresholds: not usable: expected positive numbers");
     add("place", "{\"kind\": \"staircase\",\n \"down\": 0}", "procedure.json:2:");
 }
