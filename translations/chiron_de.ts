@@ -10917,6 +10917,10 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <source>This run was begun on a device that renders larger differences than this one. It goes on with such a device alone, so that all of its trials can be compared.</source>
         <translation>Dieser Lauf wurde mit einem Gerät begonnen, das größere Unterschiede darstellt als dieses. Er geht nur mit einem solchen Gerät weiter, damit alle seine Durchgänge vergleichbar sind.</translation>
     </message>
+    <message>
+        <source>This run was begun with another version of its procedure than this program has. A version never continues another one&apos;s run, so that all of its trials can be compared. What was answered is kept; enrol another participant for this condition.</source>
+        <translation>Dieser Lauf wurde mit einer anderen Fassung seines Verfahrens begonnen, als dieses Programm hat. Keine Fassung setzt den Lauf einer anderen fort, damit alle Durchgänge vergleichbar bleiben. Was beantwortet wurde, bleibt erhalten; nehmen Sie für diese Bedingung jemand anderen auf.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::VoidDialog</name>

@@ -10917,6 +10917,10 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <source>This run was begun on a device that renders larger differences than this one. It goes on with such a device alone, so that all of its trials can be compared.</source>
         <translation>Αυτή η εκτέλεση άρχισε σε συσκευή που αποδίδει μεγαλύτερες διαφορές από αυτή. Συνεχίζεται μόνο με τέτοια συσκευή, ώστε όλες οι δοκιμές της να είναι συγκρίσιμες.</translation>
     </message>
+    <message>
+        <source>This run was begun with another version of its procedure than this program has. A version never continues another one&apos;s run, so that all of its trials can be compared. What was answered is kept; enrol another participant for this condition.</source>
+        <translation>Αυτή η εκτέλεση άρχισε με άλλη έκδοση της διαδικασίας της από αυτήν του προγράμματος. Καμία έκδοση δεν συνεχίζει εκτέλεση άλλης, ώστε όλες οι δοκιμές να είναι συγκρίσιμες. Ό,τι απαντήθηκε διατηρείται· εγγράψτε άλλον συμμετέχοντα για αυτή τη συνθήκη.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::VoidDialog</name>

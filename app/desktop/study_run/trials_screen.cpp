@@ -251,6 +251,9 @@ QString TrialsScreen::refusalWords(const session::SittingError& error, const QLo
         return tr("This device renders none of the condition's differences at its delay. Use a faster or stronger device, or plan another reference in another study.");
     if (error.device == session::DeviceRefusal::rendersLess)
         return tr("This run was begun on a device that renders larger differences than this one. It goes on with such a device alone, so that all of its trials can be compared.");
+    if (error.otherVersion)
+        return tr("This run was begun with another version of its procedure than this program has. A version never continues another one's run, so that all of its trials can be compared. "
+                  "What was answered is kept; enrol another participant for this condition.");
     if (!error.tooStiff)
         return {};
     return tr("The sphere is too stiff for this device: %1 N/m are asked for, and at its delay it renders at most %2 N/m without trembling. "

@@ -40,6 +40,11 @@ SittingResult<BegunRun> goOnWith(const OpenedStudy& study, const database::Condu
     auto progress = StudyProgress::resume(study.design, conducted.condition, begun.seed, conducted.trials, StudyProgress::limitOf(begun.procedures));
     if (!progress)
         return tl::unexpected(progress.error());
+    if (auto same = sameVersions(begun, progress->procedureIds()); !same) {
+        SittingError typed(same.error());
+        typed.otherVersion = true;
+        return tl::unexpected(std::move(typed));
+    }
     return BegunRun{begun.id, begun.seed, std::move(*progress)};
 }
 

@@ -103,6 +103,7 @@ struct SittingError : core::Error {
     SittingError(core::Error error) : core::Error(std::move(error)) {} // not explicit: whatever fails on the way is one
     std::optional<TooStiff> tooStiff;
     std::optional<DeviceRefusal> device;
+    bool otherVersion = false; ///< the run was begun with other versions of its procedures
 };
 template <class T>
 using SittingResult = tl::expected<T, SittingError>;

@@ -169,6 +169,8 @@ core::Result<BegunRun> beginOrResume(database::Database& database, const databas
             StudyProgress::resume(study.design, conducted.condition, open->seed, conducted.trials, StudyProgress::limitOf(open->procedures));
         if (!progress)
             return tl::unexpected(progress.error());
+        if (auto same = sameVersions(*open, progress->procedureIds()); !same)
+            return tl::unexpected(same.error());
         return BegunRun{open->id, open->sealedCode, open->seed, std::move(conducted.trials), std::move(*progress)};
     }
     auto progress = StudyProgress::begin(study.design, conducted.condition, seed, limit);

@@ -83,6 +83,13 @@ core::Result<void> sameTable(const database::StudyRun& run, double limit) {
     return {};
 }
 
+core::Result<void> sameVersions(const database::StudyRun& run, const std::string& now) {
+    if (run.procedures != now)
+        return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run.id) + " was begun with another version of its procedures than this program has: no version continues "
+                                                         "another one's run; expected another participant for this condition"); // unnamed: procedures may tell conditions apart
+    return {};
+}
+
 core::Result<database::ConductedRun> conduct(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
                                              const std::string& label) {
     return database.write([&](database::WriteContext& context) {

@@ -38,6 +38,9 @@ std::vector<std::string> openConditions(const OpenedStudy& study);
 std::string sessionLabel(const OpenedStudy& study, const std::string& sealedCode);
 /// Failure: wrongUse, where the device renders less than the one the run was begun on: its later trials would be of another table.
 core::Result<void> sameTable(const database::StudyRun& run, double limit);
+/// Failure: wrongUse, where the run's procedures are of other versions than this program's (`now`: StudyProgress::procedureIds()): a version
+/// never continues another one's run (psychophysics.md §6).
+core::Result<void> sameVersions(const database::StudyRun& run, const std::string& now);
 
 /// The condition of this label with its open run: what the sitting renders and goes on with. Failure: the repository's.
 core::Result<database::ConductedRun> conduct(database::Database& database, const database::Actor& actor, const OpenedStudy& study,

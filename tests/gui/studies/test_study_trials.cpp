@@ -174,12 +174,14 @@ void TestStudyTrials::refusalsOfADeviceHaveWords() {
     less.device = session::DeviceRefusal::rendersLess;
     session::SittingError stiff({core::ErrorCode::badInput, "a sphere of 500 N/m"});
     stiff.tooStiff = {500.0, 98.0};
+    session::SittingError version({core::ErrorCode::wrongUse, "run 1 was begun with quest@2, and this program has quest@3"});
+    version.otherVersion = true;
     const session::SittingError other({core::ErrorCode::notFound, "nobody"});
     QStringList told;
     for (const char* language : {"en", "de", "el"}) {
         m_site->settings.setLanguage(QLatin1String(language));
         m_site->context.applyAppearance();
-        for (const session::SittingError* error : {&none, &less, &stiff}) {
+        for (const session::SittingError* error : {&none, &less, &stiff, &version}) {
             const QString words = desktop::TrialsScreen::refusalWords(*error, m_site->context.locale());
             QVERIFY(!words.isEmpty() && !words.contains(QLatin1String(error->message.c_str())));
             QVERIFY2(!told.contains(words), qPrintable(words));

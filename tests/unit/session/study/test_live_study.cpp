@@ -7,6 +7,7 @@
 #include "session/study/live_study.h"
 #include "session/study/sample_tap.h"
 #include "session/study/study_setup.h"
+#include "session/study/study_store.h"
 #include "support/session_fixture.h"
 #include "support/study_designs.h"
 
@@ -108,6 +109,7 @@ private slots:
     void noEventIsMissed();
     void limitsOfAnUnmeasuredDeviceAreCautious();
     void whatADeviceCannotRenderIsTyped();
+    void anotherVersionNeverGoesOn();
 };
 
 /// Instructions are read before the session is up, for as long as it takes: however often a pause is asked for, going on is heard.
@@ -235,6 +237,15 @@ void TestLiveStudy::whatADeviceCannotRenderIsTyped() {
     asked.participantCode = "ZZZ-ZZZ";
     const auto unknown = session::LiveStudy::start(*site.fixture.database, site.actor, std::move(asked));
     QVERIFY(!unknown && !unknown.error().device && !unknown.error().tooStiff);
+}
+
+void TestLiveStudy::anotherVersionNeverGoesOn() {
+    Site site;
+    const auto opened = session::openStudy(*site.fixture.database, site.actor, site.study, site.code);
+    QVERIFY(opened && session::beginRun(*site.fixture.database, site.actor, *opened, opened->order.front(), 1, "rank3_quest_plus@0"));
+    const auto live = session::LiveStudy::start(*site.fixture.database, site.actor, site.request());
+    QVERIFY(!live && live.error().otherVersion && !live.error().device);
+    QCOMPARE(live.error().code, core::ErrorCode::wrongUse);
 }
 
 QTEST_MAIN(TestLiveStudy)

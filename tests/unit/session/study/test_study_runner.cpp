@@ -127,6 +127,16 @@ private slots:
         QVERIFY(ended->completed);
         QCOMPARE(ended->runs.front().scored, 12);
     }
+    void anotherVersionNeverGoesOn() {
+        Site site(testing::rank3Study(psychophysics::Attribute::stiffness, 12, 12), true);
+        const std::string code = site.enrol(kObserver);
+        const auto opened = session::openStudy(*site.fixture.database, site.actor, site.study, code);
+        QVERIFY(opened && session::beginRun(*site.fixture.database, site.actor, *opened, "main", 1, "rank3_quest_plus@0"));
+        const auto refused = site.run(site.request(code, true));
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, core::ErrorCode::wrongUse);
+        QVERIFY2(refused.error().message.find("another version") != std::string::npos, refused.error().message.c_str());
+    }
     void blindedSessionsBearTheSealedCode() {
         auto design = testing::rank3Study();
         design.blindExperimenter = true;
