@@ -3,6 +3,7 @@
 
 #include "psychophysics/fits/fit_summary.h"
 #include "psychophysics/fits/posterior_mode.h"
+#include "psychophysics/fits/posterior_region.h"
 #include "psychophysics/fits/posterior_summary.h"
 
 #include <cmath>
@@ -10,9 +11,8 @@
 namespace chiron::psychophysics {
 namespace {
 
-constexpr GridSize kCoarse{25, 17, 6, 4};
-constexpr GridSize kFine{36, 36, 12, 10};
-constexpr GridSize kFineFreeGuess{30, 30, 10, 8};
+constexpr GridSize kStarts{{8, 3}, {6, 3}, {2, 3}, {2, 2}};
+constexpr GridSize kFine{{6, 6}, {6, 6}, {3, 4}, {1, 5}};
 
 CurveParameters fromUnitAxis(const CurveParameters& at, const PreparedLevels& levels) noexcept {
     return {levels.centre + levels.range * at.threshold, levels.range * at.width, at.lapse, at.guess, at.eta};
@@ -62,15 +62,14 @@ FitResult fitBayesian(const PsychometricData& data, const FitOptions& given) {
     const FreeParameters free = freeParameters(options);
     const PosteriorModel model{levels, options.function, priorsFor(levels, options, result.scale), free, free.lapse ? 0.0 : options.lapse.value,
                                free.guess || free.equal ? 0.0 : options.guess.value, options.overdispersion};
-    const DensityGrid whole(model, wholeSpace(model, kCoarse));
-    const CurveParameters mode = posteriorMode(model, modeStarts(model, whole));
-    const DensityGrid grid(model, posteriorRegion(model, whole, mode, free.guess ? kFineFreeGuess : kFine));
+    const CurveParameters mode = posteriorMode(model, modeStarts(model, DensityGrid(model, wholeSpace(model, kStarts))));
+    const std::vector<DensityGrid> parts = posteriorParts(model, kFine);
     result.fitted = true;
     result.best = fromUnitAxis(mode, levels);
     result.logPosterior = model.logDensity(mode);
     result.freeParameters = free.count();
     summarise(result, levels);
-    addPosterior(result, grid, levels, options);
+    addPosterior(result, parts, levels, options);
     addCurve(result, levels, options);
     addGoodnessOfFit(result, data, options);
     addWarnings(result, levels, options);

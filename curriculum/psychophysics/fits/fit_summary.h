@@ -20,7 +20,7 @@ void addCurve(FitResult& result, const PreparedLevels& levels, const FitOptions&
 std::string optionsProblem(const FitOptions& options);
 
 /// Warnings for clinicians from data and fit: all_right, all_wrong, step_function, no_rise, lapse_at_bound, guess_at_bound,
-/// few_trials_near_threshold, threshold_outside, wide, not_monotone, overdispersion.
+/// few_trials_near_threshold, threshold_outside, wide, not_monotone, overdispersion, uneven_levels.
 void addWarnings(FitResult& result, const PreparedLevels& levels, const FitOptions& options);
 
 } // namespace chiron::psychophysics

@@ -62,6 +62,15 @@ void warnOfWidth(FitResult& result, const PreparedLevels& levels) {
     }
 }
 
+/// The priors of a posterior reach down to widths of the smallest spacing: beyond this it is integrated coarsely.
+void warnOfSpacing(FitResult& result, const PreparedLevels& levels) {
+    constexpr double kMostSpacings = 1000.0;
+    if (result.method == FitMethod::bayesian && levels.range > kMostSpacings * levels.spacing) {
+        result.warnings.push_back("uneven_levels: two intensities lie closer together than a thousandth of the range presented, so the ends of the "
+                                  "intervals may be off by a twentieth of their length; intensities over decades belong on a logarithmic axis");
+    }
+}
+
 /// A fall that chance explains badly: the share at higher intensities below that at lower ones by more than 3 standard errors.
 void warnOfFall(FitResult& result, const PreparedLevels& levels) {
     double rightBelow = 0.0, below = 0.0;
@@ -100,6 +109,7 @@ void addWarnings(FitResult& result, const PreparedLevels& levels, const FitOptio
     warnOfWidth(result, levels);
     warnOfThreshold(result, levels);
     warnOfScatter(result);
+    warnOfSpacing(result, levels);
 }
 
 } // namespace chiron::psychophysics

@@ -2,45 +2,21 @@
 #include "psychophysics/fits/posterior_axes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace chiron::psychophysics {
 namespace {
 
-/// The cubic through the four nodes around x (the nearest four at the ends), held at 0 from below.
-double localCubic(const std::vector<double>& nodes, const std::vector<double>& values, double x) {
-    const std::size_t order = std::min<std::size_t>(4, nodes.size());
-    const auto after = static_cast<std::size_t>(std::upper_bound(nodes.begin(), nodes.end(), x) - nodes.begin());
-    const std::size_t first = std::min(after > order / 2 ? after - order / 2 : 0, nodes.size() - order);
-    double sum = 0.0;
-    for (std::size_t i = first; i < first + order; ++i) {
-        double basis = 1.0;
-        for (std::size_t j = first; j < first + order; ++j) {
-            basis *= j == i ? 1.0 : (x - nodes[j]) / (nodes[i] - nodes[j]);
-        }
-        sum += basis * values[i];
-    }
-    return std::max(sum, 0.0);
-}
+/// Nodes and weights over [−1, 1], ascending.
+struct Rule {
+    std::vector<double> nodes, weights;
+};
 
-} // namespace
-
-QuadratureAxis fixedAxis(double value) { return {value, value, {value}, {1.0}}; }
-
-QuadratureAxis trapezoidAxis(double low, double high, std::size_t nodes) {
-    QuadratureAxis axis{low, high, {}, {}};
-    const double step = (high - low) / static_cast<double>(nodes - 1);
-    for (std::size_t i = 0; i < nodes; ++i) {
-        axis.nodes.push_back(low + step * static_cast<double>(i));
-        axis.weights.push_back(i == 0 || i + 1 == nodes ? 0.5 * step : step);
-    }
-    return axis;
-}
-
-QuadratureAxis gaussLegendreAxis(double low, double high, std::size_t nodes) {
-    QuadratureAxis axis{low, high, std::vector<double>(nodes), std::vector<double>(nodes)};
-    const double half = 0.5 * (high - low), count = static_cast<double>(nodes);
+Rule gaussLegendre(std::size_t nodes) {
+    Rule rule{std::vector<double>(nodes), std::vector<double>(nodes)};
+    const double count = static_cast<double>(nodes);
     for (std::size_t i = 0; i < nodes; ++i) {
         double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (count + 0.5));
         double derivative = 1.0;
@@ -55,41 +31,143 @@ QuadratureAxis gaussLegendreAxis(double low, double high, std::size_t nodes) {
             derivative = count * (x * p - previous) / (x * x - 1.0);
             x -= p / derivative;
         }
-        axis.nodes[nodes - 1 - i] = low + half * (1.0 + x);
-        axis.weights[nodes - 1 - i] = 2.0 * half / ((1.0 - x * x) * derivative * derivative);
+        rule.nodes[nodes - 1 - i] = x;
+        rule.weights[nodes - 1 - i] = 2.0 / ((1.0 - x * x) * derivative * derivative);
+    }
+    return rule;
+}
+
+/// The cubic through the four nodes around x (the nearest four at the ends), between what its neighbours allow.
+double localCubic(const std::vector<double>& nodes, const std::vector<double>& values, double x) noexcept {
+    const std::size_t order = std::min<std::size_t>(4, nodes.size());
+    const auto after = static_cast<std::size_t>(std::upper_bound(nodes.begin(), nodes.end(), x) - nodes.begin());
+    const std::size_t first = std::min(after > order / 2 ? after - order / 2 : 0, nodes.size() - order);
+    double sum = 0.0, most = values[first];
+    for (std::size_t i = first; i < first + order; ++i) {
+        double basis = 1.0;
+        for (std::size_t j = first; j < first + order; ++j) {
+            basis *= j == i ? 1.0 : (x - nodes[j]) / (nodes[i] - nodes[j]);
+        }
+        sum += basis * values[i];
+        most = std::max(most, values[i]);
+    }
+    constexpr double kOver = 1.0; // a peak between two nodes is higher than both
+    return std::min(sum, most + kOver);
+}
+
+} // namespace
+
+std::vector<double> QuadratureAxis::edges() const {
+    std::vector<double> ends{low()};
+    for (const double weight : weights) {
+        ends.push_back(ends.back() + weight);
+    }
+    ends.back() = high();
+    return ends;
+}
+
+QuadratureAxis fixedAxis(double value) { return {{value, value}, {value}, {1.0}}; }
+
+QuadratureAxis panelAxis(std::vector<double> breaks, std::size_t nodes) {
+    const Rule rule = gaussLegendre(nodes);
+    QuadratureAxis axis{std::move(breaks), {}, {}};
+    for (std::size_t panel = 0; panel + 1 < axis.breaks.size(); ++panel) {
+        const double from = axis.breaks[panel], half = 0.5 * (axis.breaks[panel + 1] - from);
+        for (std::size_t i = 0; i < nodes; ++i) {
+            axis.nodes.push_back(from + half * (1.0 + rule.nodes[i]));
+            axis.weights.push_back(half * rule.weights[i]);
+        }
     }
     return axis;
 }
 
-Marginal::Marginal(const QuadratureAxis& axis, const std::vector<double>& density) {
-    constexpr int kPieces = 12; // between two nodes
-    m_places.push_back(axis.low);
-    for (std::size_t i = 0; i <= axis.size(); ++i) {
-        const double from = i == 0 ? axis.low : axis.nodes[i - 1];
-        const double to = i == axis.size() ? axis.high : axis.nodes[i];
-        for (int piece = 1; piece <= kPieces && to > from; ++piece) {
-            m_places.push_back(from + (to - from) * piece / kPieces);
-        }
+std::vector<double> equalShares(const std::vector<double>& edges, const std::vector<double>& mass, std::size_t panels) {
+    double total = 0.0;
+    for (const double one : mass) {
+        total += one;
     }
-    double last = localCubic(axis.nodes, density, m_places.front()), sum = 0.0;
-    m_cumulative.push_back(0.0);
-    for (std::size_t i = 1; i < m_places.size(); ++i) {
-        const double next = localCubic(axis.nodes, density, m_places[i]);
-        sum += 0.5 * (last + next) * (m_places[i] - m_places[i - 1]);
-        m_cumulative.push_back(sum);
-        last = next;
+    const double length = edges.back() - edges.front(), each = 1.0 / static_cast<double>(panels);
+    std::vector<double> breaks{edges.front()};
+    double before = 0.0;
+    for (std::size_t i = 0; i < mass.size(); ++i) {
+        const double step = edges[i + 1] - edges[i];
+        const double share = 0.5 * step / length + (total > 0.0 ? 0.5 * mass[i] / total : 0.5 * step / length);
+        while (breaks.size() < panels && before + share >= each * static_cast<double>(breaks.size())) {
+            const double part = (each * static_cast<double>(breaks.size()) - before) / share;
+            breaks.push_back(edges[i] + std::clamp(part, 0.0, 1.0) * step);
+        }
+        before += share;
+    }
+    breaks.push_back(edges.back());
+    return breaks;
+}
+
+Marginal::Marginal(const QuadratureAxis& axis, const std::vector<double>& mass) : m_places{axis.low()}, m_cumulative{0.0} {
+    constexpr double kLeast = 1e-6, kTiny = 1e-300; // of the highest density, and of any
+    std::vector<double> logs(mass.size());
+    double highest = 0.0;
+    for (std::size_t i = 0; i < mass.size(); ++i) {
+        logs[i] = mass[i] / axis.weights[i];
+        highest = std::max(highest, logs[i]);
+    }
+    for (double& log : logs) {
+        log = std::log(std::max({log, kLeast * highest, kTiny}));
+    }
+    const std::size_t panels = axis.breaks.size() - 1, nodes = axis.size() / panels;
+    for (std::size_t panel = 0; panel < panels; ++panel) {
+        double held = 0.0;
+        for (std::size_t i = panel * nodes; i < (panel + 1) * nodes; ++i) {
+            held += mass[i];
+        }
+        addPanel(axis, logs, panel, held);
     }
 }
 
-double Marginal::quantile(double share) const noexcept {
-    const double wanted = share * m_cumulative.back();
-    const auto at = std::upper_bound(m_cumulative.begin(), m_cumulative.end(), wanted);
-    if (at == m_cumulative.begin() || at == m_cumulative.end()) {
-        return at == m_cumulative.begin() ? m_places.front() : m_places.back();
+void Marginal::addPanel(const QuadratureAxis& axis, const std::vector<double>& logs, std::size_t panel, double held) {
+    constexpr std::size_t kPieces = 40;
+    const double from = axis.breaks[panel], step = (axis.breaks[panel + 1] - from) / kPieces;
+    std::array<double, kPieces + 1> density;
+    double sum = 0.0;
+    for (std::size_t piece = 0; piece <= kPieces; ++piece) {
+        density[piece] = std::exp(localCubic(axis.nodes, logs, from + step * static_cast<double>(piece)));
+        sum += (piece == 0 || piece == kPieces ? 0.5 : 1.0) * density[piece] * step;
     }
-    const auto i = static_cast<std::size_t>(at - m_cumulative.begin());
-    const double part = (wanted - m_cumulative[i - 1]) / (m_cumulative[i] - m_cumulative[i - 1]);
-    return m_places[i - 1] + part * (m_places[i] - m_places[i - 1]);
+    const double scale = sum > 0.0 ? held / sum : 0.0; // the quadrature's sum is the exacter one
+    for (std::size_t piece = 0; piece < kPieces; ++piece) {
+        m_from.push_back(scale * density[piece]);
+        m_to.push_back(scale * density[piece + 1]);
+        m_places.push_back(piece + 1 == kPieces ? axis.breaks[panel + 1] : from + step * static_cast<double>(piece + 1));
+        m_cumulative.push_back(m_cumulative.back() + 0.5 * (m_from.back() + m_to.back()) * step);
+    }
+}
+
+double Marginal::below(double x) const noexcept {
+    const auto after = std::upper_bound(m_places.begin(), m_places.end(), x);
+    if (after == m_places.begin() || after == m_places.end()) {
+        return after == m_places.begin() ? 0.0 : m_cumulative.back();
+    }
+    const auto i = static_cast<std::size_t>(after - m_places.begin());
+    const double part = (x - m_places[i - 1]) / (m_places[i] - m_places[i - 1]);
+    const double step = m_places[i] - m_places[i - 1];
+    return m_cumulative[i - 1] + step * part * (m_from[i - 1] + 0.5 * part * (m_to[i - 1] - m_from[i - 1]));
+}
+
+double quantile(const std::vector<Marginal>& parts, double share) noexcept {
+    double low = parts.front().low(), high = parts.front().high(), total = 0.0;
+    for (const Marginal& part : parts) {
+        low = std::min(low, part.low());
+        high = std::max(high, part.high());
+        total += part.total();
+    }
+    for (int halving = 0; halving < 60; ++halving) {
+        const double middle = 0.5 * (low + high);
+        double below = 0.0;
+        for (const Marginal& part : parts) {
+            below += part.below(middle);
+        }
+        (below < share * total ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
 }
 
 } // namespace chiron::psychophysics

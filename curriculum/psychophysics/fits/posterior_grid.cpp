@@ -12,53 +12,60 @@ namespace chiron::psychophysics {
 namespace {
 
 constexpr double kImpossible = -std::numeric_limits<double>::infinity();
-constexpr double kNegligible = 14.0; ///< e^−14: 1e-6 of the largest density
+
+/// Of a level's ψ wherever a grid may ask: over each axis ψ rises or falls throughout, so its extremes lie at corners.
+struct Extent {
+    double lowest = 1.0, highest = 0.0;
+};
+
+Extent extentOf(const PosteriorModel& model, const PosteriorAxes& axes, double unit) noexcept {
+    const SigmoidUnits units = unitsOf(model.sigmoid);
+    const auto end = [&](std::size_t axis, bool high) { return high ? axes.axis[axis].high() : axes.axis[axis].low(); };
+    Extent extent;
+    for (unsigned corner = 0; corner < 16; ++corner) {
+        const double threshold = end(PosteriorAxes::threshold, corner & 1u), width = std::exp(end(PosteriorAxes::logWidth, corner & 2u));
+        const double lapse = end(PosteriorAxes::lapse, corner & 4u), guess = model.free.equal ? lapse : end(PosteriorAxes::guess, corner & 8u);
+        const SigmoidValue s = sigmoidAt(model.sigmoid, units.middle + units.spread / width * (unit - threshold));
+        const double reach = 1.0 - guess - lapse, psi = guess + reach * s.rise, rest = lapse + reach * s.rest;
+        constexpr double kRounded = 1e-12; // 1 − ψ is no more than rounding
+        extent.lowest = std::min(extent.lowest, psi);
+        extent.highest = std::max(extent.highest, rest > kRounded ? psi : 1.0);
+    }
+    return extent;
+}
 
 std::vector<BetaBinomialTable> tablesFor(const PosteriorModel& model, const PosteriorAxes& axes) {
     std::vector<BetaBinomialTable> tables;
     tables.reserve(model.levels.size());
-    const double lowest = model.free.equal ? axes.axis[PosteriorAxes::lapse].low : axes.axis[PosteriorAxes::guess].low;
-    const double highest = 1.0 - axes.axis[PosteriorAxes::lapse].low;
     for (std::size_t i = 0; i < model.levels.size(); ++i) {
-        tables.emplace_back(model.levels.right[i], model.levels.of[i], axes.axis[PosteriorAxes::eta].nodes, lowest, highest);
+        const Extent extent = extentOf(model, axes, model.levels.unit[i]);
+        tables.emplace_back(model.levels.right[i], model.levels.of[i], axes.axis[PosteriorAxes::eta].nodes, extent.lowest, extent.highest);
     }
     return tables;
 }
 
-/// The axis' own kind of nodes over another interval.
-QuadratureAxis nodesOver(std::size_t axis, double low, double high, std::size_t nodes) {
-    if (axis == PosteriorAxes::threshold || axis == PosteriorAxes::logWidth) {
-        return trapezoidAxis(low, high, nodes);
+/// Where the prior allows a threshold, with as many panels as the levels ask for.
+std::vector<double> thresholdBreaks(const PosteriorModel& model, std::size_t panels) {
+    const double low = model.priors.lowestThreshold(), high = model.priors.highestThreshold();
+    std::vector<double> edges{low}, mass;
+    for (const double unit : model.levels.unit) {
+        if (unit > edges.back() && unit < high) {
+            mass.push_back(edges.size() > 1 ? 1.0 : 0.0); // nothing before the first
+            edges.push_back(unit);
+        }
     }
-    return gaussLegendreAxis(low, high, nodes);
+    mass.push_back(0.0);
+    edges.push_back(high);
+    return equalShares(edges, mass, panels);
 }
 
-double coordinate(const CurveParameters& at, std::size_t axis) noexcept {
-    switch (axis) {
-    case PosteriorAxes::threshold: return at.threshold;
-    case PosteriorAxes::logWidth: return std::log(at.width);
-    case PosteriorAxes::guess: return at.guess;
-    case PosteriorAxes::lapse: return at.lapse;
-    default: return at.eta;
-    }
-}
-
-/// From the node before the first that matters to the node after the last, with `inside` inside.
-std::pair<double, double> mattering(const QuadratureAxis& axis, const std::vector<double>& profile, double highest, double inside) noexcept {
-    std::size_t first = 0, last = axis.size() - 1;
-    while (first < last && profile[first] < highest - kNegligible) {
-        ++first;
-    }
-    while (last > first && profile[last] < highest - kNegligible) {
-        --last;
-    }
-    const double low = first > 0 ? axis.nodes[first - 1] : axis.low;
-    const double high = last + 1 < axis.size() ? axis.nodes[last + 1] : axis.high;
-    const double margin = 0.02 * (high - low);
-    return {std::max(axis.low, std::min(low, inside - margin)), std::min(axis.high, std::max(high, inside + margin))};
-}
+std::vector<double> evenBreaks(double low, double high, std::size_t panels) { return equalShares({low, high}, {0.0}, panels); }
 
 } // namespace
+
+const AxisSize& GridSize::operator[](std::size_t axis) const noexcept {
+    return axis == PosteriorAxes::threshold ? threshold : axis == PosteriorAxes::logWidth ? width : axis == PosteriorAxes::eta ? eta : share;
+}
 
 std::size_t PosteriorAxes::cells() const noexcept {
     std::size_t product = 1;
@@ -121,15 +128,6 @@ void DensityGrid::fill(const PosteriorModel& model) {
     });
 }
 
-std::vector<double> DensityGrid::profile(std::size_t axis) const {
-    std::vector<double> most(m_axes.axis[axis].size(), kImpossible);
-    for (std::size_t cell = 0; cell < m_logs.size(); ++cell) {
-        double& here = most[nodeOf(cell, axis)];
-        here = std::max(here, m_logs[cell]);
-    }
-    return most;
-}
-
 CurveParameters DensityGrid::parametersAt(std::size_t cell) const noexcept {
     const auto node = [&](std::size_t axis) { return m_axes.axis[axis].nodes[nodeOf(cell, axis)]; };
     const double lapse = node(PosteriorAxes::lapse);
@@ -137,49 +135,51 @@ CurveParameters DensityGrid::parametersAt(std::size_t cell) const noexcept {
             node(PosteriorAxes::eta)};
 }
 
+Masses massesOf(const DensityGrid& grid, double reference) {
+    using Axes = PosteriorAxes;
+    const auto& axis = grid.axes().axis;
+    Masses masses;
+    masses.cell.resize(grid.logs().size());
+    for (std::size_t a = 0; a < Axes::count; ++a) {
+        masses.node[a].assign(axis[a].size(), 0.0);
+    }
+    const double unit = std::exp(grid.highest() - reference);
+    std::size_t cell = 0;
+    for (std::size_t t = 0; t < axis[Axes::threshold].size(); ++t) {
+        for (std::size_t w = 0; w < axis[Axes::logWidth].size(); ++w) {
+            const double outer = axis[Axes::threshold].weights[t] * axis[Axes::logWidth].weights[w] * std::exp(axis[Axes::logWidth].nodes[w]);
+            for (std::size_t g = 0; g < axis[Axes::guess].size(); ++g) {
+                for (std::size_t l = 0; l < axis[Axes::lapse].size(); ++l) {
+                    const double inner = outer * axis[Axes::guess].weights[g] * axis[Axes::lapse].weights[l];
+                    double sum = 0.0;
+                    for (std::size_t e = 0; e < axis[Axes::eta].size(); ++e, ++cell) {
+                        const double log = grid.logs()[cell] - grid.highest();
+                        const double mass = log > -40.0 ? unit * inner * axis[Axes::eta].weights[e] * std::exp(log) : 0.0;
+                        masses.cell[cell] = mass;
+                        masses.node[Axes::eta][e] += mass;
+                        sum += mass;
+                    }
+                    masses.node[Axes::threshold][t] += sum;
+                    masses.node[Axes::logWidth][w] += sum;
+                    masses.node[Axes::guess][g] += sum;
+                    masses.node[Axes::lapse][l] += sum;
+                    masses.total += sum;
+                }
+            }
+        }
+    }
+    return masses;
+}
+
 PosteriorAxes wholeSpace(const PosteriorModel& model, const GridSize& size) {
     const FitPriors& priors = model.priors;
     PosteriorAxes axes;
-    axes.axis[PosteriorAxes::threshold] = trapezoidAxis(priors.lowestThreshold(), priors.highestThreshold(), size.threshold);
-    axes.axis[PosteriorAxes::logWidth] = trapezoidAxis(std::log(priors.spacing), std::log(priors.largestWidth()), size.width);
-    axes.axis[PosteriorAxes::guess] = model.free.guess ? gaussLegendreAxis(0.0, model.free.largestGuess, size.share) : fixedAxis(model.guess);
-    axes.axis[PosteriorAxes::lapse] = model.free.lapse ? gaussLegendreAxis(0.0, model.free.largestLapse, size.share) : fixedAxis(model.lapse);
-    constexpr double kMostEta = 0.999;
-    axes.axis[PosteriorAxes::eta] = model.overdispersion ? gaussLegendreAxis(0.0, kMostEta, size.eta) : fixedAxis(0.0);
-    return axes;
-}
-
-PosteriorAxes posteriorRegion(const PosteriorModel& model, const DensityGrid& whole, const CurveParameters& mode,
-                              const GridSize& fine) {
-    PosteriorAxes axes = whole.axes();
-    const DensityGrid* grid = &whole;
-    std::vector<DensityGrid> pass;
-    pass.reserve(1);
-    constexpr int kMostPasses = 24;
-    for (int i = 0; i < kMostPasses; ++i) {
-        bool smaller = false;
-        for (std::size_t a = 0; a < PosteriorAxes::count; ++a) {
-            const QuadratureAxis& before = grid->axes().axis[a];
-            if (!before.fixed()) {
-                const auto [low, high] = mattering(before, grid->profile(a), grid->highest(), coordinate(mode, a));
-                smaller = smaller || high - low < 0.7 * (before.high - before.low);
-                axes.axis[a] = nodesOver(a, low, high, before.size());
-            }
-        }
-        if (!smaller) {
-            break;
-        }
-        pass.clear();
-        pass.emplace_back(model, axes);
-        grid = &pass.front();
-    }
-    const std::array<std::size_t, PosteriorAxes::count> nodes{fine.threshold, fine.width, fine.share, fine.share, fine.eta};
-    for (std::size_t a = 0; a < PosteriorAxes::count; ++a) {
-        QuadratureAxis& axis = axes.axis[a];
-        if (!axis.fixed()) {
-            axis = nodesOver(a, axis.low, axis.high, nodes[a]);
-        }
-    }
+    const auto even = [](double low, double high, const AxisSize& cut) { return panelAxis(evenBreaks(low, high, cut.panels), cut.nodes); };
+    axes.axis[PosteriorAxes::threshold] = panelAxis(thresholdBreaks(model, size.threshold.panels), size.threshold.nodes);
+    axes.axis[PosteriorAxes::logWidth] = even(std::log(priors.spacing), std::log(priors.largestWidth()), size.width);
+    axes.axis[PosteriorAxes::guess] = model.free.guess ? even(0.0, model.free.largestGuess, size.share) : fixedAxis(model.guess);
+    axes.axis[PosteriorAxes::lapse] = model.free.lapse ? even(0.0, model.free.largestLapse, size.share) : fixedAxis(model.lapse);
+    axes.axis[PosteriorAxes::eta] = model.overdispersion ? even(0.0, kMostEta, size.eta) : fixedAxis(0.0);
     return axes;
 }
 

@@ -13,9 +13,10 @@ struct PosteriorAxes {
     std::size_t cells() const noexcept;
 };
 
-/// How many nodes a pass has along each axis.
+/// How each axis is cut; `share` for lapse and guess.
 struct GridSize {
-    std::size_t threshold, width, share, eta;
+    AxisSize threshold, width, share, eta;
+    const AxisSize& operator[](std::size_t axis) const noexcept;
 };
 
 /// Log densities (over threshold, width, lapse, guess, η) at all nodes.
@@ -26,8 +27,6 @@ public:
     const PosteriorAxes& axes() const noexcept { return m_axes; }
     const std::vector<double>& logs() const noexcept { return m_logs; }
     double highest() const noexcept { return m_highest; }
-    /// The largest log density over all other axes, a node each.
-    std::vector<double> profile(std::size_t axis) const;
     CurveParameters parametersAt(std::size_t cell) const noexcept;
     std::size_t nodeOf(std::size_t cell, std::size_t axis) const noexcept { return cell / m_stride[axis] % m_axes.axis[axis].size(); }
 
@@ -40,10 +39,15 @@ private:
     double m_highest = 0.0;
 };
 
-/// The whole of what the priors allow.
+/// Mass of each cell, and marginal mass of each node of every axis, in units of e^reference.
+struct Masses {
+    std::vector<double> cell;
+    std::array<std::vector<double>, PosteriorAxes::count> node;
+    double total = 0.0;
+};
+Masses massesOf(const DensityGrid& grid, double reference);
+
+/// The whole of what the priors allow; half of the nodes of the threshold lie as densely as the levels do.
 PosteriorAxes wholeSpace(const PosteriorModel& model, const GridSize& size);
-/// Axes around where the posterior lies (less than e^−14 of the largest density outside, `mode` inside), found by passes of a coarse grid.
-PosteriorAxes posteriorRegion(const PosteriorModel& model, const DensityGrid& whole, const CurveParameters& mode,
-                              const GridSize& fine);
 
 } // namespace chiron::psychophysics

@@ -15,7 +15,6 @@ constexpr double kImpossible = -std::numeric_limits<double>::infinity();
 } // namespace
 
 double PosteriorModel::logDensity(const CurveParameters& at) const noexcept {
-    constexpr double kMostEta = 0.999;
     if (!(at.eta >= 0.0 && at.eta < kMostEta) || (free.lapse && at.lapse > free.largestLapse) || (free.guess && at.guess > free.largestGuess)) {
         return kImpossible;
     }

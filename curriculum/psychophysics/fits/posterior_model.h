@@ -8,6 +8,8 @@
 
 namespace chiron::psychophysics {
 
+inline constexpr double kMostEta = 0.999;
+
 /// The beta-binomial model of Schütt et al. (2016) for one set of levels; thresholds and widths on the unit axis.
 struct PosteriorModel {
     const PreparedLevels& levels;

@@ -5,8 +5,8 @@
 
 namespace chiron::psychophysics {
 
-/// Posterior mean and standard deviation, credible intervals, draws and the band of the curve, from a grid; fills mean, error, ci,
+/// Posterior mean and standard deviation, credible intervals, draws and the band of the curve, from the posterior's parts; fills mean, error, ci,
 /// draws and curve of the result as the options ask for.
-void addPosterior(FitResult& result, const DensityGrid& grid, const PreparedLevels& levels, const FitOptions& options);
+void addPosterior(FitResult& result, const std::vector<DensityGrid>& grids, const PreparedLevels& levels, const FitOptions& options);
 
 } // namespace chiron::psychophysics

@@ -4,6 +4,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace chiron::psychophysics;
@@ -47,6 +48,10 @@ class TestFitPosterior : public QObject {
     Q_OBJECT
 private slots:
     void modeIsTheHighest();
+    void intervalsAreTheIntegrals();
+    void sharesWithoutInformationKeepTheirPrior();
+    void manyTrialsNarrowTheInterval();
+    void decadesOnALinearAxis();
 };
 
 /// Places that long searches from outside found (simplex climbs from hundreds of starts): no place is higher than what is reported.
@@ -67,6 +72,94 @@ void TestFitPosterior::modeIsTheHighest() {
         QVERIFY2(fit.logPosterior > there - 1e-5, qPrintable(QStringLiteral("%1: %2, known %3").arg(at.name).arg(fit.logPosterior).arg(there)));
         QVERIFY(std::abs(logPosteriorAt(at, fit.best) - fit.logPosterior) < 1e-9 * std::abs(fit.logPosterior));
     }
+}
+
+/// Means and interval ends of a chain of 6 million steps (differential evolution, 100 walkers), to 2.5 % of the interval: more than its noise.
+void TestFitPosterior::intervalsAreTheIntegrals() {
+    struct Known {
+        Case at;
+        FitInterval threshold, width, guess; ///< thresholds on the fitted axis
+        double meanWidth;
+    };
+    const std::vector<double> gap{0.4906636386, 0.5207731454, 0.8984970662, 2.1085163006, 2.2457047500, 2.3044747749,
+                                  2.6738953694, 2.6851964450, 2.8108047792, 2.8322613276, 3.1527049042, 3.2037784628};
+    const std::vector<Known> cases{
+        {{"between two far levels", counts(gap, {43, 41, 37, 192, 196, 191, 191, 190, 188, 187, 190, 192}, 200), Sigmoid::logistic, Asymptote::fitted()},
+         {1.031, 1.964}, {0.02843, 0.8694}, {0.1622, 0.2346}, 0.33364},
+        {{"width and lapse go together", counts({0.408129353, 0.770529633, 1.731711857, 1.733197136, 1.844692443}, {27, 56, 117, 120, 136}, 200),
+          Sigmoid::logistic, Asymptote::equalToLapse()},
+         {1.342, 1.627}, {1.433, 3.72}, {}, 2.8145},
+        {{"one level against the rest", counts(kEven, {7, 7, 9, 7, 35}, 40), Sigmoid::logn, Asymptote::fitted()},
+         {0.7337, 1.233}, {0.2915, 3.717}, {0.0444, 0.2493}, 0.78416}};
+    for (const Known& known : cases) {
+        const FitResult fit = fitBayesian(known.at.data, optionsOf(known.at));
+        const auto like = [&](const char* what, const FitInterval& got, const FitInterval& expected) {
+            const double allowed = 0.025 * (expected.high - expected.low);
+            const QString words = QStringLiteral("%1, %2: %3 to %4, expected %5 to %6").arg(known.at.name, what).arg(got.low).arg(got.high).arg(expected.low).arg(expected.high);
+            QVERIFY2(std::abs(got.low - expected.low) < allowed && std::abs(got.high - expected.high) < allowed, qPrintable(words));
+        };
+        like("threshold", {toScale(fit.ci.threshold.low, fit.scale), toScale(fit.ci.threshold.high, fit.scale)}, known.threshold);
+        like("width", fit.ci.width, known.width);
+        if (!std::isnan(known.guess.low)) {
+            like("guess", fit.ci.guess, known.guess);
+        }
+        QVERIFY2(std::abs(fit.mean.width - known.meanWidth) < 0.01 * known.meanWidth, qPrintable(QStringLiteral("%1: %2").arg(known.at.name).arg(fit.mean.width)));
+    }
+}
+
+/// One trial a level says nothing of overdispersion: its interval is that of Beta(1, 10).
+void TestFitPosterior::sharesWithoutInformationKeepTheirPrior() {
+    for (const Asymptote guess : {Asymptote::fixedAt(0.5), Asymptote::fitted(), Asymptote::equalToLapse()}) {
+        const Case at{"one trial each", counts({1, 2, 3, 4, 5, 6, 7, 8}, {0, 1, 0, 0, 1, 1, 1, 1}, 1), Sigmoid::gauss, guess};
+        const FitResult fit = fitBayesian(at.data, optionsOf(at));
+        QVERIFY2(std::abs(fit.ci.eta.low - (1.0 - std::pow(0.975, 0.1))) < 2e-4, qPrintable(QString::number(fit.ci.eta.low)));
+        QVERIFY2(std::abs(fit.ci.eta.high - (1.0 - std::pow(0.025, 0.1))) < 2e-3, qPrintable(QString::number(fit.ci.eta.high)));
+        QVERIFY(std::abs(fit.mean.eta - 1.0 / 11.0) < 5e-4);
+    }
+}
+
+/// Where answers lie on a curve, the threshold's interval narrows with the root of the number of trials, however many.
+void TestFitPosterior::manyTrialsNarrowTheInterval() {
+    FitResult curve;
+    curve.function = Sigmoid::gauss;
+    curve.best = {3.0, 2.5, 0.02, 0.5, 0.0};
+    double last = 0.0;
+    for (const double n : {1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9}) {
+        std::vector<double> right;
+        for (const double x : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+            right.push_back(std::round(n * proportionAt(curve, x)));
+        }
+        const FitResult fit = fitBayesian(counts({1, 2, 3, 4, 5}, right, n), FitOptions{});
+        const double half = 0.5 * (fit.ci.threshold.high - fit.ci.threshold.low);
+        QVERIFY2(fit.ci.threshold.low < 3.0 && 3.0 < fit.ci.threshold.high, qPrintable(QString::number(n)));
+        QVERIFY2(last == 0.0 || (half > 0.25 * last && half < 0.55 * last), qPrintable(QStringLiteral("%1: %2 after %3").arg(n).arg(half).arg(last)));
+        last = half;
+        if (n == 1e5 || n == 1e6) { // chains: 0.031 and 0.012
+            QVERIFY2(std::abs(half / (n == 1e5 ? 0.031 : 0.012) - 1.0) < 0.08, qPrintable(QString::number(half)));
+        }
+        if (n == 1e4 || n == 1e9) { // a free guess hardly bounds the overdispersion: a wide tail under a peak up to e^40 times as high
+            FitOptions freeGuess;
+            freeGuess.guess = Asymptote::fitted();
+            const FitResult both = fitBayesian(counts({1, 2, 3, 4, 5}, right, n), freeGuess);
+            QVERIFY2(both.ci.threshold.low < 1.5 && both.ci.threshold.high > 3.0 && both.ci.width.high > 6.0, qPrintable(QString::number(both.ci.threshold.low)));
+        }
+    }
+}
+
+/// A narrow peak among the lowest of eleven doublings and a wide tail: mass is found in both (chain: width 2.3 to 594, overdispersion to 0.43).
+void TestFitPosterior::decadesOnALinearAxis() {
+    const Case at{"doublings", counts({1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024}, {12, 22, 28, 30, 30, 30, 29, 30, 29, 30, 29}, 30), Sigmoid::logistic,
+                  Asymptote::fixedAt(0.25)};
+    const FitResult fit = fitBayesian(at.data, optionsOf(at));
+    QVERIFY2(std::abs(fit.ci.width.low - 2.27) < 0.1 && std::abs(fit.ci.width.high - 594.0) < 60.0, qPrintable(QString::number(fit.ci.width.high)));
+    QVERIFY2(std::abs(fit.ci.threshold.low + 251.0) < 25.0 && std::abs(fit.ci.threshold.high - 2.37) < 0.1, qPrintable(QString::number(fit.ci.threshold.low)));
+    QVERIFY(std::abs(fit.ci.eta.high - 0.431) < 0.01);
+    const auto told = [](const FitResult& of) {
+        return std::any_of(of.warnings.begin(), of.warnings.end(), [](const std::string& words) { return words.rfind("uneven_levels: ", 0) == 0; });
+    };
+    FitOptions logarithmic = optionsOf(at);
+    logarithmic.scale = StimulusScale::ln;
+    QVERIFY(told(fit) && !told(fitBayesian(at.data, logarithmic)));
 }
 
 QTEST_GUILESS_MAIN(TestFitPosterior)

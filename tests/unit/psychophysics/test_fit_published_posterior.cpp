@@ -2,6 +2,7 @@
 #include "fit_published.h"
 
 #include "psychophysics/fits/likelihood.h"
+#include "psychophysics/fits/posterior_region.h"
 #include "psychophysics/fits/posterior_summary.h"
 
 #include <QtTest>
@@ -149,10 +150,8 @@ void TestFitPublishedPosterior::intervalsHaveConverged() {
         const PreparedLevels levels = prepareLevels(rows(object["data_x_k_n"]), fit.scale);
         const FreeParameters free = freeParameters(options);
         const PosteriorModel model{levels, options.function, priorsFor(levels, options, fit.scale), free, 0.0, options.guess.value, true};
-        const DensityGrid whole(model, wholeSpace(model, {41, 33, 10, 8}));
-        const CurveParameters mode{(fit.best.threshold - levels.centre) / levels.range, fit.best.width / levels.range, fit.lapse, fit.guess, fit.eta};
         FitResult finer = fit;
-        addPosterior(finer, DensityGrid(model, posteriorRegion(model, whole, mode, {72, 72, 20, 16})), levels, options);
+        addPosterior(finer, posteriorParts(model, {{12, 6}, {12, 6}, {6, 4}, {2, 5}}), levels, options);
         const auto close = [&](double a, double b, double allowed) { return std::abs(a - b) <= allowed; };
         const double range = levels.range, width = fit.mean.width;
         QVERIFY2(close(fit.mean.threshold, finer.mean.threshold, 0.002 * width), qPrintable(object["id"].toString()));
