@@ -11,7 +11,7 @@
 namespace chiron::psychophysics {
 namespace {
 
-constexpr GridSize kStarts{{8, 3}, {6, 3}, {2, 3}, {2, 2}};
+constexpr GridSize kStarts{{8, 4}, {9, 3}, {2, 3}, {2, 2}};
 constexpr GridSize kFine{{6, 6}, {6, 6}, {3, 4}, {1, 5}};
 
 CurveParameters fromUnitAxis(const CurveParameters& at, const PreparedLevels& levels) noexcept {

@@ -58,7 +58,11 @@ private slots:
 void TestFitPosterior::modeIsTheHighest() {
     const std::vector<double> uneven{0.361, 0.742, 0.81,  0.935, 0.983, 1.01,  1.088, 1.398, 1.404, 1.493, 1.587, 1.716, 1.842,
                                      1.89,  2.078, 2.116, 2.414, 2.588, 2.687, 3.029, 3.1,   3.332, 3.478, 3.765, 3.919};
+    const std::vector<double> twins{0.3019179673, 0.5092309707, 0.8833577023, 0.9807979329, 1.6605318301, 1.6687599915,
+                                    2.2433761881, 3.1920232364, 3.4414585613, 3.6122463686, 3.6452733747, 3.8409867668};
     const std::vector<std::pair<Case, CurveParameters>> cases{
+        {{"a step before two near levels", counts(twins, {1, 0, 1, 1, 9, 10, 9, 10, 10, 10, 10, 10}, 10), Sigmoid::gauss, Asymptote::fitted()},
+         {1.6539, 0.016396, 0.0127, 0.0612, 0.0}},
         {{"few lapses", counts(kEven, {2, 0, 2, 5, 4}, 5), Sigmoid::rgumbel, Asymptote::fitted()}, {1.785, 1.275, 0.0416, 0.1045, 0.0}},
         {{"no overdispersion", counts(kEven, {3, 3, 9, 3, 38}, 40), Sigmoid::hyperbolic, Asymptote::fixedAt(0.1)}, {2.696, 0.8689, 0.0, 0.1, 0.0}},
         {{"decades on a linear axis", counts({1, 10, 100, 1000, 10000}, {11, 15, 19, 28, 29}, 30), Sigmoid::gauss, Asymptote::fixedAt(0.5)},
