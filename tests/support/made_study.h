@@ -60,6 +60,21 @@ inline psychophysics::StudyDesign smallStudy(const std::string& key, bool blind 
     return study;
 }
 
+/// So many marks on the apex of a sphere of 20 mm radius.
+inline psychophysics::StudyDesign apexStudy(const std::string& key, int marks) {
+    psychophysics::StudyDesign design = smallStudy(key);
+    design.title = {{"en", "Finding the apex"}};
+    psychophysics::Condition condition;
+    condition.id = "sphere";
+    condition.title = {{"en", "Sphere of 20 mm radius"}};
+    condition.stimulus = {psychophysics::Attribute::apex, 0.02, {0.0}, {{"stiffness_N_per_m", 500.0}}};
+    condition.task = psychophysics::Task::adjustment;
+    condition.procedures = {psychophysics::ConstantSpec{{0.0}, marks, true}};
+    design.conditions = {condition};
+    design.questionnaires.clear();
+    return design;
+}
+
 /// One write as somebody; ends the test program where it fails.
 template <class Job> auto writeAs(DesktopFixture& desktop, const database::Actor& actor, Job job) {
     auto done = desktop.database().write([&](database::WriteContext& writing) {

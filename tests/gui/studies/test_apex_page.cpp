@@ -16,24 +16,6 @@
 using namespace chiron;
 using tests::DesktopFixture;
 
-namespace {
-
-psychophysics::StudyDesign apexStudy() {
-    psychophysics::StudyDesign design = tests::smallStudy("apex_small");
-    design.title = {{"en", "Finding the apex"}};
-    psychophysics::Condition condition;
-    condition.id = "sphere";
-    condition.title = {{"en", "Sphere of 20 mm radius"}};
-    condition.stimulus = {psychophysics::Attribute::apex, 0.02, {0.0}, {{"stiffness_N_per_m", 500.0}}};
-    condition.task = psychophysics::Task::adjustment;
-    condition.procedures = {psychophysics::ConstantSpec{{0.0}, 10, true}};
-    design.conditions = {condition};
-    design.questionnaires.clear();
-    return design;
-}
-
-} // namespace
-
 class TestApexPage : public QObject {
     Q_OBJECT
 private slots:
@@ -41,7 +23,7 @@ private slots:
         m_site = std::make_unique<DesktopFixture>();
         tests::applyLook(*m_site);
         m_site->logIn("rhea");
-        const psychophysics::StudyDesign design = apexStudy();
+        const psychophysics::StudyDesign design = tests::apexStudy("apex_small", 10);
         const database::Actor rhea = m_site->actor("rhea");
         m_study = tests::addDraft(*m_site, rhea, design);
         tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });

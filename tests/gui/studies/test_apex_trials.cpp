@@ -22,18 +22,9 @@ namespace {
 constexpr int kPatience_ms = 30000;
 constexpr double kBeside_m = 0.004; ///< to the right of the apex
 
-psychophysics::StudyDesign apexStudy() {
-    psychophysics::StudyDesign design = tests::smallStudy("apex_trials");
-    design.title = {{"en", "Finding the apex"}};
+psychophysics::StudyDesign quickApexStudy() {
+    psychophysics::StudyDesign design = tests::apexStudy("apex_trials", 4);
     design.instructions = {{"en", "A ball that you cannot see lies in front of you. Feel your way over it and mark its highest point."}};
-    psychophysics::Condition condition;
-    condition.id = "sphere";
-    condition.title = {{"en", "Sphere of 20 mm radius"}};
-    condition.stimulus = {psychophysics::Attribute::apex, 0.02, {0.0}, {{"stiffness_N_per_m", 500.0}}};
-    condition.task = psychophysics::Task::adjustment;
-    condition.procedures = {psychophysics::ConstantSpec{{0.0}, 4, true}};
-    design.conditions = {condition};
-    design.questionnaires.clear();
     design.trial.visibleObjects = false;
     design.trial.betweenTrials_s = 0.1;
     design.fidelity.lateTicks = 1.0; // a busy machine is no fault of what is tested
@@ -87,7 +78,7 @@ void TestApexTrials::initTestCase() {
     m_site = std::make_unique<tests::DesktopFixture>();
     tests::applyLook(*m_site);
     const database::Actor rhea = m_site->actor("rhea");
-    const psychophysics::StudyDesign design = apexStudy();
+    const psychophysics::StudyDesign design = quickApexStudy();
     m_study = tests::addDraft(*m_site, rhea, design);
     tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
     m_participant = tests::addParticipant(*m_site, rhea, m_study, design, "somebody");

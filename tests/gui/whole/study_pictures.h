@@ -24,17 +24,8 @@ inline psychophysics::StudyDesign tiedStudy() {
     return design;
 }
 
-inline psychophysics::StudyDesign apexStudy() {
-    psychophysics::StudyDesign design = smallStudy("apex_trials");
-    design.title = {{"en", "Finding the apex"}};
-    psychophysics::Condition condition;
-    condition.id = "sphere";
-    condition.title = {{"en", "Sphere of 20 mm radius"}};
-    condition.stimulus = {psychophysics::Attribute::apex, 0.02, {0.0}, {{"stiffness_N_per_m", 500.0}}};
-    condition.task = psychophysics::Task::adjustment;
-    condition.procedures = {psychophysics::ConstantSpec{{0.0}, 4, true}};
-    design.conditions = {condition};
-    design.questionnaires.clear();
+inline psychophysics::StudyDesign hiddenApexStudy() {
+    psychophysics::StudyDesign design = apexStudy("apex_trials", 4);
     design.trial.visibleObjects = false;
     return design;
 }
@@ -53,7 +44,7 @@ inline MoreStudies addMoreStudies(DesktopFixture& desktop) {
     more.ties = frozen(tied);
     for (int i = 0; i < 3; ++i)
         addRun(desktop, rhea, tied, addParticipant(desktop, rhea, more.ties, tied, "resident " + std::to_string(i)), "stiffness", 0.08 + 0.03 * i, static_cast<std::uint64_t>(41 + i));
-    const psychophysics::StudyDesign apex = apexStudy();
+    const psychophysics::StudyDesign apex = hiddenApexStudy();
     more.apex = frozen(apex);
     more.apexCode = QString::fromStdString(addParticipant(desktop, rhea, more.apex, apex, "surgeon 5").code);
     return more;
