@@ -245,6 +245,7 @@ namespace {
 
 int helperMain(const std::string& mode, const std::string& file) {
     DatabaseFixture f;
+    f.folder.remove(); // its options are what is wanted; a killed process leaves its folder
     std::puts("ready");
     std::fflush(stdout);
     if (mode == "--create") {

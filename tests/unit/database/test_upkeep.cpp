@@ -164,6 +164,7 @@ namespace {
 // The process that is killed: backups of a database, one after the other, until then.
 int makeBackups(const std::string& file, const std::string& folder) {
     DatabaseFixture f;
+    f.folder.remove(); // its options are what is wanted; a killed process leaves its folder
     auto database = Database::openForWriting(file, f.options);
     auto ada = database ? AccountService(**database).login("ada", kPassword)
                         : core::Result<Actor>(tl::unexpected(database.error()));
