@@ -21,6 +21,9 @@ endfunction()
 # Most of a compiler's work on a test is what it includes and the templates of that: tests of one folder that are of one kind (same
 # libraries, flags and definitions) are compiled some at a time (tests/batch.cmake). Each stays a program of its own.
 set(CHIRON_TEST_BATCH 6 CACHE STRING "How many tests of a folder are compiled together; 1: each by itself")
+if(NOT CHIRON_TEST_BATCH GREATER 0)
+    message(FATAL_ERROR "CHIRON_TEST_BATCH: ${CHIRON_TEST_BATCH}: expected a number of at least 1")
+endif()
 
 # Gives a test a main function that calls what its batch calls run_<name>; the batch is made when the folder has been read.
 function(_chiron_in_batch name source)
@@ -113,7 +116,7 @@ endfunction()
 # A QtTest program. QT: needs modules that link Qt, so it is left out of sanitizer builds; GUI: those that link
 # QtWidgets; THREADS: it, or what it runs, starts a thread, so the thread sanitizer looks at it (tests/realtime checks that
 # none is forgotten); OWN_FLAGS: flags or Qt libraries of its own, so it reads headers without the precompiled one;
-# ALONE: compiled without others (it has namespaces of its own, which a batch would put into another).
+# ALONE: compiled without others (it opens a namespace of the product, or declares a type to Qt, which a batch would put into its own).
 add_custom_target(chiron_thread_tests)
 function(chiron_test name)
     cmake_parse_arguments(T "QT;GUI;THREADS;OWN_FLAGS;ALONE" "TIMEOUT" "SOURCES;LINKS;LABELS;LIBRARIES" ${ARGN})
