@@ -1043,6 +1043,14 @@ Einzelheiten: %2</translation>
         <translation>Wie lange die Spannung, oder die Länge an der Marke, während des Haltens dort war, wo sie sein sollte; Mittel über alle Durchgänge.</translation>
     </message>
     <message>
+        <source>Critical errors</source>
+        <translation>Kritische Fehler</translation>
+    </message>
+    <message>
+        <source>How often the tissue gave way because it was pushed too hard.</source>
+        <translation>Wie oft das Gewebe nachgab, weil zu stark gedrückt wurde.</translation>
+    </message>
+    <message>
         <source>Over-stretches</source>
         <translation>Überdehnungen</translation>
     </message>
@@ -1732,6 +1740,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>Slipped out or dropped</source>
         <translation>Entglitten oder fallen gelassen</translation>
+    </message>
+    <message>
+        <source>The tissue gave way at %1</source>
+        <translation>Das Gewebe gab bei %1 nach</translation>
     </message>
     <message>
         <source>Tissue at its limit: stretched or squeezed too much</source>

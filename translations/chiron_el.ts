@@ -1043,6 +1043,14 @@ Details: %2</source>
         <translation>Πόση ώρα κατά το κράτημα η τάση, ή το μήκος στο σημάδι, ήταν εκεί που έπρεπε· μέσος όρος όλων των δοκιμών.</translation>
     </message>
     <message>
+        <source>Critical errors</source>
+        <translation>Κρίσιμα σφάλματα</translation>
+    </message>
+    <message>
+        <source>How often the tissue gave way because it was pushed too hard.</source>
+        <translation>Πόσες φορές ο ιστός υποχώρησε επειδή πιέστηκε υπερβολικά.</translation>
+    </message>
+    <message>
         <source>Over-stretches</source>
         <translation>Υπερτεντώματα</translation>
     </message>
@@ -1732,6 +1740,10 @@ Details: %2</source>
     <message>
         <source>Slipped out or dropped</source>
         <translation>Γλίστρημα ή πτώση</translation>
+    </message>
+    <message>
+        <source>The tissue gave way at %1</source>
+        <translation>Ο ιστός υποχώρησε στα %1</translation>
     </message>
     <message>
         <source>Tissue at its limit: stretched or squeezed too much</source>

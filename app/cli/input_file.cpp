@@ -31,7 +31,16 @@ core::Result<QByteArray> readStandardInput(qint64 largestBytes) {
     QFile input;
     if (!input.open(stdin, QIODevice::ReadOnly))
         return badInput(QStringLiteral("stdin: cannot be read: %1").arg(input.errorString()));
-    const QByteArray bytes = input.read(largestBytes + 1);
+    // A pipe gives what has been written so far: only an empty read is its end.
+    QByteArray bytes;
+    while (bytes.size() <= largestBytes) {
+        const QByteArray part = input.read(largestBytes + 1 - bytes.size());
+        if (part.isEmpty())
+            break;
+        bytes += part;
+    }
+    if (input.error() != QFileDevice::NoError)
+        return badInput(QStringLiteral("stdin: broke off after %1 bytes: %2").arg(bytes.size()).arg(input.errorString()));
     if (bytes.size() > largestBytes)
         return badInput(QStringLiteral("stdin: more than %1 bytes; expected at most that").arg(largestBytes));
     return bytes;

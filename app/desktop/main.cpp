@@ -7,9 +7,13 @@
 int main(int argc, char** argv) {
     chiron::desktop::traceStart("main");
     qputenv("QT3D_RENDERER", "opengl"); // faster than the other back end where the rasteriser is software
+    QCoreApplication::setApplicationName(QStringLiteral("chiron"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(CHIRON_VERSION));
+    if (chiron::desktop::asksForText(argc, argv)) {
+        const QCoreApplication application(argc, argv);
+        return chiron::desktop::tellText(QCoreApplication::arguments());
+    }
     QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("chiron"));
-    QApplication::setApplicationVersion(QStringLiteral(CHIRON_VERSION));
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     return chiron::desktop::runProgram(application);
 }

@@ -3,6 +3,8 @@
 
 #include "session/trace_mark.h"
 
+#include "core/contact_bits.h"
+
 #include <array>
 #include <cmath>
 
@@ -66,6 +68,7 @@ void EventExtractor::addFrame(const core::HapticFrame& frame) {
     addCommands(frame, t_s);
     addTrialEvents(frame, t_s);
     addGuards(frame, t_s);
+    addYields(frame, t_s);
     addOverForce(frame, t_s);
     ++m_frames;
     m_lastTick = frame.header.index;
@@ -130,6 +133,20 @@ void EventExtractor::addGuards(const core::HapticFrame& frame, double t_s) {
             note(frame, t_s, guard.word);
     }
     m_guards = frame.header.guards;
+}
+
+void EventExtractor::addYields(const core::HapticFrame& frame, double t_s) {
+    for (int i = 0; i < m_tools; ++i) {
+        const auto tool = static_cast<std::size_t>(i);
+        const core::Array6& f = frame.tool[tool].tissue;
+        const double force_N = std::hypot(f[0], f[1], f[2]);
+        if (core::contactOfStatus(frame.tool[tool].status) & core::contact_bits::kYielded) {
+            note(frame, t_s, "tissue_yielded", i);
+            m_events.back().detailJson = "{\"trial\":" + std::to_string(frame.header.trial) +
+                                         ",\"force_mN\":" + std::to_string(std::llround(1e3 * std::max(m_force_N[tool], force_N))) + "}";
+        }
+        m_force_N[tool] = force_N;
+    }
 }
 
 void EventExtractor::addOverForce(const core::HapticFrame& frame, double t_s) {

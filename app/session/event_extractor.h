@@ -22,8 +22,8 @@ struct MarkedGuard {
 std::span<const MarkedGuard> markedGuards() noexcept;
 
 /// Stored frames -> the events and trials of a session, as playback marks them and the database keeps them: trial
-/// starts, marks, time-outs, stages, landmarks, completions, commands, the onset of each guard, the onset of tissue force
-/// over the limit. The change of stage that completes a procedure is told as its completion.
+/// starts, marks, time-outs, stages, landmarks, completions, commands, the onset of each guard, tissue that gave way (with the
+/// force in N that it gave way at), the onset of tissue force over the limit. The change of stage that completes a procedure is told as its completion.
 class EventExtractor {
 public:
     EventExtractor(double forceLimit_N, std::uint64_t sessionSeed, int tools)
@@ -43,6 +43,7 @@ private:
     void addFrame(const core::HapticFrame& frame);
     void addCommands(const core::HapticFrame& frame, double t_s);
     void addGuards(const core::HapticFrame& frame, double t_s);
+    void addYields(const core::HapticFrame& frame, double t_s);
     void addOverForce(const core::HapticFrame& frame, double t_s);
     void addTrialEvents(const core::HapticFrame& frame, double t_s);
     void note(const core::HapticFrame& frame, double t_s, const char* kind, int tool = 0);
@@ -55,6 +56,7 @@ private:
     std::uint64_t m_lastTick = 0;
     std::uint32_t m_guards = 0;
     std::array<bool, core::kMaxTools> m_over{};
+    std::array<double, core::kMaxTools> m_force_N{}; ///< tissue force of the tick before: how hard was pushed when tissue gave way
     bool m_finished = false;
     bool m_faulted = false;
     bool m_endCommand = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/playback_mark.h"
 
+#include "core/contact_bits.h"
 #include "session/event_extractor.h"
 #include "session/trace_mark.h"
 
@@ -25,7 +26,7 @@ bool isPenalty(PlaybackMarkKind kind) noexcept {
     return kind == PlaybackMarkKind::overLimit || kind == PlaybackMarkKind::timedOut || kind == PlaybackMarkKind::fault ||
            kind == PlaybackMarkKind::trauma || kind == PlaybackMarkKind::reversal || kind == PlaybackMarkKind::offCentre ||
            kind == PlaybackMarkKind::overTorque || kind == PlaybackMarkKind::slipped || kind == PlaybackMarkKind::damaged ||
-           kind == PlaybackMarkKind::failed;
+           kind == PlaybackMarkKind::yielded || kind == PlaybackMarkKind::failed;
 }
 
 PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind, int tool) {
@@ -119,6 +120,9 @@ void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
     for (int tool = 0; tool < m_tools; ++tool) {
         const auto i = static_cast<std::size_t>(tool);
         const double tissue = tissueOf(frame.tool[i]);
+        if (core::contactOfStatus(frame.tool[i].status) & core::contact_bits::kYielded)
+            note(frame, t_s, PlaybackMarkKind::yielded, tool).value = std::max(m_before_N[i], tissue);
+        m_before_N[i] = tissue;
         follow(m_contact[i], tissue > kContact_N, frame, t_s, PlaybackMarkKind::contact, tool, kBridge_s);
         const bool over = scored && tissue > m_forceLimit_N;
         follow(m_over[i], over, frame, t_s, PlaybackMarkKind::overLimit, tool);

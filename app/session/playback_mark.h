@@ -38,6 +38,7 @@ enum class PlaybackMarkKind : std::uint8_t {
     damaged,      ///< penalty: over-stretched or over-squeezed
     found,        ///< palpation: a finding was reported; value: its number, from 1
     takenBack,    ///< palpation: a finding was taken back; value: its number, from 1
+    yielded,      ///< penalty: tissue gave way; value: the force at which it did, N
     failed,       ///< penalty: the trial could not be done any more (torn)
 };
 
@@ -58,7 +59,7 @@ struct PlaybackMark {
     std::string detail;
 };
 
-/// Whether it costs: over the limit, timed out, a fault, trauma, a reversal, off centre, torque, slipped, damaged, failed.
+/// Whether it costs: over the limit, timed out, a fault, trauma, a reversal, off centre, torque, slipped, damaged, yielded, failed.
 bool isPenalty(PlaybackMarkKind kind) noexcept;
 
 /// Stored frames -> marks, in the order of time, by the rules of EventExtractor, so that playback tells what the database
@@ -92,6 +93,7 @@ private:
     int m_tools;
     std::uint32_t m_guards = 0;
     core::ForceState m_force = core::ForceState::off;
+    std::array<double, core::kMaxTools> m_before_N{}; ///< tissue force of the tick before
     Span m_paused;
     std::array<Span, core::kMaxTools> m_over{};
     std::array<Span, core::kMaxTools> m_contact{};

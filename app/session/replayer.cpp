@@ -132,7 +132,12 @@ private:
 core::Result<ReplayReport> replaySession(StoredSession& session) {
     ReplayReport report;
     const database::NewSession& stored = session.record().setup;
-    if (stored.buildId != core::buildId()) {
+    const std::string needed = core::modelsOfBuild(stored.buildId);
+    const std::string had = core::modelsOfBuild(core::buildId());
+    if (needed != had) {
+        report.comparable = false;
+        report.note = "needs models " + needed + ", this program has " + had;
+    } else if (core::forcesOfBuild(stored.buildId) != core::forcesOfBuild(core::buildId())) {
         report.comparable = false;
         report.note = "recorded by build \"" + stored.buildId + "\"";
     } else if (stored.cpuClass != core::cpuClass()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session_export.h"
 
+#include "core/contact_bits.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
 #include "scoring/trace_grid.h"
@@ -67,6 +68,7 @@ public:
         row.trial = frame.header.trial;
         row.phase = frame.header.phase;
         row.paused = frame.header.paused != 0;
+        row.contact = core::contactOfStatus(t.status);
         row.forceLimit_N = m_session.record().setup.forceLimit_N;
         for (std::size_t i = 0; tool == 0 && i < m_quantities.size(); ++i) // tool 0 stands for the tick
             row.quantities.push_back(m_quantities.value(i, frame));
@@ -122,7 +124,7 @@ private:
 scoring::TraceColumns columnsOf(StoredSession& session, const std::vector<scoring::TrialTrace>& trials) {
     scoring::TraceColumns columns;
     columns.orientation = columns.buttons = columns.tool = columns.tissue = columns.commanded = true;
-    columns.trial = columns.phase = columns.paused = columns.mark = columns.forceLimit = true;
+    columns.trial = columns.phase = columns.paused = columns.mark = columns.forceLimit = columns.contact = true;
     for (const auto& device : session.setup().devices) {
         columns.jaw = columns.jaw || device.jawResolution_rad > 0.0;
         columns.measured = columns.measured || device.measuresForce;

@@ -3,6 +3,8 @@
 
 #include "session/trace_mark.h"
 
+#include "core/contact_bits.h"
+
 #include "scoring/trace_grid.h"
 
 #include <utility>
@@ -73,6 +75,7 @@ void TraceAssembler::appendTool(const core::HapticFrame& frame, std::size_t inde
     trace.tissue_N.push_back(forceOf(tool.tissue));
     trace.commanded_N.push_back(forceOf(tool.commanded));
     trace.paused.push_back(frame.header.paused);
+    trace.contact.push_back(core::contactOfStatus(tool.status));
     trace.heldTicks.push_back(std::exchange(m_ticksBefore[index], 0));
     if (index == 0)
         for (std::size_t i = 0; i < m_quantities.size(); ++i)

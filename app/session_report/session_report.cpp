@@ -146,6 +146,7 @@ QString metricName(const std::string& id) {
         {"tension_error_sd", "Tension error, SD"},
         {"time_in_band", "Time in the band"},
         {"over_stretches", "Over-stretches"},
+        {"critical_errors", "Critical errors"},
         {"drops", "Drops"},
         {"squeeze_max", "Largest squeeze"},
         {"squeeze_time_over_limit", "Time squeezed too hard"},

@@ -8,6 +8,7 @@
 #include "simulation/palpation/tissue_contact.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace chiron::catalogue {
 
@@ -45,6 +46,10 @@ public:
         if (m_p.bandHigh_N > m_p.maximumForce_N)
             add("band_high_N", newtons(m_p.bandHigh_N),
                 QStringLiteral("at most maximum_force_N, %1").arg(newtons(m_p.maximumForce_N)));
+        if (std::isfinite(m_p.yield.force_N) && (m_p.yield.force_N <= m_p.maximumForce_N || m_p.yield.force_N > 3.0 * m_p.maximumForce_N))
+            add("yield_force_N", newtons(m_p.yield.force_N),
+                QStringLiteral("more than maximum_force_N and at most three times that, %1 to %2")
+                    .arg(newtons(m_p.maximumForce_N), newtons(3.0 * m_p.maximumForce_N)));
         if (m_p.coverForce_N > m_p.bandLow_N) // the map's bands, too, need ascending edges
             add("cover_force_N", newtons(m_p.coverForce_N),
                 QStringLiteral("at most band_low_N, %1: pressing as asked must count as searching").arg(newtons(m_p.bandLow_N)));

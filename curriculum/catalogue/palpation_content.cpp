@@ -55,7 +55,8 @@ constexpr Flag kFlags[] = {
 };
 
 constexpr const char* kOthers[] = {"tissue", "lump_kinds", "area_half_x_mm", "area_half_y_mm", "control_force_off",
-                                   "control_move_after_s", "control_move_x_mm", "control_move_y_mm"};
+                                   "control_move_after_s", "control_move_x_mm", "control_move_y_mm",
+                                   "yield_force_N", "yield_fall_ms"};
 
 void take(const ObjectReader& json, const char* key, double& out, double perUnit) {
     if (json.has(QLatin1String(key)))
@@ -104,6 +105,8 @@ ExerciseParameters readPalpation(const ObjectReader& parameters, const std::vect
     Parameters p;
     for (const Number& key : kNumbers)
         take(parameters, key.name, p.*key.member, key.perUnit);
+    take(parameters, "yield_force_N", p.yield.force_N, 1.0);
+    take(parameters, "yield_fall_ms", p.yield.fall_s, 1e3);
     for (const Whole& key : kWholes)
         if (parameters.has(QLatin1String(key.name)))
             p.*key.member = parameters.integer(QLatin1String(key.name));

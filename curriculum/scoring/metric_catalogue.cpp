@@ -41,6 +41,7 @@ namespace chiron::scoring {
     METRIC(squeezeTimeOverLimitMetric)                                                                       \
     METRIC(placementErrorMetric)                                                                             \
     METRIC(weighingCorrectMetric)                                                                            \
+    METRIC(criticalErrorsMetric)                                                                             \
     METRIC(palpationHitsMetric)                                                                              \
     METRIC(palpationMissesMetric)                                                                            \
     METRIC(palpationFalseAlarmsMetric)                                                                       \

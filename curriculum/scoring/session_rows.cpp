@@ -19,6 +19,7 @@ TraceColumns columnsOf(const SessionTrace& trace) {
             columns.commanded = columns.commanded || !tool.commanded_N.empty();
             columns.measured = columns.measured || !tool.measured_N.empty();
             columns.orientation = columns.orientation || !tool.q_WT.empty();
+            columns.contact = columns.contact || !tool.contact.empty();
             columns.torque = columns.torque || !tool.tissueTorque_Nm.empty();
         }
         columns.failed = columns.failed || trial.failed;
@@ -60,6 +61,7 @@ TraceRow sampleRow(const TraceRow& ofTrial, const ToolTrace& samples, std::size_
     row.commanded_N = samples.commanded_N.empty() ? core::Vec3::Zero().eval() : samples.commanded_N[i];
     row.measured_N = samples.measured_N.empty() ? core::Vec3::Zero().eval() : samples.measured_N[i];
     row.paused = !samples.paused.empty() && samples.paused[i] != 0;
+    row.contact = samples.contact.empty() ? std::uint8_t{0} : samples.contact[i];
     if (!samples.q_WT.empty())
         row.q_WT = samples.q_WT[i];
     if (!samples.tissueTorque_Nm.empty())

@@ -24,6 +24,7 @@ struct ToolTrace {
     std::vector<core::Vec3> commanded_N; ///< after the supervisor; empty if the file has none
     std::vector<core::Vec3> measured_N;  ///< empty if the device measures none
     std::vector<std::uint8_t> paused;    ///< 1: left out of every metric
+    std::vector<std::uint8_t> contact;   ///< core::contact_bits; empty in a file without the column: nothing beyond, nothing yielded
     std::vector<core::Quat> q_WT; ///< unit; empty where orientation means nothing (a Cartesian device, a file without it)
     std::vector<core::Vec3> tissueTorque_Nm; ///< about the tip, on the tool, at the stored 0.01 mN·m; empty as q_WT
     /// Running ticks (no pause) that had the sample as their newest: what the scene counted with it, whatever the device's

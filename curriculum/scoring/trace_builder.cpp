@@ -27,6 +27,8 @@ void append(ToolTrace& tool, const TraceColumns& columns, const TraceRow& row) {
     if (columns.measured)
         tool.measured_N.push_back(row.measured_N);
     tool.paused.push_back(row.paused ? 1 : 0);
+    if (columns.contact)
+        tool.contact.push_back(row.contact);
     if (columns.orientation)
         tool.q_WT.push_back(row.q_WT);
     if (columns.torque)

@@ -32,7 +32,7 @@ bool fits(const ToolTrace& raw) {
     const std::size_t n = raw.t_s.size();
     return sameLength(raw.p_WT_m, n, false) && sameLength(raw.tissue_N, n, false) &&
            sameLength(raw.commanded_N, n, true) && sameLength(raw.measured_N, n, true) &&
-           sameLength(raw.paused, n, true) && sameLength(raw.q_WT, n, true) &&
+           sameLength(raw.paused, n, true) && sameLength(raw.contact, n, true) && sameLength(raw.q_WT, n, true) &&
            sameLength(raw.tissueTorque_Nm, n, true);
 }
 
@@ -84,6 +84,8 @@ ToolTrace toolOnGrids(const ToolTrace& raw, const std::vector<std::size_t>& kept
         if (!raw.measured_N.empty())
             out.measured_N.push_back(onGrid(raw.measured_N[i], 1e3));
         out.paused.push_back(!raw.paused.empty() && raw.paused[i] != 0 ? 1 : 0);
+        if (!raw.contact.empty())
+            out.contact.push_back(raw.contact[i]);
         if (!raw.q_WT.empty())
             out.q_WT.push_back(raw.q_WT[i]); // a file holds all its digits
         if (!raw.tissueTorque_Nm.empty())

@@ -31,6 +31,7 @@ struct TraceColumns {
     bool insertion = false;  ///< arc_mm ... stage, and of the trial: length_mm ... landmarks
     bool completed = false;  ///< of the trial; always with `insertion`
     bool failed = false;     ///< of the trial
+    bool contact = false;    ///< core::contact_bits
     std::vector<std::string> quantities; ///< ids of the columns quantity_<id>, in the file's order
     std::vector<std::string> truth;      ///< ids of the columns truth_<id>, in the file's order
 };
@@ -77,6 +78,7 @@ struct TraceRow {
     InsertionRow insertion;
     bool completed = false; ///< of the trial
     bool failed = false;    ///< of the trial
+    std::uint8_t contact = 0; ///< core::contact_bits
     std::vector<double> quantities; ///< SI, as TraceColumns::quantities; on tool 0's rows, elsewhere NaN or nothing
     std::vector<double> truth;      ///< SI, as TraceColumns::truth; the same on each row of a trial, NaN where it has none
 };

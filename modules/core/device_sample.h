@@ -17,6 +17,7 @@ inline constexpr std::uint32_t kInvalid = 1u << 4;     ///< driver could not dec
 /// In recorded frames only, set by the loop: the supervisor refused this packet (models.md §5, sample sanity), so the tool
 /// was taken to be where the last good one left it. Metrics leave it out.
 inline constexpr std::uint32_t kRefused = 1u << 31;
+// Bits 28 to 30 of recorded frames: what the scene said of the contact (core/contact_bits.h), set by the loop.
 } // namespace sample_status
 
 /// One packet of one tool, in integers on the device's declared grid (DeviceDescriptor::axes), as recorded:

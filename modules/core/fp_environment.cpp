@@ -2,6 +2,7 @@
 #include "core/fp_environment.h"
 
 #include <cfenv>
+#include <string_view>
 #include <xmmintrin.h>
 
 namespace chiron::core {
@@ -27,6 +28,17 @@ std::string cpuClass() {
     if (__builtin_cpu_supports("avx512f"))
         name += "+avx512f";
     return name;
+}
+
+std::string forcesOfBuild(const std::string& buildId) {
+    const auto compiler = buildId.find(" gcc ");
+    return compiler == std::string::npos ? buildId : buildId.substr(compiler + 1);
+}
+
+std::string modelsOfBuild(const std::string& buildId) {
+    constexpr std::string_view kWord = " models ";
+    const auto at = buildId.rfind(kWord);
+    return at == std::string::npos ? std::string() : buildId.substr(at + kWord.size());
 }
 
 std::string buildId() { return std::string(CHIRON_VERSION) + " gcc " + __VERSION__ + " models " CHIRON_MODELS_ID; }

@@ -16,4 +16,10 @@ std::string cpuClass();
 /// Identifies the build (version and compiler); a recording made by another build is not compared bit for bit.
 std::string buildId();
 
+/// The part of a build's name that decides about forces: the compiler and the models id, without the program's version. The models id
+/// names the laws and their numerics; it is raised by every change that alters a force, and by nothing else.
+std::string forcesOfBuild(const std::string& buildId);
+/// The models id in a build's name, e.g. "2"; empty where it has none.
+std::string modelsOfBuild(const std::string& buildId);
+
 } // namespace chiron::core

@@ -2,6 +2,8 @@
 // What a tick leaves behind: the frame that is recorded and the state that is shown.
 #include "haptics/haptic_loop.h"
 
+#include "core/contact_bits.h"
+
 namespace chiron::haptics {
 
 namespace {
@@ -46,8 +48,8 @@ void HapticLoop::fillFrame(const realtime::HapticTick& now) noexcept {
     for (std::size_t i = 0; i < m_count; ++i) {
         core::ToolFrame& frame = m_frame.tool[i];
         frame = frameOf(m_in.tools[i]);
-        frame.status = m_tools[i].refused ? frame.status | core::sample_status::kRefused
-                                          : frame.status & ~core::sample_status::kRefused;
+        frame.status = (frame.status & ~(core::sample_status::kRefused | core::kContactStatusMask)) |
+                       (m_tools[i].refused ? core::sample_status::kRefused : 0u) | core::contactStatus(m_out.contact[i]);
         frame.tissue = core::toArray(m_out.tissue.tools[i]);
         frame.commanded = core::toArray(m_safe.tools[i].wrench_W);
         frame.display = arrayOf(m_out.display[i]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/recorded_inputs.h"
 
+#include "core/contact_bits.h"
+
 namespace chiron::haptics {
 
 void RecordedInputs::gather(const realtime::HapticTick& now, std::span<devices::IDevice* const> devices,
@@ -16,7 +18,8 @@ void RecordedInputs::gather(const realtime::HapticTick& now, std::span<devices::
         tool.sample.jawCounts = recorded.jawCounts;
         tool.sample.buttons = recorded.buttons;
         tool.sample.packet = recorded.packet;
-        tool.sample.status = recorded.status & ~core::sample_status::kRefused; // the supervisor judges again
+        // The supervisor and the scene judge again.
+        tool.sample.status = recorded.status & ~(core::sample_status::kRefused | core::kContactStatusMask);
         tool.sample.deviceTime_us = recorded.deviceTime_us;
         tool.sample.arrival_ns = now.now_ns() - static_cast<std::int64_t>(recorded.age_us) * 1'000;
         tool.sample.measured = recorded.measured;

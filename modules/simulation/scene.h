@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/command.h"
+#include "core/contact_bits.h"
 #include "core/session_state.h"
 #include "core/quantity.h"
 #include "core/tool_state.h"
@@ -52,6 +53,7 @@ struct SceneOutput {
     bool energyByBody = false;
     std::array<double, core::kMaxTools> bodyEnergy_J{};
     std::array<double, core::kMaxTools> bodyStiffness_N_per_m{};
+    std::array<std::uint8_t, core::kMaxTools> contact{};   ///< core::contact_bits of each tool; recorded
     std::array<double, core::kMaxQuantities> quantities{}; ///< recorded; the kind of exercise names them in this order
 };
 

@@ -11,10 +11,20 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <cstring>
 
 namespace chiron::desktop {
 
 namespace {
+
+void describe(QCommandLineParser& arguments) {
+    arguments.setApplicationDescription(QStringLiteral("Chiron: learn by touch"));
+    arguments.addHelpOption();
+    arguments.addVersionOption();
+    arguments.addOption({QStringLiteral("database"), QStringLiteral("The database to work on (default: the user's own)."), QStringLiteral("FILE")});
+    arguments.addOption({QStringLiteral("settings"), QStringLiteral("Where look and language are remembered (default: the user's own)."),
+                         QStringLiteral("FILE")});
+}
 
 QString databaseFile(const QCommandLineParser& arguments) {
     const QString given = arguments.value(QStringLiteral("database"));
@@ -50,14 +60,24 @@ void applyAppearance(QApplication& application, AppContext& context) {
     application.setStyleSheet(context.theme().styleSheet());
 }
 
+bool asksForText(int argc, const char* const* argv) {
+    for (int i = 1; i < argc; ++i)
+        for (const char* word : {"-h", "--help", "--help-all", "-v", "--version"})
+            if (std::strcmp(argv[i], word) == 0)
+                return true;
+    return false;
+}
+
+int tellText(const QStringList& arguments) {
+    QCommandLineParser parser;
+    describe(parser);
+    parser.process(arguments); // prints and ends the program
+    return 0;
+}
+
 int runProgram(QApplication& application) {
     QCommandLineParser arguments;
-    arguments.setApplicationDescription(QStringLiteral("Chiron: learn by touch"));
-    arguments.addHelpOption();
-    arguments.addVersionOption();
-    arguments.addOption({QStringLiteral("database"), QStringLiteral("The database to work on (default: the user's own)."), QStringLiteral("FILE")});
-    arguments.addOption({QStringLiteral("settings"), QStringLiteral("Where look and language are remembered (default: the user's own)."),
-                         QStringLiteral("FILE")});
+    describe(arguments);
     arguments.process(application);
     traceStart("application");
 

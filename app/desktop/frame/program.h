@@ -10,6 +10,12 @@ class AppContext;
 /// Puts theme, fonts and translations of the context's settings on the application. GUI thread.
 void applyAppearance(QApplication& application, AppContext& context);
 
+/// Whether the arguments ask for help or the version alone, which need no display.
+bool asksForText(int argc, const char* const* argv);
+
+/// Prints the help or the version, and returns the exit status. `arguments` begin with the program's name.
+int tellText(const QStringList& arguments);
+
 /// The whole program: arguments, site, window, event loop. Returns the exit status (cli.md's numbers).
 int runProgram(QApplication& application);
 

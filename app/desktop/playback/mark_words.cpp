@@ -88,6 +88,8 @@ QString markText(const session::PlaybackMark& mark, const QLocale& locale) {
     case PlaybackMarkKind::released: return Words::tr("Let go");
     case PlaybackMarkKind::slipped: return Words::tr("Slipped out or dropped");
     case PlaybackMarkKind::damaged: return Words::tr("Tissue at its limit: stretched or squeezed too much");
+    case PlaybackMarkKind::yielded:
+        return Words::tr("The tissue gave way at %1").arg(report::formatValue(mark.value, QStringLiteral("N"), locale));
     case PlaybackMarkKind::found: return Words::tr("Finding %1 marked").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
     case PlaybackMarkKind::takenBack: return Words::tr("Finding %1 taken back").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
     case PlaybackMarkKind::failed: return Words::tr("Torn: the trial could not be done any more");
@@ -120,6 +122,7 @@ QString markIcon(PlaybackMarkKind kind) {
     case PlaybackMarkKind::released: return QStringLiteral("object-unlocked");
     case PlaybackMarkKind::slipped: return QStringLiteral("go-down");
     case PlaybackMarkKind::damaged: return QStringLiteral("dialog-warning");
+    case PlaybackMarkKind::yielded: return QStringLiteral("dialog-error");
     case PlaybackMarkKind::found: return QStringLiteral("flag");
     case PlaybackMarkKind::takenBack: return QStringLiteral("edit-undo");
     case PlaybackMarkKind::failed: return QStringLiteral("dialog-error");

@@ -16,7 +16,7 @@ struct MetricWords {
 };
 
 // clang-format off
-constexpr std::array<MetricWords, 51> kMetrics{{
+constexpr std::array<MetricWords, 52> kMetrics{{
     {"time", QT_TRANSLATE_NOOP("Metrics", "Time"),
      QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count.")},
     {"path_length", QT_TRANSLATE_NOOP("Metrics", "Path length"),
@@ -73,6 +73,8 @@ constexpr std::array<MetricWords, 51> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "How long the tension, or the length at the mark, was where it had to be during the hold; the mean over all trials.")},
     {"over_stretches", QT_TRANSLATE_NOOP("Metrics", "Over-stretches"),
      QT_TRANSLATE_NOOP("Metrics", "How often the tube was stretched beyond the limit of this level.")},
+    {"critical_errors", QT_TRANSLATE_NOOP("Metrics", "Critical errors"),
+     QT_TRANSLATE_NOOP("Metrics", "How often the tissue gave way because it was pushed too hard.")},
     {"drops", QT_TRANSLATE_NOOP("Metrics", "Drops"),
      QT_TRANSLATE_NOOP("Metrics", "How often the tissue was let go of before the task was done.")},
     {"squeeze_max", QT_TRANSLATE_NOOP("Metrics", "Largest squeeze"),

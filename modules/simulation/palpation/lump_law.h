@@ -16,6 +16,7 @@ struct SunkContact {
     double sinkage = 0.0;                ///< λ
     double spread2_m2 = 0.0;             ///< (5/3) a²
     bool flat = true;
+    double sinkageSlope_per_m = 0.0;     ///< dλ/dd: not 0 where the sinkage is bounded
 };
 
 /// By how much the tissue is stiffer for what lies in it: U = ½ k d² (1 + gain).
@@ -45,6 +46,9 @@ inline void addLump(const SunkContact& at, const core::Vec3& centre_W, double st
     const double d = at.depth_m;
     const double narrowing = 3.0 * H2 * inverse * d * d; // with ½ ∇S
     const double tilting = along * d;                    // with d ∇(r·n)
+    // λ follows the depth where it is bounded: ∂q/∂p has one more term, d λ' n nᵀ.
+    if (at.sinkageSlope_per_m != 0.0)
+        sum.lateral_m2 += (d * d * d * at.sinkageSlope_per_m * base * along * (1.0 - 3.0 * H2 * inverse)) * at.normal;
     if (at.flat) {
         // ½ ∇S = r − (1 − λ)(r·n) n and d ∇(r·n) = λ d n: gathered by r and n.
         const double byNormal = at.sinkage * d * tilting + narrowing * (1.0 - at.sinkage) * along;

@@ -40,13 +40,64 @@ double rayWeight(double cosine) noexcept { return smoothstep((cosine - 0.25) / 0
     return out;
 }
 
+/// Beyond the depth to which the lumps' law is valid the contact comes no nearer to them than a quarter of that depth more, smoothly:
+/// or the law would pass through the lump, and its force turn round.
+[[gnu::always_inline]] inline SunkContact TissueContact::sunk(const SurfaceFoot& foot, const core::Vec3& p_W) const noexcept {
+    const double a = m_parameters.contactRadius_m;
+    double lambda = m_parameters.sinkage;
+    double slope = 0.0;
+    const double d = foot.depth_m;
+    if (d > m_sunkDepth_m) {
+        const double further = 0.25 * m_sunkDepth_m + 1e-6;
+        const double left = std::exp(-(d - m_sunkDepth_m) / further);
+        const double counted = m_sunkDepth_m + further * (1.0 - left);
+        slope = lambda * (left * d - counted) / (d * d);
+        lambda *= counted / d;
+    }
+    return {(1.0 - lambda) * foot.p_W + lambda * p_W, foot.normal, foot.follows, d, lambda, 5.0 / 3.0 * a * a, m_surface.flat(), slope};
+}
+
+/// From m_uprightFrom_m on the energy goes over to one that has no centre of curvature: U = (1 − w) U + w U₂, w a smoothstep of the depth.
+/// U₂ = ½ k (δ² − g² σ), δ = z(x, y) − z_p, σ = ‖∇z‖²/(1 + ‖∇z‖²): to begin with, where g = δ, the distance to the tangent plane straight
+/// above; g ends at twice m_uprightTo_m, or the lateral force would become steeper without bound. f = −∇U, with ∇d = −n and
+/// ∇σ = 2 H ∇z/(1 + ‖∇z‖²)², H the second derivatives of z. The contact frame turns over likewise.
+void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic& elastic) const noexcept {
+    const SurfaceFoot& foot = meeting.foot;
+    const double span = m_uprightTo_m - m_uprightFrom_m;
+    const double x = std::min(1.0, (foot.depth_m - m_uprightFrom_m) / span);
+    const double w = x * x * (3.0 - 2.0 * x);
+    const SurfaceHeight over = m_surface.heightAt(p_W.head<2>());
+    const double down_m = std::max(0.0, over.z_m - p_W.z());
+    double counted_m = down_m;
+    double countedSlope = 1.0;
+    if (down_m > m_uprightTo_m) {
+        countedSlope = std::exp(1.0 - down_m / m_uprightTo_m);
+        counted_m = m_uprightTo_m * (2.0 - countedSlope);
+    }
+    const double slope2 = over.slope.squaredNorm();
+    const double sigma = slope2 / (1.0 + slope2);
+    const double k = m_normalStiffness;
+    const double upwards_m = down_m - counted_m * countedSlope * sigma;
+    const core::Vec2 sideways =
+        upwards_m * over.slope - (counted_m * counted_m / ((1.0 + slope2) * (1.0 + slope2))) * (over.curvature_per_m * over.slope);
+    const core::Vec3 upright = k * core::Vec3(-sideways.x(), -sideways.y(), upwards_m);
+    const double energy_J = 0.5 * k * (down_m * down_m - counted_m * counted_m * sigma);
+    if (w < 1.0) {
+        const double slope_per_m = 6.0 * x * (1.0 - x) / span;
+        elastic.force = (1.0 - w) * elastic.force + w * upright + ((energy_J - elastic.energy_J) * slope_per_m) * foot.normal;
+        elastic.energy_J += w * (energy_J - elastic.energy_J);
+    } else {
+        elastic.force = upright;
+        elastic.energy_J = energy_J;
+    }
+    const core::Vec3 above = core::Vec3(-over.slope.x(), -over.slope.y(), 1.0).normalized();
+    meeting.frame = ContactFrame::on(((1.0 - w) * foot.normal + w * above).normalized(), m_parameters.fibreDirection);
+}
+
 [[gnu::always_inline]] inline StiffnessGain TissueContact::gainAt(const SurfaceFoot& foot, const core::Vec3& p_W) const noexcept {
     StiffnessGain sum;
     if (m_parameters.lumps != LumpLaw::secondSurface && m_lumpCount > 0) {
-        const double lambda = m_parameters.sinkage;
-        const double a = m_parameters.contactRadius_m;
-        const SunkContact at{(1.0 - lambda) * foot.p_W + lambda * p_W, foot.normal, foot.follows, foot.depth_m, lambda,
-                             5.0 / 3.0 * a * a, m_surface.flat()};
+        const SunkContact at = sunk(foot, p_W);
         for (int i = 0; i < m_lumpCount; ++i) {
             const PlacedLump& lump = m_lumps[static_cast<std::size_t>(i)];
             addLump(at, lump.centre_W, lump.strength_m4, sum);
@@ -67,19 +118,30 @@ double rayWeight(double cosine) noexcept { return smoothstep((cosine - 0.25) / 0
     const SurfaceFoot& foot = meeting.foot;
     const double k = m_normalStiffness;
     StiffnessGain sum = gainAt(foot, p_W);
+    // What lies in the tissue counts with a depth g(d) that ends at twice the lumps' valid one: its lateral force, which grows with g²,
+    // would else become steeper without bound. U = ½ k d² + ½ k g² gain; the normal force still grows while the gains add up to less than 2.
+    double counted_m = foot.depth_m;
+    double countedSlope = 1.0;
+    if (foot.depth_m > m_sunkDepth_m) {
+        countedSlope = std::exp(1.0 - foot.depth_m / m_sunkDepth_m);
+        counted_m = m_sunkDepth_m * (2.0 - countedSlope);
+        const double share = counted_m / foot.depth_m;
+        sum.lateral_m2 *= share * share;
+    }
+    const double gainDepth_m = counted_m * countedSlope; // ½ d(g²)/dd
     if (m_parameters.lumps == LumpLaw::stiffnessTimesDepth) // as published: no lateral part, no potential
         sum.lateral_m2.setZero();
     Elastic out;
     out.stiffness_N_per_m = k * (1.0 + sum.gain);
-    out.energy_J = 0.5 * out.stiffness_N_per_m * foot.depth_m * foot.depth_m;
+    out.energy_J = 0.5 * k * (foot.depth_m * foot.depth_m + sum.gain * counted_m * counted_m);
     if (m_parameters.contact == TissueContactLaw::anchored) {
-        out.force = (out.stiffness_N_per_m * foot.depth_m) * foot.normal - k * sum.lateral_m2;
+        out.force = (k * (foot.depth_m + sum.gain * gainDepth_m)) * foot.normal - k * sum.lateral_m2;
     } else {
         // K acts on the spring to the re-cast point; what lies in the tissue adds to it by its own potential.
         const core::Vec3 stiffness(m_parameters.tangentAlong_N_per_m, m_parameters.tangentAcross_N_per_m, k);
         const core::Vec3 d = meeting.frame.to(meeting.spring_m);
         const core::Vec3 f = voigtForce(stiffness, d, core::Vec3::Zero(), core::Vec3::Zero());
-        out.force = meeting.frame.from(f) + k * (sum.gain * foot.depth_m * foot.normal - sum.lateral_m2);
+        out.force = meeting.frame.from(f) + k * (sum.gain * gainDepth_m * foot.normal - sum.lateral_m2);
         out.energy_J += 0.5 * (f.dot(d) - k * foot.depth_m * foot.depth_m);
     }
     if (m_parameters.lumps == LumpLaw::secondSurface)
@@ -149,10 +211,13 @@ TissueResponse TissueContact::respond(const core::ToolState& tool, TissueTouch& 
         touch.release();
         return out;
     }
-    const Meeting meeting = meet(tool, foot);
+    Meeting meeting = meet(tool, foot);
+    Elastic elastic = pressOn(meeting, tool.p_WT);
+    if (foot.depth_m > m_uprightFrom_m)
+        turnUpright(meeting, tool.p_WT, elastic);
     const ContactFrame& frame = meeting.frame;
-    const Elastic elastic = pressOn(meeting, tool.p_WT);
     out.inContact = true;
+    out.beyondChecked = foot.depth_m > std::min(m_sunkDepth_m, m_uprightFrom_m);
     out.surfacePoint = meeting.contact_W;
     out.normal = frame.z;
     out.depth_m = foot.depth_m;

@@ -38,10 +38,13 @@ struct TissueResponse {
     double energy_J = 0.0;                        ///< U + ½ zᵀK z
     double stiffness_N_per_m = 0.0;               ///< largest of the contact, for the passivity credit
     bool inContact = false;
+    bool beyondChecked = false;                   ///< deeper than the lump's law, or nearer to the surface's centre of curvature, than is checked
 };
 
 /// P3's rendering (eq. 1–3) on a tissue with lumps: models.md §3. Contact frame: z = S_n, x = fibre direction projected on the
-/// plane, y = z × x. Immutable but for setLumps(); thread: haptic, nothing allocates.
+/// plane, y = z × x. Defined, continuous and conservative (where its law is) at every depth: beyond the range of the lumps' law the
+/// finger sinks no nearer to them, and near the surface's centre of curvature the depth along the normal gives way to the depth
+/// straight down. Such samples say so (`beyondChecked`). Immutable but for setLumps(); thread: haptic, nothing allocates.
 class TissueContact {
 public:
     /// Ranges are the catalogue's; at most the maxima of TissueParameters are read.
@@ -78,6 +81,8 @@ private:
     };
     Meeting meet(const core::ToolState& tool, const SurfaceFoot& foot) const noexcept;
     StiffnessGain gainAt(const SurfaceFoot& foot, const core::Vec3& p_W) const noexcept;
+    SunkContact sunk(const SurfaceFoot& foot, const core::Vec3& p_W) const noexcept;
+    void turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic& elastic) const noexcept;
     Elastic pressOn(const Meeting& meeting, const core::Vec3& p_W) const noexcept;
     void addBalls(const core::Vec3& p_W, Elastic& elastic) const noexcept;
     core::Vec3 bristle(const core::Vec3& p_W, const ContactFrame& frame, double normalForce_N, TissueTouch& touch,
@@ -92,6 +97,9 @@ private:
     ContactFrame m_flatFrame;
     std::size_t m_regionCount = 0;
     std::array<SmoothPatch, TissueParameters::kMaxRegions> m_regions{};
+    double m_sunkDepth_m;     ///< to this depth the lumps' law is valid: λ d ≤ (h − R)/2; infinite without lumps
+    double m_uprightFrom_m;   ///< from here to m_uprightTo_m the law of a curved surface changes over to one that has no centre of curvature
+    double m_uprightTo_m;     ///< both infinite where flat
     int m_lumpCount = 0;
     std::array<PlacedLump, TissueParameters::kMaxLumps> m_lumps{};
 };

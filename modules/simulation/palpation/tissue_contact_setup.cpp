@@ -3,10 +3,16 @@
 #include "simulation/palpation/tissue_contact.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace chiron::simulation {
 
 namespace {
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+/// Shares of the smallest radius of curvature. Towards 1 a foot follows its tool without bound, 1/(1 − share): 5 times at the first.
+constexpr double kUprightFrom = 0.80;
+constexpr double kUprightTo = 0.98;
+
 /// k of a flat punch of radius a (Johnson, Contact Mechanics, §3.5): 2 a E/(1 − ν²), with the modulus that the layers amount to.
 double punchStiffness(const TissueParameters& p) {
     const std::size_t count = std::min(p.layers.size(), TissueParameters::kMaxLayers);
@@ -20,7 +26,8 @@ TissueContact::TissueContact(const TissueParameters& parameters)
     : m_parameters(parameters), m_surface(parameters.shape),
       m_normalStiffness(parameters.stiffness_N_per_m > 0.0 ? parameters.stiffness_N_per_m : punchStiffness(parameters)),
       m_perDampingDepth(1.0 / std::max(parameters.dampingDepth_m, 1e-9)),
-      m_flatFrame(ContactFrame::on(core::Vec3::UnitZ(), parameters.fibreDirection)) {
+      m_flatFrame(ContactFrame::on(core::Vec3::UnitZ(), parameters.fibreDirection)), m_sunkDepth_m(kInfinite),
+      m_uprightFrom_m(kUprightFrom * m_surface.deepestUnique_m()), m_uprightTo_m(kUprightTo * m_surface.deepestUnique_m()) {
     if (parameters.friction > 0.0 || parameters.contact == TissueContactLaw::p3Recast)
         m_largestTangent = std::max(parameters.tangentAlong_N_per_m, parameters.tangentAcross_N_per_m);
     for (const StiffRegion& region : parameters.regions) {
@@ -32,8 +39,11 @@ TissueContact::TissueContact(const TissueParameters& parameters)
 
 void TissueContact::setLumps(std::span<const Lump> lumps) noexcept {
     m_lumpCount = static_cast<int>(std::min(lumps.size(), m_lumps.size()));
+    m_sunkDepth_m = kInfinite;
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_lumpCount); ++i) {
         const Lump& lump = lumps[i];
+        if (m_parameters.sinkage > 0.0)
+            m_sunkDepth_m = std::min(m_sunkDepth_m, std::max(1e-6, lump.depth_m - lump.radius_m) / (2.0 * m_parameters.sinkage));
         m_lumps[i].centre_W = m_surface.pointAt(lump.place_m) - lump.depth_m * m_surface.normalAt(lump.place_m);
         m_lumps[i].radius_m = lump.radius_m;
         m_lumps[i].strength_m4 = lumpStrength(m_parameters.contactRadius_m, lump.radius_m, lump.ratio);

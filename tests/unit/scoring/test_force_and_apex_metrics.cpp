@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact_bits.h"
+#include "scoring/trace_builder.h"
+#include "scoring/trace_csv.h"
 #include "traces.h"
 
 #include <QtTest>
@@ -38,6 +41,7 @@ private slots:
     void forceStatisticsOfKnownSamples();
     void forceRateAndImpulse();
     void forceNeedsContact();
+    void tissueThatGaveWayIsCounted();
     void apexErrorsOfKnownMarks();
     void apexMissesAreKeptAndCounted();
     void apexWithoutMarkScoresLastPosition();
@@ -73,6 +77,27 @@ void TestForceAndApexMetrics::forceNeedsContact() {
     QCOMPARE(metricOf(trace, "force_mean").reason, std::string("no contact"));
     QCOMPARE(valueOf(trace, "force_max"), 0.0);
     QCOMPARE(valueOf(trace, "force_impulse_over_limit"), 0.0);
+}
+
+// Twice under the first tool, once under the second; what gave way before the trial is none of its own; a file tells the same.
+void TestForceAndApexMetrics::tissueThatGaveWayIsCounted() {
+    using namespace core::contact_bits;
+    const auto still = [](double) { return Vec3(0.0, 0.0, 0.01); };
+    auto first = sampled(0.009, 0.001, still);
+    auto second = sampled(0.009, 0.001, still);
+    constexpr auto kNow = static_cast<std::uint8_t>(kYielded | kThrough);
+    first.contact = {kThrough, kThrough, 0, kBeyondChecked, kNow, kThrough, 0, 0, kThrough, kThrough}; // the last without its first tick
+    second.contact = {kNow, kThrough, kThrough, 0, 0, 0, 0, 0, 0, 0};
+    auto trace = session(first);
+    trace.trials.front().tools.push_back(second);
+    QCOMPARE(valueOf(trace, "critical_errors"), 3.0);
+    const auto rows = readTraceCsv(writeTraceCsv(rowsOf(trace)), "again.csv");
+    QVERIFY2(rows.has_value(), rows ? "" : rows.error().message.c_str());
+    const auto again = buildSessionTrace(*rows, trace.exercise, 4.0);
+    QVERIFY(again.has_value());
+    QCOMPARE(again->trials.front().tools[0].contact, first.contact);
+    QCOMPARE(valueOf(*again, "critical_errors"), 3.0);
+    QCOMPARE(valueOf(reachSession(), "critical_errors"), 0.0); // a file without the column
 }
 
 void TestForceAndApexMetrics::apexErrorsOfKnownMarks() {

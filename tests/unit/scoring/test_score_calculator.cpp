@@ -69,6 +69,7 @@ void TestScoreCalculator::catalogueIsComplete() {
                                               "squeeze_time_over_limit",
                                               "placement_error",
                                               "weighing_correct",
+                                              "critical_errors",
                                               "palpation_hits",
                                               "palpation_misses",
                                               "palpation_false_alarms",

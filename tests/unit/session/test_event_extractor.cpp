@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact_bits.h"
 #include "frames.h"
 #include "session/event_extractor.h"
 
@@ -44,6 +45,7 @@ private slots:
     void overForceOnce();
     void overForceOfEachTool();
     void overForceWhilePaused();
+    void tissueThatGaveWay();
     void trials();
     void procedures();
     void states();
@@ -127,6 +129,25 @@ void TestEventExtractor::overForceWhilePaused() {
     frames[1].tool[0].tissue[2] = 3.0;
     frames[1].header.paused = 1;
     QVERIFY(extracted(frames).events().empty());
+}
+
+void TestEventExtractor::tissueThatGaveWay() {
+    auto frames = someFrames(12, 0, 2);
+    frames[4].tool[1].tissue = {0.0, 0.0, 7.5, 0.0, 0.0, 0.0};
+    frames[5].tool[1].tissue = {0.0, 0.0, 6.0, 0.0, 0.0, 0.0};
+    frames[5].tool[1].status |= core::contactStatus(core::contact_bits::kYielded | core::contact_bits::kThrough);
+    for (std::size_t i = 6; i < 9; ++i)
+        frames[i].tool[1].status |= core::contactStatus(core::contact_bits::kThrough);
+    const auto extractor = extracted(frames, 2);
+    int found = 0;
+    for (const database::EventRecord& event : extractor.events())
+        if (event.kind == "tissue_yielded") {
+            ++found;
+            QCOMPARE(event.tick, frames[5].header.index);
+            QCOMPARE(event.tool, 1);
+            QCOMPARE(event.detailJson, std::string("{\"trial\":0,\"force_mN\":7500}"));
+        }
+    QCOMPARE(found, 1);
 }
 
 void TestEventExtractor::trials() {

@@ -3,6 +3,7 @@
 
 #include "core/geometry.h"
 #include "simulation/palpation/tissue_parameters.h"
+#include "simulation/yield.h"
 
 #include <string>
 #include <vector>
@@ -54,6 +55,7 @@ struct PalpationParameters {
     double trialLimit_s = 90.0;
     double betweenTrials_s = 1.0;
     double maximumForce_N = 4.0;
+    YieldLaw yield;                   ///< when the tissue gives way under one finger; content of before has none
     PalpationControl control;
     std::vector<std::string> cues;
 

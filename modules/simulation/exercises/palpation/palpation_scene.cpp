@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/exercises/palpation/palpation_scene.h"
 
+#include "core/units.h"
+
 #include <algorithm>
 
 namespace chiron::simulation {
 
 using core::TrialPhase;
 namespace bits = core::event_bits;
+
+namespace {
+std::uint8_t contactOf(const TissueYield& yield, const TissueResponse& response) noexcept {
+    using namespace core::contact_bits;
+    return static_cast<std::uint8_t>((response.beyondChecked ? kBeyondChecked : 0) | (yield.yielded() ? kYielded : 0) |
+                                     (yield.through() ? kThrough : 0));
+}
+} // namespace
 
 void PalpationScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
     out = SceneOutput{};
@@ -111,8 +121,24 @@ void PalpationScene::moveLumps() noexcept {
     m_moved = true;
 }
 
+/// Scales all that the tissue does by what is left of it. Through it the finger touches nothing, until it is out.
+void PalpationScene::giveWay(Finger& finger, double dt_s) const noexcept {
+    TissueResponse& response = finger.response;
+    const double factor = finger.yield.step(response.force.norm(), !response.inContact, dt_s);
+    if (factor == 1.0)
+        return;
+    response.force *= factor;
+    response.normalForce_N *= factor;
+    response.display.normalForce_N *= factor;
+    response.energy_J *= factor;
+    response.stiffness_N_per_m *= factor;
+    response.inContact = factor > 0.0;
+}
+
 void PalpationScene::touchWith(Finger& finger, const core::ToolState& tool) const noexcept {
     finger.response = m_tissue.respond(tool, finger.touch);
+    if (!m_parameters.control.forceOff)
+        giveWay(finger, core::kTickSeconds);
     finger.above_m = finger.response.depth_m > 0.0 ? 0.0 : (tool.p_WT - finger.response.surfacePoint).norm();
     if (!m_parameters.control.forceOff)
         return;
@@ -136,8 +162,10 @@ void PalpationScene::touch(const core::ToolStates& tools, int count, SceneOutput
         } else {
             finger.touch.release();
             finger.response = TissueResponse{};
+            finger.yield.reset();
         }
         const TissueResponse& response = finger.response;
+        out.contact[i] = contactOf(finger.yield, response);
         if (there)
             out.p_WProxy[i] = finger.used && response.inContact ? response.surfacePoint : tool.p_WT;
         out.tissue.tools[i].force = response.force;

@@ -29,6 +29,8 @@ namespace chiron::simulation {
 /// still taken, and the trial ends when the last one has been told so long, too.
 /// While paused clocks, map and reports stand still; contact still answers.
 ///
+/// Tissue that is pressed harder than the level's yield force gives way under that finger, and stays open until it has left.
+///
 /// Tool i is finger i: hand i / fingers, finger i % fingers of it. All fingers touch one tissue, so all energy is body 0's. The
 /// scene does not tell energy by body: an excess is answered by damping, not by a softer tissue, since how soft it is is what the
 /// person is asked to judge.
@@ -58,6 +60,7 @@ private:
         double above_m = 0.0;  ///< the tip's distance from its nearest surface point; 0 in contact
         bool used = false;     ///< this tick: there, and its pose is a number
         bool touching = false; ///< of the tick before
+        TissueYield yield;     ///< whether the tissue still holds under it
     };
 
     void advance(const SceneInput& in, SceneOutput& out) noexcept;
@@ -69,6 +72,7 @@ private:
 
     void touch(const core::ToolStates& tools, int count, SceneOutput& out) noexcept;
     void touchWith(Finger& finger, const core::ToolState& tool) const noexcept;
+    void giveWay(Finger& finger, double dt_s) const noexcept;
     void follow(const SceneInput& in) noexcept;
     void search() noexcept;
 

@@ -26,7 +26,10 @@ PalpationScene::PalpationScene(const PalpationParameters& parameters, std::uint6
       m_limitTicks(ticks(parameters.trialLimit_s)), m_betweenTicks(ticks(parameters.betweenTrials_s)),
       m_moveTicks(parameters.control.moveAfter_s > 0.0 ? ticks(parameters.control.moveAfter_s) : 0),
       m_showsLumps(has(parameters.cues, "object")), m_showsCoverage(has(parameters.cues, "coverage")),
-      m_showsBars(has(parameters.cues, "bars")) {}
+      m_showsBars(has(parameters.cues, "bars")) {
+    for (Finger& finger : m_fingers)
+        finger.yield = TissueYield(parameters.yield);
+}
 
 PalpationScene::~PalpationScene() = default;
 
