@@ -105,7 +105,9 @@ ExerciseParameters readPalpation(const ObjectReader& parameters, const std::vect
     Parameters p;
     for (const Number& key : kNumbers)
         take(parameters, key.name, p.*key.member, key.perUnit);
-    take(parameters, "yield_force_N", p.yield.force_N, 1.0);
+    if (parameters.has("yield_force_N"))
+        if (const double yields_N = parameters.number("yield_force_N"); yields_N > 0.0) // 0: never
+            p.yield.force_N = yields_N;
     take(parameters, "yield_fall_ms", p.yield.fall_s, 1e3);
     for (const Whole& key : kWholes)
         if (parameters.has(QLatin1String(key.name)))

@@ -144,7 +144,7 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
                                                   "tension_error_rms", "tension_error_sd", "time_in_band",
                                                   "over_stretches", "drops",
                                                   "squeeze_max", "squeeze_time_over_limit", "placement_error",
-                                                  "weighing_correct",
+                                                  "weighing_correct", "critical_errors",
                                                   "palpation_hits", "palpation_misses", "palpation_false_alarms",
                                                   "palpation_d_prime", "palpation_criterion", "palpation_roc_area",
                                                   "localisation_error", "size_error", "hardness_order",
@@ -165,6 +165,7 @@ void TestContent::palpationLevelsHaveTheirGates() {
             gates[gate.metric] = gate;
         QVERIFY2(gates["palpation_misses"].maximum && gates["palpation_false_alarms"].maximum, level.id.c_str());
         QVERIFY2(gates["force_time_over_limit"].maximum, level.id.c_str());
+        QVERIFY2(gates["critical_errors"].maximum == 0.0, level.id.c_str());
         QCOMPARE(gates.contains("coverage"), level.number > 1); // hidden lumps: the whole area has to be searched
         std::set<std::string> asked;
         for (const auto& metric : level.metrics)

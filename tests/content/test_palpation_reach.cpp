@@ -122,10 +122,10 @@ void TestPalpationReach::anywhere() {
             if (tick > 2 && !through && !wasThrough) {
                 // Twice the stiffest of the contact, friction with it, and damping that comes in over its depth. On curved tissue a
                 // foot moves 5 times as far as its finger at 0.8 of the radius of curvature, where the change-over begins; there a
-                // lump's lateral force changes by ½ k d² χ'' 5² = 30 k (d = 8.9 mm, χ'' = 3·10⁴ m⁻²).
+                // lump's lateral force changes by ½ k d² χ'' 5² = 57 k (d = 8.9 mm, χ'' ≤ 6 χ/H² with χ ≤ 1, H² = 1.05·10⁻⁴ m²: 8 mm deep).
                 const double k = response.normalStiffness_N_per_m();
                 const auto& tissue = parameters.tissue;
-                const double slope = (2.0 * std::max(k, out.contactStiffness_N_per_m) + (response.surface().flat() ? 2.0 : 30.0) * k +
+                const double slope = (2.0 * std::max(k, out.contactStiffness_N_per_m) + (response.surface().flat() ? 2.0 : 57.0) * k +
                                       0.3 * 1.5 * tissue.damping_Ns_per_m.maxCoeff() / tissue.dampingDepth_m) *
                                          (1.0 + tissue.friction) +
                                      std::max(tissue.tangentAlong_N_per_m, tissue.tangentAcross_N_per_m);
