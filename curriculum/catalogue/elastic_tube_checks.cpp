@@ -2,6 +2,7 @@
 #include "catalogue/elastic_tube_content.h"
 
 #include "catalogue/object_content.h"
+#include "catalogue/yield_content.h"
 #include "core/units.h"
 #include "simulation/exercises/elastic_tube/elastic_tube_plan.h"
 
@@ -30,6 +31,7 @@ public:
 
     void all() {
         checkObject(m_p.tube, memberPath(m_path, "tube"), m_problems);
+        checkYield(m_p.yield, m_p.maximumForce_N, m_path, m_problems);
         stiffness();
         lengths();
         if (m_p.task == TubeTask::hold || m_p.task == TubeTask::twoHanded)

@@ -2,6 +2,7 @@
 #include "catalogue/elastic_tube_content.h"
 
 #include "catalogue/object_content.h"
+#include "catalogue/yield_content.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -74,6 +75,8 @@ void refuseUnknownKeys(const ObjectReader& parameters) {
     std::vector<QString> known{QStringLiteral("task"), QStringLiteral("trials"), QStringLiteral("tube")};
     for (const Number& key : kNumbers)
         known.push_back(QLatin1String(key.name));
+    for (const char* key : kYieldKeys)
+        known.push_back(QLatin1String(key));
     for (const QString& key : parameters.json().keys())
         if (std::find(known.begin(), known.end(), key) == known.end())
             parameters.problems().push_back({memberPath(parameters.path(), key), QStringLiteral("unknown key"),
@@ -87,6 +90,7 @@ ExerciseParameters readElasticTube(const ObjectReader& parameters, const std::ve
     for (const Number& key : kNumbers)
         if (parameters.has(QLatin1String(key.name)))
             key.in(p) = parameters.number(QLatin1String(key.name)) / key.perUnit;
+    readYield(parameters, p.yield);
     if (parameters.has("trials"))
         p.trials = parameters.integer("trials");
     if (parameters.has("task"))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/object_content.h"
 #include "catalogue/object_handling_content.h"
+#include "catalogue/yield_content.h"
 
 #include "core/units.h"
 #include "simulation/exercises/object_handling/handling_world.h"
@@ -152,6 +153,7 @@ void checkObjectHandling(const ExerciseParameters& parameters, const QString& pa
     const auto& p = std::get<Parameters>(parameters);
     checkObject(p.object, memberPath(path, "object"), problems);
     checkObject(p.bed, memberPath(path, "bed"), problems);
+    checkYield(p.yield, p.maximumForce_N, path, problems);
     checkMesh(p.bedMesh, memberPath(path, "bed_mesh"), problems);
     const Checks checks(p, path, problems);
     checks.masses();

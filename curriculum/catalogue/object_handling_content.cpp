@@ -2,6 +2,7 @@
 #include "catalogue/object_handling_content.h"
 
 #include "catalogue/object_content.h"
+#include "catalogue/yield_content.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -71,6 +72,8 @@ std::vector<QString> knownKeys() {
         known.push_back(QLatin1String(key.name));
     for (const Whole& key : kWholes)
         known.push_back(QLatin1String(key.name));
+    for (const char* key : kYieldKeys)
+        known.push_back(QLatin1String(key));
     for (const char* key : kOthers)
         known.push_back(QLatin1String(key));
     return known;
@@ -90,6 +93,7 @@ ExerciseParameters readObjectHandling(const ObjectReader& parameters, const std:
         readTask(parameters, p);
     if (parameters.has("organ_bed"))
         p.organBed = parameters.boolean("organ_bed");
+    readYield(parameters, p.yield);
     if (parameters.has("object"))
         p.object = readObject(parameters.object("object"));
     if (parameters.has("bed"))

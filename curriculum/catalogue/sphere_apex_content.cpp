@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/sphere_apex_content.h"
 
+#include "catalogue/yield_content.h"
 #include "core/units.h"
 #include "simulation/exercises/sphere_apex/touched_dome.h"
 #include "simulation/geometry/mesh/make_mesh.h"
@@ -109,7 +110,8 @@ void checkMesh(const Parameters& p, const QString& path, Problems& problems) {
 
 ExerciseParameters readSphereApex(const ObjectReader& parameters, const std::vector<std::string>& cues) {
     Parameters p;
-    std::vector<QString> known{QStringLiteral("surface"), QStringLiteral("bump_seed")};
+    std::vector<QString> known{QStringLiteral("surface"), QStringLiteral("bump_seed"), QLatin1String(kYieldKeys[0]), QLatin1String(kYieldKeys[1])};
+    readYield(parameters, p.yield);
     for (const Key& key : kKeys) {
         known.push_back(QLatin1String(key.name));
         if (parameters.has(known.back()))
@@ -139,6 +141,7 @@ void checkSphereApex(const ExerciseParameters& parameters, const QString& path, 
     const auto& p = std::get<Parameters>(parameters);
     checkOrder(p.stiffnessLow_N_per_m, p.stiffnessHigh_N_per_m, path, "stiffness_low_N_per_m", problems);
     checkOrder(p.frictionLow, p.frictionHigh, path, "friction_low", problems);
+    checkYield(p.yield, p.maximumForce_N, path, problems);
     // models.md §2.3: all of the sphere inside the workspace; a micrometre for decimals that are no doubles.
     if (p.centreDiscRadius_m + p.radius_m > p.workspaceRadius_m + 1e-6)
         problems.push_back({memberPath(path, "centre_disc_radius_mm"), mm(p.centreDiscRadius_m),

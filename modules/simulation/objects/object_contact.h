@@ -46,6 +46,18 @@ struct ObjectContactResponse {
     bool inContact = false;
 };
 
+/// A contact whose tissue holds back only `factor` of what its law answers (contact_yield.h).
+inline void scale(ObjectContactResponse& response, double factor) noexcept {
+    if (factor == 1.0) // to the same bits
+        return;
+    response.force *= factor;
+    response.friction *= factor;
+    response.viscous *= factor;
+    response.normalForce_N *= factor;
+    response.energy_J *= factor;
+    response.stiffness_N_per_m *= factor;
+}
+
 /// An object's attributes on a given surface, one law each, combined:
 ///   d' = d + h(C),  m = (−∇d − s(I − nnᵀ)∇h)/‖·‖,  (F, U) = Deformation(d')            elasticity, deformation, roughness
 ///   f_n = max(0, F ‖−∇d − s(I − nnᵀ)∇h‖ − (c + b) w v·m),  w = min(1, d'/0.5 mm)       damping, viscosity: never pulls

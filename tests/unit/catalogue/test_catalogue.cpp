@@ -24,7 +24,7 @@ auto fields(const SphereApexParameters& p) {
                     p.trialLimit_s, p.betweenTrials_s, p.maximumForce_N, p.cues, p.surface, p.meshEdge_m, p.bumpHeight_m,
                     p.bumpWavelength_m, p.bumpSeed, p.roughness_m, p.roughnessWavelength_m, p.organStiffness_N_per_m,
                     p.organSpread_m, p.organMass_kg, p.organRecoveryTime_s, p.organVolumeKeeping, p.organDeepest_m,
-                    p.slowPeriod_ms, p.slowLatency_ms);
+                    p.slowPeriod_ms, p.slowLatency_ms, p.yield.force_N, p.yield.fall_s);
 }
 
 const SphereApexParameters& parametersOf(const ExerciseLevel& level) {
@@ -82,7 +82,7 @@ void TestCatalogue::everyParameterKeyReachesTheStruct() {
     QJsonObject document = json(stored);
     QJsonObject level = document["level"].toObject();
     const QJsonObject parameters = level["parameters"].toObject();
-    QCOMPARE(parameters.size(), qsizetype{34}); // all of SphereApexParameters but the cues
+    QCOMPARE(parameters.size(), qsizetype{36}); // all of SphereApexParameters but the cues
     for (const QString& key : parameters.keys()) {
         QJsonObject changed = parameters;
         changed[key] = parameters[key].isString() ? QJsonValue("mesh") : QJsonValue(parameters[key].toDouble() + 1.0);
@@ -139,7 +139,7 @@ void TestCatalogue::resolvedLevelHasEveryDefault() {
     SphereApexParameters defaults; // the schema's defaults are the struct's
     QVERIFY(fields(parametersOf(*catalogue->find("sphere_apex", 4))) == fields(defaults));
     const QJsonObject resolved = json(catalogue->find("sphere_apex", 4)->resolvedJson);
-    QCOMPARE(resolved["level"].toObject()["parameters"].toObject().size(), qsizetype{34});
+    QCOMPARE(resolved["level"].toObject()["parameters"].toObject().size(), qsizetype{36});
 }
 
 // A key made after a session was stored is not in it; the struct's default stands for what the code did then.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simulation/attributes/object_attributes.h"
+#include "simulation/yield.h"
 
 #include <string>
 #include <vector>
@@ -51,6 +52,7 @@ struct ElasticTubeParameters {
     double trialLimit_s = 45.0;
     double betweenTrials_s = 1.0;
     double maximumForce_N = 4.0;         ///< the exercise's cap for the supervisor and the limit of force metrics
+    YieldLaw yield; ///< when what is touched gives way; by default never
     std::vector<std::string> cues;
 
     int tools() const noexcept { return task == TubeTask::twoHanded || task == TubeTask::transfer ? 2 : 1; }

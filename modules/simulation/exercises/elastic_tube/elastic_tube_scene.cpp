@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/exercises/elastic_tube/elastic_tube_scene.h"
 
+#include "core/contact_bits.h"
+#include "core/units.h"
+
 #include <algorithm>
 
 namespace chiron::simulation {
@@ -11,6 +14,12 @@ namespace bits = core::event_bits;
 namespace {
 
 constexpr std::uint64_t kFadeTicks = 300; ///< a pull of 2 N then changes by 7 mN a tick: not felt as a step. Ours.
+constexpr std::uint64_t kSlipTicks = 100; ///< a tube of 6 N that is let go of changes by 90 mN a tick. Ours.
+
+double fallen(double x) noexcept {
+    const double t = std::clamp(x, 0.0, 1.0);
+    return 1.0 - t * t * (3.0 - 2.0 * t);
+}
 
 } // namespace
 
@@ -78,8 +87,10 @@ void ElasticTubeScene::enterReady(SceneOutput& out) noexcept {
     goal.targetRadius_m = p.targetRadius_m;
     goal.overStretch_m = (p.overStretchRatio - 1.0) * p.restLength_m;
     goal.tear_m = (p.tearRatio - 1.0) * p.restLength_m;
+    goal.tear_N = p.yield.force_N;
     goal.hold_ticks = m_holdTicks;
     m_task.begin(goal);
+    m_tornTicks = 0;
     out.events |= bits::kSceneChanged;
 }
 
@@ -94,11 +105,29 @@ void ElasticTubeScene::leaveTrial(SceneOutput& out) noexcept {
 }
 
 double ElasticTubeScene::fade() const noexcept {
+    if (m_task.torn())
+        return tornShare();
     if (m_phase == TrialPhase::ready || m_phase == TrialPhase::running)
-        return m_task.torn() ? 0.0 : 1.0;
-    if (m_phase == TrialPhase::idle || m_task.torn() || m_clock >= kFadeTicks)
+        return 1.0;
+    if (m_phase == TrialPhase::idle || m_clock >= kFadeTicks)
         return 0.0;
     return 1.0 - static_cast<double>(m_clock) / static_cast<double>(kFadeTicks);
+}
+
+double ElasticTubeScene::tornShare() const noexcept {
+    return fallen(static_cast<double>(m_tornTicks) * core::kTickSeconds / m_parameters.yield.fall_s);
+}
+
+/// The pull on a tool, which goes on a little when it lets go: the tube slides out of its jaws.
+core::Vec3 ElasticTubeScene::slipping(std::size_t tool, const core::Vec3& pull, bool holds) noexcept {
+    Slip& slip = m_slips[tool];
+    if (holds) {
+        slip = {pull, 0, true, 1.0};
+        return pull;
+    }
+    slip.share = slip.held ? fallen(static_cast<double>(++slip.ticks) / static_cast<double>(kSlipTicks)) : 0.0;
+    slip.held = slip.share > 0.0;
+    return slip.share * slip.from;
 }
 
 bool ElasticTubeScene::tubePresent() const noexcept {
@@ -146,6 +175,9 @@ void ElasticTubeScene::runTask(SceneOutput& out) noexcept {
 }
 
 void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noexcept {
+    namespace contact = core::contact_bits;
+    if (m_task.torn())
+        ++m_tornTicks;
     const double share = fade();
     const int count = std::clamp(tools.count, 0, core::kMaxTools);
     out.tissue.count = count;
@@ -156,8 +188,16 @@ void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noe
         if (used)
             out.p_WProxy[i] = tools.tools[i].p_WT;
         const int node = used ? m_grips.nodeOf(i) : TubeGrips::kNobody;
-        if (node != TubeGrips::kNobody) {
-            out.tissue.tools[i].force = share * m_answer.force[static_cast<std::size_t>(node)];
+        const bool holds = node != TubeGrips::kNobody;
+        core::Vec3 pull = holds ? core::Vec3(share * m_answer.force[static_cast<std::size_t>(node)]) : core::Vec3::Zero().eval();
+        if (pull.norm() > m_parameters.yield.force_N) // no more than it bears, also where nothing is asked for that could tear it
+            pull *= m_parameters.yield.force_N / pull.norm();
+        out.tissue.tools[i].force = used ? slipping(i, pull, holds) : core::Vec3::Zero().eval();
+        if (!holds && out.tissue.tools[i].force != core::Vec3::Zero()) // what slides is still held, by friction
+            out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, m_slips[i].share * m_tube.shape().law.elastic.slope(0.0));
+        if (holds && m_task.torn())
+            out.contact[i] = static_cast<std::uint8_t>(contact::kThrough | (m_tornTicks == 1 ? contact::kYielded : 0));
+        if (holds) {
             out.contactStiffness_N_per_m =
                 std::max(out.contactStiffness_N_per_m, share * m_answer.stiffness_N_per_m[static_cast<std::size_t>(node)]);
         }

@@ -27,7 +27,8 @@ enum class TubeQuantity : std::uint8_t { tension_N, stretch_m, grip0, grip1, gri
 /// - kCompleted (held to the end), kFailed (torn) or kTimedOut ends a trial; that tick still has the tube, at the limit's tick
 ///   done and torn count first. kGrasped and kReleased come with the jaws, kSlipped with a release that drops the tube
 ///   (kReleased then too), kDamaged with an over-stretch, kStageChanged with a step of the task.
-/// - After a trial the tube's pull fades within 0.3 s, so that no hand is let go with a jerk; one that tore is slack at once.
+/// - After a trial the tube's pull fades within 0.3 s, so that no hand is let go with a jerk; one that tears gives way within
+///   parameters.yield.fall_s, told by core::contact_bits of the tools that hold it. What is let go of slides out of the jaws within 0.1 s.
 /// - Pauses: clocks and task stand still, the tube follows the hands (the supervisor ramps).
 /// - Every tool touches the one body 0. A tool feels the sum of its place's segments; no torque: the place it holds keeps its
 ///   distance from the tip in W (tube_grips.h).
@@ -50,6 +51,8 @@ private:
     void leaveTrial(SceneOutput& out) noexcept;
     void pull(const core::ToolStates& tools, SceneOutput& out) noexcept;
     void feel(const core::ToolStates& tools, SceneOutput& out) noexcept;
+    double tornShare() const noexcept;
+    core::Vec3 slipping(std::size_t tool, const core::Vec3& pull, bool holds) noexcept;
     bool tubePresent() const noexcept;
     double fade() const noexcept;
     TubeTaskSample sample() const noexcept;
@@ -73,6 +76,14 @@ private:
     TubeGrips m_grips;
     TubeTaskTracker m_task;
     TubeAnswer m_answer; ///< of this tick, faded
+    std::uint64_t m_tornTicks = 0; ///< since it tore
+    struct Slip { ///< what a tube that is let go of still drags at the jaws
+        core::Vec3 from = core::Vec3::Zero(); ///< N, when it was let go of
+        std::uint64_t ticks = 0;
+        bool held = false;
+        double share = 0.0;
+    };
+    std::array<Slip, core::kMaxTools> m_slips{};
     std::array<bool, core::kMaxTools> m_touching{};
 };
 

@@ -75,7 +75,7 @@ TubeTaskTracker::Change TubeTaskTracker::advance(const TubeTaskSample& now) noex
         m_armed = false;
         change.damaged = true;
     }
-    if (now.stretch_m > m_goal.tear_m) {
+    if (now.stretch_m > m_goal.tear_m || now.tension_N > m_goal.tear_N) {
         m_torn = change.torn = true;
         return change;
     }

@@ -6,6 +6,7 @@
 #include "simulation/exercises/elastic_tube/elastic_tube_parameters.h"
 
 #include <cstdint>
+#include <limits>
 
 namespace chiron::simulation {
 
@@ -19,7 +20,8 @@ struct TubeGoal {
     core::Vec3 target_W = core::Vec3::Zero(); ///< transfer: the free end within targetRadius_m of it
     double targetRadius_m = 0.0;
     double overStretch_m = 0.0;               ///< damaged beyond this stretch, counted again only from below 80 % of it
-    double tear_m = 0.0;                      ///< torn beyond this one
+    double tear_m = 0.0;                      ///< torn beyond this one ...
+    double tear_N = std::numeric_limits<double>::infinity(); ///< ... or beyond this tension
     std::uint64_t hold_ticks = 0;
 };
 

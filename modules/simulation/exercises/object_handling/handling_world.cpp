@@ -21,6 +21,9 @@ constexpr double kRim_N_per_m = 100.0;
 constexpr double kStill_m_per_s = 0.002;
 /// Nearer to a ball's middle than this share of its radius its foot does not run any faster: the law has no place there.
 constexpr double kInnermost = 0.1;
+/// A tip that is deeper in a ball than this share of its radius pierces it: nearer to the middle its force turns round faster than
+/// the tip moves (assumption, as of the dome in exercises/sphere_apex).
+constexpr double kPiercedShare = 0.6;
 
 Vec3 rimForce(const LooseBody& body, double rim_m) noexcept {
     const double r = std::hypot(body.p_W.x(), body.p_W.y());
@@ -40,6 +43,7 @@ void HandlingWorld::begin(const ObjectHandlingTrial& trial) noexcept {
         const double height_m = m_soft != nullptr ? m_soft->restHeight_m(trial.place_m[i]) : 0.0;
         body.it.lieDown(trial.place_m[i], height_m, m_parameters.radius_m, trial.mass_kg[i], m_bodyBed);
         body.tip.reset();
+        body.yield = ContactYield(m_parameters.yield);
         body.inside = body.embraced = true; // one that appears round the tip is touched only after the tip has left it
         body.airborne = body.dropCounts = false;
     }
@@ -48,6 +52,7 @@ void HandlingWorld::begin(const ObjectHandlingTrial& trial) noexcept {
 void HandlingWorld::clear() noexcept {
     m_count = 0;
     m_tipOnBed.reset();
+    m_bedYield = ContactYield(m_parameters.yield);
     m_latch.reset();
     m_slide.reset();
     m_held = kNone;
@@ -102,6 +107,7 @@ void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnsw
     place.depth_m = radius - distance;
     if (!tipTouches(body, place.depth_m, tool)) {
         body.tip.reset();
+        body.yield.reset();
         return;
     }
     place.normal = distance > 0.0 ? Vec3(away / distance) : Vec3(Vec3::UnitZ());
@@ -110,9 +116,13 @@ void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnsw
     place.footScale = radius / std::max(distance, kInnermost * radius);
     place.position = away;
     place.velocity = tool.v_W - body.it.v_W;
-    const ObjectContactResponse touch = m_object.respond(place, kT, body.tip);
+    ObjectContactResponse touch = m_object.respond(place, kT, body.tip);
+    const bool pierced = body.yield.everYields() && place.depth_m > kPiercedShare * radius;
+    const double holds = body.yield.step(touch.force.norm(), !touch.inContact, pierced, kT);
+    answer.contact |= body.yield.bits();
+    scale(touch, holds);
     body.tipEnergy_J = touch.energy_J;
-    if (!touch.inContact)
+    if (!touch.inContact || holds == 0.0)
         return;
     body.touched = true;
     body.load -= touch.force;
@@ -143,8 +153,20 @@ void HandlingWorld::layOnBed(std::size_t i) noexcept {
 }
 
 void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) noexcept {
+    const bool clear = m_soft != nullptr ? m_bedYield.gone() && m_soft->isClear(tool.p_W) : tool.p_W.z() > m_bed.reach_m();
+    if (m_bedYield.gone() && clear) { // out again: what it comes to next is whole
+        m_bedYield.reset();
+        m_tipOnBed.reset();
+        if (m_soft != nullptr)
+            m_soft->release(SoftBed::kTip);
+    }
     const ContactPlace place = bedPlace(SoftBed::kTip, tool.p_W, tool.v_W, 0.0, m_bed.reach_m());
-    const ObjectContactResponse touch = m_bed.respond(place, kT, m_tipOnBed);
+    ObjectContactResponse touch = m_bed.respond(place, kT, m_tipOnBed);
+    const bool out = m_soft != nullptr && touch.inContact && m_soft->isOutElsewhere(SoftBed::kTip, tool.p_W, place);
+    const double holds = m_bedYield.step(touch.force.norm(), !touch.inContact && !m_bedYield.through(), out, kT);
+    answer.contact |= m_bedYield.bits();
+    scale(touch, holds);
+    touch.inContact = touch.inContact && holds > 0.0;
     if (m_soft != nullptr)
         m_soft->touched(SoftBed::kTip, tool.p_W, 0.0, place, touch);
     answer.energy_J += touch.energy_J;

@@ -5,6 +5,7 @@
 #include "simulation/exercises/object_handling/object_handling_parameters.h"
 #include "simulation/exercises/object_handling/object_handling_plan.h"
 #include "simulation/exercises/object_handling/soft_bed.h"
+#include "simulation/objects/contact_yield.h"
 #include "simulation/objects/grasp.h"
 
 #include <array>
@@ -29,6 +30,7 @@ struct HandlingAnswer {
     double stiffness_N_per_m = 0.0;               ///< largest of the active contacts
     double bedDepth_m = 0.0;                      ///< deepest that the tool or an object presses the bed
     bool touching = false;
+    std::uint8_t contact = 0; ///< core::contact_bits
     std::uint32_t events = 0; ///< kGrasped, kReleased, kSlipped, kDamaged
 };
 
@@ -63,6 +65,7 @@ private:
         LooseBody it;
         core::Vec3 load = core::Vec3::Zero(); ///< N, this tick, without bed and weight
         ObjectContactState tip;               ///< what the tip has done to it
+        ContactYield yield;                   ///< under the tip
         double tipEnergy_J = 0.0;
         bool inside = false;     ///< the tip was inside it at the last tick
         bool embraced = false;   ///< the jaws are around it, or let it go there: the tip does not touch it
@@ -97,6 +100,7 @@ private:
     std::size_t m_count = 0;
     std::array<Body, kMaxBodies> m_bodies;
     ObjectContactState m_tipOnBed;
+    ContactYield m_bedYield; ///< under the tip
     GraspLatch m_latch;
     GripSlide m_slide;
     core::Vec3 m_grip_m = core::Vec3::Zero(); ///< the held body's middle from the tip when it was grasped, kept in W

@@ -3,6 +3,7 @@
 
 #include "simulation/attributes/object_attributes.h"
 #include "simulation/geometry/mesh/mesh_source.h"
+#include "simulation/yield.h"
 
 #include <string>
 #include <vector>
@@ -43,6 +44,7 @@ struct ObjectHandlingParameters {
     double trialLimit_s = 60.0;
     double betweenTrials_s = 1.0;
     double maximumForce_N = 4.0;
+    YieldLaw yield; ///< when what is touched gives way; by default never
     std::vector<std::string> cues;
 
     int tools() const noexcept { return 1; }

@@ -126,6 +126,7 @@ void ObjectHandlingScene::touch(const SceneInput& in, SceneOutput& out) noexcept
         fillQuantities(answer.bedDepth_m, out);
     }
     out.tissue.tools[0].force = answer.force;
+    out.contact[0] = answer.contact;
     out.storedEnergy_J = out.bodyEnergy_J[0] = answer.energy_J;
     out.contactStiffness_N_per_m = out.bodyStiffness_N_per_m[0] = answer.stiffness_N_per_m;
     out.energyByBody = true;

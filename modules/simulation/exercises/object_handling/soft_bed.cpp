@@ -64,6 +64,18 @@ void SoftBed::release(std::size_t who) noexcept {
     m_touches[who].touching = false;
 }
 
+bool SoftBed::isClear(const Vec3& p) const noexcept {
+    return p.z() > m_floor_m && nearestOnMesh(*m_organ, Vec3(p + Vec3(0.0, 0.0, m_lift_m))).signedDistance_m > 0.0;
+}
+
+bool SoftBed::isOutElsewhere(std::size_t who, const Vec3& p, const ContactPlace& place) const noexcept {
+    constexpr double kSure_m = 2e-4; // nearer to the sheet, being out is leaving it
+    const Toucher& toucher = m_touchers[who];
+    if (toucher.onFloor || !(place.depth_m > 0.0))
+        return false;
+    return (place.depth_m > kSure_m || toucher.tracker.foot().track == MeshTrack::followed) && isClear(p);
+}
+
 double SoftBed::restHeight_m(const core::Vec2& place_m) const noexcept {
     // Down from well above: the nearest point's height settles in a few rounds, since the organ is round and wide.
     Vec3 at(place_m.x(), place_m.y(), 0.0);

@@ -39,6 +39,10 @@ public:
     void touched(std::size_t who, const core::Vec3& p, double radius_m, const ContactPlace& place,
                  const ObjectContactResponse& felt) noexcept;
     void release(std::size_t who) noexcept;
+    /// In free air: over the floor and out of the organ as it is shown.
+    bool isClear(const core::Vec3& p) const noexcept;
+    /// Whether somebody of no size has come out of the organ elsewhere than he went in, being `place`.
+    bool isOutElsewhere(std::size_t who, const core::Vec3& p, const ContactPlace& place) const noexcept;
     /// Once a tick after the contacts: asks the slow model when it is time.
     void ask(std::uint64_t tick) noexcept { m_organ->ask(tick, m_touches); }
 

@@ -7,6 +7,8 @@
 #include "simulation/attributes/stiffness_field.h"
 #include "simulation/geometry/hemisphere_on_plane.h"
 
+#include <cstdint>
+
 namespace chiron::simulation {
 
 /// What a tool feels at one place. Frame W, on the tool.
@@ -20,6 +22,7 @@ struct ContactResponse {
     double energy_J = 0.0;      ///< elastic U = ½ k (d+h)²; the bristle's energy is not counted
     double stiffness_N_per_m = 0.0; ///< k at this place; 0 when not in contact
     bool inContact = false;
+    std::uint8_t bits = 0;          ///< core::contact_bits
 };
 
 /// The force law of the sphere-apex exercise: HemisphereOnPlane with elasticity, weighted damping,
@@ -56,5 +59,15 @@ public:
 private:
     Parameters m_parameters;
 };
+
+/// A contact whose tissue holds back only `factor` of what its law answers.
+inline void scale(ContactResponse& response, double factor) noexcept {
+    if (factor == 1.0) // to the same bits
+        return;
+    response.force *= factor;
+    response.normalForce_N *= factor;
+    response.energy_J *= factor;
+    response.stiffness_N_per_m *= factor;
+}
 
 } // namespace chiron::simulation

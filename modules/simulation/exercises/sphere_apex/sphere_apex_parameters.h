@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "simulation/yield.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -54,6 +56,7 @@ struct SphereApexParameters {
     double trialLimit_s = 60.0;
     double betweenTrials_s = 1.0;  ///< after a mark, before the next scene appears
     double maximumForce_N = 4.0;   ///< the exercise's cap for the supervisor and the limit of force metrics
+    YieldLaw yield; ///< when what is touched gives way; by default never
     std::vector<std::string> cues; ///< object, tool, arrow, bars, numbers, plots, sound, coverage
 };
 

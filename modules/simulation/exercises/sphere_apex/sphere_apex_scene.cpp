@@ -72,6 +72,7 @@ void SphereApexScene::enterReady(std::uint64_t tick, SceneOutput& out) noexcept 
     m_clock = 0;
     m_trialOver = false;
     m_contact = HemisphereContact(sphereApexContact(m_parameters, m_trials[m_trial]));
+    m_yields.fill(ContactYield(m_parameters.yield));
     if (m_dome)
         m_dome->begin(m_trial, tick);
     out.events |= bits::kSceneChanged;
@@ -102,11 +103,20 @@ bool SphereApexScene::objectPresent() const noexcept {
     return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
 }
 
+ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolState& state) noexcept {
+    ContactResponse response = m_contact.respond(state.p_WT, state.v_WT, m_bristles[tool]);
+    ContactYield& yield = m_yields[tool];
+    const bool breached = yield.everYields() && response.depth_m > kDeepestShare * m_parameters.radius_m;
+    scale(response, yield.step(response.force.norm(), !response.inContact, breached, core::kTickSeconds));
+    response.bits = yield.bits();
+    return response;
+}
+
 ContactResponse SphereApexScene::touchWith(std::size_t tool, const core::ToolState& state) noexcept {
     if (m_dome)
         return m_dome->respond(tool, state.p_WT, state.v_WT);
     if (m_parameters.surface == ApexSurface::exact)
-        return m_contact.respond(state.p_WT, state.v_WT, m_bristles[tool]);
+        return touchExact(tool, state);
     ContactResponse nothing; // the dome could not be made: another surface would be another exercise, so the trials run out
     nothing.surfacePoint = state.p_WT;
     return nothing;
@@ -125,12 +135,14 @@ void SphereApexScene::touch(const core::ToolStates& tools, SceneOutput& out) noe
             out.p_WProxy[i] = response.surfacePoint;
         } else {
             m_bristles[i].release();
+            m_yields[i].reset();
             if (m_dome)
                 m_dome->release(i);
             if (used)
                 out.p_WProxy[i] = tool.p_WT;
         }
         out.tissue.tools[i].force = response.force;
+        out.contact[i] = response.bits;
         out.storedEnergy_J += response.energy_J;
         out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
         if (response.inContact != m_touching[i])

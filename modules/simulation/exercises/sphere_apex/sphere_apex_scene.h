@@ -5,6 +5,7 @@
 #include "simulation/exercises/sphere_apex/sphere_apex_parameters.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
 #include "simulation/exercises/sphere_apex/touched_dome.h"
+#include "simulation/objects/contact_yield.h"
 #include "simulation/scene.h"
 
 #include <array>
@@ -40,6 +41,10 @@ namespace chiron::simulation {
 ///   storedEnergy_J is then that of the local model alone: what can come back at once; what the organ itself holds comes
 ///   back only through it.
 ///
+/// - Tissue gives way under a tool (parameters.yield) at its yield force, or where the tool is deeper than kDeepestShare of the radius:
+///   there the nearest place of the surface runs faster than the tool and the force would turn round the ball's middle. Nothing is
+///   felt then until the tool is out again.
+///
 /// Deterministic; all trials are planned at construction. Thread: respond() haptic; construction anywhere.
 /// Not copied: a session owns one.
 class SphereApexScene final : public IScene {
@@ -64,6 +69,7 @@ private:
     bool markPressed(const SceneInput& in) noexcept;
     bool objectPresent() const noexcept;
     ContactResponse touchWith(std::size_t tool, const core::ToolState& state) noexcept;
+    ContactResponse touchExact(std::size_t tool, const core::ToolState& state) noexcept;
     void touch(const core::ToolStates& tools, SceneOutput& out) noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
 
@@ -81,6 +87,7 @@ private:
     HemisphereContact m_contact;         ///< of an exact surface
     std::unique_ptr<TouchedDome> m_dome; ///< of the others; null: exact, or it could not be made
     std::array<BristleFriction, core::kMaxTools> m_bristles{};
+    std::array<ContactYield, core::kMaxTools> m_yields{}; ///< of an exact surface
     std::array<bool, core::kMaxTools> m_touching{};
 };
 

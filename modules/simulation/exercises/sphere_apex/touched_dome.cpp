@@ -9,6 +9,9 @@ namespace chiron::simulation {
 
 namespace {
 
+/// As deep as contact with meshes is checked (geometry/mesh/README.md).
+constexpr double kChecked_m = 0.006;
+
 core::Vec3 turned(double cosine, double sine, const core::Vec3& v) noexcept {
     return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y(), v.z()};
 }
@@ -28,6 +31,8 @@ ContactPlace placeOnPlane(const core::Vec3& p, const core::Vec3& v) noexcept {
 void TouchedDome::begin(std::size_t trial, std::uint64_t tick) noexcept {
     m_trial = trial;
     m_tools = {};
+    for (Tool& tool : m_tools)
+        tool.yield = ContactYield(m_yield);
     m_touches = {};
     if (m_organ)
         m_organ->restart(tick);
@@ -46,6 +51,7 @@ void TouchedDome::release(std::size_t tool) noexcept {
     if (!m_tools[tool].used)
         return;
     m_tools[tool] = Tool();
+    m_tools[tool].yield = ContactYield(m_yield);
     m_touches[tool].touching = false;
 }
 
@@ -60,7 +66,8 @@ ContactPlace TouchedDome::placeOn(const Surface& surface, Tool& tool, const core
     const double across = std::hypot(p.x(), p.y());
     ContactPlace plane = placeOnPlane(p, v);
     const bool wasOnPlane = tool.onPlane;
-    tool.onPlane = across >= m_blendTo_m;
+    // in under the dome, deeper than it gives way: still the plane that the tool went into, for no sheet of the dome was
+    tool.onPlane = across >= m_blendTo_m || (wasOnPlane && tool.yield.everYields() && p.z() < -m_deepest_m);
     plane.position = p - tool.carried;
     if (tool.onPlane)
         return plane;
@@ -87,6 +94,26 @@ ContactPlace TouchedDome::placeOn(const Surface& surface, Tool& tool, const core
     return place;
 }
 
+/// In free air: over the plane and out of the dome.
+bool TouchedDome::isClear(const core::Vec3& p) const noexcept {
+    if (!(p.z() > 0.0))
+        return false;
+    if (std::hypot(p.x(), p.y()) >= m_blendTo_m)
+        return true;
+    return (m_organ ? nearestOnMesh(*m_organ, p) : nearestOnMesh(m_mesh, p)).signedDistance_m > 0.0;
+}
+
+/// Out on another side than that which it went in by, or deeper than the dome's law has its place.
+bool TouchedDome::isBreached(const Tool& tool, const ContactPlace& place, const core::Vec3& p) const noexcept {
+    constexpr double kSure_m = 2e-4; // nearer to the sheet, being out is leaving it
+    if (!(place.depth_m > 0.0))
+        return false;
+    if (tool.yield.everYields() && place.depth_m > m_deepest_m)
+        return true;
+    const bool elsewhere = !tool.onPlane && (place.depth_m > kSure_m || tool.tracker.foot().track == MeshTrack::followed);
+    return elsewhere && isClear(p);
+}
+
 ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, const core::Vec3& v_WT) noexcept {
     const Place& at = m_places[m_trial];
     Tool& state = m_tools[tool];
@@ -94,21 +121,32 @@ ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, c
     const core::Vec3 p = toMesh(at, p_WT);
     const core::Vec3 v = turned(at.cosine, -at.sine, v_WT);
     const double reach = at.contact.reach_m();
+    if (state.yield.gone() && isClear(p)) { // out again: what it comes to next is whole
+        state = Tool();
+        state.used = true;
+        state.yield = ContactYield(m_yield);
+    }
     const ContactPlace place =
         m_organ ? placeOn(*m_organ, state, p, v, reach) : placeOn(m_mesh, state, p, v, reach);
     const ObjectContactResponse felt = at.contact.respond(place, core::kTickSeconds, state.object);
 
+    const bool outside = !felt.inContact && !state.yield.through();
+    const double holds = state.yield.step(felt.force.norm(), outside, isBreached(state, place, p), core::kTickSeconds);
+
     ContactResponse response;
     response.surfacePoint = p_WT;
+    response.bits = state.yield.bits();
+    if (felt.depth_m > kChecked_m)
+        response.bits |= core::contact_bits::kBeyondChecked;
     OrganTouch& touch = m_touches[tool];
-    touch.touching = felt.inContact && !state.onPlane;
+    touch.touching = felt.inContact && !state.onPlane && holds > 0.0;
     if (!felt.inContact)
         return response;
     touch.triangle = state.tracker.foot().place.triangle;
     touch.weights = array(state.tracker.foot().place.weights);
     touch.normal = array(place.normal);
     touch.p_Tool = array(p);
-    touch.stiffness_N_per_m = felt.stiffness_N_per_m;
+    touch.stiffness_N_per_m = holds * felt.stiffness_N_per_m;
     response.inContact = true;
     response.force = turned(at.cosine, at.sine, felt.force);
     response.normal = turned(at.cosine, at.sine, felt.normal);
@@ -116,7 +154,10 @@ ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, c
     response.normalForce_N = felt.normalForce_N;
     response.energy_J = felt.energy_J;
     response.stiffness_N_per_m = felt.stiffness_N_per_m;
-    response.surfacePoint = p_WT + felt.depth_m * turned(at.cosine, at.sine, place.normal);
+    if (holds > 0.0)
+        response.surfacePoint = p_WT + felt.depth_m * turned(at.cosine, at.sine, place.normal);
+    response.inContact = holds > 0.0;
+    scale(response, holds);
     return response;
 }
 

@@ -8,6 +8,7 @@
 #include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
 #include "simulation/geometry/mesh/mesh_source.h"
 #include "simulation/geometry/mesh/mesh_tracker.h"
+#include "simulation/objects/contact_yield.h"
 #include "simulation/objects/object_contact.h"
 
 #include <array>
@@ -21,6 +22,10 @@ namespace chiron::simulation {
 /// it is turned by the trial's turn_rad about the vertical and put at (centre, planeHeight). A pure function of the content:
 /// who draws it makes the same mesh with makeMeshShape().
 MeshSource apexDomeSource(const SphereApexParameters& parameters);
+
+/// So deep, as a share of the radius, the dome's laws have their place: the force turns by at most 1.5 times what it changes on a
+/// plane there (R/r − 1 of hemisphere_on_plane.h), and three quarters of the radius is where a mesh's field folds. Assumption.
+inline constexpr double kDeepestShare = 0.6;
 
 /// The surface that is touched in the sphere-apex levels mesh and organ: the generated dome on its plate, at rest or as the
 /// slow model has it, and beyond the plate the plane that it lies on. The plate's last millimetres blend into the plane, so that
@@ -58,6 +63,7 @@ private:
         MeshTracker tracker;
         ObjectContactState object;
         core::Vec3 carried = core::Vec3::Zero(); ///< how far the touched places have moved with the surface, m
+        ContactYield yield;
         bool used = false;
         bool onPlane = false;                    ///< beyond the mesh
     };
@@ -71,12 +77,16 @@ private:
     template <class Surface>
     ContactPlace placeOn(const Surface& surface, Tool& tool, const core::Vec3& p, const core::Vec3& v,
                          double reach_m) noexcept;
+    bool isClear(const core::Vec3& p) const noexcept;
+    bool isBreached(const Tool& tool, const ContactPlace& place, const core::Vec3& p) const noexcept;
     core::Vec3 toMesh(const Place& place, const core::Vec3& p_W) const noexcept;
 
     TriangleMesh m_mesh;
     std::unique_ptr<DeformableOrgan> m_organ;
     std::vector<Place> m_places; ///< one a trial
+    YieldLaw m_yield;
     double m_planeHeight_m = 0.0;
+    double m_deepest_m = 0.0; ///< deeper, the dome gives way
     double m_blendFrom_m = 0.0; ///< horizontal distance from which the plane comes in ...
     double m_blendTo_m = 0.0;   ///< ... and from which it is alone
     std::size_t m_trial = 0;

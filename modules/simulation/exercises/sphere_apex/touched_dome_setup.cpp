@@ -91,6 +91,8 @@ core::Result<std::unique_ptr<TouchedDome>> TouchedDome::make(const SphereApexPar
     dome->m_blendTo_m = source.plateRadius_m - 2.0 * source.edge_m;
     dome->m_blendFrom_m = dome->m_blendTo_m - kBlend_m;
     dome->m_planeHeight_m = parameters.planeHeight_m;
+    dome->m_yield = parameters.yield;
+    dome->m_deepest_m = kDeepestShare * parameters.radius_m;
     for (const SphereApexTrial& trial : trials) {
         Place place;
         place.centre_m = trial.centre_m;

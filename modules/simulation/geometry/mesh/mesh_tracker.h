@@ -44,6 +44,10 @@ class MeshTracker {
 public:
     static constexpr double kTeleport_m = 0.020; ///< in one tick; models.md §5: a larger jump is no motion
     static constexpr double kFollow = 8.0;       ///< assumption: reached at 7/8 of the radius of a round part
+    /// A fast tool's place runs at most kFollowFast times as far and kCatchUp_m more: at 500 N/m a force then changes by no more than
+    /// the stiffness times the way and some 0.03 N in a tick, where eight times 0.3 mm would be 1 N.
+    static constexpr double kFollowFast = 2.0;
+    static constexpr double kCatchUp_m = 5e-5;
     static constexpr double kStill_m = 1e-9;     ///< a place may settle by this much a tick
 
     /// `p`: the tip's centre in the mesh's frame, m; `radius_m` ≥ 0; `reach_m` ≥ 0: so far above the surface the foot is wanted
@@ -82,7 +86,9 @@ private:
             here = pointAt(surface, m_foot.place);
         const core::Vec3 surfaceMotion = here - m_foot.point;
         const core::Vec3 motion = p - m_tool - surfaceMotion;
-        const double most2 = kFollow * kFollow * motion.squaredNorm() + kStill_m * kStill_m;
+        const double moved = motion.norm();
+        const double most = std::min(kFollow * moved, kFollowFast * moved + kCatchUp_m) + kStill_m;
+        const double most2 = most * most;
         MeshPlace place = m_foot.place;
         double along = m_along_m;
         MeshFoot foot;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/object_reader.h"
+#include "simulation/yield.h"
+
+#include <array>
+#include <cmath>
+
+namespace chiron::catalogue {
+
+/// The keys by which a level says when what is touched gives way. Left out, or a force of 0: never, as in sessions from before there was
+/// such a law.
+inline constexpr std::array<const char*, 2> kYieldKeys{"yield_force_N", "yield_fall_ms"};
+
+inline void readYield(const ObjectReader& parameters, simulation::YieldLaw& law) {
+    if (parameters.has(QLatin1String(kYieldKeys[0])))
+        if (const double force_N = parameters.number(QLatin1String(kYieldKeys[0])); force_N > 0.0)
+            law.force_N = force_N;
+    if (parameters.has(QLatin1String(kYieldKeys[1])))
+        law.fall_s = parameters.number(QLatin1String(kYieldKeys[1])) / 1000.0;
+}
+
+/// Tissue gives way beyond the force that is still right, and at three times that force at the latest.
+inline void checkYield(const simulation::YieldLaw& law, double limit_N, const QString& path, Problems& problems) {
+    constexpr double kMost = 3.0;
+    if (!std::isfinite(law.force_N) || (law.force_N > limit_N && law.force_N <= kMost * limit_N))
+        return;
+    problems.push_back({memberPath(path, kYieldKeys[0]), QString::number(law.force_N),
+                        QStringLiteral("more than maximum_force_N = %1, and at most %2 times that").arg(limit_N).arg(kMost)});
+}
+
+} // namespace chiron::catalogue

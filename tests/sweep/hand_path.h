@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+#include "core/random.h"
+#include "core/tool_state.h"
+#include "core/units.h"
+#include "devices/api/workspace_map.h"
+#include "devices/kinematics_catalogue.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+/// Paths of a tool over all that its mechanism reaches, made without any force: where a hand can go, not where one would.
+namespace chiron::tests {
+
+/// One instrument's reach: poses of W over the whole range of the mechanism's axes.
+class ToolReach {
+public:
+    ToolReach(const devices::DeviceDescriptor& device, const devices::WorkspaceMapping& mapping) : m_device(device), m_map(mapping) {
+        auto kinematics = devices::makeKinematics(device);
+        if (!kinematics)
+            qFatal("%s", kinematics.error().message.c_str());
+        m_kinematics = std::move(*kinematics);
+    }
+
+    /// Every axis anywhere in its range; `like`: as that sample, but for one axis, so that it pushes or lifts along it.
+    core::DeviceSample draw(core::Random& random, const core::DeviceSample* like = nullptr) const {
+        core::DeviceSample sample = like != nullptr ? *like : core::DeviceSample{};
+        const std::size_t only = like != nullptr ? random.below(m_device.axes.size()) : m_device.axes.size();
+        for (std::size_t i = 0; i < m_device.axes.size(); ++i) {
+            const devices::AxisDescriptor& axis = m_device.axes[i];
+            if (only == i || only == m_device.axes.size())
+                sample.counts[i] = static_cast<std::int32_t>(std::lround(random.uniform(axis.minimum, axis.maximum) / axis.resolution));
+        }
+        return sample;
+    }
+    core::ToolState pose(const core::DeviceSample& sample) const { return m_map.pose(*m_kinematics, sample); }
+
+private:
+    devices::DeviceDescriptor m_device;
+    devices::WorkspaceMap m_map;
+    std::unique_ptr<devices::IToolKinematics> m_kinematics;
+};
+
+/// One tool that goes from pose to pose, straight on, each way begun and ended at rest, at up to 0.3 m/s and 3 rad/s; its jaws open and
+/// close on the way.
+class HandPath {
+public:
+    static constexpr double kFastest_m_per_s = 0.3;
+    static constexpr double kFastest_rad_per_s = 3.0;
+    static constexpr double kJaw_rad_per_s = 4.0;
+    static constexpr double kOpen_rad = 1.2;
+
+    HandPath(const ToolReach& reach, core::Random random) : m_reach(reach), m_random(random) {
+        m_sample = m_reach.draw(m_random);
+        m_now = m_from = m_to = m_reach.pose(m_sample);
+    }
+
+    /// The next way begins here when the present one is done; `lure`: a place that is worth going to (something to grasp, or
+    /// out of what gave way); `touching`: short ways are likelier, as one presses and rubs.
+    const core::ToolState& step(const std::optional<core::Vec3>& lure, bool touching) {
+        if (m_t >= m_duration_s)
+            begin(lure, touching);
+        m_t += core::kTickSeconds;
+        const double x = std::min(1.0, m_t / m_duration_s), s = x * x * (3.0 - 2.0 * x);
+        const double rate = x < 1.0 ? 6.0 * x * (1.0 - x) / m_duration_s : 0.0;
+        m_now.p_WT = m_from.p_WT + s * (m_to.p_WT - m_from.p_WT);
+        m_now.v_WT = rate * (m_to.p_WT - m_from.p_WT);
+        m_now.q_WT = m_from.q_WT.slerp(s, m_to.q_WT);
+        const Eigen::AngleAxisd turn(m_to.q_WT * m_from.q_WT.conjugate());
+        m_now.w_WT = rate * turn.angle() * turn.axis();
+        m_now.jaw_rad += std::clamp(m_jaw_rad - m_now.jaw_rad, -kJaw_rad_per_s * core::kTickSeconds, kJaw_rad_per_s * core::kTickSeconds);
+        return m_now;
+    }
+    const core::ToolState& now() const { return m_now; }
+
+private:
+    void begin(const std::optional<core::Vec3>& lure, bool touching) {
+        m_from = m_now;
+        m_from.v_WT = m_from.w_WT = core::Vec3::Zero();
+        const std::uint64_t drawn = m_random.below(8), kind = drawn < 4 ? drawn : (touching ? 1 : (lure ? 0 : drawn - 4));
+        m_to = m_now;
+        if (lure && kind == 0) {
+            m_to.p_WT = *lure;
+            m_jaw_rad = kOpen_rad;
+        } else if (kind == 1) { // a short way, as one presses or rubs
+            for (int axis = 0; axis < 3; ++axis)
+                m_to.p_WT[axis] += m_random.uniform(-0.010, 0.010);
+            m_jaw_rad = 0.0;
+        } else {
+            m_sample = m_reach.draw(m_random, kind == 2 ? &m_sample : nullptr);
+            const core::ToolState goal = m_reach.pose(m_sample);
+            m_to.p_WT = goal.p_WT;
+            m_to.q_WT = goal.q_WT;
+            m_jaw_rad = m_random.below(2) == 0 ? m_jaw_rad : m_random.uniform(0.0, kOpen_rad);
+        }
+        const double speed = kFastest_m_per_s * std::pow(10.0, -m_random.uniform(0.0, 1.0)); // 0.03 to 0.3 m/s at its fastest
+        const double way_s = 1.5 * (m_to.p_WT - m_from.p_WT).norm() / speed;
+        const double turn_s = 1.5 * m_from.q_WT.angularDistance(m_to.q_WT) / kFastest_rad_per_s;
+        m_duration_s = std::max({way_s, turn_s, 0.05});
+        m_t = 0.0;
+    }
+
+    const ToolReach& m_reach;
+    core::Random m_random;
+    core::DeviceSample m_sample;
+    core::ToolState m_from, m_to, m_now;
+    double m_duration_s = 0.0;
+    double m_t = 0.0;
+    double m_jaw_rad = kOpen_rad;
+};
+
+} // namespace chiron::tests

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/catalogue.h"
+#include "core/geometry.h"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace chiron::tests {
+
+/// The largest of something, and where it was.
+struct Worst {
+    double value = -std::numeric_limits<double>::infinity();
+    std::uint64_t path = 0;
+    std::uint64_t tick = 0;
+    std::size_t tool = 0;
+    core::Vec3 p_W = core::Vec3::Zero();
+};
+
+/// What a tool met that was pushed, dragged and lifted through one level, over all that its mechanism reaches.
+struct SweepResult {
+    std::string level;          ///< "exercise/number id"
+    bool yieldStated = false;   ///< the level's content says at which force its tissue gives way
+    double yieldForce_N = std::numeric_limits<double>::infinity(); ///< that force
+    double limit_N = 0.0;       ///< the level's limit
+    std::uint64_t ticks = 0, touching = 0, beyondChecked = 0, yields = 0;
+    bool finite = true;
+    Worst force;                ///< N, of one tool
+    Worst torque;               ///< N·m
+    /// N in one tick, over what the stiffness there times the way allows; yield events left out. At most 0.1 is asked for.
+    /// Stiffness: what the scene says, friction's bristle, and b v / 0.5 mm of damping that fades in; the way: between tool and object.
+    Worst change;
+    Worst fall;                 ///< the same during a yield event, over what its curve allows too
+    Worst inAir;                ///< N, where nothing is stored and nothing is stiff
+    Worst made;                 ///< J that one contact gave more than it took, by the trapezoid rule: what a law makes, without a controller
+    std::string line() const;   ///< for people
+    static std::string heading();
+};
+
+struct SweepSettings {
+    std::uint64_t seed = 1;
+    int paths = 200;
+    double path_s = 3.0;
+    int pathsPerScene = 20;
+};
+
+/// Drives the level's scene itself, as fast as it goes, without loop, supervisor or device. Every tool of the level takes a path of its own.
+SweepResult sweepLevel(const catalogue::ExerciseLevel& level, const SweepSettings& settings);
+
+} // namespace chiron::tests
