@@ -8,7 +8,7 @@
 namespace chiron::simulation {
 
 namespace {
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNever_m = std::numeric_limits<double>::infinity();
 /// Shares of the smallest radius of curvature. Towards 1 a foot follows its tool without bound, 1/(1 − share): 5 times at the first.
 constexpr double kUprightFrom = 0.80;
 constexpr double kUprightTo = 0.98;
@@ -26,7 +26,7 @@ TissueContact::TissueContact(const TissueParameters& parameters)
     : m_parameters(parameters), m_surface(parameters.shape),
       m_normalStiffness(parameters.stiffness_N_per_m > 0.0 ? parameters.stiffness_N_per_m : punchStiffness(parameters)),
       m_perDampingDepth(1.0 / std::max(parameters.dampingDepth_m, 1e-9)),
-      m_flatFrame(ContactFrame::on(core::Vec3::UnitZ(), parameters.fibreDirection)), m_sunkDepth_m(kInfinite),
+      m_flatFrame(ContactFrame::on(core::Vec3::UnitZ(), parameters.fibreDirection)), m_sunkDepth_m(kNever_m),
       m_uprightFrom_m(kUprightFrom * m_surface.deepestUnique_m()), m_uprightTo_m(kUprightTo * m_surface.deepestUnique_m()) {
     if (parameters.friction > 0.0 || parameters.contact == TissueContactLaw::p3Recast)
         m_largestTangent = std::max(parameters.tangentAlong_N_per_m, parameters.tangentAcross_N_per_m);
@@ -39,7 +39,7 @@ TissueContact::TissueContact(const TissueParameters& parameters)
 
 void TissueContact::setLumps(std::span<const Lump> lumps) noexcept {
     m_lumpCount = static_cast<int>(std::min(lumps.size(), m_lumps.size()));
-    m_sunkDepth_m = kInfinite;
+    m_sunkDepth_m = kNever_m;
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_lumpCount); ++i) {
         const Lump& lump = lumps[i];
         if (m_parameters.sinkage > 0.0)
