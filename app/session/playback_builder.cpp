@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/playback_builder.h"
 
+#include "core/contact_bits.h"
 #include "session/device_time.h"
 #include "session/exercise_kind.h"
 #include "session/insertion_marks.h"
@@ -92,7 +93,8 @@ private:
             tool.p_WT = pose.p_WT;
             tool.q_WT = pose.q_WT;
             tool.jaw_rad = pose.jaw_rad;
-            tool.p_WProxy = present ? m_surfaces.surfacePoint(header.trial, pose.p_WT) : pose.p_WT;
+            const bool through = core::contactOfStatus(m_last.tool[i].status) & core::contact_bits::kThrough; // no surface holds it
+            tool.p_WProxy = present && !through ? m_surfaces.surfacePoint(header.trial, pose.p_WT) : pose.p_WT;
             m_track.tools.push_back(tool);
             tool = {};
         }

@@ -39,6 +39,7 @@ private slots:
     void levelsHaveGatesOnTheirHeadlines();
     void urethraLevelsHaveTheirGates();
     void palpationLevelsHaveTheirGates();
+    void tissueThatGivesWayFails();
     void onlyJsonAndReadmesAreShipped();
 };
 
@@ -144,7 +145,7 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
                                                   "tension_error_rms", "tension_error_sd", "time_in_band",
                                                   "over_stretches", "drops",
                                                   "squeeze_max", "squeeze_time_over_limit", "placement_error",
-                                                  "weighing_correct", "critical_errors",
+                                                  "weighing_correct",
                                                   "palpation_hits", "palpation_misses", "palpation_false_alarms",
                                                   "palpation_d_prime", "palpation_criterion", "palpation_roc_area",
                                                   "localisation_error", "size_error", "hardness_order",
@@ -176,6 +177,15 @@ void TestContent::palpationLevelsHaveTheirGates() {
         QCOMPARE(asked.contains("palpation_d_prime"), level.number > 1);
         QCOMPARE(asked.contains("size_error") && asked.contains("hardness_order"), level.number == 3);
     }
+}
+
+// Whoever breaks through tissue fails, on every level on which tissue can give way, however well the rest went.
+void TestContent::tissueThatGivesWayFails() {
+    for (const char* id : {"sphere_apex", "elastic_tube", "object_handling", "palpation"})
+        for (const ExerciseLevel& level : shipped().find(id)->levels) {
+            const auto gate = std::find_if(level.gates.begin(), level.gates.end(), [](const scoring::Gate& g) { return g.metric == "critical_errors"; });
+            QVERIFY2(gate != level.gates.end() && gate->maximum == 0.0, level.id.c_str());
+        }
 }
 
 // No level passes who hurt the wall, did not arrive, or was stopped by the clock.

@@ -158,7 +158,8 @@ void TestPlayback::marksJump() {
     QVERIFY(list->count() > 0 && list->count() < all);
     list->setCurrentRow(list->count() - 1);
     QCOMPARE(screen()->clock().position_s(), list->currentItem()->data(Qt::UserRole).toDouble());
-    QVERIFY(list->currentItem()->text().contains(QStringLiteral("Over the limit")));
+    for (const char* of : {"Over the limit", "gave way"}) // who pressed so hard did both
+        QVERIFY2(!list->findItems(QLatin1String(of), Qt::MatchContains).isEmpty(), of);
 }
 
 void TestPlayback::ghostBesideIt() {
