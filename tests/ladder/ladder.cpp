@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ladder/ladder.h"
+
+#include "ladder/fast_force.h"
+#include "scoring/metric_catalogue.h"
+#include "session/replayer.h"
+#include "support/session_fixture.h"
+
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+namespace chiron::tests {
+
+namespace {
+
+constexpr double kZ95 = 1.959963984540054;
+const std::vector<std::string> kOperators{"novice", "intermediate", "expert", "unsafe"};
+
+/// Speed and path: a rough hand is fast and goes straight on. They never decide alone, so they may favour it.
+const std::set<std::string_view> kSpeedAndPath{"time",          "path_length",    "path_inefficiency", "sparc",     "ldlj",
+                                               "searching_time", "pressing_time", "inspection_travel"};
+
+class Witness final : public core::IFrameSink {
+public:
+    bool tryPush(const core::HapticFrame& frame) noexcept override {
+        fast.add(frame);
+        damped += (frame.header.guards & core::guard_bits::kPassivity) ? 1 : 0;
+        for (std::uint32_t i = 0; i < frame.tools; ++i) {
+            tissue_N = std::max(tissue_N, normOf(frame.tool[i].tissue));
+            commanded_N = std::max(commanded_N, normOf(frame.tool[i].commanded));
+        }
+        return true;
+    }
+    FastForce fast;
+    std::uint64_t damped = 0;
+    double tissue_N = 0.0, commanded_N = 0.0;
+
+private:
+    static double normOf(const core::Array6& wrench) { return std::hypot(wrench[0], wrench[1], wrench[2]); }
+};
+
+bool same(const scoring::ScoreCard& a, const scoring::ScoreCard& b) {
+    if (a.passed != b.passed || a.metrics.size() != b.metrics.size())
+        return false;
+    for (std::size_t i = 0; i < a.metrics.size(); ++i)
+        if (a.metrics[i].id != b.metrics[i].id || a.metrics[i].value != b.metrics[i].value || a.metrics[i].passed != b.metrics[i].passed)
+            return false;
+    return true;
+}
+
+LadderSession runOne(SessionFixture& site, const catalogue::ExerciseLevel& level, const std::string& name, std::uint64_t seed, bool check) {
+    LadderSession session;
+    session.seed = seed;
+    Witness witness;
+    session::TrainingRequest request = site.request(level, name, seed);
+    request.witness = &witness;
+    auto result = site.run(std::move(request));
+    if (!result)
+        qFatal("%s", result.error().message.c_str());
+    session.card = result->scores;
+    session.ticks = result->loop.ticks;
+    session.damped = witness.damped;
+    session.tissue_N = witness.tissue_N;
+    session.commanded_N = witness.commanded_N;
+    session.fast_N = witness.fast.worst_N();
+    OpenStored stored(*site.database, result->session);
+    session.completed = stored.session->record().summary.state == database::SessionState::completed;
+    if (check) {
+        session.checked = true;
+        const auto replay = session::replaySession(*stored.session);
+        session.replaysIdentically = replay && replay->identical;
+        const auto card = stored.session->computeScores();
+        session.scoresIdentically = card && same(*card, session.card);
+    }
+    return session;
+}
+
+struct Spread {
+    int n = 0;
+    double mean = 0.0, variance = 0.0;
+};
+
+/// Of the sessions that have the metric.
+Spread spreadOf(const std::vector<LadderSession>& sessions, const std::string& id) {
+    std::vector<double> values;
+    for (const LadderSession& session : sessions)
+        for (const scoring::MetricValue& metric : session.card.metrics)
+            if (metric.id == id && metric.value)
+                values.push_back(*metric.value);
+    Spread s;
+    s.n = static_cast<int>(values.size());
+    for (const double v : values)
+        s.mean += v / s.n;
+    for (const double v : values)
+        s.variance += s.n > 1 ? (v - s.mean) * (v - s.mean) / (s.n - 1) : 0.0;
+    return s;
+}
+
+Rate gateRate(const std::vector<LadderSession>& sessions, const std::string& id) {
+    Rate rate;
+    for (const LadderSession& session : sessions)
+        for (const scoring::MetricValue& metric : session.card.metrics)
+            if (metric.id == id && metric.passed) {
+                ++rate.n;
+                rate.of += *metric.passed ? 1 : 0;
+            }
+    return rate;
+}
+
+double logChoose(int n, int k) { return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0); }
+
+/// P(as many or more of b's hits in b), Fisher's exact test of two rates, one-sided.
+double fisherTail(const Rate& a, const Rate& b) {
+    const int hits = a.of + b.of;
+    double p = 0.0;
+    for (int k = b.of; k <= std::min(hits, b.n); ++k)
+        if (hits - k <= a.n)
+            p += std::exp(logChoose(b.n, k) + logChoose(a.n, hits - k) - logChoose(a.n + b.n, hits));
+    return p;
+}
+
+double wilson(const Rate& r, double sign) {
+    if (r.n == 0)
+        return sign > 0.0 ? 1.0 : 0.0;
+    const double n = r.n, p = r.share(), z = kZ95;
+    const double centre = p + z * z / (2.0 * n), half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
+    return std::clamp((centre + sign * half) / (1.0 + z * z / n), 0.0, 1.0);
+}
+
+std::string print(const char* format, auto... values) {
+    char text[300];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+} // namespace
+
+double Rate::low() const { return wilson(*this, -1.0); }
+double Rate::high() const { return wilson(*this, 1.0); }
+
+Rate passRate(const std::vector<LadderSession>& sessions) {
+    Rate rate;
+    rate.n = static_cast<int>(sessions.size());
+    for (const LadderSession& session : sessions)
+        rate.of += session.card.passed ? 1 : 0;
+    return rate;
+}
+
+LadderLevel climb(const catalogue::ExerciseLevel& level, const LadderSettings& settings) {
+    const auto kind = session::exerciseKind(level.exercise);
+    if (!kind)
+        qFatal("%s", kind.error().message.c_str());
+    LadderLevel climbed;
+    climbed.level = level.exercise + "/" + std::to_string(level.number) + " " + level.id;
+    climbed.recordsEnergy = (*kind)->recordsEnergy(level);
+    const std::vector<std::string> names = (*kind)->operatorNames();
+    for (const std::string& name : kOperators) {
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            continue;
+        SessionFixture site; // one a hand, so that the file stays small
+        for (int i = 0; i < settings.seeds; ++i)
+            climbed.byOperator[name].push_back(runOne(site, level, name, settings.first + static_cast<std::uint64_t>(i),
+                                                      settings.checkEvery > 0 && i % settings.checkEvery == 0));
+    }
+    return climbed;
+}
+
+std::vector<std::string> inverted(const LadderLevel& level) {
+    std::vector<std::string> found;
+    if (!level.byOperator.contains("expert") || !level.byOperator.contains("unsafe"))
+        return found;
+    const auto& expert = level.byOperator.at("expert");
+    const auto& unsafe = level.byOperator.at("unsafe");
+    for (const scoring::MetricValue& metric : expert.front().card.metrics) {
+        const scoring::MetricDefinition* definition = scoring::findMetric(metric.id, metric.version);
+        if (!definition || kSpeedAndPath.contains(definition->id))
+            continue;
+        const Spread e = spreadOf(expert, metric.id), u = spreadOf(unsafe, metric.id);
+        if (definition->direction != scoring::Direction::neutral && e.n > 1 && u.n > 1) {
+            const double better = definition->direction == scoring::Direction::lowerIsBetter ? e.mean - u.mean : u.mean - e.mean;
+            if (better > kZ95 * std::sqrt(e.variance / e.n + u.variance / u.n) && better > 1e-12)
+                found.push_back(print("%s: expert %.4g ± %.2g (%d), unsafe %.4g ± %.2g (%d)", metric.id.c_str(), e.mean, std::sqrt(e.variance), e.n,
+                                      u.mean, std::sqrt(u.variance), u.n));
+        }
+        const Rate eg = gateRate(expert, metric.id), ug = gateRate(unsafe, metric.id);
+        if (eg.n > 0 && ug.n > 0 && ug.share() > eg.share() && fisherTail(eg, ug) < 0.025)
+            found.push_back(print("gate %s: expert %d of %d, unsafe %d of %d", metric.id.c_str(), eg.of, eg.n, ug.of, ug.n));
+    }
+    return found;
+}
+
+std::string heading() {
+    return "| level | operator | passed | 95 % | completed | tissue max., N | felt max., N | above 20 Hz, N rms | damped ticks | replay and score identical |\n"
+           "|---|---|---|---|---|---|---|---|---|---|\n";
+}
+
+std::string lines(const LadderLevel& level) {
+    std::string text;
+    for (const std::string& name : kOperators) {
+        if (!level.byOperator.contains(name))
+            continue;
+        const auto& sessions = level.byOperator.at(name);
+        const Rate rate = passRate(sessions);
+        int completed = 0, checked = 0, same = 0;
+        double tissue = 0.0, felt = 0.0, fast = 0.0;
+        std::uint64_t damped = 0;
+        for (const LadderSession& s : sessions) {
+            completed += s.completed ? 1 : 0;
+            checked += s.checked ? 1 : 0;
+            same += s.checked && s.replaysIdentically && s.scoresIdentically ? 1 : 0;
+            tissue = std::max(tissue, s.tissue_N);
+            felt = std::max(felt, s.commanded_N);
+            fast = std::max(fast, s.fast_N);
+            damped += s.damped;
+        }
+        text += print("| %s | %s | %d of %d | %.0f–%.0f %% | %d | %.2f | %.2f | %.3f | %llu | %d of %d |\n", level.level.c_str(), name.c_str(), rate.of,
+                      rate.n, 100.0 * rate.low(), 100.0 * rate.high(), completed, tissue, felt, fast, static_cast<unsigned long long>(damped), same,
+                      checked);
+    }
+    return text;
+}
+
+std::string metricLines(const LadderLevel& level) {
+    std::string text;
+    for (const scoring::MetricValue& metric : level.byOperator.begin()->second.front().card.metrics) {
+        text += print("%-26s", metric.id.c_str());
+        for (const std::string& name : kOperators) {
+            if (!level.byOperator.contains(name))
+                continue;
+            const Spread s = spreadOf(level.byOperator.at(name), metric.id);
+            const Rate gate = gateRate(level.byOperator.at(name), metric.id);
+            text += s.n > 0 ? print("  %9.4g ±%8.3g", s.mean, std::sqrt(s.variance)) : print("  %19s", "–");
+            text += gate.n > 0 ? print(" [%2d/%2d]", gate.of, gate.n) : print("        ");
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+} // namespace chiron::tests

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Prints how every scripted operator fares on every level, through recording and scoring: operator_ladder [EXERCISE|all] [LEVEL|0] [SEEDS]
+// [FIRST] [CHECK_EVERY]. Not a test: it asserts nothing.
+#include "ladder/ladder.h"
+
+#include <QCoreApplication>
+#include <cstdio>
+#include <cstdlib>
+
+using namespace chiron;
+
+int main(int argc, char** argv) {
+    QCoreApplication application(argc, argv);
+    const std::string exercise = argc > 1 ? argv[1] : "all";
+    const int number = argc > 2 ? std::atoi(argv[2]) : 0;
+    tests::LadderSettings settings;
+    settings.seeds = argc > 3 ? std::atoi(argv[3]) : 20;
+    settings.first = argc > 4 ? std::strtoull(argv[4], nullptr, 10) : 1;
+    settings.checkEvery = argc > 5 ? std::atoi(argv[5]) : 0;
+    const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+    if (!catalogue) {
+        std::fprintf(stderr, "%s\n", catalogue.error().message.c_str());
+        return 2;
+    }
+    std::printf("%s", tests::heading().c_str());
+    for (const catalogue::Exercise& one : catalogue->exercises())
+        for (const catalogue::ExerciseLevel& level : one.levels) {
+            if ((exercise != "all" && exercise != one.id) || (number > 0 && number != level.number))
+                continue;
+            const tests::LadderLevel climbed = tests::climb(level, settings);
+            std::printf("%s", tests::lines(climbed).c_str());
+            for (const std::string& line : tests::inverted(climbed))
+                std::printf("  inverted: %s\n", line.c_str());
+            std::fprintf(stderr, "%s\n%s", climbed.level.c_str(), tests::metricLines(climbed).c_str());
+            std::fflush(stdout);
+        }
+    return 0;
+}
