@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/stored_session.h"
 
+#include "scoring/metric_catalogue.h"
 #include "scoring/score_calculator.h"
 #include "session/exercise_kind.h"
 #include "session/trace_assembler.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace chiron::session {
@@ -83,8 +85,14 @@ core::Result<scoring::ScoreCard> StoredSession::computeScores(int metricVersion)
 core::Result<scoring::ScoreCard> StoredSession::scoresOf(const scoring::SessionTrace& trace, bool completed,
                                                          int metricVersion) const {
     std::vector<scoring::MetricRequest> requests;
-    for (const catalogue::MetricChoice& metric : m_setup.level.metrics)
-        requests.push_back({metric.id, metricVersion > 0 ? metricVersion : metric.version});
+    const auto& metrics = m_setup.level.metrics;
+    const bool known = std::any_of(metrics.begin(), metrics.end(), [&](const auto& metric) { return scoring::findMetric(metric.id, metricVersion); });
+    for (const catalogue::MetricChoice& metric : metrics) {
+        int version = metricVersion > 0 ? metricVersion : metric.version;
+        while (known && metricVersion > 0 && version > 1 && !scoring::findMetric(metric.id, version))
+            --version; // a metric that did not change has no version of its own
+        requests.push_back({metric.id, version});
+    }
     return scoring::calculateScore(trace, requests, m_setup.level.gates, completed);
 }
 

@@ -14,12 +14,18 @@ namespace chiron::scoring {
     METRIC(sparcMetric)                                                                                      \
     METRIC(ldljMetric)                                                                                       \
     METRIC(forceMaxMetric)                                                                                   \
+    METRIC(forceMaxMetric2)                                                                                  \
     METRIC(forceMeanMetric)                                                                                  \
+    METRIC(forceMeanMetric2)                                                                                 \
     METRIC(forceRmsMetric)                                                                                   \
+    METRIC(forceRmsMetric2)                                                                                  \
     METRIC(forceP95Metric)                                                                                   \
+    METRIC(forceP95Metric2)                                                                                  \
     METRIC(forcePeakRateMetric)                                                                              \
     METRIC(forceImpulseOverLimitMetric)                                                                      \
+    METRIC(forceImpulseOverLimitMetric2)                                                                     \
     METRIC(forceTimeOverLimitMetric)                                                                         \
+    METRIC(forceTimeOverLimitMetric2)                                                                        \
     METRIC(offsetRmsMetric)                                                                                  \
     METRIC(offsetMaxMetric)                                                                                  \
     METRIC(alignmentRmsMetric)                                                                               \
@@ -56,7 +62,9 @@ namespace chiron::scoring {
     METRIC(pressingTimeMetric)                                                                               \
     METRIC(searchingTimeMetric)                                                                              \
     METRIC(apexErrorMeanMetric)                                                                              \
+    METRIC(apexErrorMeanMetric2)                                                                             \
     METRIC(apexErrorSdMetric)                                                                                \
+    METRIC(apexErrorSdMetric2)                                                                               \
     METRIC(apexBiasXMetric)                                                                                  \
     METRIC(apexBiasYMetric)                                                                                  \
     METRIC(apexMissesMetric)

@@ -93,7 +93,7 @@ std::vector<CommandSpec> reviewCommands() {
     scoring.group = QStringLiteral("score");
     scoring.summary = QStringLiteral("compute a session's scores again from its recording");
     scoring.operands = {{QStringLiteral("ID"), QStringLiteral("number of the session")}};
-    scoring.options = {{QStringLiteral("metric-version"), QStringLiteral("V"), QStringLiteral("of every metric; default: the session's own")}};
+    scoring.options = {{QStringLiteral("metric-version"), QStringLiteral("V"), QStringLiteral("of every metric that has it, the newest below of the others; default: the session's own")}};
     scoring.example = QStringLiteral("chiron-cli score 12 --json");
     scoring.run = score;
     CommandSpec replaying;

@@ -4,6 +4,8 @@
 #include "scoring/metric.h"
 #include "scoring/prepared_trial.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,6 +18,13 @@ struct ApexAnswer {
     double errorY_percent = 0.0;
     bool miss =
         false; ///< out of contact, farther than R from the apex (x, y), or no mark before the time was up
+
+    /// Absolute errors with a miss counted as an error of R at least: who marks without touching shows no place.
+    double countedX_percent() const { return counted(errorX_percent); }
+    double countedY_percent() const { return counted(errorY_percent); }
+
+private:
+    double counted(double error_percent) const { return miss ? std::max(100.0, std::abs(error_percent)) : std::abs(error_percent); }
 };
 
 /// The marked position, or the last one of the first tool where nothing was marked, so that leaving hard

@@ -16,6 +16,17 @@ Measurement measureForceImpulseOverLimit(std::span<const PreparedTrial> trials) 
     return any ? Measurement::of(impulse_Ns) : noSamples();
 }
 
+Measurement measureForceImpulseOverLimit2(std::span<const PreparedTrial> trials) {
+    double impulse_Ns = 0.0;
+    bool any = false;
+    const double limit_N = trials.empty() ? 0.0 : trials.front().forceLimit_N;
+    forEachLoad(trials, [&](double load_N, double held_s, bool) {
+        any = true;
+        impulse_Ns += load_N > limit_N ? load_N * held_s : 0.0;
+    });
+    return any ? Measurement::of(impulse_Ns) : noSamples();
+}
+
 } // namespace
 
 MetricDefinition forceImpulseOverLimitMetric() {
@@ -32,6 +43,16 @@ MetricDefinition forceImpulseOverLimitMetric() {
                 "next.",
             .source = "models.md §6",
             .measure = measureForceImpulseOverLimit};
+}
+
+MetricDefinition forceImpulseOverLimitMetric2() {
+    MetricDefinition metric = forceImpulseOverLimitMetric();
+    metric.version = 2;
+    metric.tools = MetricTools::all;
+    metric.definition = "Integral of the load |f| dt of a tool while it is over the level's force limit, all tools added; broken tissue counts with the force that broke it.";
+    metric.source = "models.md §6; data.md, Range of a law";
+    metric.measure = measureForceImpulseOverLimit2;
+    return metric;
 }
 
 } // namespace chiron::scoring

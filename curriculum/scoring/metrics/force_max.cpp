@@ -13,6 +13,12 @@ Measurement measureForceMax(std::span<const PreparedTrial> trials) {
     return largest_N < 0.0 ? noSamples() : Measurement::of(largest_N);
 }
 
+Measurement measureForceMax2(std::span<const PreparedTrial> trials) {
+    double largest_N = -1.0;
+    forEachLoad(trials, [&](double load_N, double, bool) { largest_N = std::max(largest_N, load_N); });
+    return largest_N < 0.0 ? noSamples() : Measurement::of(largest_N);
+}
+
 } // namespace
 
 MetricDefinition forceMaxMetric() {
@@ -27,6 +33,15 @@ MetricDefinition forceMaxMetric() {
             .definition = "Largest |f|.",
             .source = "models.md §6",
             .measure = measureForceMax};
+}
+
+MetricDefinition forceMaxMetric2() {
+    MetricDefinition metric = forceMaxMetric();
+    metric.version = 2;
+    metric.tools = MetricTools::all;
+    metric.definition = "Largest |f| of any tool.";
+    metric.measure = measureForceMax2;
+    return metric;
 }
 
 } // namespace chiron::scoring

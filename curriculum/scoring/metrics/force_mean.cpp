@@ -18,6 +18,15 @@ Measurement measureForceMean(std::span<const PreparedTrial> trials) {
                         : Measurement::of(sum_N / static_cast<double>(samples));
 }
 
+Measurement measureForceMean2(std::span<const PreparedTrial> trials) {
+    double impulse_Ns = 0.0, time_s = 0.0;
+    forEachLoad(trials, [&](double load_N, double held_s, bool touched) {
+        impulse_Ns += touched ? load_N * held_s : 0.0;
+        time_s += touched ? held_s : 0.0;
+    });
+    return time_s > 0.0 ? Measurement::of(impulse_Ns / time_s) : Measurement::undefined("no contact");
+}
+
 } // namespace
 
 MetricDefinition forceMeanMetric() {
@@ -32,6 +41,16 @@ MetricDefinition forceMeanMetric() {
             .definition = "Mean of |f| over the samples above 0.02 N.",
             .source = "models.md §6",
             .measure = measureForceMean};
+}
+
+MetricDefinition forceMeanMetric2() {
+    MetricDefinition metric = forceMeanMetric();
+    metric.version = 2;
+    metric.tools = MetricTools::all;
+    metric.definition = "Mean over time of the load |f| of every tool while it touches (over 0.02 N); broken tissue counts with the force that broke it.";
+    metric.source = "models.md §6; data.md, Range of a law";
+    metric.measure = measureForceMean2;
+    return metric;
 }
 
 } // namespace chiron::scoring

@@ -2,6 +2,7 @@
 #include "scoring/metrics/force_samples.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace chiron::scoring {
@@ -21,6 +22,26 @@ Measurement measureForceP95(std::span<const PreparedTrial> trials) {
                            (place - static_cast<double>(below)) * (forces_N[above] - forces_N[below]));
 }
 
+/// The load below which 95 % of the time of touching lies.
+Measurement measureForceP95Of2(std::span<const PreparedTrial> trials) {
+    std::vector<std::pair<double, double>> loads; // N, s
+    double time_s = 0.0;
+    forEachLoad(trials, [&](double load_N, double held_s, bool touched) {
+        if (touched && held_s > 0.0) {
+            loads.emplace_back(load_N, held_s);
+            time_s += held_s;
+        }
+    });
+    if (loads.empty())
+        return Measurement::undefined("no contact");
+    std::sort(loads.begin(), loads.end());
+    double below_s = 0.0;
+    for (const auto& [load_N, held_s] : loads)
+        if ((below_s += held_s) >= 0.95 * time_s)
+            return Measurement::of(load_N);
+    return Measurement::of(loads.back().first);
+}
+
 } // namespace
 
 MetricDefinition forceP95Metric() {
@@ -35,6 +56,16 @@ MetricDefinition forceP95Metric() {
             .definition = "95th percentile of |f| over all samples, linear between order statistics.",
             .source = "models.md §6; Hyndman & Fan 1996, definition 7",
             .measure = measureForceP95};
+}
+
+MetricDefinition forceP95Metric2() {
+    MetricDefinition metric = forceP95Metric();
+    metric.version = 2;
+    metric.tools = MetricTools::all;
+    metric.definition = "Load |f| under which 95 % of the time lies for which a tool touches (over 0.02 N); broken tissue counts with the force that broke it.";
+    metric.source = "models.md §6; data.md, Range of a law";
+    metric.measure = measureForceP95Of2;
+    return metric;
 }
 
 } // namespace chiron::scoring

@@ -41,6 +41,8 @@ private slots:
     void forceStatisticsOfKnownSamples();
     void forceRateAndImpulse();
     void forceNeedsContact();
+    void brokenTissueKeepsTheForceThatBrokeIt();
+    void everyToolCounts();
     void tissueThatGaveWayIsCounted();
     void apexErrorsOfKnownMarks();
     void apexMissesAreKeptAndCounted();
@@ -54,9 +56,13 @@ void TestForceAndApexMetrics::forceStatisticsOfKnownSamples() {
     tool.tissue_N = {Vec3::Zero(), Vec3(0, 0, 0.02), Vec3(0, 3, 0), Vec3(4, 0, 0), Vec3(3, 4, 0)};
     const auto trace = session(tool);
     QCOMPARE(valueOf(trace, "force_max"), 5.0);
-    QCOMPARE(valueOf(trace, "force_mean"), 4.0);
-    QVERIFY(std::abs(valueOf(trace, "force_rms") - std::sqrt((0.0004 + 9.0 + 16.0 + 25.0) / 5.0)) < 1e-12);
-    QVERIFY(std::abs(valueOf(trace, "force_p95") - 4.8) < 1e-12); // place 0.95·4 = 3.8 between 4 and 5
+    QCOMPARE(valueOf(trace, "force_mean", 1), 4.0);
+    QVERIFY(std::abs(valueOf(trace, "force_rms", 1) - std::sqrt((0.0004 + 9.0 + 16.0 + 25.0) / 5.0)) < 1e-12);
+    QVERIFY(std::abs(valueOf(trace, "force_p95", 1) - 4.8) < 1e-12); // place 0.95·4 = 3.8 between 4 and 5
+    // Over the time of touching: 10 ms each at 3 and 4 N; the last sample is held for no time.
+    QVERIFY(std::abs(valueOf(trace, "force_mean") - 3.5) < 1e-12);
+    QVERIFY(std::abs(valueOf(trace, "force_rms") - std::sqrt((9.0 + 16.0) / 2.0)) < 1e-12);
+    QCOMPARE(valueOf(trace, "force_p95"), 4.0);
 }
 
 void TestForceAndApexMetrics::forceRateAndImpulse() {
@@ -77,6 +83,38 @@ void TestForceAndApexMetrics::forceNeedsContact() {
     QCOMPARE(metricOf(trace, "force_mean").reason, std::string("no contact"));
     QCOMPARE(valueOf(trace, "force_max"), 0.0);
     QCOMPARE(valueOf(trace, "force_impulse_over_limit"), 0.0);
+}
+
+// 3 N, then through at 6 N: until the tool is out (10 ms of 2 N falling, 20 ms of none) the load is 6 N. Unbroken tissue scores as before.
+void TestForceAndApexMetrics::brokenTissueKeepsTheForceThatBrokeIt() {
+    using namespace core::contact_bits;
+    auto tool = sampled(0.06, 0.01, [](double) { return Vec3::Zero().eval(); });
+    tool.tissue_N = {Vec3(0, 0, 3), Vec3(0, 0, 6), Vec3(0, 0, 2), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    tool.contact = {0, kYielded | kThrough, kThrough, kThrough, kThrough, 0, 0};
+    auto trace = session(tool);
+    trace.forceLimit_N = 4.0;
+    QVERIFY(std::abs(valueOf(trace, "force_time_over_limit") - 0.04) < 1e-12);
+    QVERIFY(std::abs(valueOf(trace, "force_time_over_limit", 1) - 0.01) < 1e-12);
+    QVERIFY(std::abs(valueOf(trace, "force_impulse_over_limit") - 0.24) < 1e-12);
+    QVERIFY(std::abs(valueOf(trace, "force_mean") - (3.0 + 4.0 * 6.0) / 5.0) < 1e-12);
+    QVERIFY(std::abs(valueOf(trace, "force_rms") - std::sqrt((9.0 + 4.0 * 36.0) / 5.0)) < 1e-12);
+    QCOMPARE(valueOf(trace, "force_p95"), 6.0);
+    QCOMPARE(valueOf(trace, "force_max"), 6.0);
+    trace.trials.front().tools.front().contact.assign(7, 0);
+    QCOMPARE(valueOf(trace, "force_time_over_limit"), valueOf(trace, "force_time_over_limit", 1));
+    QCOMPARE(valueOf(trace, "force_impulse_over_limit"), valueOf(trace, "force_impulse_over_limit", 1));
+}
+
+void TestForceAndApexMetrics::everyToolCounts() {
+    const auto nowhere = [](double) { return Vec3::Zero().eval(); };
+    auto trace = session(sampled(0.05, 0.01, nowhere, [](double) { return Vec3(0.0, 0.0, 1.0); }));
+    trace.forceLimit_N = 4.0;
+    trace.trials.front().tools.push_back(sampled(0.05, 0.01, nowhere, [](double) { return Vec3(0.0, 5.0, 0.0); }));
+    QCOMPARE(valueOf(trace, "force_max"), 5.0);
+    QVERIFY(std::abs(valueOf(trace, "force_time_over_limit") - 0.05) < 1e-12);
+    QVERIFY(std::abs(valueOf(trace, "force_impulse_over_limit") - 0.25) < 1e-12);
+    QVERIFY(std::abs(valueOf(trace, "force_mean") - 3.0) < 1e-12);
+    QCOMPARE(valueOf(trace, "force_time_over_limit", 1), 0.0);
 }
 
 // Twice under the first tool, once under the second; what gave way before the trial is none of its own; a file tells the same.
@@ -119,7 +157,9 @@ void TestForceAndApexMetrics::apexMissesAreKeptAndCounted() {
     trace.trials = {apexTrial(10.0, -5.0), apexTrial(10.0, -5.0, false), apexTrial(10.0, 25.0),
                     apexTrial(10.0, 15.0)};
     QCOMPARE(valueOf(trace, "apex_misses"), 2.0); // out of contact; 30 mm away; exactly R is no miss
-    QVERIFY(std::abs(valueOf(trace, "apex_error_mean") - (150.0 + 100.0) / 8.0) < 1e-9);
+    QVERIFY(std::abs(valueOf(trace, "apex_error_mean", 1) - (150.0 + 100.0) / 8.0) < 1e-9);
+    // A miss counts with R at least on each axis: 0, 0; 100, 100; 100, 150; 0, 100.
+    QVERIFY(std::abs(valueOf(trace, "apex_error_mean") - (100.0 + 100.0 + 100.0 + 150.0 + 100.0) / 8.0) < 1e-9);
 }
 
 void TestForceAndApexMetrics::apexWithoutMarkScoresLastPosition() {

@@ -89,11 +89,14 @@ void TestScoreCalculator::catalogueIsComplete() {
                                               "apex_bias_y",
                                               "apex_misses"};
     std::set<std::string_view> found;
+    std::set<std::pair<std::string_view, int>> versions;
     for (const MetricDefinition& metric : metricCatalogue()) {
-        QVERIFY(found.insert(metric.id).second); // one version of each so far
+        found.insert(metric.id);
+        QVERIFY(versions.insert({metric.id, metric.version}).second);
+        QVERIFY(metric.version == 1 || versions.contains({metric.id, metric.version - 1})); // the old ones stay
         QVERIFY(metric.measure != nullptr);
         QVERIFY(!metric.definition.empty() && !metric.source.empty());
-        QCOMPARE(findMetric(metric.id), &metric);
+        QVERIFY(findMetric(metric.id)->version >= metric.version);
         QCOMPARE(findMetric(metric.id, metric.version), &metric);
         QCOMPARE(findMetric(metric.id, 99), nullptr);
     }
@@ -121,14 +124,15 @@ void TestScoreCalculator::unequalColumnsAreRefused() {
 }
 
 void TestScoreCalculator::orderAndVersionsAreKept() {
-    const std::vector<MetricRequest> requests{{"time", 1}, {"force_max", 0}, {"time", 0}, {"sparc", 1}};
+    const std::vector<MetricRequest> requests{{"time", 1}, {"force_max", 1}, {"time", 0}, {"sparc", 1}, {"force_mean", 0}};
     const auto card = calculateScore(busySession(), requests, {}, true);
     QVERIFY(card.has_value());
-    QCOMPARE(card->metrics.size(), std::size_t{3}); // the same metric once
+    QCOMPARE(card->metrics.size(), std::size_t{4}); // the same metric once
     QCOMPARE(card->metrics[0].id, std::string("time"));
     QCOMPARE(card->metrics[1].id, std::string("force_max"));
     QCOMPARE(card->metrics[2].id, std::string("sparc"));
     QCOMPARE(card->metrics[1].version, 1);
+    QCOMPARE(card->metrics[3].version, 2); // the newest
     QCOMPARE(card->trials.size(), std::size_t{3});
 }
 

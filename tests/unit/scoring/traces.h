@@ -53,15 +53,16 @@ inline SessionTrace session(ToolTrace tool) {
     return session(std::move(one));
 }
 
-inline chiron::scoring::MetricValue metricOf(const SessionTrace& trace, const std::string& id) {
-    const chiron::scoring::MetricRequest request{id, 0};
+/// Version 0: the newest.
+inline chiron::scoring::MetricValue metricOf(const SessionTrace& trace, const std::string& id, int version = 0) {
+    const chiron::scoring::MetricRequest request{id, version};
     const auto card = chiron::scoring::calculateScore(trace, {&request, 1}, {}, true);
     return card ? card->metrics.front()
                 : chiron::scoring::MetricValue{id, 0, {}, {}, card.error().message, {}};
 }
 
-inline double valueOf(const SessionTrace& trace, const std::string& id) {
-    return metricOf(trace, id).value.value_or(std::nan(""));
+inline double valueOf(const SessionTrace& trace, const std::string& id, int version = 0) {
+    return metricOf(trace, id, version).value.value_or(std::nan(""));
 }
 
 /// 3 s at rest, then a minimum-jerk reach of `distance_m` along `direction` in 1 s, then 1 s at rest
