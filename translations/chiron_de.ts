@@ -1195,12 +1195,36 @@ Einzelheiten: %2</translation>
         <translation>Wie weit der angegebene Radius vom wahren abwich; Mittel über alle gefundenen Knoten mit angegebener Größe.</translation>
     </message>
     <message>
+        <source>Sensitivity, at least</source>
+        <translation>Empfindlichkeit, mindestens</translation>
+    </message>
+    <message>
+        <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that anything was felt.</source>
+        <translation>Das untere Ende des 95-%-Intervalls der Empfindlichkeit. Unter 0 zeigt die Sitzung nicht, dass etwas gefühlt wurde.</translation>
+    </message>
+    <message>
+        <source>Sensitivity, at most</source>
+        <translation>Empfindlichkeit, höchstens</translation>
+    </message>
+    <message>
+        <source>The upper end of the 95 % interval of the sensitivity.</source>
+        <translation>Das obere Ende des 95-%-Intervalls der Empfindlichkeit.</translation>
+    </message>
+    <message>
+        <source>Size error by chance</source>
+        <translation>Größenfehler durch Raten</translation>
+    </message>
+    <message>
+        <source>The size error of somebody who feels nothing and always says the middle size. A size error that is not smaller shows no skill.</source>
+        <translation>Der Größenfehler von jemandem, der nichts fühlt und immer die mittlere Größe angibt. Ein Größenfehler, der nicht kleiner ist, zeigt kein Können.</translation>
+    </message>
+    <message>
         <source>Hardness order</source>
         <translation>Reihenfolge der Härte</translation>
     </message>
     <message>
-        <source>Of the pairs of lumps found in a trial, how many had the harder one called harder, in %.</source>
-        <translation>Bei wie vielen Paaren gefundener Knoten eines Durchgangs der härtere auch härter genannt wurde, in %.</translation>
+        <source>Of the pairs of lumps found in a trial, how many had the harder one called harder, in %. By chance it is 50 % or less.</source>
+        <translation>Bei wie vielen Paaren gefundener Knoten eines Durchgangs der härtere auch härter genannt wurde, in %. Durch Raten sind es höchstens 50 %.</translation>
     </message>
     <message>
         <source>Area covered</source>

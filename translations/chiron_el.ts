@@ -1195,12 +1195,36 @@ Details: %2</source>
         <translation>Πόσο απείχε η δηλωμένη ακτίνα από την πραγματική· μέσος όρος των όζων που βρέθηκαν και δηλώθηκε το μέγεθός τους.</translation>
     </message>
     <message>
+        <source>Sensitivity, at least</source>
+        <translation>Ευαισθησία, τουλάχιστον</translation>
+    </message>
+    <message>
+        <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that anything was felt.</source>
+        <translation>Το κάτω άκρο του διαστήματος 95 % της ευαισθησίας. Κάτω από 0 η συνεδρία δεν δείχνει ότι έγινε κάτι αισθητό.</translation>
+    </message>
+    <message>
+        <source>Sensitivity, at most</source>
+        <translation>Ευαισθησία, το πολύ</translation>
+    </message>
+    <message>
+        <source>The upper end of the 95 % interval of the sensitivity.</source>
+        <translation>Το άνω άκρο του διαστήματος 95 % της ευαισθησίας.</translation>
+    </message>
+    <message>
+        <source>Size error by chance</source>
+        <translation>Σφάλμα μεγέθους στην τύχη</translation>
+    </message>
+    <message>
+        <source>The size error of somebody who feels nothing and always says the middle size. A size error that is not smaller shows no skill.</source>
+        <translation>Το σφάλμα μεγέθους κάποιου που δεν αισθάνεται τίποτα και λέει πάντα το μεσαίο μέγεθος. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
+    </message>
+    <message>
         <source>Hardness order</source>
         <translation>Σειρά σκληρότητας</translation>
     </message>
     <message>
-        <source>Of the pairs of lumps found in a trial, how many had the harder one called harder, in %.</source>
-        <translation>Σε πόσα ζεύγη όζων που βρέθηκαν σε μια δοκιμή ο σκληρότερος δηλώθηκε σκληρότερος, σε %.</translation>
+        <source>Of the pairs of lumps found in a trial, how many had the harder one called harder, in %. By chance it is 50 % or less.</source>
+        <translation>Σε πόσα ζεύγη όζων που βρέθηκαν σε μια δοκιμή ο σκληρότερος δηλώθηκε σκληρότερος, σε %. Στην τύχη είναι το πολύ 50 %.</translation>
     </message>
     <message>
         <source>Area covered</source>

@@ -52,10 +52,15 @@ namespace chiron::scoring {
     METRIC(palpationMissesMetric)                                                                            \
     METRIC(palpationFalseAlarmsMetric)                                                                       \
     METRIC(palpationDPrimeMetric)                                                                            \
+    METRIC(palpationDPrimeMetric2)                                                                           \
+    METRIC(palpationDPrimeLowMetric)                                                                         \
+    METRIC(palpationDPrimeHighMetric)                                                                        \
     METRIC(palpationCriterionMetric)                                                                         \
+    METRIC(palpationCriterionMetric2)                                                                        \
     METRIC(palpationRocAreaMetric)                                                                           \
     METRIC(localisationErrorMetric)                                                                          \
     METRIC(sizeErrorMetric)                                                                                  \
+    METRIC(sizeErrorByChanceMetric)                                                                          \
     METRIC(hardnessOrderMetric)                                                                              \
     METRIC(coverageMetric)                                                                                   \
     METRIC(forceBandTimeMetric)                                                                              \

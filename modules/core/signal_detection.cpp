@@ -55,4 +55,34 @@ DetectionInterval dPrimeInterval(const DetectionCounts& counts, double level, Ra
     return {middle - reach, middle + reach};
 }
 
+DetectionRates weightedRates(const DetectionCounts& n) noexcept {
+    const int all = n.ofSignal + n.ofNoise;
+    if (all <= 0)
+        return {};
+    const double p = static_cast<double>(n.ofSignal) / all, q = 1.0 - p;
+    DetectionRates rates;
+    if (n.ofSignal > 0)
+        rates.hit = (n.hits + p) / (n.ofSignal + 2.0 * p);
+    if (n.ofNoise > 0)
+        rates.falseAlarm = (n.falseAlarms + q) / (n.ofNoise + 2.0 * q);
+    return rates;
+}
+
+double weightedDPrime(const DetectionCounts& counts) noexcept {
+    const DetectionRates rates = weightedRates(counts);
+    return dPrime(rates.hit, rates.falseAlarm);
+}
+
+double weightedCriterion(const DetectionCounts& counts) noexcept {
+    const DetectionRates rates = weightedRates(counts);
+    return criterion(rates.hit, rates.falseAlarm);
+}
+
+DetectionInterval weightedDPrimeInterval(const DetectionCounts& n, double level) noexcept {
+    const DetectionRates rates = weightedRates(n);
+    const double error = std::sqrt(varianceOfZ(rates.hit, n.ofSignal) + varianceOfZ(rates.falseAlarm, n.ofNoise));
+    const double middle = dPrime(rates.hit, rates.falseAlarm), reach = normalQuantile(0.5 * (1.0 + level)) * error;
+    return {middle - reach, middle + reach};
+}
+
 } // namespace chiron::core

@@ -28,6 +28,16 @@ inline bool isUsable(const DetectionCounts& n) noexcept { return n.ofSignal >= k
 /// Research Methods 27:46–51; models.md §6).
 double correctedRate(int yes, int of) noexcept;
 
+/// Hit and false-alarm rate with the log-linear correction weighted by what was asked: with p the share of places with a signal,
+/// H = (hits + p)/(n₁ + 2p), F = (false alarms + 1 − p)/(n₀ + 2(1 − p)), so that somebody who says nothing, or yes to everything, has
+/// H = F and d′ = 0 whatever the base rate. Our extension of Hautus (1995), which it is where both kinds are as many; ½ where nothing
+/// was asked.
+struct DetectionRates {
+    double hit = 0.5;
+    double falseAlarm = 0.5;
+};
+DetectionRates weightedRates(const DetectionCounts& counts) noexcept;
+
 enum class RateCorrection { logLinear, none };
 /// The rate of counts; without correction not a number where nothing was asked.
 double rateOf(int yes, int of, RateCorrection correction) noexcept;
@@ -53,5 +63,10 @@ struct DetectionInterval {
 /// d′ ± z((1 + level)/2) standard errors; 0 < level < 1. An approximation for large samples: unusable below kUsableCounts.
 DetectionInterval dPrimeInterval(const DetectionCounts& counts, double level = 0.95,
                                  RateCorrection correction = RateCorrection::logLinear) noexcept;
+
+/// d′ and c of weighted rates, and the interval of d′ by the delta method with them.
+double weightedDPrime(const DetectionCounts& counts) noexcept;
+double weightedCriterion(const DetectionCounts& counts) noexcept;
+DetectionInterval weightedDPrimeInterval(const DetectionCounts& counts, double level = 0.95) noexcept;
 
 } // namespace chiron::core

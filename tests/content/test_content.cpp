@@ -147,7 +147,8 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
                                                   "squeeze_max", "squeeze_time_over_limit", "placement_error",
                                                   "weighing_correct",
                                                   "palpation_hits", "palpation_misses", "palpation_false_alarms",
-                                                  "palpation_d_prime", "palpation_criterion", "palpation_roc_area",
+                                                  "palpation_d_prime", "palpation_d_prime_low", "palpation_d_prime_high", "palpation_criterion",
+                                                  "palpation_roc_area", "size_error_by_chance",
                                                   "localisation_error", "size_error", "hardness_order",
                                                   "coverage", "force_band_time", "pressing_time", "searching_time"};
         for (const auto& metric : scoring::metricCatalogue())
@@ -161,6 +162,10 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
 
 // No level passes who missed lumps, saw them everywhere, or pressed too hard; what is not asked for is not scored.
 void TestContent::palpationLevelsHaveTheirGates() {
+    for (const ExerciseLevel& level : shipped().find("palpation")->levels) // the base rate is measured by: nobody is told it
+        for (const auto& [language, text] : level.objective)
+            for (const char* told : {"one of them", "of the eight", "eine davon", "eines davon", "der acht", "από αυτ", "από τα οκτώ"})
+                QVERIFY2(text.find(told) == std::string::npos, level.id.c_str());
     for (const ExerciseLevel& level : shipped().find("palpation")->levels) {
         std::map<std::string, scoring::Gate> gates;
         for (const auto& gate : level.gates)

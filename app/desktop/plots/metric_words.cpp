@@ -16,7 +16,7 @@ struct MetricWords {
 };
 
 // clang-format off
-constexpr std::array<MetricWords, 52> kMetrics{{
+constexpr std::array<MetricWords, 55> kMetrics{{
     {"time", QT_TRANSLATE_NOOP("Metrics", "Time"),
      QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count.")},
     {"path_length", QT_TRANSLATE_NOOP("Metrics", "Path length"),
@@ -93,6 +93,10 @@ constexpr std::array<MetricWords, 52> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "Findings where there was no lump; a second one of the same lump counts too.")},
     {"palpation_d_prime", QT_TRANSLATE_NOOP("Metrics", "Sensitivity (d′)"),
      QT_TRANSLATE_NOOP("Metrics", "How well places with a lump were told from places without, whether one rather says yes or no. 0 is chance.")},
+    {"palpation_d_prime_low", QT_TRANSLATE_NOOP("Metrics", "Sensitivity, at least"),
+     QT_TRANSLATE_NOOP("Metrics", "The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that anything was felt.")},
+    {"palpation_d_prime_high", QT_TRANSLATE_NOOP("Metrics", "Sensitivity, at most"),
+     QT_TRANSLATE_NOOP("Metrics", "The upper end of the 95 % interval of the sensitivity.")},
     {"palpation_criterion", QT_TRANSLATE_NOOP("Metrics", "Criterion (c)"),
      QT_TRANSLATE_NOOP("Metrics", "Whether a lump is rather reported (negative) or rather not (positive) when in doubt.")},
     {"palpation_roc_area", QT_TRANSLATE_NOOP("Metrics", "Area under the ROC"),
@@ -101,8 +105,10 @@ constexpr std::array<MetricWords, 52> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "How far the findings lay from the lumps that they found, on the surface; the mean over all found.")},
     {"size_error", QT_TRANSLATE_NOOP("Metrics", "Size error"),
      QT_TRANSLATE_NOOP("Metrics", "How far the radius that was said was from the true one; the mean over all lumps found whose size was said.")},
+    {"size_error_by_chance", QT_TRANSLATE_NOOP("Metrics", "Size error by chance"),
+     QT_TRANSLATE_NOOP("Metrics", "The size error of somebody who feels nothing and always says the middle size. A size error that is not smaller shows no skill.")},
     {"hardness_order", QT_TRANSLATE_NOOP("Metrics", "Hardness order"),
-     QT_TRANSLATE_NOOP("Metrics", "Of the pairs of lumps found in a trial, how many had the harder one called harder, in %.")},
+     QT_TRANSLATE_NOOP("Metrics", "Of the pairs of lumps found in a trial, how many had the harder one called harder, in %. By chance it is 50 % or less.")},
     {"coverage", QT_TRANSLATE_NOOP("Metrics", "Area covered"),
      QT_TRANSLATE_NOOP("Metrics", "How much of the search area was pressed hard enough to find something; the mean over the trials.")},
     {"force_band_time", QT_TRANSLATE_NOOP("Metrics", "Time in the force band"),

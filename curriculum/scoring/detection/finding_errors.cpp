@@ -40,6 +40,14 @@ ErrorSum sizeErrors(const PalpationTruth& truth, const core::FindingsBook& findi
     return errors;
 }
 
+std::vector<double> saidSizes(const PalpationTruth& truth, const core::FindingsBook& findings, const std::vector<FindingMatch>& matches) {
+    std::vector<double> radii_m;
+    for (const FindingMatch& match : matches)
+        if (match.hit() && findingOf(findings, match).radius_m > 0.0)
+            radii_m.push_back(lumpOf(truth, match).radius_m);
+    return radii_m;
+}
+
 HardnessPairs hardnessPairs(const PalpationTruth& truth, const core::FindingsBook& findings,
                             const std::vector<FindingMatch>& matches) {
     std::vector<std::pair<int, int>> rated; // true, said

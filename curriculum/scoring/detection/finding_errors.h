@@ -18,6 +18,9 @@ ErrorSum localisationErrors(const std::vector<FindingMatch>& matches);
 /// |reported − true radius| of hits whose size was said, m.
 ErrorSum sizeErrors(const PalpationTruth& truth, const core::FindingsBook& findings, const std::vector<FindingMatch>& matches);
 
+/// The true radii of the hits whose size was said, m.
+std::vector<double> saidSizes(const PalpationTruth& truth, const core::FindingsBook& findings, const std::vector<FindingMatch>& matches);
+
 /// Pairs of lumps of different hardness that were found and rated, in one trial.
 struct HardnessPairs {
     int right = 0; ///< the harder one was called harder; alike is not right

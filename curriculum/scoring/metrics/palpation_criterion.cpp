@@ -6,11 +6,11 @@ namespace chiron::scoring {
 namespace {
 
 Measurement measurePalpationCriterion(std::span<const PreparedTrial> trials) {
-    const auto [answers, undefined] = judged(trials);
-    if (undefined)
-        return *undefined;
-    const core::DetectionCounts counts = countsOf(answers);
-    return core::isUsable(counts) ? Measurement::of(core::criterion(counts)) : tooFewRegions(counts);
+    return ofRegions(trials, [](const core::DetectionCounts& counts) { return core::criterion(counts); });
+}
+
+Measurement measurePalpationCriterion2(std::span<const PreparedTrial> trials) {
+    return ofRegions(trials, [](const core::DetectionCounts& counts) { return core::weightedCriterion(counts); });
 }
 
 } // namespace
@@ -27,6 +27,14 @@ MetricDefinition palpationCriterionMetric() {
                           "regions of either kind.",
             .source = "models.md §6; Hautus 1995; Macmillan & Creelman 2005, eq. 2.1",
             .measure = measurePalpationCriterion};
+}
+
+MetricDefinition palpationCriterionMetric2() {
+    MetricDefinition metric = palpationCriterionMetric();
+    metric.version = 2;
+    metric.definition = "c = -1/2 (z(H) + z(F)) with the rates of palpation_d_prime 2; above 0: rather no; absent below 20 regions of either kind.";
+    metric.measure = measurePalpationCriterion2;
+    return metric;
 }
 
 } // namespace chiron::scoring

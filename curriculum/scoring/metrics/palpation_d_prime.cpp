@@ -6,11 +6,11 @@ namespace chiron::scoring {
 namespace {
 
 Measurement measurePalpationDPrime(std::span<const PreparedTrial> trials) {
-    const auto [answers, undefined] = judged(trials);
-    if (undefined)
-        return *undefined;
-    const core::DetectionCounts counts = countsOf(answers);
-    return core::isUsable(counts) ? Measurement::of(core::dPrime(counts)) : tooFewRegions(counts);
+    return ofRegions(trials, [](const core::DetectionCounts& counts) { return core::dPrime(counts); });
+}
+
+Measurement measurePalpationDPrime2(std::span<const PreparedTrial> trials) {
+    return ofRegions(trials, [](const core::DetectionCounts& counts) { return core::weightedDPrime(counts); });
 }
 
 } // namespace
@@ -27,6 +27,15 @@ MetricDefinition palpationDPrimeMetric() {
                           "(false alarms + 1/2)/(regions without + 1); absent below 20 of either kind.",
             .source = "models.md §6; Hautus 1995; Macmillan & Creelman 2005, eq. 1.5",
             .measure = measurePalpationDPrime};
+}
+
+MetricDefinition palpationDPrimeMetric2() {
+    MetricDefinition metric = palpationDPrimeMetric();
+    metric.version = 2;
+    metric.definition = "d' = z(H) - z(F) over the regions of all trials; with p the share of regions with a lump, H = (hits + p)/(regions with a lump + 2p), F = "
+                        "(false alarms + 1 - p)/(regions without + 2(1 - p)): 0 for who says nothing; absent below 20 of either kind.";
+    metric.measure = measurePalpationDPrime2;
+    return metric;
 }
 
 } // namespace chiron::scoring

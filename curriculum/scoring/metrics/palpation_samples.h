@@ -54,6 +54,15 @@ inline Measurement tooFewRegions(const core::DetectionCounts& n) {
                                   " without: " + std::to_string(core::kUsableCounts) + " of each are needed");
 }
 
+/// `measure` of the regions of all trials, once there are enough of them.
+template <class Measure> Measurement ofRegions(std::span<const PreparedTrial> trials, Measure&& measure) {
+    const auto [answers, undefined] = judged(trials);
+    if (undefined)
+        return *undefined;
+    const core::DetectionCounts counts = countsOf(answers);
+    return core::isUsable(counts) ? Measurement::of(measure(counts)) : tooFewRegions(counts);
+}
+
 /// Calls visit(force on the tissue in N, beginning in s, end in s) for each unpaused sample of each finger that presses (over
 /// 0.02 N); a sample's force holds until that finger's next one.
 template <class Visit> void forEachPress(const PreparedTrial& trial, Visit&& visit) {

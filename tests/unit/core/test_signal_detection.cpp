@@ -22,6 +22,7 @@ private slots:
     void publishedExamples();
     void peersOfOtherDesigns();
     void logLinearCorrection();
+    void whoFeelsNothingHasNone();
     void standardErrorByHand();
     void intervalCoversTheTruth();
 };
@@ -91,6 +92,26 @@ void TestSignalDetection::logLinearCorrection() {
     DetectionCounts sum{1, 2, 3, 4};
     sum += {10, 20, 30, 40};
     QVERIFY((sum == DetectionCounts{11, 22, 33, 44}));
+}
+
+/// Always no, always yes: d′ = 0 at every base rate; with equal numbers the weighted correction is the plain one; mirrored answers, mirrored d′.
+void TestSignalDetection::whoFeelsNothingHasNone() {
+    for (const int ofSignal : {1, 20, 60, 500})
+        for (const int ofNoise : {1, 20, 160, 3000}) {
+            QVERIFY(isNear(weightedDPrime({0, ofSignal, 0, ofNoise}), 0.0, 1e-12));
+            QVERIFY(isNear(weightedDPrime({ofSignal, ofSignal, ofNoise, ofNoise}), 0.0, 1e-12));
+            const DetectionCounts best{ofSignal, ofSignal, 0, ofNoise}, worst{0, ofSignal, ofNoise, ofNoise};
+            QVERIFY(weightedDPrime(best) > 0.0 && isNear(weightedDPrime(best), -weightedDPrime(worst), 1e-12));
+            const auto interval = weightedDPrimeInterval({0, ofSignal, 0, ofNoise});
+            QVERIFY(interval.low < 0.0 && interval.high > 0.0);
+        }
+    for (int hits = 0; hits <= 20; ++hits) {
+        const DetectionCounts equal{hits, 20, 7, 20};
+        QVERIFY(isNear(weightedDPrime(equal), dPrime(equal), 1e-12));
+        QVERIFY(isNear(weightedCriterion(equal), criterion(equal), 1e-12));
+        QVERIFY(isNear(weightedDPrimeInterval(equal).low, dPrimeInterval(equal).low, 1e-12));
+    }
+    QCOMPARE(weightedDPrime(DetectionCounts{}), 0.0);
 }
 
 /// By hand with H = 20.5/26 and F = 10.5/26: φ(z(H)) = 0.289438, φ(z(F)) = 0.387298; var = H(1−H)/(25·0.083774) +

@@ -27,8 +27,8 @@ Measurement metricOf(const SessionTrace& trace, const std::string& id) {
         return Measurement::undefined(card.error().message);
     return {card->metrics.front().value, card->metrics.front().reason};
 }
-double valueOf(const std::vector<TrialTrace>& trials, const std::string& id) {
-    return metricOf(palpationSession(trials), id).value.value_or(std::nan(""));
+double valueOf(const std::vector<TrialTrace>& trials, const std::string& id, int version = 0) {
+    return metricOf(palpationSession(trials), id, version).value.value_or(std::nan(""));
 }
 QString reasonOf(const std::vector<TrialTrace>& trials, const std::string& id) {
     return QString::fromStdString(metricOf(palpationSession(trials), id).reason);
@@ -115,11 +115,18 @@ private slots:
     /// 20 lumps in 20 trials of nine regions: 15 found, 8 of 160 lump-free regions with a false alarm.
     void sensitivity() {
         const auto trials = oneLumpEach(20, 15, 8);
-        const double zH = core::normalQuantile(15.5 / 21.0);
-        const double zF = core::normalQuantile(8.5 / 161.0);
+        double zH = core::normalQuantile(15.5 / 21.0);
+        double zF = core::normalQuantile(8.5 / 161.0);
         QVERIFY(isNear(zH, 0.6375, 1e-4) && isNear(zF, -1.6183, 1e-4)); // by a table
+        QVERIFY(isNear(valueOf(trials, "palpation_d_prime", 1), zH - zF, 1e-12));
+        QVERIFY(isNear(valueOf(trials, "palpation_criterion", 1), -0.5 * (zH + zF), 1e-12));
+        // version 2: one region in nine has a lump
+        zH = core::normalQuantile((15.0 + 1.0 / 9.0) / (20.0 + 2.0 / 9.0));
+        zF = core::normalQuantile((8.0 + 8.0 / 9.0) / (160.0 + 16.0 / 9.0));
         QVERIFY(isNear(valueOf(trials, "palpation_d_prime"), zH - zF, 1e-12));
         QVERIFY(isNear(valueOf(trials, "palpation_criterion"), -0.5 * (zH + zF), 1e-12));
+        QVERIFY(isNear(0.5 * (valueOf(trials, "palpation_d_prime_low") + valueOf(trials, "palpation_d_prime_high")), zH - zF, 1e-12));
+        QVERIFY(valueOf(trials, "palpation_d_prime_low") > 1.0); // it was felt
         // sure of every hit, guessed every false alarm: ¾ straight up, then to (0.05, 0.75), then to (1, 1)
         QVERIFY(isNear(valueOf(trials, "palpation_roc_area"), 0.05 * 0.75 + 0.95 * 0.875, 1e-12));
     }
@@ -127,8 +134,11 @@ private slots:
     void sensitivityOfExtremes() {
         const double z = core::normalQuantile(20.5 / 21.0);
         const double none = core::normalQuantile(0.5 / 161.0);
-        QVERIFY(isNear(valueOf(oneLumpEach(20, 20, 0), "palpation_d_prime"), z - none, 1e-12)); // all right
-        QVERIFY(isNear(valueOf(oneLumpEach(20, 0, 0), "palpation_d_prime"), -z - none, 1e-12)); // no marks
+        QVERIFY(isNear(valueOf(oneLumpEach(20, 20, 0), "palpation_d_prime", 1), z - none, 1e-12)); // all right
+        QVERIFY(isNear(valueOf(oneLumpEach(20, 0, 0), "palpation_d_prime", 1), -z - none, 1e-12)); // no marks: version 1 has 0.67
+        const auto silent = oneLumpEach(20, 0, 0);
+        QVERIFY(isNear(valueOf(silent, "palpation_d_prime"), 0.0, 1e-12)); // who says nothing shows nothing
+        QVERIFY(valueOf(silent, "palpation_d_prime_low") < 0.0 && valueOf(silent, "palpation_d_prime_high") > 0.0);
         QCOMPARE(reasonOf(oneLumpEach(20, 0, 0), "palpation_roc_area"), QString("nobody said how sure a finding is"));
     }
 

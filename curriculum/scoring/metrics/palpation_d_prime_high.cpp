@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scoring/metrics/palpation_samples.h"
+
+namespace chiron::scoring {
+
+namespace {
+
+Measurement measurePalpationDPrimeHigh(std::span<const PreparedTrial> trials) {
+    return ofRegions(trials, [](const core::DetectionCounts& counts) { return core::weightedDPrimeInterval(counts).high; });
+}
+
+} // namespace
+
+MetricDefinition palpationDPrimeHighMetric() {
+    return {.id = "palpation_d_prime_high",
+            .version = 1,
+            .unit = "",
+            .direction = Direction::neutral,
+            .wrench = MetricWrench::none,
+            .aggregate = Aggregate::pooled,
+            .tools = MetricTools::first,
+            .definition = "The upper end of the 95 % interval of palpation_d_prime 2, by the delta method.",
+            .source = "Gourevitch & Galanter 1967; Macmillan & Creelman 2005, eq. 13.4",
+            .measure = measurePalpationDPrimeHigh};
+}
+
+} // namespace chiron::scoring

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scoring/metrics/palpation_samples.h"
+
+#include "scoring/detection/finding_errors.h"
+#include "scoring/median.h"
+
+#include <cmath>
+
+namespace chiron::scoring {
+
+namespace {
+
+/// The median of the true radii is the answer that is best if it is always the same.
+Measurement measureSizeErrorByChance(std::span<const PreparedTrial> trials) {
+    const auto [answers, undefined] = judged(trials);
+    if (undefined)
+        return *undefined;
+    std::vector<double> radii_m;
+    for (const PalpationAnswer& answer : answers)
+        for (const double radius_m : saidSizes(answer.truth, answer.findings, answer.matches))
+            radii_m.push_back(radius_m);
+    if (radii_m.empty())
+        return Measurement::undefined("of no lump that was found the size was said");
+    const double best_m = median(radii_m);
+    double sum_m = 0.0;
+    for (const double radius_m : radii_m)
+        sum_m += std::abs(radius_m - best_m);
+    return Measurement::of(1e3 * sum_m / static_cast<double>(radii_m.size()));
+}
+
+} // namespace
+
+MetricDefinition sizeErrorByChanceMetric() {
+    return {.id = "size_error_by_chance",
+            .version = 1,
+            .unit = "mm",
+            .direction = Direction::neutral,
+            .wrench = MetricWrench::none,
+            .aggregate = Aggregate::pooled,
+            .tools = MetricTools::first,
+            .definition = "size_error of one who says the median of the true radii of every lump whose size was said: what feeling nothing gives.",
+            .source = "our definition",
+            .measure = measureSizeErrorByChance};
+}
+
+} // namespace chiron::scoring
