@@ -20,8 +20,8 @@ namespace {
 
 bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 
-Measurement metricOf(const SessionTrace& trace, const std::string& id) {
-    const std::vector<MetricRequest> wanted{{id, 1}};
+Measurement metricOf(const SessionTrace& trace, const std::string& id, int version = 0) {
+    const std::vector<MetricRequest> wanted{{id, version}};
     const auto card = calculateScore(trace, wanted, {}, true);
     if (!card)
         return Measurement::undefined(card.error().message);
