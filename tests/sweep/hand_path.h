@@ -46,8 +46,8 @@ private:
     std::unique_ptr<devices::IToolKinematics> m_kinematics;
 };
 
-/// One tool that goes from pose to pose, straight on, each way begun and ended at rest, at up to 0.3 m/s and 3 rad/s; its jaws open and
-/// close on the way.
+/// One tool that goes from pose to pose, straight on, each way begun and ended at rest and at an even speed between, up to 0.3 m/s and
+/// 3 rad/s; its jaws open and close on the way.
 class HandPath {
 public:
     static constexpr double kFastest_m_per_s = 0.3;
@@ -66,8 +66,8 @@ public:
         if (m_t >= m_duration_s)
             begin(lure, touching);
         m_t += core::kTickSeconds;
-        const double x = std::min(1.0, m_t / m_duration_s), s = x * x * (3.0 - 2.0 * x);
-        const double rate = x < 1.0 ? 6.0 * x * (1.0 - x) / m_duration_s : 0.0;
+        const double x = std::min(1.0, m_t / m_duration_s), s = wayAt(x);
+        const double rate = x < 1.0 ? speedAt(x) / m_duration_s : 0.0;
         m_now.p_WT = m_from.p_WT + s * (m_to.p_WT - m_from.p_WT);
         m_now.v_WT = rate * (m_to.p_WT - m_from.p_WT);
         m_now.q_WT = m_from.q_WT.slerp(s, m_to.q_WT);
@@ -79,6 +79,19 @@ public:
     const core::ToolState& now() const { return m_now; }
 
 private:
+    static constexpr double kRamp = 0.2; ///< of a way's time, at either end
+    static constexpr double kMost = 1.0 / (1.0 - kRamp); ///< of speed over mean speed
+    static double speedAt(double x) {
+        const double u = std::min({1.0, x / kRamp, (1.0 - x) / kRamp});
+        return kMost * u * u * (3.0 - 2.0 * u);
+    }
+    static double wayAt(double x) {
+        if (x > 0.5)
+            return 1.0 - wayAt(1.0 - x);
+        const double u = x / kRamp;
+        return kMost * (x < kRamp ? kRamp * u * u * u * (1.0 - 0.5 * u) : x - 0.5 * kRamp);
+    }
+
     void begin(const std::optional<core::Vec3>& lure, bool touching) {
         m_from = m_now;
         m_from.v_WT = m_from.w_WT = core::Vec3::Zero();
@@ -99,8 +112,8 @@ private:
             m_jaw_rad = m_random.below(2) == 0 ? m_jaw_rad : m_random.uniform(0.0, kOpen_rad);
         }
         const double speed = kFastest_m_per_s * std::pow(10.0, -m_random.uniform(0.0, 1.0)); // 0.03 to 0.3 m/s at its fastest
-        const double way_s = 1.5 * (m_to.p_WT - m_from.p_WT).norm() / speed;
-        const double turn_s = 1.5 * m_from.q_WT.angularDistance(m_to.q_WT) / kFastest_rad_per_s;
+        const double way_s = kMost * (m_to.p_WT - m_from.p_WT).norm() / speed;
+        const double turn_s = kMost * m_from.q_WT.angularDistance(m_to.q_WT) / kFastest_rad_per_s;
         m_duration_s = std::max({way_s, turn_s, 0.05});
         m_t = 0.0;
     }

@@ -45,6 +45,7 @@ struct ContentNumbers {
     double yield_N = 0.0;          ///< 0: never
     double fall_ms = 20.0;
     double bristle_N_per_m = 0.0;  ///< stick of friction: a stiffness across, which a scene does not report
+    double largest_Ns_per_m = 50.0; ///< b_max: with a change of speed a force may change by that much
     double damping_Ns_per_m = 0.0; ///< faded in over 0.5 mm: at a speed v a stiffness of b v / 0.5 mm
 };
 
@@ -84,6 +85,8 @@ public:
         m_result.level = level.exercise + "/" + std::to_string(level.number) + " " + level.id;
         m_result.limit_N = m_kind->forceLimit_N(level);
         m_result.yieldStated = m_numbers.yield_N > 0.0;
+        if (const auto* urethra = std::get_if<simulation::UrethraInsertionParameters>(&level.parameters))
+            wayInto(*urethra);
         if (m_result.yieldStated)
             m_result.yieldForce_N = m_numbers.yield_N;
     }
@@ -98,7 +101,15 @@ public:
     }
 
 private:
+    /// Nobody meets a meatus by chance: along the canal and out again.
+    void wayInto(const simulation::UrethraInsertionParameters& p) {
+        const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+        for (const double s_m : {-0.012, -0.004, 0.010, 0.030, 0.050, 0.070, 0.090, 0.110, line.length_m(), line.length_m() + 0.015})
+            m_wayIn.push_back(p.pose.pointToW(line.at(s_m).p_A));
+    }
+
     void appear(int path) {
+        m_wayAt = 0;
         m_setup.seed = m_settings.seed + static_cast<std::uint64_t>(path);
         m_scene = m_kind->makeScene(m_setup);
         m_in = {};
@@ -119,9 +130,14 @@ private:
     }
 
     /// A place that is worth going to: out again where tissue gave way, else a loose object, or where a tube may be held.
-    std::optional<Vec3> lure(std::size_t tool) const {
+    std::optional<Vec3> lure(std::size_t tool) {
         if ((m_out.contact[tool] & core::contact_bits::kThrough) != 0)
             return m_clear[tool];
+        if (!m_wayIn.empty()) { // from before the entrance to as deep as there is something, a stretch at a time
+            if ((m_in.tools.tools[tool].p_WT - m_wayIn[m_wayAt]).norm() < 0.001)
+                m_wayAt = (m_wayAt + 1) % m_wayIn.size();
+            return m_wayIn[m_wayAt];
+        }
         const core::LaparoscopyCues& cues = m_out.cues.laparoscopy;
         if (cues.bodies > 0)
             return Vec3(cues.body[0].p_W[0], cues.body[0].p_W[1], cues.body[0].p_W[2]);
@@ -175,7 +191,7 @@ private:
             if (before.known && !appeared) {
                 const Vec3 moved = tool.p_WT - before.p;
                 const double faded = m_numbers.damping_Ns_per_m * std::max(tool.v_WT.norm(), before.v.norm()) / 0.0005;
-                const double allowed = (stiffest + m_numbers.bristle_N_per_m + faded) * (moved.norm() + escaped);
+                const double allowed = m_numbers.largest_Ns_per_m * (tool.v_WT - before.v).norm() + (stiffest + m_numbers.bristle_N_per_m + faded) * (moved.norm() + escaped);
                 const double change = (force - before.force).norm();
                 if (((bits | m_bitsBefore[i]) & core::contact_bits::kThrough) != 0)
                     keep(m_result.fall, change - allowed - kSteepest * m_result.yieldForce_N / m_numbers.fall_ms, path, tick, i, tool.p_WT);
@@ -230,6 +246,8 @@ private:
     std::array<std::uint8_t, core::kMaxTools> m_bitsBefore{};
     std::array<Vec3, core::kMaxTools> m_clear{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; ///< where each touched nothing last
     std::array<Vec3, core::LaparoscopyCues::kMaxBodies> m_bodies{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    std::vector<Vec3> m_wayIn;
+    std::size_t m_wayAt = 0;
     double m_stiffnessBefore = 0.0;
     core::TrialPhase m_phaseBefore = core::TrialPhase::idle;
     bool m_open = false; ///< the books began with nothing stored
