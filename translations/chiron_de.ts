@@ -1135,8 +1135,8 @@ Einzelheiten: %2</translation>
         <translation>Gefundene Knoten</translation>
     </message>
     <message>
-        <source>Lumps that one of the findings was near enough to.</source>
-        <translation>Knoten, denen ein Fund nahe genug kam.</translation>
+        <source>Lumps that one of the findings was near enough to. A lump that was pressed harder than the limit does not count.</source>
+        <translation>Knoten, denen ein Fund nahe genug kam. Ein Knoten, auf den stärker als bis zur Grenze gedrückt wurde, zählt nicht.</translation>
     </message>
     <message>
         <source>Lumps missed</source>

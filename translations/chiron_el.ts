@@ -1135,8 +1135,8 @@ Details: %2</source>
         <translation>Όζοι που βρέθηκαν</translation>
     </message>
     <message>
-        <source>Lumps that one of the findings was near enough to.</source>
-        <translation>Όζοι στους οποίους κάποιο εύρημα ήταν αρκετά κοντά.</translation>
+        <source>Lumps that one of the findings was near enough to. A lump that was pressed harder than the limit does not count.</source>
+        <translation>Όζοι στους οποίους κάποιο εύρημα ήταν αρκετά κοντά. Ένας όζος που πιέστηκε πάνω από το όριο δεν μετρά.</translation>
     </message>
     <message>
         <source>Lumps missed</source>

@@ -49,7 +49,9 @@ namespace chiron::scoring {
     METRIC(weighingCorrectMetric)                                                                            \
     METRIC(criticalErrorsMetric)                                                                             \
     METRIC(palpationHitsMetric)                                                                              \
+    METRIC(palpationHitsMetric2)                                                                             \
     METRIC(palpationMissesMetric)                                                                            \
+    METRIC(palpationMissesMetric2)                                                                           \
     METRIC(palpationFalseAlarmsMetric)                                                                       \
     METRIC(palpationDPrimeMetric)                                                                            \
     METRIC(palpationDPrimeMetric2)                                                                           \
@@ -58,6 +60,7 @@ namespace chiron::scoring {
     METRIC(palpationCriterionMetric)                                                                         \
     METRIC(palpationCriterionMetric2)                                                                        \
     METRIC(palpationRocAreaMetric)                                                                           \
+    METRIC(palpationRocAreaMetric2)                                                                          \
     METRIC(localisationErrorMetric)                                                                          \
     METRIC(sizeErrorMetric)                                                                                  \
     METRIC(sizeErrorByChanceMetric)                                                                          \

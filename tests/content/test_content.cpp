@@ -145,7 +145,7 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
                                                   "tension_error_rms", "tension_error_sd", "time_in_band",
                                                   "over_stretches", "drops",
                                                   "squeeze_max", "squeeze_time_over_limit", "placement_error",
-                                                  "weighing_correct",
+                                                  "weighing_correct", "sparc", "ldlj",
                                                   "palpation_hits", "palpation_misses", "palpation_false_alarms",
                                                   "palpation_d_prime", "palpation_d_prime_low", "palpation_d_prime_high", "palpation_criterion",
                                                   "palpation_roc_area", "size_error_by_chance",

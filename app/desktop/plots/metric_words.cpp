@@ -86,7 +86,7 @@ constexpr std::array<MetricWords, 55> kMetrics{{
     {"weighing_correct", QT_TRANSLATE_NOOP("Metrics", "Heaviest found"),
      QT_TRANSLATE_NOOP("Metrics", "How often the heaviest object was laid into the target, in % of the trials.")},
     {"palpation_hits", QT_TRANSLATE_NOOP("Metrics", "Lumps found"),
-     QT_TRANSLATE_NOOP("Metrics", "Lumps that one of the findings was near enough to.")},
+     QT_TRANSLATE_NOOP("Metrics", "Lumps that one of the findings was near enough to. A lump that was pressed harder than the limit does not count.")},
     {"palpation_misses", QT_TRANSLATE_NOOP("Metrics", "Lumps missed"),
      QT_TRANSLATE_NOOP("Metrics", "Lumps that no finding was near enough to.")},
     {"palpation_false_alarms", QT_TRANSLATE_NOOP("Metrics", "False alarms"),

@@ -6,11 +6,11 @@ namespace chiron::scoring {
 namespace {
 
 Measurement measurePalpationCriterion(std::span<const PreparedTrial> trials) {
-    return ofRegions(trials, [](const core::DetectionCounts& counts) { return core::criterion(counts); });
+    return ofRegions(judged(trials), [](const core::DetectionCounts& counts) { return core::criterion(counts); });
 }
 
 Measurement measurePalpationCriterion2(std::span<const PreparedTrial> trials) {
-    return ofRegions(trials, [](const core::DetectionCounts& counts) { return core::weightedCriterion(counts); });
+    return ofRegions(judgedSafely(trials), [](const core::DetectionCounts& counts) { return core::weightedCriterion(counts); });
 }
 
 } // namespace

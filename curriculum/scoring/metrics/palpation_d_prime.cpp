@@ -6,11 +6,11 @@ namespace chiron::scoring {
 namespace {
 
 Measurement measurePalpationDPrime(std::span<const PreparedTrial> trials) {
-    return ofRegions(trials, [](const core::DetectionCounts& counts) { return core::dPrime(counts); });
+    return ofRegions(judged(trials), [](const core::DetectionCounts& counts) { return core::dPrime(counts); });
 }
 
 Measurement measurePalpationDPrime2(std::span<const PreparedTrial> trials) {
-    return ofRegions(trials, [](const core::DetectionCounts& counts) { return core::weightedDPrime(counts); });
+    return ofRegions(judgedSafely(trials), [](const core::DetectionCounts& counts) { return core::weightedDPrime(counts); });
 }
 
 } // namespace
@@ -33,7 +33,7 @@ MetricDefinition palpationDPrimeMetric2() {
     MetricDefinition metric = palpationDPrimeMetric();
     metric.version = 2;
     metric.definition = "d' = z(H) - z(F) over the regions of all trials; with p the share of regions with a lump, H = (hits + p)/(regions with a lump + 2p), F = "
-                        "(false alarms + 1 - p)/(regions without + 2(1 - p)): 0 for who says nothing; absent below 20 of either kind.";
+                        "(false alarms + 1 - p)/(regions without + 2(1 - p)): 0 for who says nothing; a lump pressed harder than the limit is not found; absent below 20 of either kind.";
     metric.measure = measurePalpationDPrime2;
     return metric;
 }

@@ -6,7 +6,7 @@ namespace chiron::scoring {
 namespace {
 
 Measurement measurePalpationDPrimeHigh(std::span<const PreparedTrial> trials) {
-    return ofRegions(trials, [](const core::DetectionCounts& counts) { return core::weightedDPrimeInterval(counts).high; });
+    return ofRegions(judgedSafely(trials), [](const core::DetectionCounts& counts) { return core::weightedDPrimeInterval(counts).high; });
 }
 
 } // namespace

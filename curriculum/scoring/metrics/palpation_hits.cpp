@@ -5,8 +5,8 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measurePalpationHits(std::span<const PreparedTrial> trials) {
-    const auto [answers, undefined] = judged(trials);
+Measurement measurePalpationHitsOf(const JudgedTrials& judgedTrials) {
+    const auto& [answers, undefined] = judgedTrials;
     if (undefined)
         return *undefined;
     if (lumpsOf(answers) == 0)
@@ -16,6 +16,9 @@ Measurement measurePalpationHits(std::span<const PreparedTrial> trials) {
         hits += answer.hits();
     return Measurement::of(hits);
 }
+
+Measurement measurePalpationHits(std::span<const PreparedTrial> trials) { return measurePalpationHitsOf(judged(trials)); }
+Measurement measurePalpationHits2(std::span<const PreparedTrial> trials) { return measurePalpationHitsOf(judgedSafely(trials)); }
 
 } // namespace
 
@@ -31,6 +34,17 @@ MetricDefinition palpationHitsMetric() {
                           "lump's radius where that is larger; the nearest pair first, each finding and lump once.",
             .source = "models.md §6; our matching",
             .measure = measurePalpationHits};
+}
+
+MetricDefinition palpationHitsMetric2() {
+    MetricDefinition metric = palpationHitsMetric();
+    metric.version = 2;
+    metric.wrench = MetricWrench::tissue;
+    metric.tools = MetricTools::all;
+    metric.needsForces = true;
+    metric.definition = "Lumps that were found, as in version 1, and at no time of the trial pressed harder than the level's limit within the same reach of their place.";
+    metric.measure = measurePalpationHits2;
+    return metric;
 }
 
 } // namespace chiron::scoring

@@ -5,8 +5,8 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measurePalpationMisses(std::span<const PreparedTrial> trials) {
-    const auto [answers, undefined] = judged(trials);
+Measurement measurePalpationMissesOf(const JudgedTrials& judgedTrials) {
+    const auto& [answers, undefined] = judgedTrials;
     if (undefined)
         return *undefined;
     if (lumpsOf(answers) == 0)
@@ -16,6 +16,9 @@ Measurement measurePalpationMisses(std::span<const PreparedTrial> trials) {
         misses += answer.misses();
     return Measurement::of(misses);
 }
+
+Measurement measurePalpationMisses(std::span<const PreparedTrial> trials) { return measurePalpationMissesOf(judged(trials)); }
+Measurement measurePalpationMisses2(std::span<const PreparedTrial> trials) { return measurePalpationMissesOf(judgedSafely(trials)); }
 
 } // namespace
 
@@ -30,6 +33,17 @@ MetricDefinition palpationMissesMetric() {
             .definition = "Lumps that no finding found (palpation_hits) by the trial's end.",
             .source = "models.md §6; our matching",
             .measure = measurePalpationMisses};
+}
+
+MetricDefinition palpationMissesMetric2() {
+    MetricDefinition metric = palpationMissesMetric();
+    metric.version = 2;
+    metric.wrench = MetricWrench::tissue;
+    metric.tools = MetricTools::all;
+    metric.needsForces = true;
+    metric.definition = "Lumps that were not found (palpation_hits 2) by the trial's end.";
+    metric.measure = measurePalpationMisses2;
+    return metric;
 }
 
 } // namespace chiron::scoring

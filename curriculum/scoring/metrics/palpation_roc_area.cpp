@@ -7,8 +7,8 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measurePalpationRocArea(std::span<const PreparedTrial> trials) {
-    const auto [answers, undefined] = judged(trials);
+Measurement measurePalpationRocAreaOf(const JudgedTrials& judgedTrials) {
+    const auto& [answers, undefined] = judgedTrials;
     if (undefined)
         return *undefined;
     RatingCounts ratings;
@@ -25,6 +25,9 @@ Measurement measurePalpationRocArea(std::span<const PreparedTrial> trials) {
     return Measurement::of(rocOf(ratings)->area);
 }
 
+Measurement measurePalpationRocArea(std::span<const PreparedTrial> trials) { return measurePalpationRocAreaOf(judged(trials)); }
+Measurement measurePalpationRocArea2(std::span<const PreparedTrial> trials) { return measurePalpationRocAreaOf(judgedSafely(trials)); }
+
 } // namespace
 
 MetricDefinition palpationRocAreaMetric() {
@@ -39,6 +42,17 @@ MetricDefinition palpationRocAreaMetric() {
                           "1, unrated and not reported; 0.5 says nothing, 1 is perfect; absent below 20 regions of either kind.",
             .source = "Macmillan & Creelman 2005, ch. 3",
             .measure = measurePalpationRocArea};
+}
+
+MetricDefinition palpationRocAreaMetric2() {
+    MetricDefinition metric = palpationRocAreaMetric();
+    metric.version = 2;
+    metric.wrench = MetricWrench::tissue;
+    metric.tools = MetricTools::all;
+    metric.needsForces = true;
+    metric.definition = "As version 1, but a lump pressed harder than the level's limit is not found (palpation_hits 2).";
+    metric.measure = measurePalpationRocArea2;
+    return metric;
 }
 
 } // namespace chiron::scoring

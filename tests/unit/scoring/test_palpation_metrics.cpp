@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Metrics of palpation on trials that were made up, each against a number worked out by hand.
+#include "core/contact_bits.h"
 #include "core/normal_distribution.h"
 #include "palpation_traces.h"
 #include "scoring/metric.h"
@@ -140,6 +141,37 @@ private slots:
         QVERIFY(isNear(valueOf(silent, "palpation_d_prime"), 0.0, 1e-12)); // who says nothing shows nothing
         QVERIFY(valueOf(silent, "palpation_d_prime_low") < 0.0 && valueOf(silent, "palpation_d_prime_high") > 0.0);
         QCOMPARE(reasonOf(oneLumpEach(20, 0, 0), "palpation_roc_area"), QString("nobody said how sure a finding is"));
+    }
+
+    /// Pressed over the limit (4 N) within reach of a lump: not found, nor in any region; beside it, or gently: found.
+    void pressedTooHardIsNotFound() {
+        const auto hard = [](double force_N, double x_m) {
+            MadeTrial trial({{0.02, 0.02}});
+            trial.found(0, 0.02, 0.021).press(0, 50, 60, force_N);
+            TrialTrace made = trial;
+            for (std::size_t i = 0; i < made.tools[0].p_WT_m.size(); ++i)
+                made.tools[0].p_WT_m[i] = core::Vec3(x_m, 0.02, -0.006);
+            return made;
+        };
+        QCOMPARE(valueOf({hard(3.9, 0.02)}, "palpation_hits"), 1.0);
+        QCOMPARE(valueOf({hard(4.1, 0.02)}, "palpation_hits"), 0.0);
+        QCOMPARE(valueOf({hard(4.1, 0.02)}, "palpation_misses"), 1.0);
+        QCOMPARE(valueOf({hard(4.1, 0.02)}, "palpation_false_alarms"), 0.0);
+        QCOMPARE(valueOf({hard(4.1, 0.02)}, "palpation_hits", 1), 1.0);
+        QCOMPARE(valueOf({hard(4.1, -0.02)}, "palpation_hits"), 1.0); // elsewhere: the gate on time over the limit minds that
+        TrialTrace broken = hard(1.0, 0.02);
+        broken.tools[0].contact.assign(broken.tools[0].t_s.size(), 0);
+        broken.tools[0].contact[55] = core::contact_bits::kThrough;
+        QCOMPARE(valueOf({broken}, "palpation_hits"), 0.0);
+        auto all = oneLumpEach(20, 20, 0);
+        const double found = valueOf(all, "palpation_d_prime");
+        for (TrialTrace& trial : all)
+            for (ToolTrace& tool : trial.tools) {
+                tool.tissue_N[50] = core::Vec3(0.0, 0.0, 9.0);
+                for (core::Vec3& p : tool.p_WT_m)
+                    p = core::Vec3(0.0, 0.0, 0.0);
+            }
+        QVERIFY(valueOf(all, "palpation_d_prime") < found - 1.0);
     }
 
     void tooFew() {
