@@ -1,31 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/input_file.h"
 
+#include "catalogue/whole_file.h"
 #include "cli/messages.h"
 
 #include <QFile>
-#include <QFileInfo>
 #include <QJsonDocument>
 #include <cstdio>
 
 namespace chiron::cli {
 
-core::Result<QByteArray> readInputFile(const QString& path, qint64 largestBytes) {
-    const QFileInfo info(path);
-    if (!info.exists())
-        return core::fail(core::ErrorCode::notFound, path.toStdString() + ": no such file");
-    if (!info.isFile())
-        return badInput(
-            QStringLiteral("%1: is %2; expected a file")
-                .arg(path, info.isDir() ? QStringLiteral("a folder") : QStringLiteral("not a regular file")));
-    if (info.size() > largestBytes)
-        return badInput(
-            QStringLiteral("%1: %2 bytes; expected at most %3").arg(path).arg(info.size()).arg(largestBytes));
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return badInput(QStringLiteral("%1: cannot be read: %2").arg(path, file.errorString()));
-    return file.readAll();
-}
+core::Result<QByteArray> readInputFile(const QString& path, qint64 largestBytes) { return catalogue::readWholeFile(path, largestBytes); }
 
 core::Result<QByteArray> readStandardInput(qint64 largestBytes) {
     QFile input;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/backup_list.h"
 
+#include "catalogue/whole_file.h"
 #include "database/audit/site_key.h"
 #include "database/integrity/snapshot_check.h"
 #include "database/upkeep/manifest.h"
 #include "session/integrity_check.h"
 
 #include <QDir>
-#include <QFile>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
@@ -28,10 +29,10 @@ std::vector<BackupEntry> listBackups(const std::string& folder) {
     std::vector<BackupEntry> backups;
     const QDir directory(QString::fromStdString(folder));
     for (const QFileInfo& entry : directory.entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-        QFile file(entry.filePath() + QStringLiteral("/manifest.json"));
-        if (entry.fileName().endsWith(QLatin1String(".partial")) || !file.open(QIODevice::ReadOnly))
+        const auto text = catalogue::readWholeFile(entry.filePath() + QStringLiteral("/manifest.json"), database::kLargestManifest_bytes);
+        if (entry.fileName().endsWith(QLatin1String(".partial")) || !text)
             continue;
-        const QJsonObject manifest = QJsonDocument::fromJson(file.readAll()).object();
+        const QJsonObject manifest = QJsonDocument::fromJson(*text).object();
         if (manifest.value(QLatin1String("kind")).toString() != QLatin1String("backup"))
             continue;
         const QFileInfo copy(entry.filePath() + QLatin1Char('/') + QLatin1String(database::kSnapshotFile));

@@ -4,6 +4,7 @@
 #include "catalogue/json_scanner.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QStringDecoder>
 
@@ -47,14 +48,15 @@ qsizetype firstBadByte(const QByteArray& bytes) {
 
 } // namespace
 
-core::Result<JsonFile> JsonFile::read(const QString& path) {
+core::Result<JsonFile> JsonFile::read(const QString& path, qsizetype mebibytes) {
+    const QFileInfo info(path);
     QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
+    if ((info.exists() && !info.isFile()) || !file.open(QIODevice::ReadOnly))
         return core::fail(core::ErrorCode::notFound,
                           QStringLiteral("%1: %2: expected a file that can be read")
-                              .arg(path, file.errorString())
+                              .arg(path, info.exists() && !info.isFile() ? QStringLiteral("not a file") : file.errorString())
                               .toStdString());
-    return parse(file.read(kMebibyte + 1), path);
+    return parse(file.read(mebibytes * kMebibyte + 1), path, mebibytes);
 }
 
 core::Result<JsonFile> JsonFile::parse(const QByteArray& bytes, const QString& name, qsizetype mebibytes) {

@@ -19,8 +19,10 @@ namespace chiron::catalogue {
 class JsonFile {
 public:
     /// Failure (notFound, badInput): `file:line:column: ...: expected ...`.
-    static core::Result<JsonFile> read(const QString& path);
+    static core::Result<JsonFile> read(const QString& path, qsizetype mebibytes = 1);
     static core::Result<JsonFile> parse(const QByteArray& bytes, const QString& name, qsizetype mebibytes = 1);
+    /// So large is a mesh of as many vertices and triangles as content may hold (simulation::kMostStoredTriangles), or a level with one.
+    static constexpr qsizetype kMeshMebibytes = 8;
 
     const QJsonObject& root() const { return m_root; }
     const QString& name() const { return m_name; }

@@ -56,7 +56,7 @@ core::Result<void> NamedContent::readFolder(const QString& directory, const Kind
 }
 
 core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind, const Schema& file, const Schema& content) {
-    const auto json = JsonFile::read(path);
+    const auto json = JsonFile::read(path, JsonFile::kMeshMebibytes);
     if (!json)
         return tl::unexpected(json.error());
     const QString member = QLatin1String(kind.member);

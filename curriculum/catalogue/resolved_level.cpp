@@ -68,7 +68,7 @@ ExerciseLevel levelFromResolved(const QJsonObject& document, Problems& problems)
 
 core::Result<ExerciseLevel> fromResolvedJson(std::string_view json) {
     const QByteArray bytes(json.data(), static_cast<qsizetype>(json.size()));
-    const auto file = JsonFile::parse(bytes, QStringLiteral("stored content"));
+    const auto file = JsonFile::parse(bytes, QStringLiteral("stored content"), JsonFile::kMeshMebibytes);
     if (!file)
         return tl::unexpected(file.error());
     Problems problems;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/study_catalogue.h"
 
+#include "catalogue/whole_file.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/study_reader.h"
 
@@ -18,12 +19,14 @@ core::Result<StudyCatalogue> StudyCatalogue::load(const std::string& contentDire
     StudyCatalogue out;
     std::string faults;
     for (const QString& name : folder.entryList({"*.json"}, QDir::Files, QDir::Name)) {
-        QFile file(folder.filePath(name));
-        if (!file.open(QIODevice::ReadOnly))
-            return core::fail(core::ErrorCode::notFound, file.fileName().toStdString() + ": cannot be read");
-        auto study = readStudy(file.readAll(), file.fileName().toStdString());
+        constexpr qint64 kLargest_bytes = 1 << 20;
+        const QString path = folder.filePath(name);
+        const auto text = readWholeFile(path, kLargest_bytes);
+        if (!text)
+            return tl::unexpected(text.error());
+        auto study = readStudy(*text, path.toStdString());
         if (study && name != QString::fromStdString(study->id) + ".json")
-            study = core::fail(core::ErrorCode::badInput, file.fileName().toStdString() + ": $.id: \"" + study->id +
+            study = core::fail(core::ErrorCode::badInput, path.toStdString() + ": $.id: \"" + study->id +
                                                               "\": expected the name of its file");
         if (study)
             out.m_studies.push_back(*std::move(study));

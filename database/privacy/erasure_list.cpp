@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/privacy/erasure.h"
 
+#include "catalogue/whole_file.h"
+
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -28,14 +30,15 @@ QJsonObject jsonOf(const Erasure& erasure) {
 } // namespace
 
 core::Result<std::vector<Erasure>> readErasureList(const std::string& name) {
-    QFile file(QString::fromStdString(name));
-    if (!file.exists()) {
+    constexpr qint64 kLargest_bytes = 64 << 20; // 300 bytes an erasure
+    if (!QFile::exists(QString::fromStdString(name))) {
         return std::vector<Erasure>();
     }
-    if (!file.open(QIODevice::ReadOnly)) {
-        return core::fail(core::ErrorCode::storage, name + ": cannot be read");
+    const auto text = catalogue::readWholeFile(QString::fromStdString(name), kLargest_bytes);
+    if (!text) {
+        return tl::unexpected(text.error());
     }
-    const QJsonDocument document = QJsonDocument::fromJson(file.readAll());
+    const QJsonDocument document = QJsonDocument::fromJson(*text);
     if (!document.isArray()) {
         return core::fail(core::ErrorCode::badInput, name + ": expected a JSON array of erasures");
     }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/upkeep/manifest.h"
 
+#include "catalogue/whole_file.h"
+
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSaveFile>
@@ -22,7 +25,7 @@ std::string signatureOf(const QJsonObject& json, const SiteKey& key) {
 
 core::Result<std::string> fileDigest(const std::string& name) {
     QFile file(QString::fromStdString(name));
-    if (!file.open(QIODevice::ReadOnly)) {
+    if (!QFileInfo(file).isFile() || !file.open(QIODevice::ReadOnly)) { // a device has no end
         return core::fail(core::ErrorCode::storage, name + ": cannot be read");
     }
     RowDigest digest{};
@@ -63,11 +66,13 @@ core::Result<void> writeManifest(const std::string& folder, const Manifest& mani
 
 core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& key) {
     const std::string name = folder + "/manifest.json";
-    QFile file(QString::fromStdString(name));
-    if (!file.open(QIODevice::ReadOnly)) {
-        return core::fail(core::ErrorCode::notFound, name + ": there is no backup (no manifest)");
+    const auto text = catalogue::readWholeFile(QString::fromStdString(name), kLargestManifest_bytes);
+    if (!text) {
+        return text.error().code == core::ErrorCode::notFound
+                   ? core::fail(core::ErrorCode::notFound, name + ": there is no backup (no manifest)")
+                   : tl::unexpected(text.error());
     }
-    QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
+    QJsonObject json = QJsonDocument::fromJson(*text).object();
     const std::string signature = json.take("signature").toString().toStdString();
     if (json.isEmpty() || signature.empty()) {
         return core::fail(core::ErrorCode::badInput, name + ": malformed");

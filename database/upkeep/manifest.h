@@ -4,6 +4,7 @@
 #include "core/result.h"
 #include "database/audit/audit_trail.h"
 
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -20,6 +21,7 @@ struct Manifest {
 };
 
 inline constexpr const char* kSnapshotFile = "chiron.db";
+inline constexpr std::int64_t kLargestManifest_bytes = 16 << 20; ///< an export of 100,000 sessions
 inline constexpr const char* kErasuresFile = "erasures.json";
 
 core::Result<void> writeManifest(const std::string& folder, const Manifest& manifest, const SiteKey& key);

@@ -22,6 +22,7 @@ private slots:
     void refusedWithThePlace_data();
     void refusedWithThePlace();
     void importIsContent();
+    void aLargeImportIsContentToo();
     void idsAreChecked();
 
 private:
@@ -94,6 +95,10 @@ void TestCliMesh::refusedWithThePlace_data() {
     QTest::newRow("no number") << QByteArray("v 0 0 0\nv 1 x 0\n") << QStringList{"given.obj: line 2"};
     QTest::newRow("no vertex") << QByteArray::fromStdString(kTetrahedron + "f 1 4 9\n") << QStringList{"line 8"};
     QTest::newRow("neither") << QByteArray("hello\n") << QStringList{"OBJ or STL"};
+    const QByteArray binary = QByteArray::fromStdString(simulation::writeBinaryStl(organ()));
+    QTest::newRow("binary STL cut off") << binary.left(binary.size() - 7) << QStringList{QStringLiteral("byte %1").arg(binary.size() - 7), "cut off", "triangles"};
+    const QByteArray textual = QByteArray::fromStdString(simulation::writeStl(organ()));
+    QTest::newRow("STL as text, cut off") << textual.left(textual.size() / 2) << QStringList{"line "};
     QTest::newRow("empty") << QByteArray() << QStringList{"an empty file"};
 }
 
@@ -124,6 +129,25 @@ void TestCliMesh::importIsContent() {
     QCOMPARE(made->triangles().size(), organ().triangles.size());
     QVERIFY(std::abs(made->highest().x() - 0.020) < 1e-3);
     QCOMPARE(mesh->source, std::string("Imported from organ.obj."));
+}
+
+/// As large as content may be: what import prints every later read of the catalogue takes.
+void TestCliMesh::aLargeImportIsContentToo() {
+    simulation::MeshSource source;
+    source.shape = simulation::MeshSource::Shape::ellipsoid;
+    source.halfAxisX_m = source.halfAxisY_m = source.halfAxisZ_m = 0.060;
+    source.edge_m = 0.001;
+    const auto shape = simulation::makeMeshShape(source);
+    QVERIFY(shape.has_value());
+    QVERIFY2(shape->triangles.size() > 60'000 && shape->triangles.size() < 100'000, qPrintable(QString::number(shape->triangles.size())));
+    const CliRun run = runCli({"mesh", "import", file("large.obj", simulation::writeObj(*shape)), "--id", "large"});
+    QVERIFY2(run.exitCode == 0, run.err.constData());
+    QVERIFY(run.out.size() > 1 << 20);
+    const ContentCopy copy;
+    copy.write(QStringLiteral("meshes/large.json"), run.out);
+    const auto catalogue = catalogue::Catalogue::load(copy.directory());
+    QVERIFY2(catalogue.has_value(), catalogue ? "" : catalogue.error().message.c_str());
+    QVERIFY(catalogue->findMesh("large") != nullptr);
 }
 
 void TestCliMesh::idsAreChecked() {

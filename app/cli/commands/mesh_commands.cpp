@@ -42,9 +42,11 @@ core::Result<MeshImport> readMeshFile(const Arguments& arguments) {
     if (!file)
         return tl::unexpected(file.error());
     const std::string_view bytes(file->constData(), static_cast<std::size_t>(file->size()));
-    const auto guessed = simulation::guessMeshFormat(bytes);
-    MeshImport import = simulation::importMesh(bytes, guessed.value_or(bytes.substr(0, 5) == "solid" ? MeshFormat::stl : MeshFormat::obj),
-                                               *unit_m);
+    // A damaged file is judged as what its name or its beginning says that it is; only text can be OBJ.
+    const bool stl = bytes.substr(0, 5) == "solid" || path.endsWith(QLatin1String(".stl"), Qt::CaseInsensitive) ||
+                     bytes.substr(0, 4096).find('\0') != std::string_view::npos;
+    const auto format = simulation::guessMeshFormat(bytes).value_or(stl ? MeshFormat::stl : MeshFormat::obj);
+    MeshImport import = simulation::importMesh(bytes, format, *unit_m);
     const auto refused = std::find_if(import.report.findings.begin(), import.report.findings.end(),
                                       [](const MeshFinding& finding) { return !finding.repaired; });
     if (refused == import.report.findings.end())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/accounts/account_service.h"
+#include "catalogue/whole_file.h"
 #include "database/repositories/privacy_repository.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/people/add_person_dialog.h"
@@ -159,12 +160,12 @@ void PeopleScreen::askRoster() {
 }
 
 void PeopleScreen::importRoster(const QString& name) {
-    QFile file(name);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestRoster_bytes) {
+    const auto text = catalogue::readWholeFile(name, kLargestRoster_bytes);
+    if (!text) {
         context().messages().warning(tr("%1 cannot be read, or is too large for a list of people. Nothing was changed.").arg(QDir::toNativeSeparators(name)));
         return;
     }
-    open(new RosterDialog(context(), QFileInfo(name).fileName(), file.readAll().toStdString(), this));
+    open(new RosterDialog(context(), QFileInfo(name).fileName(), text->toStdString(), this));
 }
 
 } // namespace chiron::desktop

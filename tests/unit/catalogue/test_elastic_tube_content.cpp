@@ -78,7 +78,7 @@ void TestElasticTubeContent::everyLevelSaysWhatItGates() {
         const bool tension = p.task == TubeTask::hold || p.task == TubeTask::twoHanded;
         QCOMPARE(gates.contains("tension_error_rms"), tension);
         if (tension)
-            QCOMPARE(*gates["tension_error_rms"].maximum, p.band_N); // as far off as the band is wide
+            QVERIFY(*gates["tension_error_rms"].maximum <= p.band_N); // at most as far off as the band is wide
         QCOMPARE(gates.contains("time_in_band"), p.task != TubeTask::transfer);
         if (p.task != TubeTask::transfer)
             QVERIFY(*gates["time_in_band"].minimum >= 0.8 * p.hold_s && *gates["time_in_band"].minimum < p.hold_s);

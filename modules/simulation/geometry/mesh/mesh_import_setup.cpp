@@ -83,7 +83,7 @@ MeshImport importMesh(std::string_view bytes, MeshFormat format, double metresPe
     MeshReport report;
     if (!(metresPerUnit > 0.0) || !std::isfinite(metresPerUnit))
         report.add({MeshProblem::badNumber, "the unit", std::to_string(metresPerUnit) + " m", "more than 0"});
-    else if (!guessMeshFormat(bytes) && bytes.substr(0, 5) != "solid" && (format == MeshFormat::obj || bytes.size() < 84))
+    else if (!guessMeshFormat(bytes) && bytes.substr(0, 5) != "solid" && (format == MeshFormat::obj || bytes.empty()))
         report.add({MeshProblem::wrongFile, "the beginning", bytes.empty() ? "an empty file" : "neither OBJ nor STL", "OBJ or STL"});
     if (!report.usable()) {
         MeshImport out;
