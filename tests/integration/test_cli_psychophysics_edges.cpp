@@ -158,6 +158,8 @@ void TestCliPsychophysicsEdges::fitsOfWhatIsNotThere() {
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
     fault = refusalFault(runCli({"psychophysics", "fit", file("many.csv", head + "1,10,20\n2,15,1e12\n")}), 3, QStringList{"many.csv:3: column n_total", "at most 1e9"});
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    fault = refusalFault(runCli({"psychophysics", "fit", file("sum.csv", head + "1,10,20\n2,15,6e8\n3,15,6e8\n")}), 3, QStringList{"sum.csv:4: column n_total", "of all rows together"});
+    QVERIFY2(fault.isEmpty(), qPrintable(fault));
 }
 
 /// Rows that cannot be used are named by their lines; standard errors are told beside intervals.

@@ -55,6 +55,7 @@ core::Result<ReadLevels> readLevels(const QString& path) {
             return badInput(QStringLiteral("%1:1: column %2 is missing; expected intensity,n_correct,n_total").arg(path, names[i]));
     }
     ReadLevels read;
+    double trials = 0.0;
     std::vector<std::size_t> unusable;
     for (std::size_t row = 0; row < table->rows.size(); ++row) {
         std::array<double, 3> values{};
@@ -67,6 +68,9 @@ core::Result<ReadLevels> readLevels(const QString& path) {
         constexpr double kMostTrials = 1e9; // of a level: beyond, a posterior is narrower than any grid
         if (std::isfinite(values[2]) && values[2] > kMostTrials)
             return table->fault(row, columns[2], QStringLiteral("at most 1e9"));
+        trials += values[2] > 0.0 ? values[2] : 0.0;
+        if (trials > kMostTrials) // of all levels together, or the grid takes all memory
+            return table->fault(row, columns[2], QStringLiteral("at most 1e9 of all rows together"));
         read.data.x.push_back(values[0]);
         read.data.k.push_back(values[1]);
         read.data.n.push_back(values[2]);

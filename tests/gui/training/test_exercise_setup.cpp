@@ -72,7 +72,7 @@ void TestExerciseSetup::saysWhatIsAskedFor() {
     QVERIFY(bench.text("setup.objective").contains(QStringLiteral("highest point")));
     const QString gates = bench.text("setup.gates");
     QCOMPARE(gates.count(QLatin1Char('\n')), 3);
-    QVERIFY2(gates.contains(QStringLiteral("at most 9 % of the radius")), qPrintable(gates));
+    QVERIFY2(gates.contains(QStringLiteral("at most 10 % of the radius")), qPrintable(gates));
     QVERIFY2(gates.contains(QStringLiteral("at most 2 s")), qPrintable(gates));
     QVERIFY(!bench.desktop.find<QLabel>(QStringLiteral("setup.note"))->isVisibleTo(screen(bench)));
     tile(bench, QStringLiteral("setup.level.2"))->click();
