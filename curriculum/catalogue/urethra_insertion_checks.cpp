@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/urethra_insertion_content.h"
 
+#include "catalogue/yield_content.h"
 #include "core/units.h"
 #include "mechanisms/five_bar_plant_parameters.h"
 #include "simulation/exercises/urethra_insertion/procedure_plan.h"
@@ -121,6 +122,7 @@ private:
     }
 
     void forces() {
+        checkYield(m_p.yield, m_p.maximumForce_N, m_path, m_problems);
         if (m_p.anatomy.bladderRadius_m < 3.0 * m_p.endoscope.radius_m)
             add("bladder_radius_mm", mm(m_p.anatomy.bladderRadius_m),
                 QStringLiteral("at least three times the endoscope's radius, %1").arg(mm(3.0 * m_p.endoscope.radius_m)));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/urethra_insertion_content.h"
 
+#include "catalogue/yield_content.h"
+
 #include "core/units.h"
 
 #include <algorithm>
@@ -41,6 +43,8 @@ constexpr Number kNumbers[] = {
     {"viscosity_N_s_per_m2", [](Parameters& p) -> double& { return p.anatomy.viscosity_Ns_per_m2; }, 1.0},
     {"free_length_mm", [](Parameters& p) -> double& { return p.anatomy.freeLength_m; }, kMm},
     {"free_blend_mm", [](Parameters& p) -> double& { return p.anatomy.freeBlend_m; }, kMm},
+    {"free_hold_N_per_m", [](Parameters& p) -> double& { return p.anatomy.freeHold_N_per_m; }, 1.0},
+    {"meatus_radius_mm", [](Parameters& p) -> double& { return p.meatus_m; }, kMm},
     {"angular_stiffness_N_m_per_rad", [](Parameters& p) -> double& { return p.anatomy.angularStiffness_Nm_per_rad; }, 1.0},
     {"angular_corner_mm", [](Parameters& p) -> double& { return p.anatomy.angularCorner_m; }, kMm},
     {"bladder_radius_mm", [](Parameters& p) -> double& { return p.anatomy.bladderRadius_m; }, kMm},
@@ -126,6 +130,8 @@ void refuseUnknownKeys(const ObjectReader& parameters) {
         known.push_back(QLatin1String(key.name));
     for (const char* key : kOthers)
         known.push_back(QLatin1String(key));
+    for (const char* key : kYieldKeys)
+        known.push_back(QLatin1String(key));
     for (const QString& key : parameters.json().keys())
         if (std::find(known.begin(), known.end(), key) == known.end())
             parameters.problems().push_back({memberPath(parameters.path(), key), QStringLiteral("unknown key"),
@@ -145,6 +151,7 @@ ExerciseParameters readUrethraInsertion(const ObjectReader& parameters, const st
     for (const Flag& key : kFlags)
         if (parameters.has(QLatin1String(key.name)))
             key.in(p) = parameters.boolean(QLatin1String(key.name));
+    readYield(parameters, p.yield);
     if (parameters.has("tissue"))
         p.tissue = parameters.text("tissue");
     if (parameters.has("force_sections"))

@@ -159,7 +159,8 @@ void UrethraReferenceForces::springs(const Foot& f, ReferenceResponse& r, double
             W = B = 0.5 * (1.0 + std::cos(kPi * x / l));
             dW = dB = 0.5 * kPi / l * std::sin(kPi * x / l);
         }
-        opened += W * at.ds;
+        const double most = W * at.gap + at.a * B * std::sqrt(f.ex * f.ex + f.en * f.en);
+        opened += W * at.ds * std::min(1.0, std::max(0.0, most / 0.0005));
         for (std::size_t j = 0; j < m_cos.size(); ++j) {
             const double eu = f.ex * m_cos[j] + f.en * m_sin[j];
             const double d = W * at.gap + at.a * B * eu;
@@ -220,6 +221,16 @@ ReferenceResponse UrethraReferenceForces::respond(const simulation::EndoscopeMot
     slope += 0.5 * k1 * tilt + k * r.phiX * f.kappa;
     r.Tx = -k * r.phiX;
     r.Ty = -k * r.phiY;
+
+    const double off = std::sqrt(f.ex * f.ex + f.en * f.en) - 0.010; // what holds the free part
+    if (off > 0.0 && m_anatomy.freeHold_N_per_m > 0.0) {
+        const double hold = m_anatomy.freeHold_N_per_m, l = m_scope.beak_m, d = m_anatomy.freeBlend_m;
+        const double in = (f.s + l) / l, on = (f.s - m_anatomy.freeLength_m + d) / (2.0 * d);
+        r.U += 0.5 * hold * off * off * smooth(in) * (1.0 - smooth(on));
+        slope += 0.5 * hold * off * off * (smoothSlope(in) / l * (1.0 - smooth(on)) - smooth(in) * smoothSlope(on) / (2.0 * d));
+        gx += hold * off * smooth(in) * (1.0 - smooth(on)) * f.ex / (off + 0.010);
+        gn += hold * off * smooth(in) * (1.0 - smooth(on)) * f.en / (off + 0.010);
+    }
 
     Vec3 wall = Vec3::Zero();
     bladder(m.p_A, r, wall);

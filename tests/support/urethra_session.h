@@ -35,6 +35,9 @@ inline simulation::UrethraInsertionParameters standardInsertion() {
                    {"left_ureter", 58 * deg, -120 * deg},
                    {"dome", 20 * deg, -90 * deg}};
     p.trialLimit_s = 240.0;
+    p.meatus_m = 0.005;
+    p.anatomy.freeHold_N_per_m = 600.0;
+    p.yield = {8.0, 0.040};
     p.cues = {"object", "tool", "guidance", "overview"};
     return p;
 }

@@ -46,7 +46,8 @@ struct ContentNumbers {
     double fall_ms = 20.0;
     double bristle_N_per_m = 0.0;  ///< stick of friction: a stiffness across, which a scene does not report
     double largest_Ns_per_m = 50.0; ///< b_max: with a change of speed a force may change by that much
-    double damping_Ns_per_m = 0.0; ///< faded in over 0.5 mm: at a speed v a stiffness of b v / 0.5 mm
+    double damping_Ns_per_m = 0.0; ///< faded in with depth: at a speed v a stiffness of b v / fade_m at most
+    double fade_m = 0.0005;
 };
 
 ContentNumbers numbersOf(const catalogue::ExerciseLevel& level) {
@@ -57,6 +58,10 @@ ContentNumbers numbersOf(const catalogue::ExerciseLevel& level) {
     numbers.bristle_N_per_m = inContent(all, QStringLiteral("bristle_stiffness_N_per_m")).value_or(0.0);
     numbers.damping_Ns_per_m = inContent(all, QStringLiteral("damping_N_s_per_m")).value_or(0.0) +
                                inContent(all, QStringLiteral("viscosity_N_s_per_m")).value_or(0.0);
+    if (const auto* palpation = std::get_if<simulation::PalpationParameters>(&level.parameters)) {
+        numbers.damping_Ns_per_m = palpation->tissue.damping_Ns_per_m.maxCoeff();
+        numbers.fade_m = palpation->tissue.dampingDepth_m / kSteepest; // a smoothstep
+    }
     return numbers;
 }
 
@@ -190,7 +195,7 @@ private:
             Before& before = m_before[i];
             if (before.known && !appeared) {
                 const Vec3 moved = tool.p_WT - before.p;
-                const double faded = m_numbers.damping_Ns_per_m * std::max(tool.v_WT.norm(), before.v.norm()) / 0.0005;
+                const double faded = m_numbers.damping_Ns_per_m * std::max(tool.v_WT.norm(), before.v.norm()) / m_numbers.fade_m;
                 const double allowed = m_numbers.largest_Ns_per_m * (tool.v_WT - before.v).norm() + (stiffest + m_numbers.bristle_N_per_m + faded) * (moved.norm() + escaped);
                 const double change = (force - before.force).norm();
                 if (((bits | m_bitsBefore[i]) & core::contact_bits::kThrough) != 0)

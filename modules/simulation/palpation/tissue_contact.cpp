@@ -82,14 +82,20 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
         upwards_m * over.slope - (counted_m * counted_m / ((1.0 + slope2) * (1.0 + slope2))) * (over.curvature_per_m * over.slope);
     const core::Vec3 upright = k * core::Vec3(-sideways.x(), -sideways.y(), upwards_m);
     const double energy_J = 0.5 * k * (down_m * down_m - counted_m * counted_m * sigma);
+    // Second derivatives of U₂ and of the blend, bounded: with D = δ, H and h = ‖∇z‖, ∂²U₂ ≤ k (1 + h² + D H + 4 g h H + 4 g² H²).
+    const double bent = over.curvature_per_m.norm(), steep = std::sqrt(slope2);
+    double steepest = k * (1.0 + slope2 + down_m * bent + 4.0 * counted_m * steep * bent + 4.0 * counted_m * counted_m * bent * bent);
     if (w < 1.0) {
         const double slope_per_m = 6.0 * x * (1.0 - x) / span;
+        steepest = std::max(steepest, elastic.stiffness_N_per_m) + 6.0 / (span * span) * std::abs(energy_J - elastic.energy_J) +
+                   2.0 * slope_per_m * (upright - elastic.force).norm();
         elastic.force = (1.0 - w) * elastic.force + w * upright + ((energy_J - elastic.energy_J) * slope_per_m) * foot.normal;
         elastic.energy_J += w * (energy_J - elastic.energy_J);
     } else {
         elastic.force = upright;
         elastic.energy_J = energy_J;
     }
+    elastic.stiffness_N_per_m = std::max(elastic.stiffness_N_per_m, steepest);
     const core::Vec3 above = core::Vec3(-over.slope.x(), -over.slope.y(), 1.0).normalized();
     meeting.frame = ContactFrame::on(((1.0 - w) * foot.normal + w * above).normalized(), m_parameters.fibreDirection);
 }

@@ -153,7 +153,8 @@ ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, c
     response.depth_m = felt.depth_m;
     response.normalForce_N = felt.normalForce_N;
     response.energy_J = felt.energy_J;
-    response.stiffness_N_per_m = felt.stiffness_N_per_m;
+    // The force turns with the ball's nearest place, by 1/(R − d) a way; between facets by up to twice that.
+    response.stiffness_N_per_m = felt.stiffness_N_per_m + 2.0 * felt.force.norm() / std::max(m_deepest_m / kDeepestShare - felt.depth_m, m_deepest_m / kDeepestShare - m_deepest_m);
     if (holds > 0.0)
         response.surfacePoint = p_WT + felt.depth_m * turned(at.cosine, at.sine, place.normal);
     response.inContact = holds > 0.0;

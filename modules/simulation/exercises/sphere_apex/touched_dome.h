@@ -23,9 +23,9 @@ namespace chiron::simulation {
 /// who draws it makes the same mesh with makeMeshShape().
 MeshSource apexDomeSource(const SphereApexParameters& parameters);
 
-/// So deep, as a share of the radius, the dome's laws have their place: the force turns by at most 2.4 times what it changes on a
+/// So deep, as a share of the radius, the dome's laws have their place: the force turns by at most 1.5 times what it changes on a
 /// plane there (R/r − 1 of hemisphere_on_plane.h), and three quarters of the radius is where a mesh's field folds. Assumption.
-inline constexpr double kDeepestShare = 0.7;
+inline constexpr double kDeepestShare = 0.6;
 
 /// The surface that is touched in the sphere-apex levels mesh and organ: the generated dome on its plate, at rest or as the
 /// slow model has it, and beyond the plate the plane that it lies on. The plate's last millimetres blend into the plane, so that

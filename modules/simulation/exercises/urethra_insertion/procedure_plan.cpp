@@ -22,6 +22,7 @@ ProcedurePlan procedurePlan(const UrethraInsertionParameters& parameters) noexce
     const UrethraCentreline line(parameters.anatomy.curvature_per_m, parameters.anatomy.zEnd_m);
     ProcedurePlan plan;
     plan.beak_m = parameters.endoscope.beak_m;
+    plan.meatus_m = parameters.meatus_m;
     plan.neck_m = line.length_m();
     plan.goal_m = parameters.goalDepth_m > 0.0 ? parameters.goalDepth_m : plan.neck_m + kGoalBeyondNeck_m;
     plan.withdraws = parameters.withdraws;

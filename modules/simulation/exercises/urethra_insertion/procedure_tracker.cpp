@@ -22,6 +22,7 @@ ProcedureStep ProcedureTracker::advance(const ProcedureSample& now, std::uint64_
         return step;
     m_now_us += m_began ? dt_us : 0;
     measureSpeed(now.p_A);
+    m_gate.step(now.s_m, now.offset_m);
     if (m_stage == ProcedureStage::inspection)
         step.seenNow = look(now, m_began ? dt_us : 0);
     m_began = true;
@@ -33,7 +34,7 @@ ProcedureStep ProcedureTracker::advance(const ProcedureSample& now, std::uint64_
 }
 
 ProcedureStage ProcedureTracker::after(ProcedureStage stage, const ProcedureSample& now) const noexcept {
-    const bool inCanal = now.offset_m <= core::kCanalReach_m;
+    const bool inCanal = m_gate.inside() && now.offset_m <= core::kCanalReach_m;
     const bool allSeen = m_seen == (std::uint32_t{1} << m_plan.landmarks) - 1;
     switch (stage) {
     case ProcedureStage::outside:

@@ -3,6 +3,7 @@
 
 #include "core/endoscope_cues.h"
 #include "core/geometry.h"
+#include "simulation/exercises/urethra_insertion/meatus_gate.h"
 
 #include <array>
 #include <cstddef>
@@ -15,6 +16,7 @@ struct ProcedurePlan {
     static constexpr std::size_t kMaxLandmarks = 16;
 
     double beak_m = 0.010; ///< ℓ: inside from s > −ℓ on
+    double meatus_m = 0.0; ///< nearer than this to the centre-line there (MeatusGate); 0: anywhere
     double goal_m = 0.0;   ///< arc length of the tip that ends the insertion
     double neck_m = 0.0;   ///< L: landmarks are seen only with the tip beyond it, where nothing stands between
     bool withdraws = true;
@@ -45,7 +47,7 @@ struct ProcedureStep {
 ///
 /// Stages only go forward: *outside* until s > −ℓ; *insertion* until s ≥ goal; *inspection* (if there are landmarks) until all
 /// are seen; *withdrawal* (if asked for) until s < −ℓ; *completed*. A tip farther than core::kCanalReach_m from the
-/// centre-line neither enters nor reaches the goal: it is beside the canal. Out is out, wherever: past the entrance the
+/// centre-line neither enters nor reaches the goal: it is beside the canal, and so is one that did not come through the meatus. Out is out, wherever: past the entrance the
 /// canal hangs free and follows the shaft, and beside it nothing is in the patient.
 /// A landmark is seen when, in inspection and with the tip beyond the neck, it stayed within the half angle of the view's
 /// middle and nearer than the distance, with the tip no faster than the limit, for the holding time without a break. Any order counts.
@@ -56,7 +58,7 @@ class ProcedureTracker {
 public:
     static constexpr std::uint64_t kSpeedWindow_us = 100000;
 
-    explicit ProcedureTracker(const ProcedurePlan& plan) noexcept : m_plan(plan) {}
+    explicit ProcedureTracker(const ProcedurePlan& plan) noexcept : m_plan(plan), m_gate(plan.meatus_m, plan.beak_m) {}
 
     /// `dt_us`: since the last sample, pauses left out; the first one's is ignored. A pose that is not a number is passed over.
     ProcedureStep advance(const ProcedureSample& now, std::uint64_t dt_us) noexcept;
@@ -85,6 +87,7 @@ private:
     const Place& place(std::uint64_t number) const noexcept { return m_places[number % kPlaces]; }
 
     ProcedurePlan m_plan;
+    MeatusGate m_gate;
     core::ProcedureStage m_stage = core::ProcedureStage::outside;
     std::uint32_t m_seen = 0;
     std::array<std::uint64_t, ProcedurePlan::kMaxLandmarks> m_held_us{};

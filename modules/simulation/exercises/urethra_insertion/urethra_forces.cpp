@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/exercises/urethra_insertion/urethra_forces.h"
 
+#include "core/canal_reach.h"
 #include "simulation/exercises/urethra_insertion/urethra_forces_sections.h"
+#include "simulation/geometry/urethra/smoothstep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +36,30 @@ void orient(UrethraResponse& r, const core::Vec3& a, double k_phi) noexcept {
     const double tilt = r.torqueX_Nm * a.x() / square;
     const double turn = r.torqueY_Nm / std::sqrt(square);
     r.wrench_A.torque = core::Vec3(r.torqueX_Nm, turn * a.z() - tilt * a.y(), -turn * a.y() - tilt * a.z());
+}
+
+/// The free part follows the shaft, but it hangs on the body: beyond the reach it is held by ½ k (‖e‖ − reach)² w(s), with w from 0 at
+/// the first contact to 1 at the entrance, and back to 0 where the wall's own springs take over.
+struct FreeHold {
+    double energy_J = 0.0, slope_N = 0.0, stiffness_N_per_m = 0.0, axial_N_per_m = 0.0;
+    core::Vec2 gradient_N = core::Vec2::Zero();
+};
+
+FreeHold holdFreePart(const UrethraForces::Tables& tables, const CentrelineFoot& foot) noexcept {
+    FreeHold hold;
+    const double offset = std::sqrt(foot.ex_m * foot.ex_m + foot.en_m * foot.en_m), beyond = offset - core::kCanalReach_m;
+    if (!(tables.freeHold_N_per_m > 0.0 && beyond > 0.0))
+        return hold;
+    const double s = foot.at.s_m, in = 1.0 + s / tables.ahead_m, on = 0.5 + 0.5 * (s - tables.freeFrom_m) / tables.freeBlend_m;
+    const double rise = smoothstep(in), fall = 1.0 - smoothstep(on);
+    const double k = tables.freeHold_N_per_m, half = 0.5 * k * beyond * beyond;
+    hold.energy_J = half * rise * fall;
+    hold.slope_N = half * (smoothstepSlope(in) / tables.ahead_m * fall - rise * smoothstepSlope(on) * 0.5 / tables.freeBlend_m);
+    hold.gradient_N = k * beyond * rise * fall / offset * core::Vec2(foot.ex_m, foot.en_m);
+    hold.stiffness_N_per_m = k * rise * fall;
+    const double steep = 6.0 * (1.0 / (tables.ahead_m * tables.ahead_m) + 0.25 / (tables.freeBlend_m * tables.freeBlend_m)); // of smoothsteps
+    hold.axial_N_per_m = (in > 0.0 && in < 1.0) || (on > 0.0 && on < 1.0) ? half * steep : 0.0;
+    return hold;
 }
 
 } // namespace
@@ -74,13 +100,18 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
         return r;
     const UrethraSectionSums sums = sumUrethraSections(tables, at.s_m, r.foot.ex_m, r.foot.en_m);
     const double tilt2 = r.phiX_rad * r.phiX_rad + r.phiY_rad * r.phiY_rad;
-    r.energy_J = sums.energy_J + 0.5 * k_phi * tilt2 + bladder.energy_J;
-    const double slope = sums.slope_N + 0.5 * tables.angular.slope(at.s_m) * tilt2 +
+    const FreeHold hold = holdFreePart(tables, r.foot);
+    r.energy_J = sums.energy_J + hold.energy_J + 0.5 * k_phi * tilt2 + bladder.energy_J;
+    const double slope = sums.slope_N + hold.slope_N + 0.5 * tables.angular.slope(at.s_m) * tilt2 +
                          k_phi * r.phiX_rad * at.curvature_per_m; // ∂U/∂s_t: ψ turns by κ_c a metre
     r.elastic_N = -slope * r.foot.gradientOfS_A.dot(at.t_A);
-    r.lateral_A = -sums.gradient_N.x() * core::Vec3::UnitX() - sums.gradient_N.y() * at.n_A + bladder.force_A;
+    const core::Vec2 gradient = sums.gradient_N + hold.gradient_N;
+    r.lateral_A = -gradient.x() * core::Vec3::UnitX() - gradient.y() * at.n_A + bladder.force_A;
     r.normal_N = sums.normal_N;
-    r.stiffness_N_per_m = sums.stiffness_N_per_m + bladder.stiffness_N_per_m;
+    const double along2 = r.foot.gradientOfS_A.squaredNorm(), bent = std::abs(at.curvature_per_m);
+    const double axial_N_per_m = sums.axial_N_per_m + hold.axial_N_per_m + 0.5 * tilt2 * tables.angular.bend() +
+                                 2.0 * bent * std::abs(r.phiX_rad) * tables.angular.slope(at.s_m) + bent * bent * k_phi + 2.0 * bent * std::abs(slope);
+    r.stiffness_N_per_m = sums.stiffness_N_per_m + hold.stiffness_N_per_m + bladder.stiffness_N_per_m + along2 * axial_N_per_m;
 
     const double along = motion.v_A.dot(a);
     const double spin = motion.w_A.dot(a);

@@ -46,7 +46,7 @@ struct UrethraResponse {
     double torqueY_Nm = 0.0;  ///< T_y = −k_φ φ_y
     double torqueZ_Nm = 0.0;  ///< T_z, about the axis
     double energy_J = 0.0;    ///< U
-    double stiffness_N_per_m = 0.0; ///< an upper bound of the lateral stiffness now (springs and bladder), for the passivity credit
+    double stiffness_N_per_m = 0.0; ///< an upper bound of the stiffness of elastic forces now, across and along, for the passivity credit
     bool touching = false;    ///< the beak is in, or the bladder's wall is touched
 };
 

@@ -62,7 +62,7 @@ template <class Owner> struct Field {
     double maximum;
 };
 
-constexpr std::array<Field<UrethraAnatomy>, 15> kAnatomy{{
+constexpr std::array<Field<UrethraAnatomy>, 16> kAnatomy{{
     {&UrethraAnatomy::curvature_per_m, "curvature_per_m", "1/m", 0.1, 100.0},
     {&UrethraAnatomy::zEnd_m, "z_end_m", "m", 0.03, 0.3},
     {&UrethraAnatomy::radius_m, "radius_m", "m", 0.0005, 0.01},
@@ -78,6 +78,7 @@ constexpr std::array<Field<UrethraAnatomy>, 15> kAnatomy{{
     {&UrethraAnatomy::bladderStiffness_N_per_m, "bladder_stiffness_N_per_m", "N/m", 0.0, 10000.0},
     {&UrethraAnatomy::bladderOpening_rad, "bladder_opening_rad", "rad", 0.01, 1.5},
     {&UrethraAnatomy::bladderOpeningEdge_rad, "bladder_opening_edge_rad", "rad", 0.001, 1.5},
+    {&UrethraAnatomy::freeHold_N_per_m, "free_hold_N_per_m", "N/m", 0.0, 5000.0},
 }};
 constexpr std::size_t kAnatomyCount = kAnatomy.size();
 

@@ -44,6 +44,8 @@ inline SpringResult slack(const SpringSums& s, double A, double b, double beta) 
 }
 
 class Summation {
+    static constexpr double kLeastOpen = 1e-9; ///< of a window: energy is its square
+
 public:
     /// `centred`: the sums of all sections behind the tip as if it were centred.
     Summation(double ex_m, double en_m, double beta, const UrethraForcePassed& centred) noexcept
@@ -52,15 +54,19 @@ public:
     /// A section behind the tip, whose centre follows it by B.
     void addBehind(const UrethraForceSection& at, const UrethraForcePassed* centred, double B, double slopeOfB) noexcept {
         const double b = at.constrained * B * m_offset_m;
+        m_sums.length_m += at.step_m * touchingWeight(at.squeeze_m + b) - at.dragged_m;
         if (b > at.squeeze_m) {
             const SpringResult r = slack(m_springs.compressed(at.squeeze_m, b), at.squeeze_m, b, m_beta);
             m_sums.energy_J += at.stiffness_N_per_m * r.energy - (centred[1].energy_J - centred[0].energy_J);
             addNormal(at, at.stiffness_N_per_m * r.normal - (centred[1].normal_N - centred[0].normal_N));
             addLateral(at, r, B, slopeOfB);
+            const double moved_m = at.constrained * m_offset_m;
+            m_axialBehind += at.stiffness_N_per_m * moved_m * (moved_m * B * (1.0 - B) * r.alongSlope + 0.5 * std::abs(r.along));
             return;
         }
         const double follow = at.follow_N_per_m * B;
         m_followSquare += follow * B;
+        m_axialFollow += follow * (1.5 - B);
         m_followSlope += follow * slopeOfB;
         const double press = at.press_N_per_m2 * B * B;
         m_press += press;
@@ -74,21 +80,26 @@ public:
         const SpringResult r = b <= A ? taut(A, b, m_beta) : slack(m_springs.compressed(A, b), A, b, m_beta);
         const double N = at.stiffness_N_per_m * r.normal;
         m_sums.energy_J += at.stiffness_N_per_m * r.energy;
-        m_sums.length_m += W * at.step_m;
+        m_sums.length_m += W * at.step_m * touchingWeight(A + b);
         m_slope += slopeOfW * at.squeeze_m * N;
         addNormal(at, N);
         addLateral(at, r, W, slopeOfW);
+        if (W > kLeastOpen)
+            m_axialAhead += 3.0 * at.stiffness_N_per_m * r.energy * (1.5 - W) / W;
     }
 
-    UrethraSectionSums result() const noexcept {
+    /// The windows are cosines: W′² = (π/ℓ)² W(1 − W) and |W″| ≤ ½ (π/ℓ)², likewise B with ℓ_b, which bounds what a move along changes.
+    UrethraSectionSums result(double ahead_m, double behind_m) const noexcept {
         const double half2 = 0.5 * m_offset_m * m_offset_m;
         UrethraSectionSums sums;
         sums.energy_J = m_sums.energy_J + half2 * m_followSquare;
         sums.normal_N = std::max(0.0, m_sums.normal_N + half2 * m_press);
         sums.friction_N = std::max(0.0, m_sums.friction_N + half2 * m_pressFriction);
-        sums.opened_m = m_sums.length_m;
+        sums.opened_m = std::max(0.0, m_sums.length_m);
         sums.slope_N = m_slope + 2.0 * half2 * m_followSlope;
         sums.gradient_N = m_springs.inSection(m_along + m_offset_m * m_followSquare, m_across);
+        const double ahead2 = core::kPi * core::kPi / (ahead_m * ahead_m), behind2 = core::kPi * core::kPi / (behind_m * behind_m);
+        sums.axial_N_per_m = ahead2 * m_axialAhead + behind2 * (m_axialBehind + 2.0 * half2 * m_axialFollow);
         sums.stiffness_N_per_m = m_followSquare + std::max(m_alongSlope, m_acrossSlope) + m_coupling;
         return sums;
     }
@@ -117,6 +128,7 @@ private:
     double m_press = 0.0, m_pressFriction = 0.0;      ///< Σ press B², Σ μ press B²
     double m_slope = 0.0, m_along = 0.0, m_across = 0.0;
     double m_alongSlope = 0.0, m_acrossSlope = 0.0, m_coupling = 0.0;
+    double m_axialAhead = 0.0, m_axialBehind = 0.0, m_axialFollow = 0.0;
 };
 
 } // namespace
@@ -143,7 +155,7 @@ UrethraSectionSums sumUrethraSections(const UrethraForces::Tables& tables, doubl
         const double sine = at[i].sinAhead * cosA - at[i].cosAhead * sinA; // of π(s_i − s_t)/ℓ
         sum.addAhead(at[i], std::max(0.0, 0.5 + 0.5 * cosine), 0.5 * ahead * sine);
     }
-    return sum.result();
+    return sum.result(tables.ahead_m, tables.behind_m);
 }
 
 } // namespace chiron::simulation

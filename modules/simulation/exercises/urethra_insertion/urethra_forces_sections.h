@@ -10,10 +10,11 @@ struct UrethraSectionSums {
     double energy_J = 0.0;     ///< Σ k(½Δ² + ⅓βΔ³)
     double normal_N = 0.0;     ///< N
     double friction_N = 0.0;   ///< Σ μ_i N_i
-    double opened_m = 0.0;     ///< Σ W Δs
+    double opened_m = 0.0;     ///< Σ W c Δs, c: how far the wall touches (kTouching_m)
     double slope_N = 0.0;      ///< ∂/∂s_t of the energy at constant e
     core::Vec2 gradient_N = core::Vec2::Zero(); ///< ∂/∂e (along x̂, along n)
     double stiffness_N_per_m = 0.0; ///< bounds ∂²/∂e²: its greater diagonal entry plus the other one's coupling
+    double axial_N_per_m = 0.0;     ///< bounds ∂²/∂s_t² at constant e
 };
 
 /// `tip_s_m`: s_t; e of the tip in its section, m. Pure; haptic thread.

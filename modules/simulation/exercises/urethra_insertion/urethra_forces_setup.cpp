@@ -66,6 +66,7 @@ UrethraForceSection sectionAt(const Place& place, const UrethraWall& wall, doubl
     section.squeeze_m = wall.endoscope().radius_m - radius_m;
     section.friction = wall.friction(place.s_m);
     section.constrained = wall.constrained(place.s_m);
+    section.dragged_m = place.step_m * touchingWeight(section.squeeze_m);
     const double all = RadialSprings::kCount * section.stiffness_N_per_m * section.constrained * section.constrained;
     section.follow_N_per_m = all * (0.5 + beta * section.squeeze_m);
     section.press_N_per_m2 = all * beta;
@@ -83,7 +84,7 @@ UrethraForcePassed withSection(const UrethraForcePassed& before, const UrethraFo
     sum.energy_J += RadialSprings::kCount * section.stiffness_N_per_m * d * d * (0.5 + beta * d / 3.0);
     sum.normal_N += normal;
     sum.friction_N += section.friction * normal;
-    sum.length_m += section.step_m;
+    sum.length_m += section.dragged_m;
     return sum;
 }
 
@@ -108,6 +109,9 @@ UrethraForces::Tables::Tables(const UrethraCentreline& centreline, const Urethra
     scopeRadius_m = wall.endoscope().radius_m;
     stiffening_per_m = anatomy.wallStiffening_per_m;
     viscosity_Ns_per_m2 = anatomy.viscosity_Ns_per_m2;
+    freeHold_N_per_m = anatomy.freeHold_N_per_m;
+    freeFrom_m = anatomy.freeLength_m;
+    freeBlend_m = std::max(anatomy.freeBlend_m, kShortest_m);
     leastSpeed_m_per_s = std::max(kLeastSpeed_m_per_s, settings.count_m / kVelocityWindow_s);
     maximumDamping_Ns_per_m = settings.maximumDamping_Ns_per_m;
     angular = angularStiffness(anatomy, length_m);

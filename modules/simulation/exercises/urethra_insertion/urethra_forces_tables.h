@@ -17,6 +17,7 @@ struct UrethraForceSection {
     double squeeze_m = 0.0;         ///< r_e − r_u; negative: free play
     double friction = 0.0;          ///< μ
     double constrained = 0.0;       ///< a
+    double dragged_m = 0.0;         ///< c Δs with the tip centred and past
     /// While no spring of an opened section (W = 1) is slack, its sums over the springs are, with e² = |e|²B²: energy ½ e² `follow`,
     /// normal force ½ e² `press`, lateral force |e|B² `follow`, each on top of what the centred tip causes.
     double follow_N_per_m = 0.0;    ///< 16 k a² (½ + β(r_e − r_u))
@@ -30,8 +31,15 @@ struct UrethraForcePassed {
     double energy_J = 0.0;
     double normal_N = 0.0;
     double friction_N = 0.0; ///< Σ μN
-    double length_m = 0.0;   ///< Σ Δs
+    double length_m = 0.0;   ///< Σ c Δs
 };
+
+/// Drag sets in with contact: its weight c is the largest compression of a section's springs over this (models.md §0).
+inline constexpr double kTouching_m = 0.0005;
+
+inline double touchingWeight(double compression_m) noexcept {
+    return compression_m >= kTouching_m ? 1.0 : compression_m > 0.0 ? compression_m / kTouching_m : 0.0;
+}
 
 /// k_φ(s): 0 up to s_B, a straight rise that ends at L with the full value, corners rounded by parabolas over ± `corner_m`
 /// (the upper one lies at L − corner, so that k_φ(L) is the full value): C¹.
@@ -43,6 +51,7 @@ struct UrethraAngularStiffness {
 
     double value_Nm_per_rad(double s_m) const noexcept;
     double slope(double s_m) const noexcept; ///< dk_φ/ds, N·m/(rad·m)
+    double bend() const noexcept { return slope_Nm_per_rad_m / (2.0 * corner_m); } ///< the most of d²k_φ/ds²
 };
 
 /// Everything of UrethraForces that depends on anatomy, endoscope and settings alone. Immutable.
@@ -56,6 +65,8 @@ struct UrethraForces::Tables {
     UrethraBladder bladder;
     double stiffening_per_m = 0.0;     ///< β
     double viscosity_Ns_per_m2 = 0.0;  ///< b′
+    double freeHold_N_per_m = 0.0;
+    double freeFrom_m = 0.0, freeBlend_m = 0.0; ///< s_B, and a(s) over ± this
     double ahead_m = 0.0;              ///< ℓ
     double behind_m = 0.0;             ///< ℓ_b
     double scopeRadius_m = 0.0;        ///< r_e

@@ -5,6 +5,7 @@
 #include "simulation/exercises/urethra_insertion/urethra_forces.h"
 #include "simulation/geometry/urethra/urethra_anatomy.h"
 #include "simulation/geometry/urethra/urethra_surface.h"
+#include "simulation/yield.h"
 
 #include <string>
 #include <vector>
@@ -39,6 +40,8 @@ struct UrethraInsertionParameters {
     AnatomyPose pose;
 
     std::string tissue = "normal"; ///< name of the preset, for people: normal, tight, stricture
+    YieldLaw yield;           ///< when the wall gives way to a false passage; by default never
+    double meatus_m = 0.0;    ///< the shaft enters only this near to the centre-line (MeatusGate); 0: anywhere
     double goalDepth_m = 0.0; ///< insertion is done when the tip has been this far in; 0: the bladder neck C and 10 mm beyond
     bool withdraws = true;    ///< the trial ends outside again; false: at the goal (or the last landmark)
     std::vector<BladderLandmark> landmarks; ///< to be inspected after the goal; at most 16

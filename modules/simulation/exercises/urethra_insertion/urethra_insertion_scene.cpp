@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::uint64_t kLookEvery_ticks = 8; // 125 Hz: twice as often as a screen can show it
 constexpr std::uint64_t kTick_us = 1000;
+constexpr double kCheckedOffset_m = 0.006, kCheckedTilt_rad = core::kPi / 6.0; // each way; header
+constexpr double kRounding = 1.0 + 1e-9;
 
 bool isPose(const core::ToolState& tool) noexcept {
     return tool.p_WT.allFinite() && tool.v_WT.allFinite() && tool.w_WT.allFinite() && tool.q_WT.coeffs().allFinite() &&
@@ -48,6 +50,17 @@ void UrethraInsertionScene::sense(const core::ToolStates& tools) noexcept {
     m_motion.v_A = m_pose.vectorToA(tool.v_WT);
     m_motion.w_A = m_pose.vectorToA(tool.w_WT);
     m_response = m_forces.respond(m_motion);
+    if (m_phase != TrialPhase::running) // nothing is felt before the force's ramp: the canal is where the tip is brought in
+        m_gate.forget();
+    m_gate.step(m_response.foot.at.s_m, std::hypot(m_response.foot.ex_m, m_response.foot.en_m));
+}
+
+bool UrethraInsertionScene::beyondChecked() const noexcept {
+    const CentrelineFoot& foot = m_response.foot;
+    if (foot.at.s_m > m_tracker.plan().neck_m)
+        return (m_motion.p_A - m_bladderCentre_A).norm() > m_bladderReach_m;
+    return std::max(std::abs(foot.ex_m), std::abs(foot.en_m)) > kCheckedOffset_m * kRounding ||
+           std::max(std::abs(m_response.phiX_rad), std::abs(m_response.phiY_rad)) > kCheckedTilt_rad * kRounding;
 }
 
 void UrethraInsertionScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
@@ -109,16 +122,22 @@ void UrethraInsertionScene::answer(const core::ToolStates& tools, SceneOutput& o
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
         out.p_WProxy[i] = tools.tools[i].p_WT;
     const bool felt = m_sensed && patientPresent();
-    const bool touching = felt && m_response.touching;
+    const bool touching = felt && m_response.touching && m_gate.inside();
     if (touching != m_touching)
         out.events |= touching ? bits::kContactBegan : bits::kContactEnded;
     m_touching = touching;
-    if (!felt)
+    const double whole = m_yield.step(touching ? m_response.wrench_A.force.norm() : 0.0, !touching, core::kTickSeconds);
+    if (!touching)
         return;
-    out.tissue.tools[0].force = m_pose.vectorToW(m_response.wrench_A.force);
-    out.tissue.tools[0].torque = m_pose.vectorToW(m_response.wrench_A.torque);
-    out.storedEnergy_J = m_response.energy_J;
-    out.contactStiffness_N_per_m = m_response.stiffness_N_per_m;
+    namespace contact = core::contact_bits;
+    out.contact[0] = static_cast<std::uint8_t>((m_yield.yielded() ? contact::kYielded : 0) | (m_yield.through() ? contact::kThrough : 0) |
+                                               (m_yield.through() || beyondChecked() ? contact::kBeyondChecked : 0));
+    out.tissue.tools[0].force = whole * m_pose.vectorToW(m_response.wrench_A.force);
+    out.tissue.tools[0].torque = whole * m_pose.vectorToW(m_response.wrench_A.torque);
+    out.storedEnergy_J = whole * m_response.energy_J;
+    out.contactStiffness_N_per_m = whole * m_response.stiffness_N_per_m;
+    if (m_yield.through())
+        return; // drawn where it is: out of the canal
     const core::Vec3 drawn_A = m_drawn.at(m_motion.p_A, m_response.foot);
     if (drawn_A != m_motion.p_A)
         out.p_WProxy[0] = m_pose.pointToW(drawn_A);

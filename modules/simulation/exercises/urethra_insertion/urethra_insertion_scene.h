@@ -25,6 +25,11 @@ namespace chiron::simulation {
 /// - kStageChanged and kLandmarkSeen come from the ProcedureTracker, which is stepped by 1 ms at every running tick.
 /// - Clocks and tracker stand still while paused; contact still answers (the supervisor ramps).
 /// - Tool 0 is the endoscope; other tools touch nothing.
+/// - The shaft enters only through the meatus (MeatusGate): before it and beside the canal there is no force.
+/// - The wall gives way at the level's yield force: a false passage. What is felt then falls by TissueYield's curve, and there is
+///   nothing to feel until the tip is out of the patient again. Recorded as contact bits.
+/// - Checked (kBeyondChecked where not): 6 mm off the centre-line each way with 30° of tilt each way in the canal, and the bladder with
+///   2 mm of its wall (test_urethra_forces).
 ///
 /// Deterministic: the seed changes nothing (the anatomy is data). Thread: respond() haptic; construction anywhere. A session owns one.
 class UrethraInsertionScene final : public IScene {
@@ -41,6 +46,7 @@ public:
 
 private:
     void sense(const core::ToolStates& tools) noexcept;
+    bool beyondChecked() const noexcept;
     void advance(const SceneInput& in, SceneOutput& out) noexcept;
     void runTrial(SceneOutput& out) noexcept;
     bool patientPresent() const noexcept;
@@ -51,6 +57,10 @@ private:
 
     UrethraForces m_forces;
     AnatomyPose m_pose;
+    MeatusGate m_gate;
+    TissueYield m_yield;
+    core::Vec3 m_bladderCentre_A;
+    double m_bladderReach_m; ///< radius in which the bladder's law is checked
     DrawnTip m_drawn;
     LumenSight m_sight;
     ProcedureTracker m_tracker;

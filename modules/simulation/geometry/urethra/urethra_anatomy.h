@@ -34,6 +34,7 @@ struct UrethraAnatomy {
     double viscosity_Ns_per_m2 = 36.0;     ///< b′, per metre of canal
     double freeLength_m = 0.040;           ///< s_B: the canal before it is free to follow the shaft
     double freeBlend_m = 0.010;            ///< a(s) rises over s_B ± this
+    double freeHold_N_per_m = 0.0;         ///< what holds the free part to the body, beyond core::kCanalReach_m; 0: nothing
     double angularStiffness_Nm_per_rad = 0.2; ///< k_φ at L
     double angularCorner_m = 0.005;           ///< corners of k_φ(s) are rounded over ± this
     std::array<UrethraLocalChange, kMaxChanges> changes{};

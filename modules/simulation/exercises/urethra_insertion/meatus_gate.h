@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/canal_reach.h"
+
+#include <cmath>
+
+namespace chiron::simulation {
+
+/// Whether the shaft is in the canal, from poses alone: it enters only through the meatus, and is out as soon as its tip is before it
+/// again. The tip has to pass s = −ℓ, where the beak's end is at the entrance and every force is still 0, within `radius_m` of the
+/// centre-line; a tip that passes there farther off is beside the canal, wherever it goes then. A tip that lies behind that place
+/// before any movement was seen is in the canal within core::kCanalReach_m. A radius of 0: there is no meatus, all is canal.
+/// Deterministic, fixed size; any thread.
+class MeatusGate {
+public:
+    MeatusGate(double radius_m, double beak_m) noexcept : m_radius_m(radius_m), m_beak_m(beak_m) {}
+
+    /// The next place of the tip: arc length of its foot and distance from the centre-line. True: in the canal.
+    bool step(double s_m, double offset_m) noexcept {
+        if (!(m_radius_m > 0.0))
+            return m_inside = true;
+        if (s_m <= -m_beak_m) {
+            m_inside = false;
+        } else if (!m_known) {
+            m_inside = offset_m <= core::kCanalReach_m;
+        } else if (m_s_m <= -m_beak_m) {
+            const double x = (-m_beak_m - m_s_m) / (s_m - m_s_m);
+            m_inside = m_offset_m + x * (offset_m - m_offset_m) <= m_radius_m;
+        }
+        m_known = true;
+        m_s_m = s_m;
+        m_offset_m = offset_m;
+        return m_inside;
+    }
+    bool inside() const noexcept { return m_inside; }
+    void forget() noexcept { m_known = false; } ///< the next place is the first one
+
+private:
+    double m_radius_m;
+    double m_beak_m;
+    double m_s_m = 0.0;
+    double m_offset_m = 0.0;
+    bool m_known = false;
+    bool m_inside = false;
+};
+
+} // namespace chiron::simulation
