@@ -36,7 +36,7 @@ core::Result<std::vector<Erasure>> readErasureList(const std::string& name) {
     }
     const auto text = catalogue::readWholeFile(QString::fromStdString(name), kLargest_bytes);
     if (!text) {
-        return tl::unexpected(text.error());
+        return core::fail(core::ErrorCode::storage, text.error().message); // whatever stands there: the erasure can go on later
     }
     const QJsonDocument document = QJsonDocument::fromJson(*text);
     if (!document.isArray()) {

@@ -235,7 +235,7 @@ private slots:
         const std::string obj = writeObj(box()), stl = writeStl(box()), binary = writeBinaryStl(box());
         row("empty", "", true, MeshProblem::wrongFile, "the beginning");
         row("a picture", std::string("\x89PNG\r\n\x1a\n", 8) + std::string(500, 'x'), true, MeshProblem::wrongFile, "the beginning");
-        row("a picture called STL", std::string("\x89PNG\r\n\x1a\n", 8) + std::string(50, 'x'), false, MeshProblem::wrongFile, "the beginning");
+        row("a picture called STL", std::string("\x89PNG\r\n\x1a\n", 8) + std::string(50, 'x'), false, MeshProblem::truncated, "byte 58"); // an STL file may begin with anything
         row("prose", "Dear colleague,\nhere is the mesh.\n", true, MeshProblem::wrongFile, "the beginning");
         row("NaN", "v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n", true, MeshProblem::badNumber, "line 2");
         row("infinite", "v 0 0 0\nv 1 0 inf\n", true, MeshProblem::badNumber, "line 2");
@@ -255,7 +255,7 @@ private slots:
             MeshProblem::badLine, "line 2");
         row("STL with NaN", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n", false, MeshProblem::badNumber, "line 4");
         row("binary STL cut off", binary.substr(0, binary.size() - 20), false, MeshProblem::truncated, "");
-        row("binary STL, header alone", binary.substr(0, 60), false, MeshProblem::wrongFile, "the beginning");
+        row("binary STL, header alone", binary.substr(0, 60), false, MeshProblem::truncated, "byte 60");
         std::string spoiled = binary;
         for (std::size_t i = 0; i < 4; ++i)
             spoiled[84 + 50 * 3 + 12 + i] = static_cast<char>(0xff); // a NaN
