@@ -55,13 +55,17 @@ public:
     static constexpr double kJaw_rad_per_s = 4.0;
     static constexpr double kOpen_rad = 1.2;
 
-    HandPath(const ToolReach& reach, core::Random random) : m_reach(reach), m_random(random) {
+    HandPath(const ToolReach& reach, core::Random random) : m_reach(reach), m_random(random) { drawStart(); }
+
+    /// Another place to begin at: for when the first one lies in tissue, where no hand can begin.
+    void drawStart() {
         m_sample = m_reach.draw(m_random);
         m_now = m_from = m_to = m_reach.pose(m_sample);
+        m_now.jaw_rad = kOpen_rad;
     }
 
     /// The next way begins here when the present one is done; `lure`: a place that is worth going to (something to grasp, or
-    /// out of what gave way); `touching`: short ways are likelier, as one presses and rubs.
+    /// out of what gave way, or where something was touched); `touching`: short ways are likelier, as one presses and rubs.
     const core::ToolState& step(const std::optional<core::Vec3>& lure, bool touching) {
         if (m_t >= m_duration_s)
             begin(lure, touching);
@@ -95,21 +99,34 @@ private:
     void begin(const std::optional<core::Vec3>& lure, bool touching) {
         m_from = m_now;
         m_from.v_WT = m_from.w_WT = core::Vec3::Zero();
-        const std::uint64_t drawn = m_random.below(8), kind = drawn < 4 ? drawn : (touching ? 1 : (lure ? 0 : drawn - 4));
         m_to = m_now;
-        if (lure && kind == 0) {
+        constexpr double kThere_m = 0.002;
+        if (m_atLure && (!lure || (*lure - m_now.p_WT).norm() < kThere_m)) { // what was gone to is grasped, and kept for some ways
+            m_atLure = false;
+            m_waysHeld = 8;
+            m_jaw_rad = 0.0;
+            m_duration_s = kOpen_rad / kJaw_rad_per_s;
+            m_t = 0.0;
+            return;
+        }
+        const bool holding = m_waysHeld > 0;
+        m_waysHeld -= holding ? 1 : 0;
+        const std::uint64_t drawn = m_random.below(8), kind = drawn < 4 ? drawn : (touching || holding ? 1 : (lure ? 0 : drawn - 4));
+        if (lure && (m_atLure || (kind == 0 && !holding))) { // once more where it moved meanwhile
             m_to.p_WT = *lure;
             m_jaw_rad = kOpen_rad;
+            m_atLure = true;
         } else if (kind == 1) { // a short way, as one presses or rubs
+            const double way_m = holding ? 0.030 : 0.010; // or pulls at what it holds
             for (int axis = 0; axis < 3; ++axis)
-                m_to.p_WT[axis] += m_random.uniform(-0.010, 0.010);
+                m_to.p_WT[axis] += m_random.uniform(-way_m, way_m);
             m_jaw_rad = 0.0;
         } else {
             m_sample = m_reach.draw(m_random, kind == 2 ? &m_sample : nullptr);
             const core::ToolState goal = m_reach.pose(m_sample);
             m_to.p_WT = goal.p_WT;
             m_to.q_WT = goal.q_WT;
-            m_jaw_rad = m_random.below(2) == 0 ? m_jaw_rad : m_random.uniform(0.0, kOpen_rad);
+            m_jaw_rad = holding || m_random.below(2) == 0 ? m_jaw_rad : m_random.uniform(0.0, kOpen_rad);
         }
         const double speed = kFastest_m_per_s * std::pow(10.0, -m_random.uniform(0.0, 1.0)); // 0.03 to 0.3 m/s at its fastest
         const double way_s = kMost * (m_to.p_WT - m_from.p_WT).norm() / speed;
@@ -125,6 +142,8 @@ private:
     double m_duration_s = 0.0;
     double m_t = 0.0;
     double m_jaw_rad = kOpen_rad;
+    bool m_atLure = false;
+    int m_waysHeld = 0; ///< so many more ways with closed jaws
 };
 
 } // namespace chiron::tests

@@ -116,7 +116,6 @@ private:
     void appear(int path) {
         m_wayAt = 0;
         m_setup.seed = m_settings.seed + static_cast<std::uint64_t>(path);
-        m_scene = m_kind->makeScene(m_setup);
         m_in = {};
         m_in.started = m_in.forceReady = true;
         m_in.force = core::ForceState::on;
@@ -126,12 +125,40 @@ private:
         m_hands.clear();
         for (std::size_t i = 0; i < m_reach.size(); ++i)
             m_hands.emplace_back(m_reach[i], core::Random::stream(m_setup.seed, "sweep hand " + std::to_string(i)));
+        beginInTheAir();
+        m_scene = m_kind->makeScene(m_setup);
+        m_out = {};
+        m_met.fill(std::nullopt);
+        m_guess = core::Random::stream(m_setup.seed, "sweep guess");
         m_before.assign(m_reach.size(), {});
         m_bitsBefore = {};
         for (std::size_t i = 0; i < m_hands.size(); ++i)
             m_clear[i] = m_hands[i].now().p_WT;
         m_stiffnessBefore = 0.0;
         m_open = false;
+    }
+
+    /// No hand begins within tissue: each tool from where a fresh scene answers it with nothing.
+    void beginInTheAir() {
+        constexpr int kDraws = 1000;
+        for (int draw = 0; draw < kDraws; ++draw) {
+            const auto scene = m_kind->makeScene(m_setup);
+            realtime::TickSource ticks;
+            simulation::SceneOutput out;
+            for (std::size_t i = 0; i < m_hands.size(); ++i)
+                m_in.tools.tools[i] = m_hands[i].now();
+            scene->respond(ticks.next(0), m_in, out);
+            bool clear = true;
+            for (std::size_t i = 0; i < m_hands.size(); ++i) {
+                if (out.tissue.tools[i].force == Vec3::Zero() && out.contact[i] == 0)
+                    continue;
+                m_hands[i].drawStart();
+                clear = false;
+            }
+            if (clear)
+                return;
+        }
+        qFatal("%s: no place in the air", m_result.level.c_str());
     }
 
     /// A place that is worth going to: out again where tissue gave way, else a loose object, or where a tube may be held.
@@ -147,11 +174,13 @@ private:
         if (cues.bodies > 0)
             return Vec3(cues.body[0].p_W[0], cues.body[0].p_W[1], cues.body[0].p_W[2]);
         if (cues.grips > 0) {
-            const auto grips = static_cast<std::size_t>(cues.grips); // the end for the first tool, the places before it for the others
-            const auto& p = cues.p_WGrip[grips - 1 - tool % grips];
+            const auto grips = static_cast<std::size_t>(cues.grips); // the end for the first tool, the other end or a place between for the others
+            const auto& p = cues.p_WGrip[tool % 2 == 0 ? grips - 1 : (cues.gripAnchored[0] ? grips / 2 : 0)];
             return Vec3(p[0], p[1], p[2]);
         }
-        return std::nullopt;
+        if (m_met[tool])
+            return m_met[tool];
+        return Vec3(m_guess.uniform(-0.05, 0.05), m_guess.uniform(-0.05, 0.05), m_guess.uniform(-0.02, 0.04)); // scenes lie about the origin of W
     }
 
     void follow(std::uint64_t path) {
@@ -161,6 +190,8 @@ private:
                 m_in.tools.tools[i] = m_hands[i].step(lure(i), m_out.tissue.tools[i].force != Vec3::Zero());
             m_scene->respond(m_ticks.next(0), m_in, m_out);
             look(path, static_cast<std::uint64_t>(tick));
+            if (m_settings.witness)
+                m_settings.witness(path, static_cast<std::uint64_t>(tick), m_out);
         }
     }
 
@@ -192,6 +223,8 @@ private:
             m_result.yields += (bits & core::contact_bits::kYielded) != 0 ? 1 : 0;
             if (size == 0.0 && bits == 0)
                 m_clear[i] = tool.p_WT;
+            if (size > 0.0 && bits == 0)
+                m_met[i] = tool.p_WT;
             Before& before = m_before[i];
             if (before.known && !appeared) {
                 const Vec3 moved = tool.p_WT - before.p;
@@ -251,6 +284,8 @@ private:
     std::array<std::uint8_t, core::kMaxTools> m_bitsBefore{};
     std::array<Vec3, core::kMaxTools> m_clear{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; ///< where each touched nothing last
     std::array<Vec3, core::LaparoscopyCues::kMaxBodies> m_bodies{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    std::array<std::optional<Vec3>, core::kMaxTools> m_met;          ///< where each last touched tissue that was whole
+    core::Random m_guess = core::Random::stream(0, "sweep guess");
     std::vector<Vec3> m_wayIn;
     std::size_t m_wayAt = 0;
     double m_stiffnessBefore = 0.0;

@@ -3,8 +3,10 @@
 
 #include "catalogue/catalogue.h"
 #include "core/geometry.h"
+#include "simulation/scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -44,6 +46,8 @@ struct SweepSettings {
     int paths = 200;
     double path_s = 3.0;
     int pathsPerScene = 20;
+    /// What the scene answered in each tick, if somebody wants to see it; `tick` counts within the path.
+    std::function<void(std::uint64_t path, std::uint64_t tick, const simulation::SceneOutput& answered)> witness;
 };
 
 /// Drives the level's scene itself, as fast as it goes, without loop, supervisor or device. Every tool of the level takes a path of its own.

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The models id names the laws and their numerics (data.md, Samples). Forces that were stored with an id are made again: where they
+// differ and the id does not, somebody changed a law and did not say so, and replays of stored sessions would be called tampering.
+#include "core/fp_environment.h"
+#include "support/haptic_bench.h"
+#include "sweep/level_sweep.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+#include <cmath>
+
+using namespace chiron;
+
+namespace {
+
+const QString kFile = QStringLiteral(CHIRON_SOURCE_DIR "/tests/replay/model_forces.json");
+constexpr std::uint64_t kSeed = 20261125;
+constexpr int kPaths = 6;
+constexpr double kPath_s = 3.0;
+constexpr std::uint64_t kBlock_ticks = 500;
+/// Of a sum over 500 ticks, N or N·m. Libraries of mathematics round differently on processors with and without FMA, by some 1e-16 of
+/// a force; a changed law moves the sum by far more.
+constexpr double kSame = 1e-7;
+
+/// Sums of force and torque over blocks of 500 ticks, as six numbers for each tool.
+class Sums {
+public:
+    void add(std::uint64_t tick, const double (&wrench)[6], std::size_t tool, std::size_t tools) {
+        const std::size_t at = (static_cast<std::size_t>(tick / kBlock_ticks) * tools + tool) * 6;
+        if (m_sums.size() < at + 6)
+            m_sums.resize(at + 6, 0.0);
+        for (std::size_t i = 0; i < 6; ++i)
+            m_sums[at + i] += wrench[i];
+    }
+    QJsonArray json() const {
+        QJsonArray array;
+        for (const double sum : m_sums)
+            array.append(QString::number(sum, 'g', 12).toDouble());
+        return array;
+    }
+
+private:
+    std::vector<double> m_sums;
+};
+
+/// Everything of every level, without loop and device: what the scenes answer along the sweep's paths.
+QJsonObject sceneForces(const catalogue::Catalogue& catalogue) {
+    QJsonObject levels;
+    for (const catalogue::Exercise& exercise : catalogue.exercises())
+        for (const catalogue::ExerciseLevel& level : exercise.levels) {
+            std::vector<Sums> paths(kPaths);
+            tests::SweepSettings settings;
+            settings.seed = kSeed;
+            settings.paths = kPaths;
+            settings.path_s = kPath_s;
+            settings.witness = [&paths](std::uint64_t path, std::uint64_t tick, const simulation::SceneOutput& out) {
+                const auto tools = static_cast<std::size_t>(out.tissue.count);
+                for (std::size_t i = 0; i < tools; ++i) {
+                    const core::Wrench& w = out.tissue.tools[i];
+                    paths[path].add(tick, {w.force.x(), w.force.y(), w.force.z(), w.torque.x(), w.torque.y(), w.torque.z()}, i, tools);
+                }
+            };
+            tests::sweepLevel(level, settings);
+            QJsonArray all;
+            for (const Sums& path : paths)
+                all.append(path.json());
+            levels[QString::fromStdString(exercise.id + "/" + level.id)] = all;
+        }
+    return levels;
+}
+
+/// A dome with friction through loop, passivity controller and supervisor: what the device was commanded.
+QJsonArray commandedForces() {
+    tests::BenchDevice device(tests::circlingPath);
+    haptics::LiveInputs inputs;
+    tests::FrameStore frames;
+    tests::LoopBench bench({{device, {}}}, inputs, frames, tests::apexScene());
+    inputs.post({core::CommandKind::start});
+    realtime::TickSource ticks;
+    Sums sums;
+    for (std::uint64_t tick = 0; tick < 9000; ++tick)
+        bench.loop->tick(ticks.next(static_cast<std::int64_t>(tick) * 1'000'000));
+    for (const core::HapticFrame& frame : frames.frames) {
+        const core::Array6& c = frame.tool[0].commanded;
+        sums.add(frame.header.index, {c[0], c[1], c[2], c[3], c[4], c[5]}, 0, 1);
+    }
+    return sums.json();
+}
+
+double largest(const QJsonValue& value) {
+    double most = std::abs(value.toDouble());
+    for (const QJsonValue& item : value.toArray())
+        most = std::max(most, largest(item));
+    return most;
+}
+
+double difference(const QJsonValue& a, const QJsonValue& b) {
+    if (a.isDouble() && b.isDouble())
+        return std::abs(a.toDouble() - b.toDouble());
+    const QJsonArray x = a.toArray(), y = b.toArray();
+    if (!a.isArray() || !b.isArray() || x.size() != y.size())
+        return HUGE_VAL;
+    double most = 0.0;
+    for (qsizetype i = 0; i < x.size(); ++i)
+        most = std::max(most, difference(x[i], y[i]));
+    return most;
+}
+
+} // namespace
+
+class TestModelsId : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void forcesAreTheStoredOnes();
+    void everyLevelIsFelt();
+
+private:
+    QJsonObject m_now;
+};
+
+void TestModelsId::initTestCase() {
+    core::setModelFloatingPointEnvironment();
+    m_now = sceneForces(*catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content"));
+    m_now[QStringLiteral("loop")] = commandedForces();
+    if (qEnvironmentVariableIsSet("CHIRON_STORE_MODEL_FORCES")) {
+        QFile file(kFile);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QByteArray text = QJsonDocument(QJsonObject{{QStringLiteral("models"), QString::fromStdString(core::modelsOfBuild(core::buildId()))},
+                                                    {QStringLiteral("sums"), m_now}}).toJson(QJsonDocument::Compact);
+        file.write(text.replace("],\"", "],\n\"") + '\n');
+    }
+}
+
+void TestModelsId::forcesAreTheStoredOnes() {
+    QFile file(kFile);
+    QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(kFile));
+    const QJsonObject stored = QJsonDocument::fromJson(file.readAll()).object();
+    const QJsonObject sums = stored[QStringLiteral("sums")].toObject();
+    QStringList differing;
+    for (const QString& key : m_now.keys())
+        if (const double d = difference(m_now[key], sums[key]); !(d <= kSame))
+            differing << QStringLiteral("%1 (by %2)").arg(key).arg(d);
+    for (const QString& key : sums.keys())
+        if (!m_now.contains(key))
+            differing << key + QStringLiteral(" (gone)");
+    const QString id = QString::fromStdString(core::modelsOfBuild(core::buildId()));
+    const bool sameId = stored[QStringLiteral("models")].toString() == id;
+    QVERIFY2(differing.isEmpty(),
+             qPrintable(QStringLiteral("%1.\nForces differ from those stored for models %2: %3.\nIf a law or its numerics changed, raise CHIRON_MODELS_ID in "
+                                       "modules/core/CMakeLists.txt; if only content, a level or the sweep's paths changed, keep it. Then run this test once with "
+                                       "CHIRON_STORE_MODEL_FORCES=1 and commit the file.")
+                            .arg(sameId ? QStringLiteral("The models id was not raised") : QStringLiteral("The stored forces are of another models id"),
+                                 stored[QStringLiteral("models")].toString(), differing.join(QStringLiteral(", ")))));
+    QVERIFY2(sameId, "the models id was raised although no force changed: recordings would be called incomparable for nothing");
+}
+
+void TestModelsId::everyLevelIsFelt() {
+    for (const QString& key : m_now.keys())
+        QVERIFY2(largest(m_now[key]) > 1.0, qPrintable(key)); // N × ticks: a path that touches nothing watches over nothing
+}
+
+QTEST_GUILESS_MAIN(TestModelsId)
+#include "test_models_id.moc"
