@@ -23,6 +23,7 @@ struct SunkContact {
 struct StiffnessGain {
     double gain = 0.0;
     core::Vec3 lateral_m2 = core::Vec3::Zero(); ///< ½ d² ∂gain/∂p: the force is k (d (1 + gain) n − this)
+    double bent_per_m2 = 0.0; ///< at least the largest second derivative of the gain in any direction: how fast the lateral force may change
 };
 
 /// (8/π) a R³ (m − 1)/(1 + 0.4 (m − 1)), m³·m: zero for a lump of the tissue's own stiffness.
@@ -43,6 +44,7 @@ inline void addLump(const SunkContact& at, const core::Vec3& centre_W, double st
     const double inverse = 1.0 / (r.squaredNorm() + at.spread2_m2); // 1/S
     const double base = strength_m4 * inverse * inverse * inverse;
     sum.gain += base * H2;
+    sum.bent_per_m2 += 6.0 * strength_m4 / (H2 * H2 * H2); // its χ'' straight above the lump, where it is largest
     const double d = at.depth_m;
     const double narrowing = 3.0 * H2 * inverse * d * d; // with ½ ∇S
     const double tilting = along * d;                    // with d ∇(r·n)

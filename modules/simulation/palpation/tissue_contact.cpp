@@ -112,8 +112,12 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
     if (m_regionCount > 0) {
         double gain = 0.0;
         core::Vec2 slope = core::Vec2::Zero();
-        for (std::size_t i = 0; i < m_regionCount; ++i)
+        for (std::size_t i = 0; i < m_regionCount; ++i) {
+            const double before = gain;
             m_regions[i].add(foot.p_W.head<2>(), gain, slope);
+            if (gain != before)
+                sum.bent_per_m2 += m_regionBend_per_m2[i];
+        }
         sum.gain += gain;
         sum.lateral_m2 += 0.5 * foot.depth_m * foot.depth_m * (foot.follows * core::Vec3(slope.x(), slope.y(), 0.0));
     }
@@ -138,7 +142,11 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
     if (m_parameters.lumps == LumpLaw::stiffnessTimesDepth) // as published: no lateral part, no potential
         sum.lateral_m2.setZero();
     Elastic out;
-    out.stiffness_N_per_m = k * (1.0 + sum.gain);
+    // The force turns with the normal of the nearest place, which runs `follow` times as fast as the tool; what lies in the tissue answers
+    // sideways as its gain is steep and bent.
+    const double follow = m_surface.flat() ? 1.0 : foot.follows.cwiseAbs().rowwise().sum().maxCoeff();
+    out.stiffness_N_per_m = k * (1.0 + sum.gain) * std::max(1.0, follow - 1.0) +
+                            k * (4.0 * sum.lateral_m2.norm() / std::max(counted_m, 1e-9) + 0.5 * counted_m * counted_m * follow * follow * sum.bent_per_m2);
     out.energy_J = 0.5 * k * (foot.depth_m * foot.depth_m + sum.gain * counted_m * counted_m);
     if (m_parameters.contact == TissueContactLaw::anchored) {
         out.force = (k * (foot.depth_m + sum.gain * gainDepth_m)) * foot.normal - k * sum.lateral_m2;

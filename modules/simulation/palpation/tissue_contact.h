@@ -97,6 +97,7 @@ private:
     ContactFrame m_flatFrame;
     std::size_t m_regionCount = 0;
     std::array<SmoothPatch, TissueParameters::kMaxRegions> m_regions{};
+    std::array<double, TissueParameters::kMaxRegions> m_regionBend_per_m2{}; ///< largest second derivative of each region's gain
     double m_sunkDepth_m;     ///< to this depth the lumps' law is valid: λ d ≤ (h − R)/2; infinite without lumps
     double m_uprightFrom_m;   ///< from here to m_uprightTo_m the law of a curved surface changes over to one that has no centre of curvature
     double m_uprightTo_m;     ///< both infinite where flat

@@ -33,6 +33,8 @@ TissueContact::TissueContact(const TissueParameters& parameters)
     for (const StiffRegion& region : parameters.regions) {
         if (m_regionCount == m_regions.size())
             break;
+        const double radius_m = region.radii_m.minCoeff();
+        m_regionBend_per_m2[m_regionCount] = 6.0 * std::abs(region.gain) / (radius_m * radius_m); // of (1 − t²)³: 6, in its middle
         m_regions[m_regionCount++] = SmoothPatch::over(region.centre_m, region.radii_m, region.turn_rad, region.gain);
     }
 }

@@ -43,6 +43,8 @@ private slots:
     void pressedThroughTheLump();
     void noPathChangesForceWithoutBound_data();
     void noPathChangesForceWithoutBound();
+    void reportedStiffnessBoundsEveryChange_data();
+    void reportedStiffnessBoundsEveryChange();
     void noLoopMakesEnergy_data();
     void noLoopMakesEnergy();
     void tissueGivesWayOnce();
@@ -120,6 +122,37 @@ void TestTissueReach::noPathChangesForceWithoutBound() {
     }
     qInfo("worst slope %.0f N/m, k = %.0f N/m", worst, k);
     QVERIFY2(worst <= (curved ? 12.0 : 7.0) * k, qPrintable(QString::number(worst)));
+}
+
+void TestTissueReach::reportedStiffnessBoundsEveryChange_data() {
+    QTest::addColumn<int>("kind");
+    QTest::newRow("pad with lumps") << 0;
+    QTest::newRow("lobes with lumps") << 1;
+    QTest::newRow("dome with a harder region") << 2; // 1,700 N/m sideways where 380 were reported
+}
+
+// What the passivity controller credits, and the sweep allows, is what the contact reports: no direction is steeper.
+void TestTissueReach::reportedStiffnessBoundsEveryChange() {
+    QFETCH(int, kind);
+    TissueParameters dome = quietDome();
+    dome.regions = {harderRegion()};
+    const TissueContact contact = kind == 0 ? contactOf(quietPad()) : kind == 1 ? contactOf(lobes(), lumpsOfLobes()) : contactOf(dome, {});
+    core::Random random = core::Random::stream(m_seed, "stiffness " + std::to_string(kind));
+    constexpr double kStep_m = 1e-6;
+    double worst = 0.0;
+    int touched = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 p(random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), random.uniform(-0.025, 0.010));
+        const Vec3 way = Vec3(random.normal(), random.normal(), random.normal()).normalized() * kStep_m;
+        const TissueResponse a = pressAt(contact, p), b = pressAt(contact, p + way);
+        if (!a.inContact || !b.inContact || a.force.norm() > 13.5) // content yields here at the latest
+            continue;
+        ++touched;
+        worst = std::max(worst, (b.force - a.force).norm() / kStep_m / std::max(a.stiffness_N_per_m, b.stiffness_N_per_m));
+    }
+    qInfo("steepest change over the reported stiffness: %.3f", worst);
+    QVERIFY(touched > 2000);
+    QVERIFY2(worst <= 1.0 + 1e-6, qPrintable(QString::number(worst)));
 }
 
 void TestTissueReach::noLoopMakesEnergy_data() { noPathChangesForceWithoutBound_data(); }
