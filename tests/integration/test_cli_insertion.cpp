@@ -69,7 +69,8 @@ void TestCliInsertion::trainedScoredReplayedExported() {
     const QJsonObject trained =
         object(cli({"train", "urethra_insertion", "--level", "1", "--operator", write("ideal.csv", true)}));
     const auto values = valuesOf(trained);
-    QCOMPARE(values.size(), 21);
+    QCOMPARE(values.size(), 22);
+    QCOMPARE(values["critical_errors"].toDouble(-1.0), 0.0);
     QCOMPARE(values["procedure_completed"].toDouble(), 100.0);
     QCOMPARE(values["insertion_depth"].toDouble(), 35.0);
     QCOMPARE(values["trauma_events"].toDouble(-1.0), 0.0);

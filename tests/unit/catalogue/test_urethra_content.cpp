@@ -29,13 +29,13 @@ const Parameters& parametersOf(const ExerciseLevel& level) { return std::get<Par
 
 QJsonObject json(const std::string& text) { return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object(); }
 
-bool near(double a, double b) { return std::abs(a - b) <= 1e-12 * std::max(1.0, std::abs(b)); }
+bool near(double a, double b) { return a == b || std::abs(a - b) <= 1e-12 * std::max(1.0, std::abs(b)); }
 
 /// Every number of the struct, in one order.
 std::vector<double> numbers(const Parameters& p) {
     const auto& a = p.anatomy;
     std::vector<double> n{a.curvature_per_m, a.zEnd_m, a.radius_m, a.wallStiffness_N_per_m3, a.wallStiffening_per_m, a.friction,
-                          a.viscosity_Ns_per_m2, a.freeLength_m, a.freeBlend_m, a.angularStiffness_Nm_per_rad, a.angularCorner_m,
+                          a.viscosity_Ns_per_m2, a.freeLength_m, a.freeBlend_m, a.freeHold_N_per_m, a.angularStiffness_Nm_per_rad, a.angularCorner_m,
                           a.bladderRadius_m, a.bladderStiffness_N_per_m, a.bladderOpening_rad, a.bladderOpeningEdge_rad,
                           p.endoscope.radius_m, p.endoscope.beak_m, p.endoscope.behind_m, p.endoscope.fieldOfView_rad,
                           p.forces.count_m, p.forces.maximumStep_m, p.forces.maximumDamping_Ns_per_m, double(p.forces.basicSections),
@@ -43,7 +43,8 @@ std::vector<double> numbers(const Parameters& p) {
                           double(p.mesh.perPatch), double(p.mesh.movingSections), p.pose.p_WA.x(), p.pose.p_WA.y(), p.pose.p_WA.z(),
                           p.goalDepth_m, double(p.withdraws), p.landmarkHalfAngle_rad, p.landmarkDistance_m, p.landmarkHold_s,
                           p.landmarkSpeed_m_per_s, p.trialLimit_s, p.maximumForce_N, p.maximumTorque_Nm, p.lateralLimit_N,
-                          double(p.depthOfField), double(p.depthOfFieldFixed)};
+                          double(p.depthOfField), double(p.depthOfFieldFixed),
+                          p.meatus_m, p.yield.force_N, p.yield.fall_s};
     n.push_back(double(a.changeCount));
     for (std::size_t i = 0; i < a.changeCount; ++i)
         n.insert(n.end(), {a.changes[i].centre_m, a.changes[i].length_m, a.changes[i].edge_m, a.changes[i].radius_m,
@@ -116,7 +117,7 @@ void TestUrethraContent::everyParameterKeyReachesTheStruct() {
     QJsonObject document = json(stored);
     QJsonObject level = document["level"].toObject();
     const QJsonObject parameters = level["parameters"].toObject();
-    QCOMPARE(parameters.size(), qsizetype{42});
+    QCOMPARE(parameters.size(), qsizetype{46});
     for (const QString& key : parameters.keys()) {
         QJsonObject changed = parameters;
         const QJsonValue value = parameters[key];
@@ -143,6 +144,10 @@ void TestUrethraContent::schemaDefaultsAreTheStructs() {
     QJsonObject level = QJsonDocument::fromJson(copy.read(kLevel)).object();
     level["parameters"] = QJsonObject{};
     copy.write(kLevel, QJsonDocument(level).toJson());
+    const QString tissue = QStringLiteral("exercises/urethra_insertion/presets/normal.json"); // sets more than the defaults
+    QJsonObject preset = QJsonDocument::fromJson(copy.read(tissue)).object();
+    preset["parameters"] = QJsonObject{};
+    copy.write(tissue, QJsonDocument(preset).toJson());
     const auto catalogue = Catalogue::load(copy.directory());
     QVERIFY2(catalogue.has_value(), catalogue ? "" : catalogue.error().message.c_str());
     const std::vector<double> read = numbers(parametersOf(*catalogue->find("urethra_insertion", 4)));
@@ -151,7 +156,7 @@ void TestUrethraContent::schemaDefaultsAreTheStructs() {
     for (std::size_t i = 0; i < read.size(); ++i)
         QVERIFY2(near(read[i], defaults[i]), qPrintable(QStringLiteral("%1: %2, %3").arg(i).arg(read[i]).arg(defaults[i])));
     const QJsonObject resolved = json(catalogue->find("urethra_insertion", 4)->resolvedJson)["level"].toObject();
-    QCOMPARE(resolved["parameters"].toObject().size(), qsizetype{42});
+    QCOMPARE(resolved["parameters"].toObject().size(), qsizetype{46});
 }
 
 void TestUrethraContent::levelOverridesItsPreset() {

@@ -69,7 +69,8 @@ void TestUrethraForcesLaw::rowsAreTheModel() {
     }
 }
 
-/// Turning any knob within its range changes some output of one of two poses: deep in the canal, or in the bladder's wall.
+/// Turning any knob within its range changes some output of one of these poses: deep in the canal, in the bladder's wall, or with the
+/// free part pulled aside.
 void TestUrethraForcesLaw::everyParameterReachesTheModel() {
     const UrethraCentreline line(UrethraAnatomy{}.curvature_per_m, UrethraAnatomy{}.zEnd_m);
     core::Random random(42);
@@ -82,6 +83,7 @@ void TestUrethraForcesLaw::everyParameterReachesTheModel() {
     const CentrelinePoint neck = line.at(line.length_m());
     poses.push_back(poses.back());
     poses.back().p_A = neck.p_A + 0.034 * (neck.t_A - std::cos(0.3) * neck.t_A + std::sin(0.3) * neck.n_A);
+    poses.push_back(motionAt(line, {.s_m = 0.020, .ex_m = 0.015}));
     for (const auto& parameter : urethraForceLaw().parameters) {
         Values usual{{"change_length_m", 0.012}, {"maximum_damping_Ns_per_m", 1000.0}, {"count_m", 5e-5}}; // V₀ by the count
         const std::string name(parameter.name);
@@ -90,6 +92,7 @@ void TestUrethraForcesLaw::everyParameterReachesTheModel() {
         turned[name] = name == "basic_sections"             ? 26.0
                        : name == "step_m"                   ? 0.001
                        : name == "maximum_damping_Ns_per_m" ? 1.0
+                       : name == "free_hold_N_per_m"        ? 600.0
                                                             : from * 1.3;
         QVERIFY2(turned[name] <= parameter.maximum, name.c_str());
         const bool changed = std::any_of(poses.begin(), poses.end(), [&](const EndoscopeMotion& pose) {

@@ -77,6 +77,12 @@ inline Endoscope thin() {
     return scope;
 }
 
+inline UrethraAnatomy held() {
+    UrethraAnatomy anatomy;
+    anatomy.freeHold_N_per_m = 600.0;
+    return anatomy;
+}
+
 /// The anatomies, endoscopes and grids over which the laws must hold.
 struct Variant {
     const char* name;
@@ -89,7 +95,8 @@ inline std::vector<Variant> variants() {
     return {{"normal", {}, {}, {}},
             {"stricture", strictured(), {}, {}},
             {"26 drawn sections", {}, {}, basic()},
-            {"thin endoscope in a stricture", strictured(), thin(), {}}};
+            {"thin endoscope in a stricture", strictured(), thin(), {}},
+            {"held free part", held(), {}, {}}};
 }
 
 } // namespace chiron::simulation::testing

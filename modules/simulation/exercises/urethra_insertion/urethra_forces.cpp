@@ -38,10 +38,16 @@ void orient(UrethraResponse& r, const core::Vec3& a, double k_phi) noexcept {
     r.wrench_A.torque = core::Vec3(r.torqueX_Nm, turn * a.z() - tilt * a.y(), -turn * a.y() - tilt * a.z());
 }
 
+/// Bounds the norm of a second derivative: its part across, along and mixed. U(s, e) gives along U_ss/h² − U_n κ/h + U_s κ′e_n/h³ and
+/// mixed U_se/h + U_s κ/h², h = 1 − κ e_n = 1/‖∇s‖.
+double largestStretch(double across, double along, double mixed) noexcept {
+    return 0.5 * (across + along) + std::sqrt(0.25 * (across - along) * (across - along) + mixed * mixed);
+}
+
 /// The free part follows the shaft, but it hangs on the body: beyond the reach it is held by ½ k (‖e‖ − reach)² w(s), with w from 0 at
 /// the first contact to 1 at the entrance, and back to 0 where the wall's own springs take over.
 struct FreeHold {
-    double energy_J = 0.0, slope_N = 0.0, stiffness_N_per_m = 0.0, axial_N_per_m = 0.0;
+    double energy_J = 0.0, slope_N = 0.0, stiffness_N_per_m = 0.0, axial_N_per_m = 0.0, cross_N_per_m = 0.0;
     core::Vec2 gradient_N = core::Vec2::Zero();
 };
 
@@ -54,7 +60,9 @@ FreeHold holdFreePart(const UrethraForces::Tables& tables, const CentrelineFoot&
     const double rise = smoothstep(in), fall = 1.0 - smoothstep(on);
     const double k = tables.freeHold_N_per_m, half = 0.5 * k * beyond * beyond;
     hold.energy_J = half * rise * fall;
-    hold.slope_N = half * (smoothstepSlope(in) / tables.ahead_m * fall - rise * smoothstepSlope(on) * 0.5 / tables.freeBlend_m);
+    const double weightSlope = smoothstepSlope(in) / tables.ahead_m * fall - rise * smoothstepSlope(on) * 0.5 / tables.freeBlend_m;
+    hold.slope_N = half * weightSlope;
+    hold.cross_N_per_m = k * beyond * std::abs(weightSlope);
     hold.gradient_N = k * beyond * rise * fall / offset * core::Vec2(foot.ex_m, foot.en_m);
     hold.stiffness_N_per_m = k * rise * fall;
     const double steep = 6.0 * (1.0 / (tables.ahead_m * tables.ahead_m) + 0.25 / (tables.freeBlend_m * tables.freeBlend_m)); // of smoothsteps
@@ -108,10 +116,14 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
     const core::Vec2 gradient = sums.gradient_N + hold.gradient_N;
     r.lateral_A = -gradient.x() * core::Vec3::UnitX() - gradient.y() * at.n_A + bladder.force_A;
     r.normal_N = sums.normal_N;
-    const double along2 = r.foot.gradientOfS_A.squaredNorm(), bent = std::abs(at.curvature_per_m);
+    const double stretch = r.foot.gradientOfS_A.norm(), bent = std::abs(at.curvature_per_m), bends = std::abs(at.bending_per_m2);
     const double axial_N_per_m = sums.axial_N_per_m + hold.axial_N_per_m + 0.5 * tilt2 * tables.angular.bend() +
-                                 2.0 * bent * std::abs(r.phiX_rad) * tables.angular.slope(at.s_m) + bent * bent * k_phi + 2.0 * bent * std::abs(slope);
-    r.stiffness_N_per_m = sums.stiffness_N_per_m + hold.stiffness_N_per_m + bladder.stiffness_N_per_m + along2 * axial_N_per_m;
+                                 2.0 * bent * std::abs(r.phiX_rad) * tables.angular.slope(at.s_m) +
+                                 (bent * bent + bends * std::abs(r.phiX_rad)) * k_phi;
+    const double turning = stretch * (stretch * stretch * bends * std::abs(r.foot.en_m * slope) + bent * std::abs(gradient.y()));
+    r.stiffness_N_per_m = bladder.stiffness_N_per_m +
+                          largestStretch(sums.stiffness_N_per_m + hold.stiffness_N_per_m, stretch * stretch * axial_N_per_m + turning,
+                                         stretch * (sums.cross_N_per_m + hold.cross_N_per_m) + stretch * stretch * bent * std::abs(slope));
 
     const double along = motion.v_A.dot(a);
     const double spin = motion.w_A.dot(a);

@@ -62,6 +62,7 @@ public:
             addLateral(at, r, B, slopeOfB);
             const double moved_m = at.constrained * m_offset_m;
             m_axialBehind += at.stiffness_N_per_m * moved_m * (moved_m * B * (1.0 - B) * r.alongSlope + 0.5 * std::abs(r.along));
+            m_crossBehind += at.stiffness_N_per_m * at.constrained * std::abs(slopeOfB) * (b * r.alongSlope + std::abs(r.along));
             return;
         }
         const double follow = at.follow_N_per_m * B;
@@ -86,6 +87,7 @@ public:
         addLateral(at, r, W, slopeOfW);
         if (W > kLeastOpen)
             m_axialAhead += 3.0 * at.stiffness_N_per_m * r.energy * (1.5 - W) / W;
+        m_crossAhead += 3.0 * at.stiffness_N_per_m * at.constrained * slopeOfW * std::abs(r.along);
     }
 
     /// The windows are cosines: W′² = (π/ℓ)² W(1 − W) and |W″| ≤ ½ (π/ℓ)², likewise B with ℓ_b, which bounds what a move along changes.
@@ -100,6 +102,7 @@ public:
         sums.gradient_N = m_springs.inSection(m_along + m_offset_m * m_followSquare, m_across);
         const double ahead2 = core::kPi * core::kPi / (ahead_m * ahead_m), behind2 = core::kPi * core::kPi / (behind_m * behind_m);
         sums.axial_N_per_m = ahead2 * m_axialAhead + behind2 * (m_axialBehind + 2.0 * half2 * m_axialFollow);
+        sums.cross_N_per_m = std::max(m_crossAhead, m_crossBehind + 2.0 * m_offset_m * std::abs(m_followSlope)); // of opposite signs
         sums.stiffness_N_per_m = m_followSquare + std::max(m_alongSlope, m_acrossSlope) + m_coupling;
         return sums;
     }
@@ -129,6 +132,7 @@ private:
     double m_slope = 0.0, m_along = 0.0, m_across = 0.0;
     double m_alongSlope = 0.0, m_acrossSlope = 0.0, m_coupling = 0.0;
     double m_axialAhead = 0.0, m_axialBehind = 0.0, m_axialFollow = 0.0;
+    double m_crossAhead = 0.0, m_crossBehind = 0.0;
 };
 
 } // namespace

@@ -15,6 +15,7 @@ struct UrethraSectionSums {
     core::Vec2 gradient_N = core::Vec2::Zero(); ///< ∂/∂e (along x̂, along n)
     double stiffness_N_per_m = 0.0; ///< bounds ∂²/∂e²: its greater diagonal entry plus the other one's coupling
     double axial_N_per_m = 0.0;     ///< bounds ∂²/∂s_t² at constant e
+    double cross_N_per_m = 0.0;     ///< bounds ∂²/∂s_t∂e
 };
 
 /// `tip_s_m`: s_t; e of the tip in its section, m. Pure; haptic thread.

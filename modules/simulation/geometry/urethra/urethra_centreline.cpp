@@ -85,6 +85,7 @@ CentrelinePoint UrethraCentreline::atZ(double z_m) const noexcept {
     point.n_A = Vec3(0.0, cosine, -slope * cosine);
     point.psi_rad = std::atan(slope);
     point.curvature_per_m = 2.0 * m_c * cosine * cosine * cosine;
+    point.bending_per_m2 = -3.0 * point.curvature_per_m * point.curvature_per_m * slope;
     return point;
 }
 

@@ -15,6 +15,7 @@ struct CentrelinePoint {
     core::Vec3 t_A = core::Vec3::UnitZ();
     double psi_rad = 0.0;
     double curvature_per_m = 0.0; ///< κ_c = 2c cos³ψ; 0 before A
+    double bending_per_m2 = 0.0;  ///< dκ_c/ds = −12c² cos⁵ψ sin ψ
 };
 
 /// Where a point lies with respect to the centre-line.
