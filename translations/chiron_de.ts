@@ -1211,6 +1211,38 @@ Einzelheiten: %2</translation>
         <translation>Das obere Ende des 95-%-Intervalls der Empfindlichkeit.</translation>
     </message>
     <message>
+        <source>Heaviest found by chance</source>
+        <translation>Schwerstes durch Raten gefunden</translation>
+    </message>
+    <message>
+        <source>How often the heaviest is chosen by somebody who feels nothing. A share that is not larger shows no skill.</source>
+        <translation>Wie oft jemand das Schwerste wählt, der nichts fühlt. Ein Anteil, der nicht größer ist, zeigt kein Können.</translation>
+    </message>
+    <message>
+        <source>Localisation error by chance</source>
+        <translation>Lagefehler durch Raten</translation>
+    </message>
+    <message>
+        <source>How far findings lie from a lump if they hit it without aim. A localisation error that is not smaller shows no skill.</source>
+        <translation>Wie weit Befunde von einem Knoten liegen, wenn sie ihn ohne Zielen treffen. Ein Lagefehler, der nicht kleiner ist, zeigt kein Können.</translation>
+    </message>
+    <message>
+        <source>Hardness order by chance</source>
+        <translation>Reihenfolge der Härte durch Raten</translation>
+    </message>
+    <message>
+        <source>The hardness order of somebody who says the same words of the lumps in random order. A share that is not larger shows no skill.</source>
+        <translation>Die Reihenfolge der Härte von jemandem, der dieselben Worte in zufälliger Reihenfolge über die Knoten sagt. Ein Anteil, der nicht größer ist, zeigt kein Können.</translation>
+    </message>
+    <message>
+        <source>Apex error by chance</source>
+        <translation>Scheitelfehler durch Raten</translation>
+    </message>
+    <message>
+        <source>The apex error of somebody who feels nothing and always marks the same place, the best one. An error that is not smaller shows no skill.</source>
+        <translation>Der Scheitelfehler von jemandem, der nichts fühlt und immer dieselbe Stelle markiert, die beste. Ein Fehler, der nicht kleiner ist, zeigt kein Können.</translation>
+    </message>
+    <message>
         <source>Size error by chance</source>
         <translation>Größenfehler durch Raten</translation>
     </message>

@@ -1211,6 +1211,38 @@ Details: %2</source>
         <translation>Το άνω άκρο του διαστήματος 95 % της ευαισθησίας.</translation>
     </message>
     <message>
+        <source>Heaviest found by chance</source>
+        <translation>Εύρεση του βαρύτερου στην τύχη</translation>
+    </message>
+    <message>
+        <source>How often the heaviest is chosen by somebody who feels nothing. A share that is not larger shows no skill.</source>
+        <translation>Πόσο συχνά επιλέγει το βαρύτερο κάποιος που δεν αισθάνεται τίποτα. Ένα ποσοστό που δεν είναι μεγαλύτερο δεν δείχνει δεξιότητα.</translation>
+    </message>
+    <message>
+        <source>Localisation error by chance</source>
+        <translation>Σφάλμα εντοπισμού στην τύχη</translation>
+    </message>
+    <message>
+        <source>How far findings lie from a lump if they hit it without aim. A localisation error that is not smaller shows no skill.</source>
+        <translation>Πόσο απέχουν τα ευρήματα από ένα ογκίδιο όταν το πετυχαίνουν χωρίς στόχευση. Ένα σφάλμα εντοπισμού που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
+    </message>
+    <message>
+        <source>Hardness order by chance</source>
+        <translation>Σειρά σκληρότητας στην τύχη</translation>
+    </message>
+    <message>
+        <source>The hardness order of somebody who says the same words of the lumps in random order. A share that is not larger shows no skill.</source>
+        <translation>Η σειρά σκληρότητας κάποιου που λέει τις ίδιες λέξεις για τα ογκίδια με τυχαία σειρά. Ένα ποσοστό που δεν είναι μεγαλύτερο δεν δείχνει δεξιότητα.</translation>
+    </message>
+    <message>
+        <source>Apex error by chance</source>
+        <translation>Σφάλμα κορυφής στην τύχη</translation>
+    </message>
+    <message>
+        <source>The apex error of somebody who feels nothing and always marks the same place, the best one. An error that is not smaller shows no skill.</source>
+        <translation>Το σφάλμα κορυφής κάποιου που δεν αισθάνεται τίποτα και σημειώνει πάντα το ίδιο σημείο, το καλύτερο. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
+    </message>
+    <message>
         <source>Size error by chance</source>
         <translation>Σφάλμα μεγέθους στην τύχη</translation>
     </message>

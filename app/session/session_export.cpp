@@ -70,6 +70,7 @@ public:
         row.paused = frame.header.paused != 0;
         row.contact = core::contactOfStatus(t.status);
         row.forceLimit_N = m_session.record().setup.forceLimit_N;
+        row.plannedTrials = m_session.record().setup.plannedTrials;
         for (std::size_t i = 0; tool == 0 && i < m_quantities.size(); ++i) // tool 0 stands for the tick
             row.quantities.push_back(m_quantities.value(i, frame));
         addOutcome(row);
@@ -98,6 +99,7 @@ private:
         row.timedOut = trial.timedOut;
         row.completed = trial.completed;
         row.failed = trial.failed;
+        row.unfinished = trial.unfinished;
         row.markInContact = trial.markInContact;
         row.p_WMark_m = trial.p_WMark_m;
     }
@@ -138,6 +140,8 @@ scoring::TraceColumns columnsOf(StoredSession& session, const std::vector<scorin
     columns.truth = scoring::truthIdsOf(trials);
     columns.failed = quantities.size() > 0; // exercises with quantities end a trial in more than one way
     columns.completed = columns.insertion || columns.failed;
+    columns.unfinished = std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.unfinished; });
+    columns.planned = true;
     return columns;
 }
 

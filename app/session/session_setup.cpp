@@ -56,13 +56,27 @@ core::Result<std::vector<T>> toolsFromJson(const std::string& text, const char* 
     return items;
 }
 
-std::string versionsJson(const catalogue::ExerciseLevel& level) {
+std::string versionsJson(const catalogue::ExerciseLevel& level, ScoringRule scoring) {
     QJsonObject metrics;
     for (const auto& metric : level.metrics)
         metrics.insert(QString::fromStdString(metric.id), metric.version);
     return compact({{"exercise", level.exerciseVersion},
                     {"metrics", metrics},
+                    {"scoring", static_cast<int>(scoring)},
                     {"random", QString::fromUtf8(core::Random::kName.data(), qsizetype(core::Random::kName.size()))}});
+}
+
+core::Result<ScoringRule> scoringFromJson(const std::string& text) {
+    const auto versions = parse(text.empty() ? "{}" : text, "versions");
+    if (!versions)
+        return tl::unexpected(versions.error());
+    const QJsonValue rule = versions->value(QLatin1String("scoring"));
+    if (rule.isUndefined())
+        return ScoringRule::begunTrials;
+    const int number = rule.toInt(0);
+    if (number != static_cast<int>(ScoringRule::begunTrials) && number != static_cast<int>(ScoringRule::finishedTrials))
+        return core::fail(core::ErrorCode::badInput, "session column versions.scoring: expected 1 or 2; a newer version of this program may know it");
+    return static_cast<ScoringRule>(number);
 }
 
 } // namespace
@@ -81,7 +95,7 @@ database::NewSession toNewSession(const SessionSetup& setup) {
     session.deviceJson = toolsJson(setup.devices);
     session.mappingJson = toolsJson(setup.mappings);
     session.supervisorJson = compact(toJson(setup.safety));
-    session.versionsJson = versionsJson(setup.level);
+    session.versionsJson = versionsJson(setup.level, setup.scoring);
     session.buildId = core::buildId();
     session.cpuClass = core::cpuClass();
     if (const auto kind = exerciseKind(setup.level.exercise)) {
@@ -112,6 +126,10 @@ core::Result<SessionSetup> setupFromStored(const database::NewSession& stored) {
         return tl::unexpected(safety.error());
     if (devices->size() != mappings->size())
         return core::fail(core::ErrorCode::badInput, "session: devices and mappings differ in number");
+    const auto scoring = scoringFromJson(stored.versionsJson);
+    if (!scoring)
+        return tl::unexpected(scoring.error());
+    setup.scoring = *scoring;
     setup.devices = std::move(*devices);
     setup.mappings = std::move(*mappings);
     setup.safety = *safety;

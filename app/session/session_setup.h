@@ -12,6 +12,12 @@
 
 namespace chiron::session {
 
+/// What a session's scores are made of; stored with it, so that a change leaves stored sessions as they were.
+enum class ScoringRule {
+    begunTrials = 1,    ///< one that was cut off counts with what there is of it (sessions without a word of it)
+    finishedTrials = 2, ///< a trial without an end is in no score
+};
+
 /// Everything that decides what a session's scene, supervisor and kinematics do. Stored with the session and made again
 /// from what is stored, never from today's files: editing a level later changes no old score and no old replay.
 struct SessionSetup {
@@ -20,6 +26,7 @@ struct SessionSetup {
     std::vector<devices::DeviceDescriptor> devices;  ///< one a tool
     std::vector<devices::WorkspaceMapping> mappings; ///< one a tool
     haptics::SafetySettings safety;
+    ScoringRule scoring = ScoringRule::finishedTrials;
 
     bool felt() const; ///< whether any tool renders force: the class that scores are grouped by
 };

@@ -65,7 +65,10 @@ core::Result<scoring::SessionTrace> StoredSession::trace() {
     scoring::SessionTrace trace;
     trace.exercise = m_setup.level.exercise;
     trace.forceLimit_N = m_record.setup.forceLimit_N;
+    trace.plannedTrials = m_record.setup.plannedTrials;
     trace.trials = assembler.takeTrials();
+    if (m_setup.scoring == ScoringRule::finishedTrials && assembler.lastIsCutOff() && !trace.trials.empty())
+        trace.trials.back().unfinished = true;
     for (scoring::TrialTrace& trial : trace.trials)
         (*kind)->addTruth(m_setup.level, m_setup.seed, trial);
     return trace;

@@ -46,6 +46,8 @@ public:
 
     void add(std::span<const core::HapticFrame> frames);
     std::vector<scoring::TrialTrace> takeTrials() { return std::move(m_trials); }
+    /// Whether the last trial has no end: it was cut off by a stop, or by the program's own end.
+    bool lastIsCutOff() const { return m_inTrial; }
 
 private:
     void begin(const core::HapticFrame& frame);

@@ -48,7 +48,7 @@ std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::E
 std::vector<ApexError> apexErrorsOf(const scoring::SessionTrace& trace) {
     std::vector<ApexError> errors;
     for (const scoring::TrialTrace& trial : trace.trials) {
-        if (!trial.apex || trial.tools.empty() || trial.tools[0].p_WT_m.empty())
+        if (trial.unfinished || !trial.apex || trial.tools.empty() || trial.tools[0].p_WT_m.empty())
             continue;
         ApexError error;
         error.trial = trial.trial;
@@ -152,6 +152,7 @@ QString metricName(const std::string& id) {
         {"squeeze_time_over_limit", "Time squeezed too hard"},
         {"placement_error", "Placement error"},
         {"weighing_correct", "Heaviest found"},
+        {"weighing_correct_by_chance", "Heaviest found by chance"},
         {"palpation_hits", "Lumps found"},
         {"palpation_misses", "Lumps missed"},
         {"palpation_false_alarms", "False alarms"},
@@ -161,14 +162,17 @@ QString metricName(const std::string& id) {
         {"palpation_criterion", "Criterion (c)"},
         {"palpation_roc_area", "Area under the ROC"},
         {"localisation_error", "Localisation error"},
+        {"localisation_error_by_chance", "Localisation error by chance"},
         {"size_error", "Size error"},
         {"size_error_by_chance", "Size error by chance"},
         {"hardness_order", "Hardness order"},
+        {"hardness_order_by_chance", "Hardness order by chance"},
         {"coverage", "Area covered"},
         {"force_band_time", "Time in the force band"},
         {"pressing_time", "Time pressing"},
         {"searching_time", "Time searching"},
         {"apex_error_mean", "Apex error, mean"},
+        {"apex_error_mean_by_chance", "Apex error by chance"},
         {"apex_error_sd", "Apex error, SD"},
         {"apex_bias_x", "Apex bias, x"},
         {"apex_bias_y", "Apex bias, y"},

@@ -36,6 +36,7 @@ namespace chiron::scoring {
     METRIC(reversalsMetric)                                                                                  \
     METRIC(landmarksSeenMetric)                                                                              \
     METRIC(procedureCompletedMetric)                                                                         \
+    METRIC(procedureCompletedMetric2)                                                                        \
     METRIC(inspectionTravelMetric)                                                                           \
     METRIC(insertionDepthMetric)                                                                             \
     METRIC(tensionErrorRmsMetric)                                                                            \
@@ -47,6 +48,7 @@ namespace chiron::scoring {
     METRIC(squeezeTimeOverLimitMetric)                                                                       \
     METRIC(placementErrorMetric)                                                                             \
     METRIC(weighingCorrectMetric)                                                                            \
+    METRIC(weighingCorrectByChanceMetric)                                                                    \
     METRIC(criticalErrorsMetric)                                                                             \
     METRIC(palpationHitsMetric)                                                                              \
     METRIC(palpationHitsMetric2)                                                                             \
@@ -62,15 +64,18 @@ namespace chiron::scoring {
     METRIC(palpationRocAreaMetric)                                                                           \
     METRIC(palpationRocAreaMetric2)                                                                          \
     METRIC(localisationErrorMetric)                                                                          \
+    METRIC(localisationErrorByChanceMetric)                                                                  \
     METRIC(sizeErrorMetric)                                                                                  \
     METRIC(sizeErrorByChanceMetric)                                                                          \
     METRIC(hardnessOrderMetric)                                                                              \
+    METRIC(hardnessOrderByChanceMetric)                                                                      \
     METRIC(coverageMetric)                                                                                   \
     METRIC(forceBandTimeMetric)                                                                              \
     METRIC(pressingTimeMetric)                                                                               \
     METRIC(searchingTimeMetric)                                                                              \
     METRIC(apexErrorMeanMetric)                                                                              \
     METRIC(apexErrorMeanMetric2)                                                                             \
+    METRIC(apexErrorMeanByChanceMetric)                                                                      \
     METRIC(apexErrorSdMetric)                                                                                \
     METRIC(apexErrorSdMetric2)                                                                               \
     METRIC(apexBiasXMetric)                                                                                  \

@@ -31,6 +31,7 @@ struct PreparedTrial {
     const TrialTrace* trial = nullptr;
     const ToolTrace* tool = nullptr; ///< the first tool; null if the trial has no samples
     double forceLimit_N = 4.0;
+    int plannedTrials = 0;                 ///< of its session, where all of its trials are measured together; 0: not known
     Motion motion;                         ///< low-passed at 20 Hz
     Motion jerkMotion;                     ///< low-passed at 6 Hz, for LDLJ
     std::optional<double> movementStart_s; ///< start of the first 50 ms above 5 mm/s

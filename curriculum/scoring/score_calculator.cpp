@@ -13,6 +13,8 @@ namespace chiron::scoring {
 
 namespace {
 
+constexpr const char* kUnfinished = "the trial was not finished";
+
 core::Result<std::vector<const MetricDefinition*>> resolve(std::span<const MetricRequest> requests,
                                                            std::span<const Gate> gates) {
     std::vector<const MetricDefinition*> metrics;
@@ -102,20 +104,23 @@ core::Result<ScoreCard> calculateScore(const SessionTrace& trace, std::span<cons
     const auto onGrids = onStoredGrids(trace);
     if (!onGrids)
         return tl::unexpected(onGrids.error());
-    std::vector<PreparedTrial> prepared;
-    for (const TrialTrace& trial : onGrids->trials)
-        prepared.push_back(prepareTrial(trial, onGrids->forceLimit_N));
+    std::vector<PreparedTrial> prepared; // of trials that had an end: what was cut off says nothing of the whole
     ScoreCard card;
-    for (const PreparedTrial& trial : prepared) {
+    for (const TrialTrace& trial : onGrids->trials) {
+        if (!trial.unfinished)
+            prepared.push_back(prepareTrial(trial, onGrids->forceLimit_N));
         auto& row = card.trials.emplace_back();
         for (const MetricDefinition* metric : *chosen)
-            row.push_back(valueOf(*metric, measured(*metric, {&trial, 1})));
+            row.push_back(valueOf(*metric, trial.unfinished ? Measurement::undefined(kUnfinished) : measured(*metric, {&prepared.back(), 1})));
     }
+    for (PreparedTrial& trial : prepared)
+        trial.plannedTrials = onGrids->plannedTrials;
+    const bool noneFinished = prepared.empty() && !onGrids->trials.empty();
     for (std::size_t i = 0; i < chosen->size(); ++i) {
         const MetricDefinition& metric = *(*chosen)[i];
-        card.metrics.push_back(valueOf(metric, metric.aggregate == Aggregate::pooled
-                                                   ? measured(metric, prepared)
-                                                   : aggregate(metric, card.trials, i)));
+        card.metrics.push_back(valueOf(metric, noneFinished                              ? Measurement::undefined("no trial was finished")
+                                               : metric.aggregate == Aggregate::pooled ? measured(metric, prepared)
+                                                                                       : aggregate(metric, card.trials, i)));
     }
     applyGates(card, gates, completed);
     return card;

@@ -23,9 +23,11 @@ TraceColumns columnsOf(const SessionTrace& trace) {
             columns.torque = columns.torque || !tool.tissueTorque_Nm.empty();
         }
         columns.failed = columns.failed || trial.failed;
+        columns.unfinished = columns.unfinished || trial.unfinished;
         columns.completed = columns.completed || trial.completed;
     }
     columns.completed = columns.completed || columns.insertion;
+    columns.planned = trace.plannedTrials > 0;
     columns.truth = truthIdsOf(trace.trials);
     if (!trace.trials.empty())
         for (const QuantityTrace& quantity : trace.trials.front().quantities)
@@ -38,6 +40,8 @@ TraceRow trialRow(const SessionTrace& trace, const TrialTrace& trial, const Trac
     row.trial = trial.trial;
     row.completed = trial.completed;
     row.failed = trial.failed;
+    row.unfinished = trial.unfinished;
+    row.plannedTrials = trace.plannedTrials;
     row.truth = truthOf(trial, columns.truth);
     row.marked = trial.marked;
     row.timedOut = trial.timedOut;

@@ -81,12 +81,14 @@ struct TrialTrace {
     std::vector<NamedValue> truth;    ///< of this trial, what its kind of exercise adds
     bool failed = false;    ///< kFailed: it could not be done any more
     bool completed = false; ///< the procedure was done to its end (kCompleted); marks end other exercises
+    bool unfinished = false; ///< it had no end (stopped, interrupted): in no score. Never set by who scores as before (SessionTrace)
     bool forcesKnown = true; ///< false: a file without force columns; tissue_N is zero and means nothing
 };
 
 struct SessionTrace {
     std::string exercise;
     double forceLimit_N = 4.0; ///< the level's limit for "over the limit" metrics
+    int plannedTrials = 0;     ///< how many the level asks for; 0: not known
     std::vector<TrialTrace> trials;
 };
 

@@ -142,8 +142,8 @@ core::Result<void> setNamed(TrialTrace& trial, const TraceColumns& columns, cons
     for (const std::string& id : columns.quantities)
         trial.quantities.push_back({id, {}});
     for (const TraceRow* row : rows) {
-        if (row->completed != first.completed || row->failed != first.failed)
-            return changes(row->completed != first.completed ? "completed" : "failed", *row);
+        if (row->completed != first.completed || row->failed != first.failed || row->unfinished != first.unfinished)
+            return changes(row->completed != first.completed ? "completed" : row->failed != first.failed ? "failed" : "unfinished", *row);
         for (std::size_t i = 0; i < columns.truth.size(); ++i)
             if (!sameValue(row->truth[i], first.truth[i]))
                 return changes(std::string(kTruthPrefix) + columns.truth[i], *row);
@@ -152,6 +152,7 @@ core::Result<void> setNamed(TrialTrace& trial, const TraceColumns& columns, cons
     }
     trial.completed = first.completed;
     trial.failed = first.failed;
+    trial.unfinished = first.unfinished;
     for (std::size_t i = 0; i < columns.truth.size(); ++i)
         if (!std::isnan(first.truth[i]))
             trial.truth.push_back({columns.truth[i], first.truth[i]});
@@ -181,6 +182,7 @@ core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_
     SessionTrace trace;
     trace.exercise = exercise;
     trace.forceLimit_N = rows.columns.forceLimit ? rows.rows.front().forceLimit_N : defaultForceLimit_N;
+    trace.plannedTrials = rows.rows.front().plannedTrials;
     for (const auto& [number, list] : byTrial) {
         TrialTrace trial;
         trial.trial = number;

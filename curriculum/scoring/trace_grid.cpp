@@ -138,6 +138,7 @@ TrialTrace endingOnGrids(const TrialTrace& raw) {
     trial.timedOut = raw.timedOut;
     trial.completed = raw.completed;
     trial.failed = raw.failed;
+    trial.unfinished = raw.unfinished;
     trial.truth = raw.truth;
     trial.forcesKnown = raw.forcesKnown;
     trial.markInContact = raw.markInContact;
@@ -199,6 +200,7 @@ core::Result<SessionTrace> onStoredGrids(const SessionTrace& trace) {
     SessionTrace out;
     out.exercise = trace.exercise;
     out.forceLimit_N = onMillinewtons(trace.forceLimit_N);
+    out.plannedTrials = trace.plannedTrials;
     for (const TrialTrace& raw : trace.trials) {
         auto trial = trialOnGrids(raw);
         if (!trial)

@@ -31,6 +31,8 @@ struct TraceColumns {
     bool insertion = false;  ///< arc_mm ... stage, and of the trial: length_mm ... landmarks
     bool completed = false;  ///< of the trial; always with `insertion`
     bool failed = false;     ///< of the trial
+    bool unfinished = false; ///< of the trial
+    bool planned = false;    ///< trials_planned
     bool contact = false;    ///< core::contact_bits
     std::vector<std::string> quantities; ///< ids of the columns quantity_<id>, in the file's order
     std::vector<std::string> truth;      ///< ids of the columns truth_<id>, in the file's order
@@ -78,6 +80,8 @@ struct TraceRow {
     InsertionRow insertion;
     bool completed = false; ///< of the trial
     bool failed = false;    ///< of the trial
+    bool unfinished = false; ///< of the trial
+    int plannedTrials = 0;   ///< of the session
     std::uint8_t contact = 0; ///< core::contact_bits
     std::vector<double> quantities; ///< SI, as TraceColumns::quantities; on tool 0's rows, elsewhere NaN or nothing
     std::vector<double> truth;      ///< SI, as TraceColumns::truth; the same on each row of a trial, NaN where it has none

@@ -131,6 +131,13 @@ void TestContent::blindLevelsTellNothing() {
 }
 
 void TestContent::levelsHaveGatesOnTheirHeadlines() {
+    for (const auto& exercise : shipped().exercises()) // what chance gives stands beside every score that has such a level
+        for (const ExerciseLevel& level : exercise.levels)
+            for (const auto& metric : level.metrics) {
+                const std::string chance = metric.id + "_by_chance";
+                const bool told = std::any_of(level.metrics.begin(), level.metrics.end(), [&](const auto& m) { return m.id == chance; });
+                QVERIFY2(scoring::findMetric(chance) == nullptr || told, (level.id + ": " + chance).c_str());
+            }
     for (const ExerciseLevel& level : shipped().find("sphere_apex")->levels) {
         std::set<std::string> gated;
         for (const auto& gate : level.gates)
@@ -145,11 +152,11 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
                                                   "tension_error_rms", "tension_error_sd", "time_in_band",
                                                   "over_stretches", "drops",
                                                   "squeeze_max", "squeeze_time_over_limit", "placement_error",
-                                                  "weighing_correct", "sparc", "ldlj",
+                                                  "weighing_correct", "weighing_correct_by_chance", "sparc", "ldlj",
                                                   "palpation_hits", "palpation_misses", "palpation_false_alarms",
                                                   "palpation_d_prime", "palpation_d_prime_low", "palpation_d_prime_high", "palpation_criterion",
                                                   "palpation_roc_area", "size_error_by_chance",
-                                                  "localisation_error", "size_error", "hardness_order",
+                                                  "localisation_error", "localisation_error_by_chance", "size_error", "hardness_order", "hardness_order_by_chance",
                                                   "coverage", "force_band_time", "pressing_time", "searching_time"};
         for (const auto& metric : scoring::metricCatalogue())
             if (!ofOthers.contains(metric.id))

@@ -204,15 +204,23 @@ void TestInsertionScoreIsKept::unfinishedProcedure() {
     const database::TrialRecord trial = trialOf(cut.session);
     QVERIFY(!trial.marked && !trial.timedOut && trial.state != database::SessionState::completed);
     QVERIFY(!cut.scores.passed);
-    QVERIFY(valueOf(cut.scores, "insertion_depth") < 35.0);
-    QVERIFY(std::abs(valueOf(cut.scores, "offset_rms") - 1.2) < 0.002);
+    for (const scoring::MetricValue& metric : cut.scores.metrics) {
+        QVERIFY2(!metric.value, metric.id.c_str());
+        QCOMPARE(metric.reason, std::string("no trial was finished"));
+    }
     OpenStored stored(*m_site->database, cut.session);
+    auto as = stored.session->trace(); // scored as sessions were that say nothing of it
+    QVERIFY(as && as->trials.at(0).unfinished);
+    as->trials.at(0).unfinished = false;
+    const auto before = stored.session->scoresOf(*as, false);
+    QVERIFY(before && valueOf(*before, "insertion_depth") < 35.0);
+    QVERIFY(std::abs(valueOf(*before, "offset_rms") - 1.2) < 0.002);
     const QString path = QString::fromStdString(m_site->folder() + "/cut.csv");
     QVERIFY(session::exportCsv(*stored.session, path));
     const auto rows = scoring::readTraceCsvFile(path.toStdString());
     QVERIFY2(rows, rows ? "" : rows.error().message.c_str());
     const auto trace = scoring::buildSessionTrace(*rows, "urethra_insertion");
-    QVERIFY(trace && !trace->trials.at(0).completed && !trace->trials.at(0).marked);
+    QVERIFY(trace && !trace->trials.at(0).completed && !trace->trials.at(0).marked && trace->trials.at(0).unfinished);
 }
 
 QTEST_GUILESS_MAIN(TestInsertionScoreIsKept)

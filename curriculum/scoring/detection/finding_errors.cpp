@@ -56,13 +56,18 @@ HardnessPairs hardnessPairs(const PalpationTruth& truth, const core::FindingsBoo
             rated.emplace_back(lumpOf(truth, match).hardness, findingOf(findings, match).hardness);
     HardnessPairs out;
     out.rated = static_cast<int>(rated.size());
+    int differently = 0, all = 0;
     for (std::size_t i = 0; i < rated.size(); ++i)
         for (std::size_t k = i + 1; k < rated.size(); ++k) {
             const int truly = rated[i].first - rated[k].first;
             const int said = rated[i].second - rated[k].second;
             out.pairs += truly != 0 ? 1 : 0;
             out.right += truly * said > 0 ? 1 : 0;
+            differently += said != 0 ? 1 : 0;
+            ++all;
         }
+    if (all > 0)
+        out.rightByChance = 0.5 * differently / all;
     return out;
 }
 

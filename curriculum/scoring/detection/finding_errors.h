@@ -26,6 +26,7 @@ struct HardnessPairs {
     int right = 0; ///< the harder one was called harder; alike is not right
     int pairs = 0;
     int rated = 0; ///< found lumps with a rating
+    double rightByChance = 0.0; ///< share of pairs right if the same ratings were given in random order, 0..1/2
 };
 HardnessPairs hardnessPairs(const PalpationTruth& truth, const core::FindingsBook& findings,
                             const std::vector<FindingMatch>& matches);

@@ -52,8 +52,8 @@ SessionTrace session(std::vector<TrialTrace> trials) {
     return trace;
 }
 
-Measurement metricOf(const SessionTrace& trace, const std::string& id) {
-    const std::vector<MetricRequest> wanted{{id, 1}};
+Measurement metricOf(const SessionTrace& trace, const std::string& id, int version = 1) {
+    const std::vector<MetricRequest> wanted{{id, version}};
     const auto card = calculateScore(trace, wanted, {}, true);
     if (!card)
         return Measurement::undefined(card.error().message);
@@ -97,6 +97,27 @@ private slots:
         QCOMPARE(valueOf(session({handled(1.0, 0.0, false)}), "weighing_correct"), 0.0);
         QCOMPARE(valueOf(session({handled(1.0, 0.0), handled(1.0, 1.0), handled(1.0, 0.0), handled(1.0, 0.0)}), "weighing_correct"), 75.0);
         QCOMPARE(metricOf(session({handled(0.0)}), "weighing_correct").reason, std::string("no weighing was asked for"));
+    }
+
+    void chanceOfWeighing() {
+        QCOMPARE(valueOf(session({handled(1.0, 0.0), handled(1.0, 1.0)}), "weighing_correct_by_chance"), 50.0); // two objects
+        auto four = handled(1.0, 0.0);
+        for (NamedValue& value : four.truth)
+            value.value = value.id == "objects" ? 4.0 : value.value;
+        QCOMPARE(valueOf(session({handled(1.0, 0.0), four}), "weighing_correct_by_chance"), 37.5);
+    }
+
+    /// One of four that the level asks for is a quarter, however many were begun.
+    void completedOfThoseAskedFor() {
+        SessionTrace trace = session({handled(), handled(0.0, 0.0, false)});
+        QCOMPARE(*metricOf(trace, "procedure_completed", 2).value, 50.0); // how many were asked for is not known
+        trace.plannedTrials = 4;
+        QCOMPARE(*metricOf(trace, "procedure_completed", 2).value, 25.0);
+        QCOMPARE(*metricOf(trace, "procedure_completed", 1).value, 50.0); // as it was
+        trace.trials.back().unfinished = true;
+        QCOMPARE(*metricOf(trace, "procedure_completed", 2).value, 25.0);
+        const std::vector<MetricRequest> wanted{{"procedure_completed", 2}};
+        QCOMPARE(*calculateScore(trace, wanted, {}, true)->trials.front().front().value, 100.0); // of a trial: that trial
     }
 
     /// The answer is what was held last, not what happens to lie nearest to the target.

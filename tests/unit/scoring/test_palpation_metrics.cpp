@@ -3,6 +3,7 @@
 #include "core/contact_bits.h"
 #include "core/normal_distribution.h"
 #include "palpation_traces.h"
+#include "scoring/detection/palpation_truth.h"
 #include "scoring/metric.h"
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
@@ -111,6 +112,18 @@ private slots:
         QCOMPARE(reasonOf({one, one}, "hardness_order"), few); // trials are not compared with one another
         const auto alike = MadeTrial({{-0.02, 0.0}, {0.02, 0.0}}).found(0, -0.02, 0.0, 0, 1).found(1, 0.02, 0.0, 0, 5);
         QCOMPARE(reasonOf({alike}, "hardness_order"), QString("the lumps that were found are equally hard"));
+    }
+
+    /// What feeling nothing gives stands beside what was reached.
+    void chance() {
+        QVERIFY(isNear(valueOf({threeLumps()}, "hardness_order_by_chance"), 50.0, 1e-9)); // one pair, called differently
+        QVERIFY(isNear(valueOf({threeLumps().say(ReportField::hardness, 0, 4)}, "hardness_order_by_chance"), 0.0, 1e-9)); // alike: never right
+        // 3, 4 and 3: two of three pairs differ, so a third is right in random order
+        QVERIFY(isNear(valueOf({threeLumps().found(3, -0.02, 0.02, 0, 3)}, "hardness_order_by_chance"), 100.0 / 3.0, 1e-9));
+        const auto one = MadeTrial({{0.0, 0.0}}).found(0, 0.010, 0.0);
+        const double radius_mm = 1e3 * palpationTruthOf(TrialTrace(one).truth)->hitRadius_m;
+        QVERIFY(isNear(valueOf({one, one}, "localisation_error_by_chance"), radius_mm * 2.0 / 3.0, 1e-9));
+        QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}})}, "localisation_error_by_chance"), QString("no lump was found"));
     }
 
     /// 20 lumps in 20 trials of nine regions: 15 found, 8 of 160 lump-free regions with a false alarm.

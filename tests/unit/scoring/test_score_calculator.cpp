@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "busy_session.h"
+#include "scoring/trace_builder.h"
+#include "scoring/trace_csv.h"
 
 #include <QtTest>
 #include <set>
@@ -33,6 +35,8 @@ private slots:
     void gateOnAbsentValueDoesNotHold();
     void gatedMetricIsAdded();
     void bothEndsOfAGateCount();
+    void unfinishedTrialsAreInNoScore();
+    void unfinishedTrialsComeThroughAFile();
 };
 
 void TestScoreCalculator::catalogueIsComplete() {
@@ -69,6 +73,7 @@ void TestScoreCalculator::catalogueIsComplete() {
                                               "squeeze_time_over_limit",
                                               "placement_error",
                                               "weighing_correct",
+                                              "weighing_correct_by_chance",
                                               "critical_errors",
                                               "palpation_hits",
                                               "palpation_misses",
@@ -79,14 +84,17 @@ void TestScoreCalculator::catalogueIsComplete() {
                                               "palpation_criterion",
                                               "palpation_roc_area",
                                               "localisation_error",
+                                              "localisation_error_by_chance",
                                               "size_error",
                                               "size_error_by_chance",
                                               "hardness_order",
+                                              "hardness_order_by_chance",
                                               "coverage",
                                               "force_band_time",
                                               "pressing_time",
                                               "searching_time",
                                               "apex_error_mean",
+                                              "apex_error_mean_by_chance",
                                               "apex_error_sd",
                                               "apex_bias_x",
                                               "apex_bias_y",
@@ -202,6 +210,49 @@ void TestScoreCalculator::bothEndsOfAGateCount() {
     const std::vector<Gate> gates{gate("force_max", {}, 100.0), gate("force_max", 99.0, {})};
     const auto card = calculateScore(busySession(), {}, gates, true);
     QVERIFY(!card->passed && !card->metrics[0].passed.value());
+}
+
+// A trial that was cut off changes nothing that the session scores, and has no values of its own.
+void TestScoreCalculator::unfinishedTrialsAreInNoScore() {
+    auto whole = busySession();
+    auto cut = whole;
+    whole.trials.pop_back();
+    cut.trials.back().unfinished = true;
+    const auto all = everyMetric();
+    const auto expected = calculateScore(whole, all, {}, true);
+    const auto card = calculateScore(cut, all, {}, true);
+    QVERIFY(expected && card);
+    QCOMPARE(card->trials.size(), std::size_t{3});
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        QCOMPARE(card->metrics[i].value, expected->metrics[i].value);
+        QVERIFY(!card->trials[2][i].value);
+        QCOMPARE(card->trials[2][i].reason, std::string("the trial was not finished"));
+        QCOMPARE(card->trials[1][i].value, expected->trials[1][i].value);
+    }
+    for (TrialTrace& trial : cut.trials)
+        trial.unfinished = true;
+    const Gate slow = gate("time", {}, 1e9);
+    const auto none = calculateScore(cut, all, {&slow, 1}, true);
+    QVERIFY(none && !none->passed);
+    for (const MetricValue& metric : none->metrics) {
+        QVERIFY(!metric.value);
+        QCOMPARE(metric.reason, std::string("no trial was finished"));
+    }
+}
+
+void TestScoreCalculator::unfinishedTrialsComeThroughAFile() {
+    auto trace = busySession();
+    trace.trials.back().unfinished = true;
+    trace.plannedTrials = 7;
+    const auto rows = readTraceCsv(writeTraceCsv(rowsOf(trace)), "made.csv");
+    QVERIFY(rows);
+    const auto read = buildSessionTrace(*rows, "sphere_apex");
+    QVERIFY(read);
+    QCOMPARE(read->plannedTrials, 7);
+    QVERIFY(!read->trials.at(1).unfinished && read->trials.at(2).unfinished);
+    trace.trials.back().unfinished = false; // a file without the column: all count
+    const std::string without = writeTraceCsv(rowsOf(trace));
+    QVERIFY(without.find("unfinished") == std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(TestScoreCalculator)

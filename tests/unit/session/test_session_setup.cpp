@@ -28,6 +28,7 @@ class TestSessionSetup : public QObject {
 private slots:
     void comesBackFromItsColumns();
     void columnsFollowTheSetup();
+    void scoringRuleIsKept();
     void badColumns_data();
     void badColumns();
     void toolCounts();
@@ -62,6 +63,27 @@ void TestSessionSetup::columnsFollowTheSetup() {
         QVERIFY(columns.versionsJson.find("\"" + metric.id + "\"") != std::string::npos);
     setup.devices.front().rendersForce = false;
     QVERIFY(!session::toNewSession(setup).felt);
+}
+
+// Sessions that say nothing of it score as they did: with the trial that was cut off.
+void TestSessionSetup::scoringRuleIsKept() {
+    session::SessionSetup setup = usualSetup();
+    database::NewSession stored = session::toNewSession(setup);
+    QCOMPARE(session::setupFromStored(stored)->scoring, session::ScoringRule::finishedTrials);
+    setup.scoring = session::ScoringRule::begunTrials;
+    QCOMPARE(session::setupFromStored(session::toNewSession(setup))->scoring, session::ScoringRule::begunTrials);
+    for (const char* before : {R"({"models":"1"})", "{}", ""}) {
+        stored.versionsJson = before;
+        const auto again = session::setupFromStored(stored);
+        QVERIFY2(again, again ? "" : again.error().message.c_str());
+        QCOMPARE(again->scoring, session::ScoringRule::begunTrials);
+    }
+    for (const char* bad : {"{", R"({"scoring":3})", R"({"scoring":"2"})"}) {
+        stored.versionsJson = bad;
+        const auto refused = session::setupFromStored(stored);
+        QVERIFY(!refused);
+        QVERIFY(refused.error().message.find("versions") != std::string::npos);
+    }
 }
 
 void TestSessionSetup::badColumns_data() {
