@@ -16,7 +16,36 @@ double logHalfCosine(double turn) noexcept { // ln(½ + ½cos)
     return value > 0.0 ? std::log(value) : kImpossible;
 }
 
+/// Of exp(logDensity(x)) over low..high, by the midpoint rule; `value` is what is measured at x.
+template <class Density, class Value>
+double standardDeviation(double low, double high, Density&& logDensity, Value&& value) noexcept {
+    constexpr int kPieces = 2000;
+    double total = 0.0, sum = 0.0, squares = 0.0;
+    for (int i = 0; i < kPieces; ++i) {
+        const double x = low + (high - low) * (i + 0.5) / kPieces, mass = std::exp(logDensity(x)), v = value(x);
+        total += mass;
+        sum += mass * v;
+        squares += mass * v * v;
+    }
+    return std::sqrt(std::max(0.0, squares / total - sum * sum / (total * total)));
+}
+
 } // namespace
+
+double priorThresholdSd(const FitPriors& priors) noexcept {
+    return standardDeviation(
+        priors.lowestThreshold(), priors.highestThreshold(), [&](double x) { return priors.logThreshold(x); }, [](double x) { return x; });
+}
+
+double priorLogWidthSd(const FitPriors& priors) noexcept { // over ln width, where the density is width times as high
+    return standardDeviation(
+        std::log(priors.lowestWidth()), std::log(priors.largestWidth()), [&](double x) { return priors.logWidth(std::exp(x)) + x; }, [](double x) { return x; });
+}
+
+double priorShareSd(const FitPriors& priors, double largest) noexcept {
+    return standardDeviation(
+        0.0, largest, [&](double x) { return priors.logShare(x); }, [](double x) { return x; });
+}
 
 double FitPriors::logThreshold(double threshold) const noexcept {
     const double beyond = std::max({low - threshold, threshold - high, 0.0});
@@ -27,19 +56,20 @@ double FitPriors::logThreshold(double threshold) const noexcept {
 }
 
 double FitPriors::logWidth(double width) const noexcept {
-    if (!(width >= spacing) || width > largestWidth()) {
+    if (!(width >= lowestWidth()) || width > largestWidth()) {
         return kImpossible;
     }
-    if (width >= range()) {
-        return logHalfCosine(0.5 * std::numbers::pi * (width - range()) / range());
+    if (width >= fullWidthTo()) {
+        return logHalfCosine(0.5 * std::numbers::pi * (width - fullWidthTo()) / (0.5 * (largestWidth() - fullWidthTo())));
     }
-    return width <= 2.0 * spacing ? logHalfCosine(std::numbers::pi * (2.0 * spacing - width) / spacing) : 0.0;
+    return width < fullWidthFrom() ? logHalfCosine(std::numbers::pi * (fullWidthFrom() - width) / spacing) : 0.0;
 }
 
 double FitPriors::logShare(double share) const noexcept { return (beta - 1.0) * std::log1p(-share); }
 
-FitPriors priorsFor(const PreparedLevels& levels, const FitOptions& options, StimulusScale scale) noexcept {
+FitPriors priorsFor(const PreparedLevels& levels, const FitOptions& options, StimulusScale scale, bool wide) noexcept {
     FitPriors priors;
+    priors.wide = wide;
     priors.beta = options.betaPrior;
     const auto unit = [&](double x) { return (toScale(x, scale) - levels.centre) / levels.range; };
     if (options.lowest && options.highest) {

@@ -33,6 +33,10 @@ struct Asymptote {
 enum class FitMethod : std::uint8_t { maximumLikelihood, bayesian };
 /// Bootstrap of a maximum-likelihood fit: from the fitted curve, or from each level's own answers.
 enum class Bootstrap : std::uint8_t { none, parametric, nonparametric };
+/// What a Bayesian fit expects of the width before it has seen an answer. psignifit: nothing below the smallest spacing of the levels, little
+/// below twice that and beyond their range, nothing beyond three ranges. wide: all alike down to a hundredth of the spacing (a step) and up to
+/// three ranges, falling to nothing at nine. automatic: psignifit's, and intervals of the wide one where answers and psignifit's disagree.
+enum class WidthPrior : std::uint8_t { automatic, psignifit, wide };
 enum class CredibleMethod : std::uint8_t { percentile, projection }; ///< of the marginals; of the joint region of highest density
 
 struct FitOptions {
@@ -49,6 +53,7 @@ struct FitOptions {
     std::uint64_t seed = 1;
     // Bayesian only
     bool overdispersion = true;         ///< false: η is 0, answers are binomial
+    WidthPrior widthPrior = WidthPrior::automatic;
     double betaPrior = 10.0;            ///< lapse, guess and η ~ Beta(1, this)
     std::optional<double> lowest, highest; ///< stimulus range of the priors, given units; none: the data's
     CredibleMethod credible = CredibleMethod::percentile;
@@ -107,6 +112,10 @@ struct FitResult {
     CurveParameters expectedError;///< standard errors from expected information, as Fisher scoring (glm) gives; maximum likelihood only
     double thresholdWidthCovariance = kNotKnown; ///< of the observed information
     ParameterIntervals ci;        ///< threshold in given units
+    WidthPrior intervalPrior = WidthPrior::psignifit; ///< of `ci`, `draws` and the band: psignifit or wide; Bayesian only
+    /// How much the prior decided: the posterior's standard deviation over the prior's (of the width: of its logarithm). Near 0 the answers
+    /// decide, near 1 the prior. Not numbers where a parameter is fixed, and in maximum likelihood, which has no prior.
+    CurveParameters priorInfluence{kNotKnown, kNotKnown, kNotKnown, kNotKnown, kNotKnown};
     double confidence = 0.95;
     double deviance = kNotKnown;
     double pValue = kNotKnown;    ///< of the deviance: Monte Carlo where asked for, else chi-square

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/fits/fit_summary.h"
+#include "psychophysics/fits/likelihood_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,10 +54,18 @@ void warnOfThreshold(FitResult& result, const PreparedLevels& levels) {
     }
 }
 
-void warnOfWidth(FitResult& result, const PreparedLevels& levels) {
-    if (result.best.width < 0.5 * levels.spacing) {
-        result.warnings.push_back("step_function: the curve rises within less than half the distance of two intensities; answers jump "
-                                  "from guessing to right, so the width is only known to be small (present intensities in between)");
+/// Whether a step explains the answers as well as any curve, within what chance does: no interval of the width then begins above 0.
+bool mayBeStep(const FitResult& result, const PreparedLevels& levels, const FitOptions& options) {
+    constexpr double kChiSquare95 = 3.841; // of one degree of freedom
+    const FreeParameters free = freeParameters(options);
+    const double lapse = free.lapse ? 0.0 : options.lapse.value, guess = free.guess || free.equal ? 0.0 : options.guess.value;
+    return likelihoodRatioOfStep(levels, result.function, free, lapse, guess) < kChiSquare95;
+}
+
+void warnOfWidth(FitResult& result, const PreparedLevels& levels, const FitOptions& options) {
+    if (result.best.width < 0.5 * levels.spacing || mayBeStep(result, levels, options)) {
+        result.warnings.push_back("step_function: answers may jump from guessing to right between two neighbouring intensities, or at one; "
+                                  "the width is only known to be small (present intensities in between)");
     } else if (result.best.width > 3.0 * levels.range) {
         result.warnings.push_back("wide: the curve rises over more than three times the range presented; the width is hardly known");
     }
@@ -106,7 +115,7 @@ void addWarnings(FitResult& result, const PreparedLevels& levels, const FitOptio
         return;
     }
     warnOfBounds(result, options);
-    warnOfWidth(result, levels);
+    warnOfWidth(result, levels, options);
     warnOfThreshold(result, levels);
     warnOfScatter(result);
     warnOfSpacing(result, levels);

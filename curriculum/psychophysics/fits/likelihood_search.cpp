@@ -251,4 +251,9 @@ SearchResult searchThoroughly(Sigmoid sigmoid, const LevelsView& levels, const F
     return best;
 }
 
+double likelihoodRatioOfStep(const PreparedLevels& levels, Sigmoid sigmoid, const FreeParameters& free, double lapse, double guess) noexcept {
+    const SearchResult likely = searchMaximum(sigmoid, viewOf(levels), free, lapse, guess);
+    return std::max(0.0, 2.0 * (likely.logLikelihood - likely.step.logLikelihood));
+}
+
 } // namespace chiron::psychophysics

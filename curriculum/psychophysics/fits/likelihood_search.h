@@ -39,4 +39,7 @@ SearchResult searchMaximum(Sigmoid sigmoid, const LevelsView& levels, const Free
 /// The same from many more starts, each climbed to its end: a millisecond, for a fit that somebody reads.
 SearchResult searchThoroughly(Sigmoid sigmoid, const LevelsView& levels, const FreeParameters& free, double lapse, double guess) noexcept;
 
+/// 2 ln of the likelihood of the best curve over that of the best step: 0 where a step is best.
+double likelihoodRatioOfStep(const PreparedLevels& levels, Sigmoid sigmoid, const FreeParameters& free, double lapse, double guess) noexcept;
+
 } // namespace chiron::psychophysics

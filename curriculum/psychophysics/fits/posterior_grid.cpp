@@ -176,7 +176,7 @@ PosteriorAxes wholeSpace(const PosteriorModel& model, const GridSize& size) {
     PosteriorAxes axes;
     const auto even = [](double low, double high, const AxisSize& cut) { return panelAxis(evenBreaks(low, high, cut.panels), cut.nodes); };
     axes.axis[PosteriorAxes::threshold] = panelAxis(thresholdBreaks(model, size.threshold.panels), size.threshold.nodes);
-    axes.axis[PosteriorAxes::logWidth] = even(std::log(priors.spacing), std::log(priors.largestWidth()), size.width);
+    axes.axis[PosteriorAxes::logWidth] = even(std::log(priors.lowestWidth()), std::log(priors.largestWidth()), size.width);
     axes.axis[PosteriorAxes::guess] = model.free.guess ? even(0.0, model.free.largestGuess, size.share) : fixedAxis(model.guess);
     axes.axis[PosteriorAxes::lapse] = model.free.lapse ? even(0.0, model.free.largestLapse, size.share) : fixedAxis(model.lapse);
     axes.axis[PosteriorAxes::eta] = model.overdispersion ? even(0.0, kMostEta, size.eta) : fixedAxis(0.0);

@@ -209,7 +209,7 @@ void addLevels(Candidates& candidates, const PosteriorModel& model) {
     constexpr double kFew = 0.03, kMany = 0.15;
     const std::vector<double>& unit = model.levels.unit;
     const std::size_t places = 2 * unit.size() - 1, every = (places + kMostPlaces - 1) / kMostPlaces;
-    const double low = std::log(1.3 * model.priors.spacing), high = std::log(0.8 * model.priors.largestWidth());
+    const double low = std::log(1.3 * model.priors.lowestWidth()), high = std::log(0.8 * model.priors.largestWidth());
     for (std::size_t place = 0; place < places; place += every) {
         const double threshold = 0.5 * (unit[place / 2] + unit[(place + 1) / 2]);
         for (std::size_t w = 0; w < kWidths; ++w) {

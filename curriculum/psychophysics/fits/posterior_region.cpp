@@ -37,7 +37,7 @@ std::vector<Range> etaBands(const PosteriorModel& model) {
 /// Along ln width: thresholds spread with the width.
 std::vector<Range> widthBands(const FitPriors& priors) {
     constexpr double kLongest = 4.2, kMost = 4.0;
-    const double low = std::log(priors.spacing), length = std::log(priors.largestWidth()) - low;
+    const double low = std::log(priors.lowestWidth()), length = std::log(priors.largestWidth()) - low;
     const double count = std::clamp(std::ceil(length / kLongest), 1.0, kMost);
     std::vector<Range> bands;
     for (double band = 0.0; band < count; band += 1.0) {

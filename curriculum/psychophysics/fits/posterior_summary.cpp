@@ -37,13 +37,14 @@ struct Moments {
     double mean, sd;
 };
 
-Moments momentsOf(const Parts& parts, std::size_t a) {
+/// Of the width itself, or as it stands on its axis: of its logarithm.
+Moments momentsOf(const Parts& parts, std::size_t a, bool asOnAxis = false) {
     const auto sum = [&](auto&& value) {
         double whole = 0.0;
         for (std::size_t p = 0; p < parts.grids.size(); ++p) {
             const QuadratureAxis& axis = parts.grids[p].axes().axis[a];
             for (std::size_t i = 0; i < axis.size(); ++i) {
-                whole += parts.masses[p].node[a][i] / parts.total * value(a == Axes::logWidth ? std::exp(axis.nodes[i]) : axis.nodes[i]);
+                whole += parts.masses[p].node[a][i] / parts.total * value(a == Axes::logWidth && !asOnAxis ? std::exp(axis.nodes[i]) : axis.nodes[i]);
             }
         }
         return whole;
@@ -95,7 +96,7 @@ std::array<FitInterval, Axes::count> projections(const Parts& parts, double conf
     return extent;
 }
 
-void addIntervals(FitResult& result, const Parts& parts, const PreparedLevels& levels, const FitOptions& options) {
+void setIntervals(FitResult& result, const Parts& parts, const PreparedLevels& levels, const FitOptions& options) {
     std::array<FitInterval, Axes::count> interval;
     if (options.credible == CredibleMethod::projection) {
         interval = projections(parts, options.confidence);
@@ -139,20 +140,52 @@ void addDraws(FitResult& result, const Parts& parts, const PreparedLevels& level
     }
 }
 
+/// How wide the posterior is beside its prior.
+void setInfluence(FitResult& result, const Parts& parts, const FitPriors& priors, const FitOptions& options) {
+    const FreeParameters free = freeParameters(options);
+    const double largestEta = kMostEta;
+    CurveParameters& influence = result.priorInfluence;
+    influence.threshold = momentsOf(parts, Axes::threshold).sd / priorThresholdSd(priors);
+    influence.width = momentsOf(parts, Axes::logWidth, true).sd / priorLogWidthSd(priors);
+    influence.lapse = free.lapse ? momentsOf(parts, Axes::lapse).sd / priorShareSd(priors, free.largestLapse) : kNotKnown;
+    influence.guess = free.equal ? influence.lapse : free.guess ? momentsOf(parts, Axes::guess).sd / priorShareSd(priors, free.largestGuess) : kNotKnown;
+    influence.eta = options.overdispersion ? momentsOf(parts, Axes::eta).sd / priorShareSd(priors, largestEta) : kNotKnown;
+}
+
+double shareBelow(const std::vector<DensityGrid>& grids, std::size_t a, double place) {
+    const Parts parts = partsOf(grids);
+    double below = 0.0, total = 0.0;
+    for (std::size_t p = 0; p < grids.size(); ++p) {
+        const Marginal marginal(grids[p].axes().axis[a], parts.masses[p].node[a]);
+        below += marginal.below(place);
+        total += marginal.total();
+    }
+    return below / total;
+}
+
 } // namespace
 
-void addPosterior(FitResult& result, const std::vector<DensityGrid>& grids, const PreparedLevels& levels, const FitOptions& options) {
+void addMeans(FitResult& result, const std::vector<DensityGrid>& grids, const PreparedLevels& levels, const FitOptions& options) {
     const Parts parts = partsOf(grids);
     const Moments threshold = momentsOf(parts, Axes::threshold), width = momentsOf(parts, Axes::logWidth), lapse = momentsOf(parts, Axes::lapse);
     const Moments guess = freeParameters(options).equal ? lapse : momentsOf(parts, Axes::guess), eta = momentsOf(parts, Axes::eta);
     result.mean = {levels.centre + levels.range * threshold.mean, levels.range * width.mean, lapse.mean, guess.mean, eta.mean};
     result.error = {levels.range * threshold.sd, levels.range * width.sd, lapse.sd, guess.sd, eta.sd};
-    addIntervals(result, parts, levels, options);
+}
+
+void addIntervals(FitResult& result, const std::vector<DensityGrid>& grids, const FitPriors& priors, const PreparedLevels& levels, const FitOptions& options) {
+    const Parts parts = partsOf(grids);
+    setIntervals(result, parts, levels, options);
+    setInfluence(result, parts, priors, options);
     constexpr int kBandDraws = 1000;
     const int draws = options.curvePoints > 1 ? std::max(options.draws, kBandDraws) : options.draws;
     if (draws > 0) {
         addDraws(result, parts, levels, options, draws);
     }
 }
+
+double widthBelow(const std::vector<DensityGrid>& grids, double width) { return shareBelow(grids, Axes::logWidth, std::log(width)); }
+
+double thresholdBelow(const std::vector<DensityGrid>& grids, double threshold) { return shareBelow(grids, Axes::threshold, threshold); }
 
 } // namespace chiron::psychophysics

@@ -5,8 +5,14 @@
 
 namespace chiron::psychophysics {
 
-/// Posterior mean and standard deviation, credible intervals, draws and the band of the curve, from the posterior's parts; fills mean, error, ci,
-/// draws and curve of the result as the options ask for.
-void addPosterior(FitResult& result, const std::vector<DensityGrid>& grids, const PreparedLevels& levels, const FitOptions& options);
+/// Posterior mean and standard deviation, from the posterior's parts; fills mean and error of the result.
+void addMeans(FitResult& result, const std::vector<DensityGrid>& grids, const PreparedLevels& levels, const FitOptions& options);
+
+/// Intervals, draws and how much the prior decided alone: mean and error stay.
+void addIntervals(FitResult& result, const std::vector<DensityGrid>& grids, const FitPriors& priors, const PreparedLevels& levels, const FitOptions& options);
+
+/// Share of the posterior whose width (threshold), on the unit axis, lies below so much.
+double widthBelow(const std::vector<DensityGrid>& grids, double width);
+double thresholdBelow(const std::vector<DensityGrid>& grids, double threshold);
 
 } // namespace chiron::psychophysics

@@ -19,6 +19,7 @@ list(APPEND psychophysics_sources
     measures/scored_answers.cpp
     measures/set_and_said.cpp
     measures/thurstone_posterior.cpp
+    measures/variance_components.cpp
     study/apex_study.cpp
     study/group_estimate.cpp
     study/run_estimate.cpp

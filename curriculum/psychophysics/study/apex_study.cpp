@@ -5,6 +5,7 @@
 #include "psychophysics/measures/exact_tests.h"
 #include "psychophysics/measures/random_effects.h"
 #include "psychophysics/measures/sample_moments.h"
+#include "psychophysics/measures/variance_components.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,41 +34,24 @@ Interval overMeans(const std::vector<double>& means) {
     return {m.mean - half, m.mean + half};
 }
 
-/// One-way random effects by analysis of variance (Searle, Casella & McCulloch 1992, §3.6; unequal numbers of trials). REML where equal.
+/// The bias is the mean of participants' own, each counted alike; the spread is split by restricted maximum likelihood.
 ApexAxis axisOf(const ByParticipant& people, std::size_t axis, double radius_mm) {
     std::vector<double> means;
-    double within = 0.0;
-    double n = 0.0;
-    double squares = 0.0;
-    double sum = 0.0;
+    std::vector<std::vector<double>> groups;
     for (const auto& [participant, own] : people) {
-        const SampleMoments m = momentsOf(own.axis[axis]);
-        means.push_back(m.mean);
-        within += m.count > 1 ? m.sd * m.sd * (m.count - 1) : 0.0;
-        n += m.count;
-        squares += static_cast<double>(m.count) * m.count;
-        sum += m.mean * m.count;
+        means.push_back(momentsOf(own.axis[axis]).mean);
+        groups.push_back(own.axis[axis]);
     }
-    const double k = static_cast<double>(means.size());
     const double perPercent = radius_mm / 100.0;
     ApexAxis result;
     result.biasPercent = momentsOf(means).mean;
     result.bias_mm = result.biasPercent * perPercent;
     const Interval interval = overMeans(means);
     result.bias95_mm = {interval.low * perPercent, interval.high * perPercent};
-    if (!(n > k))
-        return result;
-    const double meanSquareWithin = within / (n - k);
-    result.sdWithin_mm = std::sqrt(meanSquareWithin) * perPercent;
-    double between = 0.0;
-    if (k > 1.0) {
-        std::size_t row = 0;
-        for (const auto& [participant, own] : people)
-            between += static_cast<double>(own.axis[axis].size()) * std::pow(means[row++] - sum / n, 2) / (k - 1.0);
-        between = std::max(0.0, (between - meanSquareWithin) / ((n - squares / n) / (k - 1.0)));
-        result.sdBetween_mm = std::sqrt(between) * perPercent;
-    }
-    result.sdPercent = std::sqrt(meanSquareWithin + between);
+    const VarianceComponents spread = varianceComponents(groups);
+    result.sdWithin_mm = std::sqrt(spread.within) * perPercent;
+    result.sdBetween_mm = std::sqrt(spread.between) * perPercent;
+    result.sdPercent = std::sqrt(spread.within + (std::isfinite(spread.between) ? spread.between : 0.0));
     result.sd_mm = result.sdPercent * perPercent;
     return result;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/random.h"
 #include "psychophysics/fits/fit.h"
 #include "psychophysics/fits/posterior_model.h"
 
@@ -29,6 +30,7 @@ FitOptions optionsOf(const Case& at) {
     FitOptions options;
     options.function = at.function;
     options.guess = at.guess;
+    options.widthPrior = WidthPrior::psignifit;
     return options;
 }
 
@@ -52,6 +54,9 @@ private slots:
     void sharesWithoutInformationKeepTheirPrior();
     void manyTrialsNarrowTheInterval();
     void decadesOnALinearAxis();
+    void steepAndFlatObservers_data();
+    void steepAndFlatObservers();
+    void influenceOfThePrior();
 };
 
 /// Places that long searches from outside found (simplex climbs from hundreds of starts): no place is higher than what is reported.
@@ -109,6 +114,62 @@ void TestFitPosterior::intervalsAreTheIntegrals() {
         }
         QVERIFY2(std::abs(fit.mean.width - known.meanWidth) < 0.01 * known.meanWidth, qPrintable(QStringLiteral("%1: %2").arg(known.at.name).arg(fit.mean.width)));
     }
+}
+
+void TestFitPosterior::steepAndFlatObservers_data() {
+    QTest::addColumn<double>("width");
+    for (const double width : {0.05, 0.10, 0.14, 0.17, 2.7})
+        QTest::addRow("width %g", width) << width;
+}
+
+/// Eight levels of 40 trials at a spacing of 0.143: psignifit's prior has nothing below that width, and nearly nothing at 2.7 of the range, so that its
+/// intervals hold none of these observers (1 of 40 at 0.17). 12 fresh answers each: at least 9 held (fewer by chance: 1 in 4,000), and each is warned.
+void TestFitPosterior::steepAndFlatObservers() {
+    QFETCH(double, width);
+    constexpr int kRuns = 12;
+    int held = 0, heldByPsignifit = 0, warned = 0;
+    for (int seed = 1; seed <= kRuns; ++seed) {
+        auto random = chiron::core::Random::stream(static_cast<std::uint64_t>(seed), "steep and flat");
+        FitResult observer;
+        observer.function = Sigmoid::gauss;
+        observer.best = {random.uniform(0.4, 0.6), width, 0.02, 0.5, 0.0};
+        PsychometricData data;
+        for (int i = 0; i < 8; ++i) {
+            double right = 0.0;
+            for (int trial = 0; trial < 40; ++trial)
+                right += random.uniform() < proportionAt(observer, i / 7.0) ? 1.0 : 0.0;
+            data.x.push_back(i / 7.0);
+            data.k.push_back(right);
+            data.n.push_back(40.0);
+        }
+        FitOptions options;
+        options.overdispersion = false; // a tenth of the time, and the same answer
+        const FitResult fit = fitBayesian(data, options);
+        options.widthPrior = WidthPrior::psignifit;
+        const FitResult narrow = fitBayesian(data, options);
+        QCOMPARE(fit.best.width, narrow.best.width);
+        QCOMPARE(fit.mean.threshold, narrow.mean.threshold);
+        held += fit.ci.width.low <= width && width <= fit.ci.width.high ? 1 : 0;
+        heldByPsignifit += narrow.ci.width.low <= width && width <= narrow.ci.width.high ? 1 : 0;
+        warned += fit.warnings.empty() || narrow.warnings.empty() ? 0 : 1;
+    }
+    qInfo("width %g: %d of %d held (psignifit's prior %d), %d warned", width, held, kRuns, heldByPsignifit, warned);
+    QVERIFY(held >= 9 && warned >= 11);
+    QVERIFY(heldByPsignifit <= 5);
+}
+
+/// 1 where nothing was answered to speak of, near 0 after thousands of answers; not a number of what is fixed.
+void TestFitPosterior::influenceOfThePrior() {
+    FitOptions options;
+    options.overdispersion = false;
+    options.lapse = Asymptote::fixedAt(0.02);
+    const FitResult few = fitBayesian({{1, 2, 3, 4, 5}, {1, 0, 1, 1, 1}, {1, 1, 1, 1, 1}}, options);
+    const FitResult many = fitBayesian({{1, 2, 3, 4, 5}, {5010, 5630, 7420, 9210, 9780}, {1e4, 1e4, 1e4, 1e4, 1e4}}, options);
+    QVERIFY2(few.priorInfluence.threshold > 0.8 && few.priorInfluence.threshold < 1.2, qPrintable(QString::number(few.priorInfluence.threshold)));
+    QVERIFY(few.priorInfluence.width > 0.7 && few.priorInfluence.width < 1.2);
+    QVERIFY(std::any_of(few.warnings.begin(), few.warnings.end(), [](const std::string& w) { return w.starts_with("prior_decides: "); }));
+    QVERIFY(many.priorInfluence.threshold < 0.03 && many.priorInfluence.width < 0.05);
+    QVERIFY(std::isnan(many.priorInfluence.lapse) && std::isnan(many.priorInfluence.eta));
 }
 
 /// One trial a level says nothing of overdispersion: its interval is that of Beta(1, 10).

@@ -151,7 +151,9 @@ void TestFitPublishedPosterior::intervalsHaveConverged() {
         const FreeParameters free = freeParameters(options);
         const PosteriorModel model{levels, options.function, priorsFor(levels, options, fit.scale), free, 0.0, options.guess.value, true};
         FitResult finer = fit;
-        addPosterior(finer, posteriorParts(model, {{12, 6}, {12, 6}, {6, 4}, {2, 5}}), levels, options);
+        const std::vector<DensityGrid> parts = posteriorParts(model, {{12, 6}, {12, 6}, {6, 4}, {2, 5}});
+        addMeans(finer, parts, levels, options);
+        addIntervals(finer, parts, model.priors, levels, options);
         const auto close = [&](double a, double b, double allowed) { return std::abs(a - b) <= allowed; };
         const double range = levels.range, width = fit.mean.width;
         QVERIFY2(close(fit.mean.threshold, finer.mean.threshold, 0.002 * width), qPrintable(object["id"].toString()));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The apex study: P2's numbers, known populations, and data that carry nothing.
+#include "core/random.h"
+#include "psychophysics/measures/variance_components.h"
 #include "psychophysics/study/apex_study.h"
 
 #include <QtTest>
@@ -14,6 +16,8 @@ private slots:
     void knownPopulation();
     void biasIsFound();
     void byHand();
+    void varianceComponentsOfDyestuff();
+    void varianceComponentsMaximiseTheRestrictedLikelihood();
     void power();
     void degenerate();
 };
@@ -68,6 +72,75 @@ void TestApexStudy::byHand() {
     QVERIFY(std::abs(s.meanAbsolutePercent - 17.5) < 1e-12);         // (10+20+30+20+10+0+10+40)/8
     QVERIFY(std::abs(s.meanAbsolute_mm - 1.75) < 1e-12 && std::abs(s.bars[1].meanPercent - 15.0) < 1e-12);
     QVERIFY(std::abs(s.meanDistance_mm - (std::sqrt(5.0) + std::sqrt(13.0) + 1.0 + std::sqrt(17.0)) / 4.0) < 1e-12);
+}
+
+/// Box & Tiao 1973 (lme4's Dyestuff and Dyestuff2): six batches of five. REML by lme4: 1764 and 2451; 0 and 13.81, where the mean square within is 14.95.
+void TestApexStudy::varianceComponentsOfDyestuff() {
+    const VarianceComponents yield = varianceComponents({{1545, 1440, 1440, 1520, 1580}, {1540, 1555, 1490, 1560, 1495}, {1595, 1550, 1605, 1510, 1560},
+                                                         {1445, 1440, 1595, 1465, 1545}, {1595, 1630, 1515, 1635, 1625}, {1520, 1455, 1450, 1480, 1445}});
+    QVERIFY(std::abs(yield.between - 1764.05) < 0.01 && std::abs(yield.within - 2451.25) < 0.01 && std::abs(yield.mean - 1527.5) < 1e-9 && !yield.cut);
+    const VarianceComponents cut = varianceComponents({{7.298, 3.846, 2.434, 9.566, 7.990}, {5.220, 6.556, 0.608, 11.788, -0.892}, {0.110, 10.386, 13.434, 5.510, 8.166},
+                                                       {2.212, 4.852, 7.092, 9.288, 4.980}, {0.282, 9.014, 4.458, 9.446, 7.198}, {1.722, 4.782, 8.106, 0.758, 3.758}});
+    qInfo("Dyestuff: between %.2f, within %.2f; Dyestuff2: between %.2f, within %.3f", yield.between, yield.within, cut.between, cut.within);
+    QVERIFY(cut.cut && cut.between == 0.0 && std::abs(cut.within - 13.81) < 0.005 && std::abs(cut.mean - 5.6656) < 1e-9);
+}
+
+namespace {
+
+/// Minus twice the log of the restricted likelihood, from the whole covariance matrix: ln|V| + ln|1'V⁻¹1| + y'Py, by elimination.
+double restrictedDeviance(const std::vector<std::vector<double>>& groups, double within, double between) {
+    std::vector<double> y;
+    std::vector<std::size_t> of;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        for (const double value : groups[g]) {
+            y.push_back(value);
+            of.push_back(g);
+        }
+    const std::size_t n = y.size();
+    std::vector<std::vector<double>> v(n, std::vector<double>(n + 2)); // with the right hand sides y and 1
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j)
+            v[i][j] = (i == j ? within : 0.0) + (of[i] == of[j] ? between : 0.0);
+        v[i][n] = y[i];
+        v[i][n + 1] = 1.0;
+    }
+    double logs = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+        logs += std::log(v[k][k]);
+        for (std::size_t i = 0; i < n; ++i)
+            if (i != k)
+                for (std::size_t j = n + 2; j-- > k;)
+                    v[i][j] -= v[i][k] / v[k][k] * v[k][j];
+    }
+    double ones = 0.0, cross = 0.0, squares = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        ones += v[i][n + 1] / v[i][i];
+        cross += v[i][n] / v[i][i];
+        squares += y[i] * v[i][n] / v[i][i];
+    }
+    return logs + std::log(ones) + squares - cross * cross / ones;
+}
+
+} // namespace
+
+/// Groups of unequal sizes: no pair of variances near by (or far off) is likelier.
+void TestApexStudy::varianceComponentsMaximiseTheRestrictedLikelihood() {
+    for (int seed = 1; seed <= 30; ++seed) {
+        auto random = chiron::core::Random::stream(static_cast<std::uint64_t>(seed), "unbalanced groups");
+        std::vector<std::vector<double>> groups;
+        for (int g = 0; g < 5; ++g) {
+            const double own = 0.2 * (seed % 4) * random.normal();
+            groups.emplace_back();
+            for (std::uint64_t left = 1 + random.below(6); left > 0; --left)
+                groups.back().push_back(own + random.normal());
+        }
+        const VarianceComponents found = varianceComponents(groups);
+        const double least = restrictedDeviance(groups, found.within, found.between);
+        for (const double w : {0.5, 0.9, 0.999, 1.001, 1.1, 2.0})
+            for (const double b : {-1.0, -0.1, -1e-3, 0.0, 1e-3, 0.1, 1.0})
+                if (const double between = found.between + b * found.within; between >= 0.0)
+                    QVERIFY2(restrictedDeviance(groups, w * found.within, between) > least - 1e-9, qPrintable(QString::number(seed)));
+    }
 }
 
 void TestApexStudy::power() {
