@@ -90,7 +90,7 @@ core::Result<double> CsvTable::number(std::size_t row, int column) const {
     const QString lower = text.toLower();
     if (lower.isEmpty() || lower == u"na" || lower == u"n/a" || lower == u"nan")
         return std::numeric_limits<double>::quiet_NaN();
-    if (lower == u"inf" || lower == u"+inf" || lower == u"-inf" || lower == u"infinity" || lower == u"-infinity")
+    if (lower == u"inf" || lower == u"+inf" || lower == u"-inf" || lower == u"infinity" || lower == u"+infinity" || lower == u"-infinity")
         return lower.startsWith(u'-') ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
     bool ok = false;
     const double value = text.toDouble(&ok);

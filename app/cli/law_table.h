@@ -10,7 +10,7 @@
 
 namespace chiron::cli {
 
-/// Rows of finite numbers in the order of the law's input columns.
+/// Rows of finite numbers in the order of the law's input columns. Row i stood in line i + 2.
 struct LawTable {
     std::vector<std::vector<double>> rows;
 };
@@ -24,9 +24,14 @@ QString lawNames();
 /// none). Failure: notFound; badInput with file, JSON path, value and range.
 core::Result<std::vector<double>> readLawParameters(const core::LawDescription& law, const QString& path);
 
-/// Reads a CSV with a header of the law's input columns, in any order. Failure: badInput with name, line and
-/// column.
+/// Reads a CSV with a header of the law's input columns, in any order. Every line ends in a line feed, or the table was cut off. Failure:
+/// badInput with name, line and column.
 core::Result<LawTable> readLawTable(const core::LawDescription& law, const QByteArray& csv,
                                     const QString& name);
+
+/// The law's answers, row by row. Failure: badInput with name and line of the first row for which the law does not hold or gives no finite
+/// number.
+core::Result<std::vector<std::vector<double>>> evaluateLaw(const core::LawDescription& law, const std::vector<double>& parameters,
+                                                           const LawTable& table, const QString& name);
 
 } // namespace chiron::cli

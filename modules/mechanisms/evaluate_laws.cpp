@@ -7,6 +7,7 @@
 #include "mechanisms/spherical_joint.h"
 
 #include <array>
+#include <cmath>
 
 namespace chiron::mechanisms {
 
@@ -85,6 +86,17 @@ FiveBarLoop loopOf(std::span<const double> p, std::span<const double> in) noexce
     return FiveBarKinematics(geometry).loop(in[0], in[1]);
 }
 
+/// The links meet, and not in line, where no force goes through them.
+std::string linkageProblem(std::span<const double> p, std::span<const double> in) {
+    if (in.empty())
+        return {};
+    const FiveBarLoop loop = loopOf(p, in);
+    if (!loop.closed)
+        return "theta1_rad, theta2_rad: the elbows are " + std::to_string((loop.elbow[1] - loop.elbow[0]).norm()) +
+               " m apart: expected more than 0 and at most twice distal_m, or the links do not meet";
+    return std::abs(loop.determinant) > 1e-9 * p[1] * p[1] ? "" : "theta1_rad, theta2_rad: the distal links are in line: expected angles off this singularity";
+}
+
 constexpr std::array<LawColumn, 2> kPoseInputs{{{"theta1_rad", "rad"}, {"theta2_rad", "rad"}}};
 constexpr std::array<LawColumn, 8> kPoseOutputs{{{"y_m", "m"},
                                                  {"z_m", "m"},
@@ -136,9 +148,9 @@ constexpr std::array<core::LawDescription, 4> kLaws{{
      "weight of a mass as heading, pitch and depth forces: as published, and exact with z of D up",
      "P2, Mass Model; models.md §2.1", kWeightInputs, kWeightOutputs, kWeightParameters, &evaluateWeight},
     {"five_bar_pose", "tip, Jacobian, det A and condition number of the five-bar linkage (D)", "P1 §2; devices.md §5",
-     kPoseInputs, kPoseOutputs, kLinkageParameters, &evaluatePose},
+     kPoseInputs, kPoseOutputs, kLinkageParameters, &evaluatePose, &linkageProblem},
     {"five_bar_efforts", "force at the tip and torque about it to torques of the linkage and the spherical joint (D)",
-     "P1 §2; devices.md §5", kEffortInputs, kEffortOutputs, kLinkageParameters, &evaluateEfforts},
+     "P1 §2; devices.md §5", kEffortInputs, kEffortOutputs, kLinkageParameters, &evaluateEfforts, &linkageProblem},
 }};
 
 } // namespace

@@ -50,15 +50,31 @@ constexpr std::array<LawParameter, 14> kHemisphereParameters{{
     {"dimple_y_m", "m", 0.0, -1.0, 1.0},
 }};
 
-void evaluateHemisphere(std::span<const double> p, std::span<const double> in,
-                        std::span<double> out) noexcept {
+HemisphereContact hemisphereFrom(std::span<const double> p, double damping_Ns_per_m) noexcept {
     HemisphereContact::Parameters law;
     law.surface = {p[0], p[1], core::Vec2(p[2], p[3])};
     law.stiffness = {p[4], p[5], p[6], core::Vec2(p[7], p[8])};
-    law.damping_Ns_per_m = p[9];
+    law.damping_Ns_per_m = damping_Ns_per_m;
     law.dimple = {p[10], p[11], core::Vec2(p[12], p[13])};
+    return HemisphereContact(law);
+}
+
+/// Where the stiffness changes so steeply that −∇U would pull, the contact lets go instead and loops make energy.
+std::string hemisphereProblem(std::span<const double> p, std::span<const double> in) {
+    if (in.empty() || !(p[4] > 0.0))
+        return {};
+    const ContactResponse still = hemisphereFrom(p, 0.0).respond(core::Vec3(in[0], in[1], in[2]), core::Vec3::Zero());
+    if (!still.inContact || still.normalForce_N > 0.0)
+        return {};
+    return core::lawProblem("depth_m", still.depth_m,
+                            "a shallower contact, a smaller stiffness_variation or a longer stiffness_wavelength_m: the stiffness changes so "
+                            "steeply here that the surface would pull");
+}
+
+void evaluateHemisphere(std::span<const double> p, std::span<const double> in,
+                        std::span<double> out) noexcept {
     const ContactResponse response =
-        HemisphereContact(law).respond(core::Vec3(in[0], in[1], in[2]), core::Vec3(in[3], in[4], in[5]));
+        hemisphereFrom(p, p[9]).respond(core::Vec3(in[0], in[1], in[2]), core::Vec3(in[3], in[4], in[5]));
     for (std::size_t axis = 0; axis < 3; ++axis) {
         out[axis] = response.force[static_cast<Eigen::Index>(axis)];
         out[4 + axis] = response.normal[static_cast<Eigen::Index>(axis)];
@@ -90,7 +106,7 @@ void evaluateFriction(std::span<const double> p, std::span<const double> in, std
 const std::array<core::LawDescription, 18> kLaws{{
     {"hemisphere", "hemisphere on a plane: elastic and damped contact of the sphere-apex exercise",
      "models.md §0 and §2.3", kHemisphereInputs, kHemisphereOutputs, kHemisphereParameters,
-     &evaluateHemisphere},
+     &evaluateHemisphere, &hemisphereProblem},
     {"friction", "Coulomb friction regularised by velocity, F = -mu N V / sqrt(V^2 + V0^2)",
      "P1 eq. 1; models.md §0 and §1.2", kFrictionInputs, kFrictionOutputs, kFrictionParameters,
      &evaluateFriction},

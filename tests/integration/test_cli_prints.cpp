@@ -23,6 +23,7 @@ private slots:
     void parametersChangeTheLaw();
     void palpationByHand();
     void polarForcesBothWays();
+    void passMarksAsStored();
     void metricsOfAStraightLine();
     void brokenPipeIsAnError();
 
@@ -208,6 +209,36 @@ void TestCliPrints::polarForcesBothWays() {
         return;
     }
     QFAIL("no polar_forces");
+}
+
+// Every pass mark of every level: the text says the same limits as the document, and which way they go.
+void TestCliPrints::passMarksAsStored() {
+    int minima = 0, maxima = 0;
+    for (const QJsonValue& listed : document(runCli({"exercise", "list", "--json"})).array()) {
+        const QString id = listed["id"].toString();
+        QVERIFY(!id.isEmpty());
+        const QJsonObject exercise = document(runCli({"exercise", "show", id, "--json"})).object();
+        const QStringList text = QString::fromUtf8(runCli({"exercise", "show", id}).out).split(QLatin1Char('\n'));
+        qsizetype from = 0;
+        for (const QJsonValue& level : exercise["levels"].toArray()) {
+            while (from < text.size() && !text[from].startsWith(QStringLiteral("level %1, ").arg(level["level"].toInt())))
+                ++from;
+            QVERIFY2(from < text.size(), qPrintable(id));
+            for (const QJsonValue& gate : level["gates"].toArray()) {
+                const bool low = gate["minimum"].isDouble(), high = gate["maximum"].isDouble();
+                minima += low;
+                maxima += high;
+                QString mark = low ? QStringLiteral(">= %1 ").arg(gate["minimum"].toDouble()) : QString();
+                mark += high ? QStringLiteral("<= %1").arg(gate["maximum"].toDouble()) : QString();
+                qsizetype at = from;
+                while (at < text.size() && !text[at].startsWith(gate["metric"].toString() + QLatin1Char(' ')))
+                    ++at;
+                QVERIFY2(at < text.size() && text[at].trimmed().endsWith(QStringLiteral("  ") + mark.trimmed()), qPrintable(id + ": " + text.value(at) + ": " + mark));
+            }
+            ++from;
+        }
+    }
+    QVERIFY2(minima > 0 && maxima > 20, qPrintable(QStringLiteral("%1 minima, %2 maxima").arg(minima).arg(maxima)));
 }
 
 void TestCliPrints::metricsOfAStraightLine() {

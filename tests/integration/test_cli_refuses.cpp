@@ -148,6 +148,35 @@ void TestCliRefuses::oneByOne_data() {
     parameters("json infinite", "{\"radius_m\": 1e999}", 3, {});
     parameters("json stranger", "{\"radius_mm\": 20}", 3, {"$.radius_mm", "radius_m"});
     parameters("json object", "{\"radius_m\": {}}", 3, {"$.radius_m"});
+    // In range, and no law for it: the place and what was expected.
+    const auto unlawful = [&](const char* name, const char* law, const QString& json, const QByteArray& table, const QStringList& mentions) {
+        const QString path = file(QString::fromUtf8(name).replace(QLatin1Char(' '), QLatin1Char('_')) + ".json", json.toUtf8());
+        row(name, {"evaluate", law, "--parameters", path}, 3, mentions, table);
+    };
+    unlawful("stiffness that pulls", "hemisphere", R"({"stiffness_variation": 0.99, "stiffness_wavelength_m": 0.001})", kPoint + "0,0,0.021,0,0,0\n0.0029,0.0002,0.0145,0,0,0\n",
+             {"stdin:3", "depth_m", "stiffness_wavelength_m"});
+    const QByteArray kShaft = "px_m,py_m,pz_m,ax,ay,az,vx_m_per_s,vy_m_per_s,vz_m_per_s,wx_rad_per_s,wy_rad_per_s,wz_rad_per_s\n";
+    unlawful("endoscope that looks nowhere", "urethra-force", "{}", kShaft + "0,0,0.01,0,0,1,0,0,0,0,0,0\n0,0,0.01,0,0,0,0,0,0,0,0,0\n", {"stdin:3", "ax, ay, az"});
+    unlawful("urethra that crosses itself", "urethra-force", R"({"radius_m": 0.006, "curvature_per_m": 100})", kShaft, {".json", "radius_m"});
+    unlawful("one section", "urethra-force", R"({"basic_sections": 1})", kShaft, {".json", "basic_sections"});
+    unlawful("half a section", "urethra-force", R"({"basic_sections": 26.5})", kShaft, {"$.basic_sections", "whole"});
+    unlawful("profile of no urethra", "urethra-profile", R"({"change_length_m": 0.012, "change_centre_m": 0.25})", "s_m\n0\n", {".json", "changes[0]"});
+    unlawful("surface beyond the neck", "urethra-surface", "{}", "s_m,angle_rad\n0.01,0\n0.5,0\n", {"stdin:3", "s_m 0.5"});
+    unlawful("palpated along no normal", "palpation-contact", "{}", "fx_N,fy_N,fz_N,nx,ny,nz\n0,0,1,0,0,0\n", {"stdin:2", "nx, ny, nz"});
+    unlawful("finger without a direction", "palpation-contact", R"({"finger_x": 0})", "fx_N,fy_N,fz_N,nx,ny,nz\n", {".json", "finger_x"});
+    unlawful("lump out of the tissue", "palpation-lump", R"({"R_m": 0.014})", "depth_m,rho_m\n0.001,0\n", {".json", "R_m 0.014"});
+    unlawful("contact wider than the lump is deep", "palpation-lump", R"({"a_m": 0.0065})", "depth_m,rho_m\n0.001,0\n", {".json", "a_m 0.0065"});
+    unlawful("through the lump", "palpation-lump", "{}", "depth_m,rho_m\n0.0089,0\n0.0091,0\n", {"stdin:3", "depth_m 0.0091"});
+    unlawful("held for less than no time", "deformation", "{}", "depth_m,held_s,released_s\n0.001,-1,0\n", {"stdin:2", "held_s -1"});
+    unlawful("let go before", "deformation", "{}", "depth_m,held_s,released_s\n0.001,1,-0.5\n", {"stdin:2", "released_s -0.5"});
+    unlawful("tube of less than no length", "elastic-tube", "{}", "length_m\n-0.01\n", {"stdin:2", "length_m -0.01"});
+    unlawful("half a seed", "roughness", R"({"seed": 1.5})", "px_m,py_m,depth_m\n", {"$.seed", "whole"});
+    unlawful("half a dome", "mesh-contact", R"({"dome": 0.5})", kPoint, {"$.dome", "whole"});
+    unlawful("links that do not meet", "five_bar_pose", R"({"distal_m": 0.01})", "theta1_rad,theta2_rad\n3.14,0\n", {"stdin:2", "theta1_rad"});
+    unlawful("efforts of links that do not meet", "five_bar_efforts", R"({"distal_m": 0.01})",
+             "theta1_rad,theta2_rad,pitch_rad,yaw_rad,fx_N,fy_N,fz_N,tx_Nm,ty_Nm,tz_Nm\n3.14,0,0,0,0,0,1,0,0,0\n", {"stdin:2", "theta1_rad"});
+    unlawful("too large for a number", "elasticity", "{}", "x_m\n1e200\n", {"stdin:2", "energy_J"});
+    row("cut off within the last row", {"evaluate", "friction"}, 3, {"stdin:3", "line feed"}, "normal_force_N,velocity_m_per_s\n1,0.1\n1,0.1");
     row("parameters missing", {"evaluate", "hemisphere", "--parameters", folder + "/none.json"}, 3,
         {"none.json", "no such file"}, kPoint);
     row("parameters folder", {"evaluate", "hemisphere", "--parameters", folder}, 3, {folder, "folder"},

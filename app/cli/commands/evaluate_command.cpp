@@ -79,7 +79,7 @@ CommandOutput tableOutput(const core::LawDescription& law, const LawTable& in,
         QStringList cells;
         QJsonArray row;
         for (const double value : values) {
-            cells << (std::isfinite(value) ? exactNumber(value) : QStringLiteral("nan"));
+            cells << exactNumber(value);
             row.append(value);
         }
         csv += cells.join(QLatin1Char(',')) + QLatin1Char('\n');
@@ -117,12 +117,10 @@ core::Result<CommandOutput> evaluate(const Arguments& arguments) {
     if (!table)
         return tl::unexpected(table.error());
     core::setModelFloatingPointEnvironment();
-    std::vector<std::vector<double>> results;
-    for (const std::vector<double>& row : table->rows) {
-        results.emplace_back(law->outputs.size(), 0.0);
-        law->evaluate(*parameters, row, results.back());
-    }
-    return tableOutput(*law, *table, results, arguments.has(QStringLiteral("with-inputs")));
+    const auto results = evaluateLaw(*law, *parameters, *table, QStringLiteral("stdin"));
+    if (!results)
+        return tl::unexpected(results.error());
+    return tableOutput(*law, *table, *results, arguments.has(QStringLiteral("with-inputs")));
 }
 
 } // namespace

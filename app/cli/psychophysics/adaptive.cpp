@@ -61,6 +61,8 @@ core::Result<void> answerLines(Procedure& procedure, bool orders, const QStringL
     for (int number = 1; std::getline(std::cin, text); ++number) {
         if (const auto at = text.find('\r'); at != std::string::npos && at + 1 < text.size()) // answers that end in it alone would be one
             return atLine(number, {core::ErrorCode::badInput, "a carriage return within the line: expected lines that end in a line feed, or in both"});
+        if (std::cin.eof() && !text.ends_with('\r')) // an answer that was cut off may read as another
+            return atLine(number, {core::ErrorCode::badInput, "the last line has no line feed: expected one after every answer, or the answer was cut off"});
         const QString words = QString::fromStdString(text);
         if (words.trimmed().isEmpty())
             continue;
@@ -79,6 +81,8 @@ core::Result<void> answerLines(Procedure& procedure, bool orders, const QStringL
         if (auto printed = printLine(state); !printed)
             return printed;
     }
+    if (std::cin.bad())
+        return core::fail(core::ErrorCode::storage, "stdin: broke off: expected it to be readable to its end");
     return {};
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is done with the list of studies.
+#include "catalogue/study_reader.h"
+#include "catalogue/whole_file.h"
 #include "desktop/studies/new_study_dialog.h"
 #include "desktop/studies/studies_screen.h"
 #include "desktop/studies/study_store.h"
 #include "desktop/studies/study_words.h"
 
 #include <QCheckBox>
-#include <QFile>
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QPointer>
@@ -34,12 +35,12 @@ void StudiesScreen::askFile() {
 }
 
 void StudiesScreen::importFile(const QString& file) {
-    QFile in(file);
-    if (!in.open(QIODevice::ReadOnly)) {
-        context().messages().error(tr("The file could not be read."), {core::ErrorCode::storage, (file + QStringLiteral(": ") + in.errorString()).toStdString()});
+    const auto text = catalogue::readWholeFile(file, kLargestStudy_bytes);
+    if (!text) {
+        context().messages().error(tr("The file could not be read."), text.error());
         return;
     }
-    const auto design = catalogue::readStudy(in.read(kLargestStudy_bytes + 1), file.toStdString());
+    const auto design = catalogue::readStudy(*text, file.toStdString());
     if (!design) {
         context().messages().error(tr("The study was not imported."), design.error());
         return;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A design checked, kept, frozen, brought in and out.
+#include "catalogue/study_reader.h"
+#include "catalogue/whole_file.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/studies/freeze_dialog.h"
 #include "desktop/studies/study_screen.h"
@@ -7,7 +9,6 @@
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 
-#include <QFile>
 #include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
@@ -146,10 +147,9 @@ void StudyScreen::askImport() {
 }
 
 void StudyScreen::importFile(const QString& file) {
-    QFile in(file);
-    const bool open = in.open(QIODevice::ReadOnly);
-    const auto design = open ? catalogue::readStudy(in.read(1 << 20), file.toStdString())
-                             : core::Result<psychophysics::StudyDesign>(core::fail(core::ErrorCode::storage, in.errorString().toStdString()));
+    constexpr qint64 kLargestStudy_bytes = 1 << 20;
+    const auto design = catalogue::readWholeFile(file, kLargestStudy_bytes)
+                            .and_then([&](const QByteArray& text) { return catalogue::readStudy(text, file.toStdString()); });
     if (!design) {
         m_faults->say("bad", tr("The file was not taken:\n%1").arg(QString::fromStdString(design.error().message)));
         return;

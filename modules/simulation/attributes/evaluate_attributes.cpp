@@ -71,6 +71,14 @@ constexpr std::array<LawParameter, 4> kDeformationParameters{{kStiffness,
                                                               {"recovery_share", "1", 0.5, 0.0, 10.0},
                                                               {"recovery_s", "s", 0.3, 0.0, 100.0}}};
 
+std::string deformationProblem(std::span<const double>, std::span<const double> in) {
+    if (in.empty())
+        return {};
+    if (in[1] < 0.0)
+        return core::lawProblem("held_s", in[1], "at least 0");
+    return in[2] < 0.0 ? core::lawProblem("released_s", in[2], "at least 0") : std::string();
+}
+
 /// Pressed at once to depth_m at time 0, held there until held_s (force_N), then the tool is gone for released_s, after which
 /// the surface lies at surface_m.
 void evaluateDeformation(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
@@ -108,6 +116,10 @@ constexpr std::array<LawParameter, 4> kTubeParameters{{{"rest_length_m", "m", 0.
                                                        {"stiffening_per_m", "1/m", 0.0, 0.0, 10000.0},
                                                        {"segment_share", "1", 1.0, 0.001, 1.0}}};
 
+std::string tubeProblem(std::span<const double>, std::span<const double> in) {
+    return !in.empty() && in[0] < 0.0 ? core::lawProblem("length_m", in[0], "at least 0") : std::string();
+}
+
 /// A segment of rest length l = share · L0, taut at `length_m`: each part of it is stretched alike, so that the whole tube
 /// would be by x = (length − l)/share: T = F(x), U = share · U_F(x); slack, nothing.
 void evaluateTube(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
@@ -142,7 +154,7 @@ core::LawDescription massLaw() noexcept {
 core::LawDescription deformationLaw() noexcept {
     return {"deformation", "a surface as a standard linear solid, f = k d + k1 (d - q), q' = (d - q)/tau; not conservative",
             "P2, Deformation Model; models.md §2.2", kDeformationInputs, kDeformationOutputs, kDeformationParameters,
-            &evaluateDeformation};
+            &evaluateDeformation, &deformationProblem};
 }
 
 core::LawDescription viscosityLaw() noexcept {
@@ -153,7 +165,7 @@ core::LawDescription viscosityLaw() noexcept {
 
 core::LawDescription elasticTubeLaw() noexcept {
     return {"elastic-tube", "tension and energy of a massless tube, or a segment of it, from its length; slack below its rest length; conservative",
-            "P2, Elastic Tube Model; models.md §2.4", kTubeInputs, kTubeOutputs, kTubeParameters, &evaluateTube};
+            "P2, Elastic Tube Model; models.md §2.4", kTubeInputs, kTubeOutputs, kTubeParameters, &evaluateTube, &tubeProblem};
 }
 
 } // namespace chiron::simulation

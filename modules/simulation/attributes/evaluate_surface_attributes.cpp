@@ -22,7 +22,7 @@ constexpr std::array<LawColumn, 7> kRoughnessOutputs{{{"height_m", "m"},
                                                       {"energy_J", "J"}}};
 constexpr std::array<LawParameter, 4> kRoughnessParameters{{{"roughness_m", "m", 0.00004, 0.0, 0.001},
                                                             {"wavelength_m", "m", 0.003, 0.001, 0.1},
-                                                            {"seed", "1", 1.0, 0.0, 1e9},
+                                                            {"seed", "1", 1.0, 0.0, 1e9, true},
                                                             {"stiffness_N_per_m", "N/m", 500.0, 0.0, 100000.0}}};
 
 /// On the plane z = 0: a tool at (px, py, −depth).

@@ -32,8 +32,12 @@ constexpr std::array<LawParameter, 6> kVoigtParameters{{{"kx_N_per_m", "N/m", 80
                                                         {"by_Ns_per_m", "N·s/m", 0.045, 0.0, 1000.0},
                                                         {"bz_Ns_per_m", "N·s/m", 0.055, 0.0, 1000.0}}};
 
-/// In the contact frame: d from the tool to its contact point (dz the depth), v how fast it grows.
+/// In the contact frame: d from the tool to its contact point (dz the depth), v how fast it grows. Without depth there is no contact.
 void evaluateVoigt(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
+    for (double& value : out)
+        value = 0.0;
+    if (!(in[2] > 0.0))
+        return;
     const Vec3 k(p[0], p[1], p[2]), b(p[3], p[4], p[5]);
     const Vec3 d(in[0], in[1], in[2]), v(in[3], in[4], in[5]);
     const Vec3 f = voigtForce(k, d, b, v);
@@ -55,6 +59,12 @@ constexpr std::array<LawParameter, 6> kContactParameters{{{"finger_x", "1", 1.0,
                                                           {"largest_pitch_rad", "rad", LeanLimits{}.pitch_rad, 0.01, 0.5 * core::kPi},
                                                           {"largest_roll_rad", "rad", LeanLimits{}.roll_rad, 0.01, 0.5 * core::kPi},
                                                           {"largest_lean_rad", "rad", LeanLimits{}.lean_rad, 0.01, 0.5 * core::kPi}}};
+
+std::string contactProblem(std::span<const double> p, std::span<const double> in) {
+    if (!(Vec3(p[0], p[1], p[2]).norm() > 0.0))
+        return "finger_x, finger_y, finger_z 0: expected a direction across the finger, of any length but 0";
+    return !in.empty() && !(Vec3(in[3], in[4], in[5]).norm() > 0.0) ? "nx, ny, nz 0: expected a normal of any length but 0" : "";
+}
 
 /// n of any length but 0 (then nothing is shown); (finger_x, finger_y, finger_z): across the finger, of any length.
 void evaluateContact(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
@@ -82,6 +92,19 @@ constexpr std::array<LawParameter, 6> kLumpParameters{{{"a_m", "m", 0.005, 0.000
                                                        {"m", "1", 10.0, 0.0, 1000.0},
                                                        {"k_N_per_m", "N/m", 2.0 * 0.005 * 17e3 / 0.75, 0.0, 100000.0},
                                                        {"lambda", "1", 0.25, 0.0, 1.0}}};
+
+/// Where the law of models.md §3 is valid: R ≤ 0.75 h, a ≤ h/2, λ d ≤ (h − R)/2; content is held to the same.
+std::string lumpProblem(std::span<const double> p, std::span<const double> in) {
+    if (p[1] == 0.0) // no lump
+        return {};
+    if (p[1] > 0.75 * p[2])
+        return core::lawProblem("R_m", p[1], "at most 0.75 h_m, or the lump comes too near to the surface for the law");
+    if (p[0] > 0.5 * p[2])
+        return core::lawProblem("a_m", p[0], "at most 0.5 h_m, or the contact is too wide for the law");
+    if (!in.empty() && p[5] * in[0] > 0.5 * (p[2] - p[1]))
+        return core::lawProblem("depth_m", in[0], "lambda depth_m at most (h_m - R_m)/2, or the contact comes too near to the lump for the law");
+    return {};
+}
 
 /// Above the surface (depth_m ≤ 0) χ is what a touch would meet, and there is no force.
 void evaluateLump(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
@@ -111,14 +134,14 @@ core::LawDescription voigtLaw() noexcept {
 core::LawDescription palpationContactLaw() noexcept {
     return {"palpation-contact",
             "what the fingertip platform shows of a force: lean angle alpha (unlimited), normal force, alpha split into limited pitch and roll",
-            "P3 eq. 2 and 3; models.md §3", kContactInputs, kContactOutputs, kContactParameters, &evaluateContact};
+            "P3 eq. 2 and 3; models.md §3", kContactInputs, kContactOutputs, kContactParameters, &evaluateContact, &contactProblem};
 }
 
 core::LawDescription palpationLumpLaw() noexcept {
     return {"palpation-lump",
             "a stiff ball felt through the tissue, U = k d^2 (1 + chi)/2, chi = (8/pi) a R^3 H^2/(rho^2 + H^2)^3 (m - 1)/(1 + 0.4 (m - 1)), "
             "H^2 = (h - lambda d)^2 + (5/3) a^2; lateral force outward; conservative",
-            "models.md §3; Johnson, Contact Mechanics; Eshelby 1957", kLumpInputs, kLumpOutputs, kLumpParameters, &evaluateLump};
+            "models.md §3; Johnson, Contact Mechanics; Eshelby 1957", kLumpInputs, kLumpOutputs, kLumpParameters, &evaluateLump, &lumpProblem};
 }
 
 } // namespace chiron::simulation

@@ -13,6 +13,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTabWidget>
+#include <set>
 #include <sqlite3.h>
 
 using namespace chiron;
@@ -29,6 +30,7 @@ private slots:
     void playsAndStopsAtTheEnd();
     void marksJump();
     void ghostBesideIt();
+    void ghostsAreOfTheSameDeviceClass();
     void commentAtAMoment();
     void voidNeedsAReasonAndATrainer();
     void nothingRecorded();
@@ -202,6 +204,28 @@ void TestPlayback::sceneStateIsTheRecording() {
     QVERIFY(state.ghost.present); // itself: the same place
     QVERIFY((state.ghost.p_WT - state.tool[0].p_WT).norm() < 1e-9);
     QVERIFY(desktop::sceneStateAt(*track, nullptr, trial.end_s).marked);
+}
+
+// A second session is felt where the first one is felt, and shown where it is shown: only those were done alike.
+void TestPlayback::ghostsAreOfTheSameDeviceClass() {
+    const auto shown = tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(m_made->good));
+    const auto alsoShown = tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(m_made->bad));
+    auto reader = m_site->database().openReader();
+    QVERIFY(reader);
+    const auto ghostsOf = [&](database::SessionId id) {
+        std::set<database::SessionId> ids;
+        const auto record = database::SessionReader(**reader, *m_tina).session(id);
+        const auto found = record ? desktop::listGhosts(**reader, *m_tina, *record, "force_max", true) : core::Result<std::vector<desktop::GhostCandidate>>();
+        if (!record || !found)
+            qFatal("ghosts");
+        for (const auto& candidate : *found)
+            ids.insert(candidate.summary.id);
+        return ids;
+    };
+    QVERIFY((ghostsOf(shown) == std::set<database::SessionId>{alsoShown}));
+    QVERIFY((ghostsOf(alsoShown) == std::set<database::SessionId>{shown}));
+    const auto felt = ghostsOf(m_good);
+    QVERIFY(felt.contains(m_bad) && !felt.contains(shown) && !felt.contains(alsoShown) && !felt.contains(m_good));
 }
 
 void TestPlayback::commentAtAMoment() {

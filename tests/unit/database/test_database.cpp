@@ -8,6 +8,7 @@
 #include <QProcess>
 #include <atomic>
 #include <csignal>
+#include <sqlite3.h>
 #include <sys/resource.h>
 
 using namespace chiron;
@@ -25,6 +26,7 @@ private slots:
     void readersWorkBesideTheWriterAndCannotWrite();
     void readersNeverCheckpoint();
     void foreignAndDamagedFilesAreErrors();
+    void noWriterWithoutAWriteAheadLog();
 };
 
 void TestDatabase::createsOpensAndKeepsItsIdentity() {
@@ -53,6 +55,30 @@ void TestDatabase::createsOpensAndKeepsItsIdentity() {
     });
     REQUIRE(pragmas);
     QCOMPARE(*pragmas, std::int64_t{211}); // synchronous FULL is 2
+}
+
+// Where files cannot be mapped (some network drives) SQLite stays with its old journal, under which readers would shut out the writer.
+void TestDatabase::noWriterWithoutAWriteAheadLog() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    f.database.reset();
+    {
+        auto connection = Connection::create(f.path());
+        REQUIRE(connection);
+        QCOMPARE(selectText(**connection, "PRAGMA journal_mode=DELETE")->value(), std::string("delete"));
+    }
+    sqlite3_vfs* const usual = sqlite3_vfs_find(nullptr);
+    sqlite3_vfs* const unmapped = sqlite3_vfs_find("unix-dotfile");
+    QVERIFY(usual && unmapped);
+    sqlite3_vfs_register(unmapped, 1);
+    const auto writer = Connection::open(f.path(), Connection::Mode::readWrite);
+    const auto reader = Connection::open(f.path(), Connection::Mode::readOnly);
+    sqlite3_vfs_register(usual, 1);
+    QVERIFY(!writer);
+    QCOMPARE(writer.error().code, core::ErrorCode::storage);
+    QVERIFY2(writer.error().message.find(f.path() + ": the file system does not allow write-ahead logging") == 0, writer.error().message.c_str());
+    REQUIRE(reader); // reading needs none
+    REQUIRE(f.reopen());
 }
 
 void TestDatabase::createRefusesAnExistingFile() {

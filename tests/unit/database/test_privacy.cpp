@@ -40,6 +40,7 @@ private slots:
     void csvSyntax();
     void exportHoldsEverything();
     void erasureLeavesNoTraceButTheTombstone();
+    void erasureKeepsWhatIsOthers();
     void erasureNeedsThePassword();
     void erasureTellsWhenAReaderKeepsOldPages();
     void erasureGoesOnWhereItStopped();
@@ -208,6 +209,44 @@ void TestPrivacy::erasureLeavesNoTraceButTheTombstone() {
     const auto other = f.person(*ada, "timotheus-unverwechselbar", {Role::trainee});
     REQUIRE(other);
     QVERIFY(other->personId() != tim->personId());
+}
+
+// Of each pair one is the erased person's as the writer, one as whom it is about; the third is nothing of theirs, and stays.
+void TestPrivacy::erasureKeepsWhatIsOthers() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "tim", {Role::trainee, Role::trainer});
+    const auto uma = f.person(*ada, "uma", {Role::trainee});
+    REQUIRE(uma);
+    const auto ofTim = storeSession(*f.database, *tim, 6);
+    const auto ofUma = storeSession(*f.database, *uma, 6);
+    const auto second = storeSession(*f.database, *uma, 6);
+    REQUIRE(second);
+    REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
+        SessionRepository byTim(w.connection(), *tim), byUma(w.connection(), *uma), byAda(w.connection(), *ada);
+        for (const auto& done : {drop(byTim.addComment(*ofUma, "by tim on uma")), drop(byAda.addComment(*ofTim, "by ada on tim")),
+                                 drop(byUma.addComment(*ofUma, "by uma on uma")), drop(byTim.voidSession(*ofUma, "void by tim")),
+                                 drop(byAda.voidSession(*ofTim, "void of tim")), drop(byAda.voidSession(*second, "void by ada"))})
+            if (!done)
+                return done;
+        return {};
+    }));
+    const auto list = [&](const char* sql) {
+        auto reader = f.database->openReader();
+        std::vector<std::string> texts;
+        auto query = Query::run(**reader, sql, {});
+        while (query && query->next().value_or(false))
+            texts.push_back(query->text(0));
+        std::sort(texts.begin(), texts.end());
+        return texts;
+    };
+    using Texts = std::vector<std::string>;
+    REQUIRE(AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "asked for it", true));
+    QCOMPARE(list("SELECT text FROM session_comment"), (Texts{"", "", "by uma on uma"}));
+    QCOMPARE(list("SELECT void_reason FROM session"), (Texts{"", "", "void by ada"}));
+    QCOMPARE(list("SELECT operator_name FROM session"), (Texts{"", "novice", "novice"}));
+    QVERIFY(onDisk(f.path(), "by uma on uma") && !onDisk(f.path(), "by tim on uma") && !onDisk(f.path(), "by ada on tim"));
 }
 
 void TestPrivacy::erasureNeedsThePassword() {

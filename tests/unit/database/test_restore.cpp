@@ -33,6 +33,8 @@ private slots:
     void restoreNeedsAnAdministratorAndTheLock();
     void restoreNeedsAnAdministratorOfWhatItReplaces();
     void restoreReplacesADamagedFile();
+    void restoreKeepsTheOldLogWithTheOldFile();
+    void restoreErasesWhatWasRunning();
 };
 
 void TestRestore::restoreBringsBackAndKeepsTheOld() {
@@ -70,6 +72,71 @@ void TestRestore::restoreBringsBackAndKeepsTheOld() {
     REQUIRE(Upkeep::restore(requestFor(f, f.path("backup")),
                             f.options)); // a second time: the first kept file stays
     QCOMPARE(countIn(info->keptOldFile), std::int64_t{2});
+}
+
+// A program that was killed leaves its newest rows in the log alone: they go with the file that is kept, and never into the restored one.
+void TestRestore::restoreKeepsTheOldLogWithTheOldFile() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(storeSession(*f.database, *ada));
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("backup")));
+    REQUIRE(f.reopen()); // all that went before is in the file, and the log is empty
+    REQUIRE(storeSession(*f.database, *ada));
+    QByteArray file = contentOf(f.path());
+    const QByteArray log = contentOf(f.path() + "-wal");
+    QVERIFY(!log.isEmpty());
+    f.database.reset();
+    const auto putBack = [](const std::string& name, const QByteArray& bytes) {
+        QFile out(QString::fromStdString(name));
+        return out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size();
+    };
+    QVERIFY(putBack(f.path(), file) && putBack(f.path() + "-wal", log)); // as the kill left them
+    const auto info = Upkeep::restore(requestFor(f, f.path("backup")), f.options);
+    REQUIRE(info);
+    const auto countIn = [](const std::string& name) {
+        auto connection = Connection::open(name, Connection::Mode::readWrite);
+        return connection ? selectInteger(**connection, "SELECT count(*) FROM session")->value_or(-1) : -1;
+    };
+    QCOMPARE(countIn(info->keptOldFile), std::int64_t{2});
+    QCOMPARE(countIn(f.path()), std::int64_t{1});
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());
+    // Where the file is damaged its log cannot go into it: both are kept as they are.
+    QFile::remove(QString::fromStdString(f.path() + "-wal"));
+    file.fill('x', 8192);
+    QVERIFY(putBack(f.path(), file) && putBack(f.path() + "-wal", log));
+    const auto second = Upkeep::restore(requestFor(f, f.path("backup")), f.options);
+    REQUIRE(second);
+    QCOMPARE(contentOf(second->keptOldFile), file);
+    QCOMPARE(contentOf(second->keptOldFile + "-wal"), log);
+    QCOMPARE(countIn(f.path()), std::int64_t{1});
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());
+}
+
+// The backup was made while a session ran: its ring's file is named there, in a folder that tells whose it is.
+void TestRestore::restoreErasesWhatWasRunning() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    NewSession begun = someSession();
+    begun.ringFile = "/home/timotheus-unverwechselbar/ring";
+    const auto id = f.database->write([&](WriteContext& w) { return SessionRepository(w.connection(), *tim).beginSession(begun); });
+    REQUIRE(id);
+    REQUIRE(Upkeep::backup(*f.database, *ada, f.path("backup")));
+    REQUIRE(f.database->write([&](WriteContext& w) {
+        SessionEnd end;
+        end.state = SessionState::stopped;
+        return SessionRepository(w.connection(), *tim).finishSession(*id, end);
+    }));
+    REQUIRE(AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", true));
+    f.database.reset();
+    QVERIFY(!contentOf(f.path()).contains("timotheus-unverwechselbar"));
+    QVERIFY(contentOf(f.path("backup") + "/chiron.db").contains("timotheus-unverwechselbar"));
+    const auto info = Upkeep::restore(requestFor(f, f.path("backup")), f.options);
+    REQUIRE(info);
+    QCOMPARE(info->erasuresApplied, 1);
+    QVERIFY(!contentOf(f.path()).contains("timotheus-unverwechselbar"));
 }
 
 void TestRestore::restoreAppliesLaterErasures() {

@@ -25,6 +25,7 @@ private slots:
     void stagesAndLandmarksAreTold();
     void trialThatBeginsInsideTellsItsStages();
     void stagesThatDoNotFitStayUntold();
+    void trialsKeepTheirMarks();
     void timeUpOfAProcedure();
     void otherTracksStayAsTheyAre();
     void penaltiesArePenalties();
@@ -103,6 +104,48 @@ void TestInsertionMarks::stagesThatDoNotFitStayUntold() {
     QVERIFY(session::addInsertionMarks(made, cut, {}));
     for (const PlaybackMark& mark : ofKind(made, PlaybackMarkKind::stageChanged))
         QVERIFY(mark.detail.empty());
+}
+
+// A second trial that ends within the inspection and sees one landmark: neither tells the other its stages, landmarks or end.
+void TestInsertionMarks::trialsKeepTheirMarks() {
+    constexpr double kLater_s = 3.0;
+    auto made = track();
+    const std::vector<PlaybackMark> first = made.marks;
+    for (PlaybackMark mark : first) {
+        const bool withdrawn = mark.kind == PlaybackMarkKind::stageChanged && mark.t_s > 1.5;
+        if (withdrawn || mark.kind == PlaybackMarkKind::completed)
+            continue;
+        mark.t_s += kLater_s;
+        mark.trial = 1;
+        made.marks.push_back(mark);
+    }
+    PlaybackMark end;
+    end.t_s = kLater_s + 2.0;
+    end.trial = 1;
+    end.kind = PlaybackMarkKind::timedOut;
+    made.marks.push_back(end);
+    scoring::SessionTrace both = trace();
+    scoring::TrialTrace second = both.trials.front();
+    second.trial = 1;
+    for (double& t_s : second.tools.front().t_s)
+        t_s += kLater_s;
+    for (std::uint8_t& stage : second.insertion->stage)
+        if (stage > static_cast<std::uint8_t>(ProcedureStage::inspection))
+            stage = static_cast<std::uint8_t>(ProcedureStage::inspection);
+    second.insertion->landmarkSeen_s = {kLater_s + 1.5, kLater_s + 1.3};
+    both.trials.push_back(second);
+    QVERIFY(session::addInsertionMarks(made, both, {}));
+    std::array<std::vector<std::string>, 2> stages;
+    for (const PlaybackMark& mark : ofKind(made, PlaybackMarkKind::stageChanged))
+        stages[static_cast<std::size_t>(mark.trial)].push_back(mark.detail);
+    QVERIFY((stages[0] == std::vector<std::string>{"insertion", "inspection", "withdrawal"}));
+    QVERIFY((stages[1] == std::vector<std::string>{"insertion", "inspection"}));
+    std::array<std::vector<double>, 2> seen;
+    for (const PlaybackMark& mark : ofKind(made, PlaybackMarkKind::landmarkSeen))
+        seen[static_cast<std::size_t>(mark.trial)].push_back(mark.value.value_or(-1.0));
+    QVERIFY((seen[0] == std::vector<double>{1.0, 3.0}));
+    QVERIFY((seen[1] == std::vector<double>{1.0, 2.0}));
+    QCOMPARE(ofKind(made, PlaybackMarkKind::timedOut).front().detail, std::string(session::kProcedure));
 }
 
 void TestInsertionMarks::timeUpOfAProcedure() {

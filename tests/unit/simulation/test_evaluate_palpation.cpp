@@ -59,9 +59,12 @@ void TestEvaluatePalpation::voigt() {
     Row r = row("voigt", {0.001, -0.002, 0.003, 0.2, 0.0, -0.1});
     QVERIFY(near(r["fx_N"], 0.81) && near(r["fy_N"], -1.4) && near(r["fz_N"], 1.9445));
     QVERIFY(near(r["energy_J"], 0.5 * (800e-6 + 700 * 4e-6 + 650 * 9e-6)));
-    r = row("voigt", {0, 0, 0, 0.1, 0.1, 0.1}); // 5 mN at 0.1 m/s: about one count of the fingertip's converter
+    r = row("voigt", {0, 0, 1e-15, 0.1, 0.1, 0.1}); // 5 mN at 0.1 m/s: about one count of the fingertip's converter
     QVERIFY(near(r["fx_N"], 0.005) && near(r["fy_N"], 0.0045) && near(r["fz_N"], 0.0055));
     QCOMPARE(row("voigt", {0, 0, 0.0001, 0, 0, -5.0})["fz_N"], 0.0); // never pulls
+    for (const double depth : {0.0, -1e-9, -0.002}) // no contact, whatever it is stretched by
+        for (const auto& [name, value] : row("voigt", {0.001, -0.001, depth, 0.1, 0.1, 0.1}))
+            QVERIFY2(value == 0.0, name.c_str());
     QVERIFY(near(row("voigt", {0, 0, 0.002, 0, 0, 0}, {{"kz_N_per_m", 300.0}})["fz_N"], 0.6));
 }
 

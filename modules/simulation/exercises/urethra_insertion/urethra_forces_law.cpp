@@ -102,7 +102,7 @@ constexpr std::array<LawParameter, 7> kOthers{{
     {"change_radius_m", "m", 0.0015, 0.0005, 0.01},
     {"change_stiffness_factor", "1", 1.0, 0.0, 1000.0},
     {"change_friction_factor", "1", 1.0, 0.0, 100.0},
-    {"basic_sections", "1", 0.0, 0.0, 401.0},
+    {"basic_sections", "1", 0.0, 0.0, 401.0, true},
 }};
 
 constexpr std::size_t kEndoscopeFrom = kAnatomyCount;
@@ -169,6 +169,14 @@ void write(const UrethraResponse& r, std::span<double> out) noexcept {
         out[i] = values[i];
 }
 
+std::string problem(std::span<const double> p, std::span<const double> in) {
+    if (const auto problems = urethraProblems(anatomyFrom(p), endoscopeFrom(p), {}); !problems.empty())
+        return problems.front().field + ": " + problems.front().reason;
+    if (const double basic = p[kOthersFrom + 6]; basic == 1.0)
+        return core::lawProblem("basic_sections", basic, "0 for the fine grid, or at least 2");
+    return !in.empty() && !(core::Vec3(in[3], in[4], in[5]).norm() > 0.0) ? "ax, ay, az 0: expected the endoscope's axis, of any length but 0" : "";
+}
+
 /// Not a number for an endoscope that looks nowhere and for a urethra that cannot be, as the geometry's laws answer.
 void evaluate(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     const core::Vec3 axis(in[3], in[4], in[5]);
@@ -192,7 +200,8 @@ constexpr core::LawDescription kLaw{"urethra-force",
                                     kInputs,
                                     kOutputs,
                                     kParameters,
-                                    &evaluate};
+                                    &evaluate,
+                                    &problem};
 
 } // namespace
 

@@ -24,14 +24,14 @@ constexpr std::array<LawColumn, 8> kOutputs{
 /// The first kOfMesh describe the mesh; `dome` 1 makes a dome of half_axis_x_m on a plate, 0 an ellipsoid.
 constexpr std::size_t kOfMesh = 10;
 constexpr std::array<LawParameter, 14> kParameters{{
-    {"dome", "1", 0.0, 0.0, 1.0},
+    {"dome", "1", 0.0, 0.0, 1.0, true},
     {"half_axis_x_m", "m", 0.040, 0.001, 0.2},
     {"half_axis_y_m", "m", 0.030, 0.001, 0.2},
     {"half_axis_z_m", "m", 0.025, 0.001, 0.2},
     {"edge_m", "m", 0.0015, 0.0001, 0.05},
     {"bump_height_m", "m", 0.0, 0.0, 0.01},
     {"bump_wavelength_m", "m", 0.008, 0.0005, 0.2},
-    {"bump_seed", "1", 1.0, 0.0, 4294967295.0},
+    {"bump_seed", "1", 1.0, 0.0, 4294967295.0, true},
     {"plate_radius_m", "m", 0.075, 0.001, 0.5},
     {"plate_thickness_m", "m", 0.010, 0.0001, 0.1},
     {"tool_radius_m", "m", 0.001, 0.0, 0.02},
@@ -72,6 +72,13 @@ const std::optional<TriangleMesh>& meshFor(std::span<const double> p) {
     return kept.mesh;
 }
 
+std::string meshProblem(std::span<const double> p, std::span<const double> in) {
+    if (!in.empty() || meshFor(p))
+        return {};
+    const auto mesh = makeMesh(sourceFrom(p));
+    return mesh ? std::string() : "the mesh: " + mesh.error().message;
+}
+
 void evaluateMeshContact(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     const std::optional<TriangleMesh>& mesh = meshFor(p);
     if (!mesh) {
@@ -97,7 +104,7 @@ void evaluateMeshContact(std::span<const double> p, std::span<const double> in, 
 
 core::LawDescription meshContactLaw() noexcept {
     return {"mesh-contact", "spherical tool tip on a triangle mesh with blended normals (not conservative)", "P2 \"Deformation\", figure 6; models.md §2.2",
-            kInputs, kOutputs, kParameters, &evaluateMeshContact};
+            kInputs, kOutputs, kParameters, &evaluateMeshContact, &meshProblem};
 }
 
 } // namespace chiron::simulation

@@ -132,20 +132,24 @@ constexpr std::array<LawColumn, 6> kSurfaceOutputs{
 /// `inside` 0: the resting surface. The grid's numbers are taken as whole ones.
 constexpr auto kSurfaceParameters = withWall(std::array<LawParameter, 7>{{
     kTip,
-    {"inside", "1", 0.0, 0.0, 1.0},
+    {"inside", "1", 0.0, 0.0, 1.0, true},
     {"ex_m", "m", 0.0, -0.02, 0.02},
     {"en_m", "m", 0.0, -0.02, 0.02},
-    {"n", "1", 17.0, 5.0, 129.0},
-    {"w", "1", 26.0, 4.0, 401.0},
-    {"moving_sections", "1", 9.0, 3.0, 33.0},
+    {"n", "1", 17.0, 5.0, 129.0, true},
+    {"w", "1", 26.0, 4.0, 401.0, true},
+    {"moving_sections", "1", 9.0, 3.0, 33.0, true},
 }});
+
+UrethraMeshSettings meshFrom(std::span<const double> p) noexcept {
+    const std::span<const double> own = p.subspan(kWallCount);
+    return {static_cast<int>(own[4]), static_cast<int>(own[5]), 1, static_cast<int>(own[6])};
+}
 
 void evaluateSurface(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
     const UrethraAnatomy anatomy = anatomyFrom(p);
     const Endoscope endoscope = endoscopeFrom(p);
     const std::span<const double> own = p.subspan(kWallCount);
-    const UrethraMeshSettings mesh{static_cast<int>(own[4]), static_cast<int>(own[5]), 1,
-                                   static_cast<int>(own[6])};
+    const UrethraMeshSettings mesh = meshFrom(p);
     if (!urethraProblems(anatomy, endoscope, mesh).empty())
         return giveUp(out);
     UrethraCurveNet net(anatomy, endoscope, mesh);
@@ -157,6 +161,20 @@ void evaluateSurface(std::span<const double> p, std::span<const double> in, std:
         out[axis] = point.p_A[static_cast<Eigen::Index>(axis)];
         out[3 + axis] = point.n_A[static_cast<Eigen::Index>(axis)];
     }
+}
+
+std::string wallProblem(std::span<const double> p, const UrethraMeshSettings& mesh) {
+    const auto problems = urethraProblems(anatomyFrom(p), endoscopeFrom(p), mesh);
+    return problems.empty() ? std::string() : problems.front().field + ": " + problems.front().reason;
+}
+
+std::string profileProblem(std::span<const double> p, std::span<const double>) { return wallProblem(p, {}); }
+
+std::string surfaceProblem(std::span<const double> p, std::span<const double> in) {
+    if (std::string problem = wallProblem(p, meshFrom(p)); !problem.empty() || in.empty())
+        return problem;
+    const double length_m = UrethraCentreline(p[0], p[1]).length_m();
+    return in[0] >= 0.0 && in[0] <= length_m ? std::string() : core::lawProblem("s_m", in[0], "from 0 to the bladder neck, " + std::to_string(length_m) + " m");
 }
 
 constexpr core::LawDescription kLine{
@@ -171,7 +189,8 @@ constexpr core::LawDescription kProfile{
     kProfileInputs,
     kProfileOutputs,
     kProfileParameters,
-    &evaluateProfile};
+    &evaluateProfile,
+    &profileProblem};
 constexpr core::LawDescription kSurface{
     "urethra-surface",
     "drawn surface of the urethra, moved by the tip's offset in its free and its constrained part alike: point "
@@ -180,7 +199,8 @@ constexpr core::LawDescription kSurface{
     kSurfaceInputs,
     kSurfaceOutputs,
     kSurfaceParameters,
-    &evaluateSurface};
+    &evaluateSurface,
+    &surfaceProblem};
 
 } // namespace
 

@@ -229,6 +229,43 @@ private slots:
         for (const char* told : {"downy", "craggy", "437.5", "N/m"})
             QVERIFY2(open.contains(told), told);
     }
+    /// Forces tell hard from soft: while sealed no column of them has a number, of a rendered run neither.
+    void exportsTellNoForce() {
+        Site site;
+        const auto study = site.add(twoConditions("sealed_forces", true));
+        site.enrol(study, "S01");
+        for (const std::string& code : site.open(study, "S01").order)
+            QVERIFY(site.run(study, "S01", code, false, 2).runs.front().session > 0);
+        QTemporaryDir folder;
+        const auto columnsOf = [&](const QString& name) {
+            auto connection = site.fixture.database->openReader();
+            database::StudyReader reader(**connection, site.actor);
+            std::map<QByteArray, QList<QByteArray>> columns;
+            if (!session::exportStudyCsv(reader, study, folder.filePath(name).toStdString()))
+                return columns;
+            QFile file(folder.filePath(name) + "/trials.csv");
+            QList<QByteArray> lines = file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().split('\n') : QList<QByteArray>();
+            const QList<QByteArray> names = lines.isEmpty() ? lines : lines.takeFirst().split(',');
+            for (const QByteArray& line : lines)
+                for (qsizetype i = 0; i < names.size(); ++i)
+                    columns[names[i]] << line.split(',').value(i);
+            return columns;
+        };
+        const auto sealed = columnsOf("sealed");
+        site.write([&](database::StudyRepository& all) { return all.unblindStudy(study); });
+        const auto open = columnsOf("open");
+        QVERIFY(open.contains("terminal_force_1") && open.contains("peak_force_1") && open.contains("peak_force") && open.contains("rendered_1"));
+        int told = 0;
+        for (const auto& [name, cells] : open) {
+            if (!name.contains("peak_force") && !name.contains("terminal_force") && !name.startsWith("rendered"))
+                continue;
+            told += static_cast<int>(std::count_if(cells.begin(), cells.end(), [](const QByteArray& cell) { return cell != "n/a"; }));
+            QCOMPARE(sealed.at(name).size(), 4);
+            for (const QByteArray& cell : sealed.at(name))
+                QVERIFY2(cell == "n/a", (name + ": " + cell).constData());
+        }
+        QVERIFY(told > 8); // there was something to hide
+    }
     /// What a device leaves of one condition would tell which it is: blind, all conditions have what is left of the least.
     void theDeviceLimitIsShared() {
         const auto design = twoConditions("limits", true);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A pass mark in words: which way it goes, and by how much it was missed.
+#include "desktop/debrief/verdict.h"
+#include "desktop/exercise_setup/gate_words.h"
+
+#include <QtTest>
+
+using namespace chiron;
+
+namespace {
+report::MetricRow row(std::optional<double> value, std::optional<double> minimum, std::optional<double> maximum) {
+    report::MetricRow row;
+    row.id = "coverage";
+    row.unit = "%";
+    row.value = value;
+    row.gateMinimum = minimum;
+    row.gateMaximum = maximum;
+    row.passed = false;
+    return row;
+}
+
+QString missed(std::optional<double> value, std::optional<double> minimum, std::optional<double> maximum) {
+    return desktop::missedGateText(row(value, minimum, maximum), QLocale(QLocale::English, QLocale::UnitedKingdom));
+}
+} // namespace
+
+class TestGateWords : public QObject {
+    Q_OBJECT
+private slots:
+    void missedByHowMuch();
+    void markInWords();
+};
+
+void TestGateWords::missedByHowMuch() {
+    const QString little = missed(62.0, 80.0, {});
+    QVERIFY2(little.contains("too little") && little.contains("(18") && little.contains("62") && little.contains("80"), qPrintable(little));
+    QVERIFY2(!little.contains(QStringLiteral("-18")) && !little.contains(QStringLiteral("−18")), qPrintable(little));
+    const QString much = missed(95.0, {}, 80.0);
+    QVERIFY2(much.contains("too much") && much.contains("(15"), qPrintable(much));
+    const QString below = missed(5.0, 20.0, 80.0); // a band, from below and from above
+    QVERIFY2(below.contains("too little") && below.contains("(15"), qPrintable(below));
+    const QString above = missed(85.0, 20.0, 80.0);
+    QVERIFY2(above.contains("too much") && above.contains("(5"), qPrintable(above));
+    const QString none = missed({}, 20.0, {});
+    QVERIFY2(!none.contains("too") && none.contains("20"), qPrintable(none));
+}
+
+void TestGateWords::markInWords() {
+    const QLocale locale(QLocale::English, QLocale::UnitedKingdom);
+    const auto words = [&](std::optional<double> minimum, std::optional<double> maximum) {
+        scoring::Gate gate;
+        gate.metric = "coverage";
+        gate.minimum = minimum;
+        gate.maximum = maximum;
+        return desktop::gateInWords(gate, locale);
+    };
+    QVERIFY2(words(80.0, {}).contains("at least 80"), qPrintable(words(80.0, {})));
+    QVERIFY2(words({}, 80.0).contains("at most 80"), qPrintable(words({}, 80.0)));
+    const QString band = words(20.0, 80.0);
+    QVERIFY2(band.contains("from 20") && band.indexOf("20") < band.indexOf("to 80"), qPrintable(band));
+}
+
+QTEST_MAIN(TestGateWords)
+#include "test_gate_words.moc"
