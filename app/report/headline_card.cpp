@@ -91,6 +91,8 @@ void paintHeadlineCard(QCPPainter& p, const QRectF& box, const MetricRow& row, c
     }
     line(80, 15, theme.font(11, row.passed.has_value()), ink, verdict);
     const QString band = formatBand(row, theme.locale);
+    if (band.isEmpty() && row.chance)
+        line(96, 14, theme.font(10.5), theme.muted, chanceWords(row, theme.locale));
     if (!band.isEmpty())
         drawText(p, QRectF(inner.left(), inner.top() + 96, inner.width(), 28),
                  row.bandSource.isEmpty() ? Words::tr("Benchmark %1").arg(band)
