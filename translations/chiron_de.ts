@@ -5064,6 +5064,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <source>The session did not come to its end: these values are judged by no pass mark.</source>
         <translation>Die Sitzung kam nicht zu ihrem Ende: Diese Werte werden an keiner Bestehensgrenze gemessen.</translation>
     </message>
+    <message>
+        <source>No trial came to its end: there is no score.</source>
+        <translation>Kein Durchgang kam zu seinem Ende: Es gibt keine Wertung.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DeviceChooser</name>
@@ -12183,6 +12187,10 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>felt (commanded)</source>
         <translation>gefühlt (ausgegeben)</translation>
+    </message>
+    <message>
+        <source>Nothing was touched.</source>
+        <translation>Nichts wurde berührt.</translation>
     </message>
 </context>
 </TS>

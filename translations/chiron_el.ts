@@ -5064,6 +5064,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <source>The session did not come to its end: these values are judged by no pass mark.</source>
         <translation>Η συνεδρία δεν έφτασε στο τέλος της: αυτές οι τιμές δεν κρίνονται με κανένα όριο επιτυχίας.</translation>
     </message>
+    <message>
+        <source>No trial came to its end: there is no score.</source>
+        <translation>Καμία δοκιμή δεν έφτασε στο τέλος της: δεν υπάρχει βαθμολογία.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DeviceChooser</name>
@@ -12183,6 +12187,10 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     <message>
         <source>felt (commanded)</source>
         <translation>αισθητή (εντολή)</translation>
+    </message>
+    <message>
+        <source>Nothing was touched.</source>
+        <translation>Δεν αγγίχτηκε τίποτα.</translation>
     </message>
 </context>
 </TS>

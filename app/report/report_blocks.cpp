@@ -6,7 +6,9 @@
 #include "report/session_plots.h"
 #include "report/text_box.h"
 
+#include <QFontMetricsF>
 #include <algorithm>
+#include <numeric>
 #include <qcustomplot.h>
 
 namespace chiron::report {
@@ -142,10 +144,14 @@ void ReportBlocks::addHeadlines() {
 
 void ReportBlocks::addMetrics() {
     addHeading(Words::tr("All metrics"));
-    if (m_data.state != QLatin1String("completed") && !m_data.metrics.empty())
-        addText(m_data.trialsDone > 0 ? Words::tr("The session did not come to its end: these values are judged by no pass mark.")
-                                      : Words::tr("No trial came to its end: there is no score."),
+    if (m_data.state != QLatin1String("completed") && m_data.state != QLatin1String("voided")) {
+        const bool any = !m_data.metrics.empty();
+        addText(any ? Words::tr("The session did not come to its end: these values are judged by no pass mark.")
+                    : Words::tr("No trial came to its end: there is no score."),
                 m_theme.font(12), m_theme.muted, 4);
+        if (!any)
+            return;
+    }
     std::vector<std::vector<QString>> rows;
     for (const MetricRow& row : m_data.metrics) {
         const QString name = row.name.isEmpty() ? row.id : row.name;
@@ -163,7 +169,7 @@ void ReportBlocks::addMetrics() {
         rows.push_back({Words::tr("No metrics were computed"), {}, {}, {}, {}});
     addTable({Words::tr("Metric"), Words::tr("Value"), Words::tr("Pass mark"), Words::tr("Benchmark, chance"),
               Words::tr("Result")},
-             rows, {0.36, 0.2, 0.16, 0.17, 0.11}, {false, true, true, true, false});
+             rows, {0.34, 0.19, 0.16, 0.2, 0.11}, {false, true, true, true, false});
 }
 
 void ReportBlocks::addApex() {
@@ -202,10 +208,25 @@ void ReportBlocks::addInsertion() {
 }
 
 void ReportBlocks::addWords(const WordTable& table) {
-    const double share = 1.0 / static_cast<double>(table.head.size());
+    // Columns as wide as their longest word of the head and their longest cell: no language's words are broken.
+    const QFontMetricsF head(m_theme.font(11, true));
+    const QFontMetricsF body(m_theme.font(12));
+    constexpr double kPadding = 14.0;
+    std::vector<double> widths;
+    for (std::size_t column = 0; column < table.head.size(); ++column) {
+        double width = 0.0;
+        for (const QString& word : table.head[column].split(QLatin1Char(' ')))
+            width = std::max(width, head.horizontalAdvance(word));
+        for (const std::vector<QString>& row : table.rows)
+            width = std::max(width, body.horizontalAdvance(row[column]));
+        widths.push_back(width + kPadding);
+    }
+    const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);
+    for (double& width : widths)
+        width /= sum;
     std::vector<bool> right(table.head.size(), true);
     right[1] = false; // how it ended, in words
-    addTable(table.head, table.rows, std::vector<double>(table.head.size(), share), right);
+    addTable(table.head, table.rows, widths, right);
 }
 
 void ReportBlocks::addTube() {

@@ -117,6 +117,9 @@ QString chanceWords(const MetricRow& row, const QLocale& locale) {
 
 QString feltWords(const ForceFacts& force, bool felt, const QLocale& locale) {
     const auto newtons = [&locale](double value) { return formatValue(value, QStringLiteral("N"), locale); };
+    constexpr double kContact_N = 0.02; // models.md §6
+    if (force.tissue_N < kContact_N)
+        return Words::tr("Nothing was touched.");
     if (!felt)
         return Words::tr("The tissue answered with up to %1. Nothing of it was felt: the force was shown.").arg(newtons(force.tissue_N));
     if (!force.firstLimited_s)

@@ -85,9 +85,14 @@ void DebriefScreen::showHead(DebriefHead head) {
     m_column->addWidget(forceBox());
     if (!m_head->report.metrics.empty()) {
         m_column->addWidget(kit::label(context().theme(), tr("All metrics"), TextStyle::title));
-        if (m_head->record.summary.state != database::SessionState::completed)
+        const database::SessionState state = m_head->record.summary.state;
+        if (state != database::SessionState::completed && state != database::SessionState::voided)
             m_column->addWidget(kit::label(context().theme(), tr("The session did not come to its end: these values are judged by no pass mark."), TextStyle::small, "muted"));
         m_column->addWidget(new MetricsTable(context().theme(), m_head->report.metrics, context().locale()));
+    } else if (m_head->record.summary.state != database::SessionState::completed) {
+        auto* none = kit::label(context().theme(), tr("No trial came to its end: there is no score."), TextStyle::body, "muted");
+        none->setObjectName(QStringLiteral("debrief.no_score"));
+        m_column->addWidget(none);
     }
     m_column->addStretch();
     m_panel->showContent();

@@ -66,7 +66,7 @@ QWidget* tableOf(const Theme& theme, const report::WordTable& words, const char*
     for (int row = 0; row < table->rowCount(); ++row)
         for (int column = 0; column < table->columnCount(); ++column) {
             auto* item = new QTableWidgetItem(words.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)]);
-            if (column != 1)
+            if (column != 1 && column + 1 < table->columnCount()) // the last one is as wide as what is left
                 item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             table->setItem(row, column, item);
         }

@@ -225,6 +225,11 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
         m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(session)}});
         QTRY_VERIFY(tests::isLoaded(*m_site));
         m_site->window->resize(1280, 1500);
+        QTest::qWait(600);
+    });
+    tests::takePictures(*m_site, QStringLiteral("playback_%1").arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_'))), [&] {
+        m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(session)}});
+        QTRY_VERIFY(tests::isLoaded(*m_site));
     });
 }
 
