@@ -159,6 +159,65 @@ Einzelheiten: %2</translation>
     </message>
 </context>
 <context>
+    <name>ExercisePart</name>
+    <message>
+        <source>The answers, seen from above</source>
+        <translation>Die Antworten, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>How the endoscope kept to the urethra</source>
+        <translation>Wie das Endoskop der Harnröhre folgte</translation>
+    </message>
+    <message>
+        <source>How the tube was held and stretched</source>
+        <translation>Wie der Schlauch gehalten und gedehnt wurde</translation>
+    </message>
+    <message>
+        <source>How each object was held and set down</source>
+        <translation>Wie jedes Objekt gehalten und abgelegt wurde</translation>
+    </message>
+    <message>
+        <source>What was searched and what was found</source>
+        <translation>Was abgetastet und was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>What was compared</source>
+        <translation>Was verglichen wurde</translation>
+    </message>
+    <message>
+        <source>There is no answer to show. The session is kept and listed.</source>
+        <translation>Es gibt keine Antwort zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+    </message>
+    <message>
+        <source>There is nothing to show of the procedure. The session is kept and listed.</source>
+        <translation>Vom Eingriff gibt es nichts zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+    </message>
+    <message>
+        <source>There is no tension to show. The session is kept and listed.</source>
+        <translation>Es gibt keine Spannung zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+    </message>
+    <message>
+        <source>There is no object to show. The session is kept and listed.</source>
+        <translation>Es gibt kein Objekt zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+    </message>
+    <message>
+        <source>There is no search to show. The session is kept and listed.</source>
+        <translation>Es gibt keine Suche zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+    </message>
+    <message>
+        <source>What was compared and answered is shown with its study.</source>
+        <translation>Was verglichen und geantwortet wurde, steht bei der Studie.</translation>
+    </message>
+    <message>
+        <source>What each trial came to</source>
+        <translation>Was jeder Durchgang ergab</translation>
+    </message>
+    <message>
+        <source>%1 of %2 landmarks of the bladder were seen.</source>
+        <translation>%1 von %2 Landmarken der Blase wurden gesehen.</translation>
+    </message>
+</context>
+<context>
     <name>ForceWords</name>
     <message>
         <source>Force is stopped</source>
@@ -1726,10 +1785,6 @@ Einzelheiten: %2</translation>
         <translation>%1 lang Pause</translation>
     </message>
     <message>
-        <source>Force stopped</source>
-        <translation>Kraft gestoppt</translation>
-    </message>
-    <message>
         <source>Force armed again</source>
         <translation>Kraft wieder freigegeben</translation>
     </message>
@@ -1752,14 +1807,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>The next stage begins</source>
         <translation>Die nächste Phase beginnt</translation>
-    </message>
-    <message>
-        <source>Time was up before the end</source>
-        <translation>Die Zeit war vor dem Ende um</translation>
-    </message>
-    <message>
-        <source>Everything was done</source>
-        <translation>Alles war erledigt</translation>
     </message>
     <message>
         <source>Landmarks seen: %1</source>
@@ -1802,20 +1849,124 @@ Einzelheiten: %2</translation>
         <translation>Das Gewebe gab bei %1 nach</translation>
     </message>
     <message>
-        <source>Tissue at its limit: stretched or squeezed too much</source>
-        <translation>Gewebe an der Grenze: zu stark gedehnt oder gequetscht</translation>
-    </message>
-    <message>
-        <source>Torn: the trial could not be done any more</source>
-        <translation>Gerissen: Der Durchgang war nicht mehr zu schaffen</translation>
-    </message>
-    <message>
         <source>Finding %1 marked</source>
         <translation>Fund %1 markiert</translation>
     </message>
     <message>
         <source>Finding %1 taken back</source>
         <translation>Fund %1 zurückgenommen</translation>
+    </message>
+    <message>
+        <source>The trial was done</source>
+        <translation>Der Durchgang wurde zu Ende geführt</translation>
+    </message>
+    <message>
+        <source>The trial could not be done any more</source>
+        <translation>Der Durchgang war nicht mehr möglich</translation>
+    </message>
+    <message>
+        <source>The tissue was damaged</source>
+        <translation>Das Gewebe wurde geschädigt</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Beendet</translation>
+    </message>
+    <message>
+        <source>The procedure was done to its end</source>
+        <translation>Der Eingriff wurde zu Ende geführt</translation>
+    </message>
+    <message>
+        <source>Time was up before the end of the procedure</source>
+        <translation>Die Zeit war vor dem Ende des Eingriffs um</translation>
+    </message>
+    <message>
+        <source>The procedure could not be done any more</source>
+        <translation>Der Eingriff war nicht mehr möglich</translation>
+    </message>
+    <message>
+        <source>The tube was held as asked</source>
+        <translation>Der Schlauch wurde wie verlangt gehalten</translation>
+    </message>
+    <message>
+        <source>Time was up before the tube was held as asked</source>
+        <translation>Die Zeit war um, bevor der Schlauch wie verlangt gehalten wurde</translation>
+    </message>
+    <message>
+        <source>The tube tore: the trial could not be done any more</source>
+        <translation>Der Schlauch riss: Der Durchgang war nicht mehr möglich</translation>
+    </message>
+    <message>
+        <source>The tube was stretched too far</source>
+        <translation>Der Schlauch wurde zu weit gedehnt</translation>
+    </message>
+    <message>
+        <source>An object was set down in the target</source>
+        <translation>Ein Objekt wurde im Ziel abgelegt</translation>
+    </message>
+    <message>
+        <source>Time was up before an object was set down in the target</source>
+        <translation>Die Zeit war um, bevor ein Objekt im Ziel abgelegt wurde</translation>
+    </message>
+    <message>
+        <source>The object was squeezed too hard</source>
+        <translation>Das Objekt wurde zu fest gequetscht</translation>
+    </message>
+    <message>
+        <source>The search was reported as done</source>
+        <translation>Die Suche wurde als beendet gemeldet</translation>
+    </message>
+    <message>
+        <source>Time was up before the search was reported as done</source>
+        <translation>Die Zeit war um, bevor die Suche als beendet gemeldet wurde</translation>
+    </message>
+    <message>
+        <source>The search could not be done any more</source>
+        <translation>Die Suche war nicht mehr möglich</translation>
+    </message>
+    <message>
+        <source>Answered</source>
+        <translation>Beantwortet</translation>
+    </message>
+    <message>
+        <source>The comparison was done</source>
+        <translation>Der Vergleich wurde zu Ende geführt</translation>
+    </message>
+    <message>
+        <source>Time was up without an answer</source>
+        <translation>Die Zeit war ohne Antwort um</translation>
+    </message>
+    <message>
+        <source>The comparison could not be done any more</source>
+        <translation>Der Vergleich war nicht mehr möglich</translation>
+    </message>
+    <message>
+        <source>The object was damaged</source>
+        <translation>Das Objekt wurde beschädigt</translation>
+    </message>
+    <message>
+        <source>Force stopped by the person, for %1</source>
+        <translation>Kraft von der Person angehalten, %1 lang</translation>
+    </message>
+    <message>
+        <source>Force stopped by the person</source>
+        <translation>Kraft von der Person angehalten</translation>
+    </message>
+    <message>
+        <source>Felt less than the tissue answered for %1, which was up to %2</source>
+        <translation>%1 lang weniger gefühlt, als das Gewebe antwortete: bis zu %2</translation>
+    </message>
+    <message>
+        <source>A miss: not on what was to be marked</source>
+        <translation>Ein Fehlversuch: nicht auf dem, was zu markieren war</translation>
+    </message>
+    <message>
+        <source>Finding %1 marked where no lump was</source>
+        <translation>Fund %1 markiert, wo kein Knoten war</translation>
+    </message>
+    <message>
+        <source>A lump was missed</source>
+        <translation>Ein Knoten wurde übersehen</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +2583,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Simulated arm with fingertip platform</source>
         <translation>Simulierter Arm mit Fingerkuppen-Plattform</translation>
     </message>
+    <message>
+        <source>Force rendered to a scripted hand</source>
+        <translation>Kraft an eine programmierte Hand ausgegeben</translation>
+    </message>
 </context>
 <context>
     <name>SoundLoader</name>
@@ -2557,13 +2712,20 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 µs late, %6 were left out.</source>
         <translation>%1 Takte von 1 ms. Die Hälfte begann innerhalb von %2 µs, 99 von 100 innerhalb von %3 µs, der späteste nach %4 µs. %5 kamen mehr als 100 µs zu spät, %6 fielen aus.</translation>
     </message>
-    <message>
-        <source>The loop is punctual: at most %1 % of the ticks were late.</source>
-        <translation>Die Regelung ist pünktlich: Höchstens %1 % der Takte kamen zu spät.</translation>
+    <message numerus="yes">
+        <source>The loop is not punctual: %n tick(s) were left out. Close other programs, or permit real-time priority.</source>
+        <translation>
+            <numerusform>Die Schleife ist nicht pünktlich: %n Takt fiel aus. Schließen Sie andere Programme oder erlauben Sie Echtzeitpriorität.</numerusform>
+            <numerusform>Die Schleife ist nicht pünktlich: %n Takte fielen aus. Schließen Sie andere Programme oder erlauben Sie Echtzeitpriorität.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>The loop is not punctual: more than %1 % of the ticks were late. Close other programs, or permit real-time priority.</source>
-        <translation>Die Regelung ist nicht pünktlich: Mehr als %1 % der Takte kamen zu spät. Schließen Sie andere Programme oder erlauben Sie Echtzeitpriorität.</translation>
+        <source>The loop is punctual: %1 % of the ticks were late (limit %2 %), and none was left out.</source>
+        <translation>Die Schleife ist pünktlich: %1 % der Takte kamen zu spät (Grenze %2 %), und keiner fiel aus.</translation>
+    </message>
+    <message>
+        <source>The loop is not punctual: %1 % of the ticks were late (limit %2 %). Close other programs, or permit real-time priority.</source>
+        <translation>Die Schleife ist nicht pünktlich: %1 % der Takte kamen zu spät (Grenze %2 %). Schließen Sie andere Programme oder erlauben Sie Echtzeitpriorität.</translation>
     </message>
 </context>
 <context>
@@ -4835,10 +4997,6 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Bericht (PDF)</translation>
     </message>
     <message>
-        <source>The answers, seen from above</source>
-        <translation>Die Antworten, von oben gesehen</translation>
-    </message>
-    <message>
         <source>Debrief</source>
         <translation>Auswertung</translation>
     </message>
@@ -4899,10 +5057,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Kein Durchgang wurde begonnen</translation>
     </message>
     <message>
-        <source>There is no answer to show. The session is kept and listed.</source>
-        <translation>Es gibt keine Antwort zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
-    </message>
-    <message>
         <source>Chiron session %1.pdf</source>
         <translation>Chiron-Sitzung %1.pdf</translation>
     </message>
@@ -4927,28 +5081,24 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Der Bericht konnte nicht geschrieben werden.</translation>
     </message>
     <message>
-        <source>How the endoscope kept to the urethra</source>
-        <translation>Wie das Endoskop der Harnröhre folgte</translation>
-    </message>
-    <message>
-        <source>There is nothing to show of the procedure. The session is kept and listed.</source>
-        <translation>Vom Eingriff gibt es nichts zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
-    </message>
-    <message>
         <source>%1: %2, at %3</source>
         <translation>%1: %2, bei %3</translation>
     </message>
     <message>
-        <source>%1 of %2 landmarks of the bladder were seen.</source>
-        <translation>%1 von %2 Landmarken der Blase wurden gesehen.</translation>
-    </message>
-    <message>
-        <source>What was searched and what was found</source>
-        <translation>Was abgetastet und was gefunden wurde</translation>
-    </message>
-    <message>
         <source>Findings and maps could not be read from the recording. The scores above are as they were stored.</source>
         <translation>Funde und Karten ließen sich aus der Aufzeichnung nicht lesen. Die Wertung oben ist wie gespeichert.</translation>
+    </message>
+    <message>
+        <source>Force of the tissue, and what was felt</source>
+        <translation>Kraft des Gewebes und was davon gefühlt wurde</translation>
+    </message>
+    <message>
+        <source>The session did not come to its end: these values are judged by no pass mark.</source>
+        <translation>Die Sitzung kam nicht zu ihrem Ende: Diese Werte werden an keiner Bestehensgrenze gemessen.</translation>
+    </message>
+    <message>
+        <source>No trial came to its end: there is no score.</source>
+        <translation>Kein Durchgang kam zu seinem Ende: Es gibt keine Wertung.</translation>
     </message>
 </context>
 <context>
@@ -6620,10 +6770,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>Bestehensgrenze</translation>
     </message>
     <message>
-        <source>Benchmark</source>
-        <translation>Referenz</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>
@@ -6642,6 +6788,10 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
     <message>
         <source>Not met</source>
         <translation>Nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Benchmark, chance</source>
+        <translation>Referenz, Zufall</translation>
     </message>
 </context>
 <context>
@@ -7524,10 +7674,6 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Die Szene in diesem Moment</translation>
     </message>
     <message>
-        <source>Trial %1 · paused · force %2 · speed %3</source>
-        <translation>Durchgang %1 · Pause · Kraft %2 · Tempo %3</translation>
-    </message>
-    <message>
         <source>Trial %1 · force %2 · speed %3</source>
         <translation>Durchgang %1 · Kraft %2 · Tempo %3</translation>
     </message>
@@ -7576,10 +7722,6 @@ Pausen sind schraffiert. Dreiecke auf der Zeitleiste sind Abzüge, Fahnen sind A
 Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durchgänge beginnt, wenn der Durchgang hier beginnt, und sie wird an derselben Stelle gezeichnet.</translation>
     </message>
     <message>
-        <source>%1 · paused · depth %2 · force %3 · speed %4</source>
-        <translation>%1 · Pause · Tiefe %2 · Kraft %3 · Tempo %4</translation>
-    </message>
-    <message>
         <source>%1 · depth %2 · force %3 · speed %4</source>
         <translation>%1 · Tiefe %2 · Kraft %3 · Tempo %4</translation>
     </message>
@@ -7590,10 +7732,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>tension %1</source>
         <translation>Spannung %1</translation>
-    </message>
-    <message>
-        <source>Trial %1 · paused · %2 · force %3 · speed %4</source>
-        <translation>Durchgang %1 · Pause · %2 · Kraft %3 · Tempo %4</translation>
     </message>
     <message>
         <source>Trial %1 · %2 · force %3 · speed %4</source>
@@ -7624,16 +7762,32 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>An: wie fest gedrückt wurde. Aus: wo gesucht wurde.</translation>
     </message>
     <message>
-        <source>Trial %1 · paused · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
-        <translation>Durchgang %1 · Pause · Kraft %2 · Neigung %3° · Tiefe %4 · abgetastet %5 % · Funde %6</translation>
-    </message>
-    <message>
         <source>Trial %1 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
         <translation>Durchgang %1 · Kraft %2 · Neigung %3° · Tiefe %4 · abgetastet %5 % · Funde %6</translation>
     </message>
     <message>
         <source>Findings and maps could not be read from the recording: %1</source>
         <translation>Funde und Karten ließen sich aus der Aufzeichnung nicht lesen: %1</translation>
+    </message>
+    <message>
+        <source>Trial %1 · %7 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
+        <translation>Durchgang %1 · %7 · Kraft %2 · Neigung %3° · Tiefe %4 · abgetastet %5 % · Funde %6</translation>
+    </message>
+    <message>
+        <source>force stopped</source>
+        <translation>Kraft angehalten</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · depth %3 · force %4 · speed %5</source>
+        <translation>%1 · %2 · Tiefe %3 · Kraft %4 · Tempo %5</translation>
+    </message>
+    <message>
+        <source>Trial %1 · %2 · %3 · force %4 · speed %5</source>
+        <translation>Durchgang %1 · %2 · %3 · Kraft %4 · Tempo %5</translation>
     </message>
 </context>
 <context>
@@ -11419,10 +11573,6 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Bestehensgrenze</translation>
     </message>
     <message>
-        <source>Benchmark</source>
-        <translation>Referenz</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>
@@ -11449,10 +11599,6 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>Stored bytes</source>
         <translation>Gespeicherte Bytes</translation>
-    </message>
-    <message>
-        <source>Ticks, of them late</source>
-        <translation>Takte, davon verspätet</translation>
     </message>
     <message>
         <source>Lateness: median, 99 %</source>
@@ -11557,10 +11703,6 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>measured</source>
         <translation>gemessen</translation>
-    </message>
-    <message>
-        <source>commanded</source>
-        <translation>vorgegeben</translation>
     </message>
     <message>
         <source>tissue (assessed)</source>
@@ -11865,6 +12007,222 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>Trial %1</source>
         <translation>Durchgang %1</translation>
+    </message>
+    <message>
+        <source>No trial was begun</source>
+        <translation>Kein Durchgang wurde begonnen</translation>
+    </message>
+    <message>
+        <source>✓ done</source>
+        <translation>✓ fertig</translation>
+    </message>
+    <message>
+        <source>✗ time was up</source>
+        <translation>✗ Zeit war um</translation>
+    </message>
+    <message>
+        <source>✗ torn</source>
+        <translation>✗ gerissen</translation>
+    </message>
+    <message>
+        <source>✗ could not be done any more</source>
+        <translation>✗ nicht mehr möglich</translation>
+    </message>
+    <message>
+        <source>not finished</source>
+        <translation>nicht beendet</translation>
+    </message>
+    <message>
+        <source>Tension of the tube</source>
+        <translation>Spannung des Schlauchs</translation>
+    </message>
+    <message>
+        <source>Tension (N)</source>
+        <translation>Spannung (N)</translation>
+    </message>
+    <message>
+        <source>band, from</source>
+        <translation>Bereich, ab</translation>
+    </message>
+    <message>
+        <source>band, to</source>
+        <translation>Bereich, bis</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>How far the tube was stretched</source>
+        <translation>Wie weit der Schlauch gedehnt wurde</translation>
+    </message>
+    <message>
+        <source>Stretch (mm)</source>
+        <translation>Dehnung (mm)</translation>
+    </message>
+    <message>
+        <source>mark, from</source>
+        <translation>Marke, ab</translation>
+    </message>
+    <message>
+        <source>mark, to</source>
+        <translation>Marke, bis</translation>
+    </message>
+    <message>
+        <source>over-stretched</source>
+        <translation>überdehnt</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Tension error</source>
+        <translation>Spannungsfehler</translation>
+    </message>
+    <message>
+        <source>In the band</source>
+        <translation>Im Bereich</translation>
+    </message>
+    <message>
+        <source>Largest stretch</source>
+        <translation>Größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Over-stretches</source>
+        <translation>Überdehnungen</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>Fallengelassen</translation>
+    </message>
+    <message>
+        <source>Largest squeeze of each trial</source>
+        <translation>Größte Quetschkraft jedes Durchgangs</translation>
+    </message>
+    <message>
+        <source>Squeeze (N)</source>
+        <translation>Quetschkraft (N)</translation>
+    </message>
+    <message>
+        <source>squeeze</source>
+        <translation>Quetschkraft</translation>
+    </message>
+    <message>
+        <source>Where the objects lay at the end</source>
+        <translation>Wo die Objekte am Ende lagen</translation>
+    </message>
+    <message>
+        <source>From the target in x (mm)</source>
+        <translation>Vom Ziel in x (mm)</translation>
+    </message>
+    <message>
+        <source>From the target in y (mm)</source>
+        <translation>Vom Ziel in y (mm)</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>set down</source>
+        <translation>abgelegt</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>nicht fertig</translation>
+    </message>
+    <message>
+        <source>Largest squeeze</source>
+        <translation>Größte Quetschkraft</translation>
+    </message>
+    <message>
+        <source>Squeezed too hard</source>
+        <translation>Zu fest gequetscht</translation>
+    </message>
+    <message>
+        <source>From the target</source>
+        <translation>Vom Ziel</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Gewählt</translation>
+    </message>
+    <message>
+        <source>never held</source>
+        <translation>nie gehalten</translation>
+    </message>
+    <message>
+        <source>✓ the heaviest</source>
+        <translation>✓ das schwerste</translation>
+    </message>
+    <message>
+        <source>✗ a lighter one</source>
+        <translation>✗ ein leichteres</translation>
+    </message>
+    <message>
+        <source>rendered to a scripted hand</source>
+        <translation>an eine programmierte Hand ausgegeben</translation>
+    </message>
+    <message>
+        <source>The session did not come to its end: these values are judged by no pass mark.</source>
+        <translation>Die Sitzung kam nicht zu ihrem Ende: Diese Werte werden an keiner Bestehensgrenze gemessen.</translation>
+    </message>
+    <message>
+        <source>No trial came to its end: there is no score.</source>
+        <translation>Kein Durchgang kam zu seinem Ende: Es gibt keine Wertung.</translation>
+    </message>
+    <message>
+        <source>Benchmark, chance</source>
+        <translation>Referenz, Zufall</translation>
+    </message>
+    <message>
+        <source>Tension and stretch</source>
+        <translation>Spannung und Dehnung</translation>
+    </message>
+    <message>
+        <source>Squeeze and place of each trial</source>
+        <translation>Quetschkraft und Lage je Durchgang</translation>
+    </message>
+    <message>
+        <source>Force of the tissue, and what was felt</source>
+        <translation>Kraft des Gewebes und was davon gefühlt wurde</translation>
+    </message>
+    <message>
+        <source>Ticks, late, left out</source>
+        <translation>Takte, verspätet, ausgefallen</translation>
+    </message>
+    <message>
+        <source>by chance %1</source>
+        <translation>durch Zufall %1</translation>
+    </message>
+    <message>
+        <source>The tissue answered with up to %1. Nothing of it was felt: the force was shown.</source>
+        <translation>Das Gewebe antwortete mit bis zu %1. Gefühlt wurde davon nichts: Die Kraft wurde gezeigt.</translation>
+    </message>
+    <message>
+        <source>The tissue answered with up to %1, and all of it was felt.</source>
+        <translation>Das Gewebe antwortete mit bis zu %1, und alles davon wurde gefühlt.</translation>
+    </message>
+    <message>
+        <source>The tissue answered with up to %1, of which at most %2 were felt: the force was limited for %3, the first time after %4.</source>
+        <translation>Das Gewebe antwortete mit bis zu %1, davon wurden höchstens %2 gefühlt: Die Kraft war %3 lang begrenzt, zum ersten Mal nach %4.</translation>
+    </message>
+    <message>
+        <source>%1 of the samples lie deeper or farther than the force law was checked for. Their force is bounded and counts, but it is less certain than the rest.</source>
+        <translation>%1 der Messwerte liegen tiefer oder weiter, als das Kraftgesetz geprüft ist. Ihre Kraft ist begrenzt und zählt, ist aber weniger sicher als die übrigen.</translation>
+    </message>
+    <message>
+        <source>felt (commanded)</source>
+        <translation>gefühlt (ausgegeben)</translation>
+    </message>
+    <message>
+        <source>Nothing was touched.</source>
+        <translation>Nichts wurde berührt.</translation>
     </message>
 </context>
 </TS>

@@ -159,6 +159,65 @@ Details: %2</source>
     </message>
 </context>
 <context>
+    <name>ExercisePart</name>
+    <message>
+        <source>The answers, seen from above</source>
+        <translation>Οι απαντήσεις, από πάνω</translation>
+    </message>
+    <message>
+        <source>How the endoscope kept to the urethra</source>
+        <translation>Πώς ακολούθησε το ενδοσκόπιο την ουρήθρα</translation>
+    </message>
+    <message>
+        <source>How the tube was held and stretched</source>
+        <translation>Πώς κρατήθηκε και τεντώθηκε ο σωλήνας</translation>
+    </message>
+    <message>
+        <source>How each object was held and set down</source>
+        <translation>Πώς κρατήθηκε και αποτέθηκε κάθε αντικείμενο</translation>
+    </message>
+    <message>
+        <source>What was searched and what was found</source>
+        <translation>Τι ερευνήθηκε και τι βρέθηκε</translation>
+    </message>
+    <message>
+        <source>What was compared</source>
+        <translation>Τι συγκρίθηκε</translation>
+    </message>
+    <message>
+        <source>There is no answer to show. The session is kept and listed.</source>
+        <translation>Δεν υπάρχει απάντηση για προβολή. Η συνεδρία διατηρείται και υπάρχει στη λίστα.</translation>
+    </message>
+    <message>
+        <source>There is nothing to show of the procedure. The session is kept and listed.</source>
+        <translation>Δεν υπάρχει τίποτα για προβολή από τη διαδικασία. Η συνεδρία διατηρείται και υπάρχει στη λίστα.</translation>
+    </message>
+    <message>
+        <source>There is no tension to show. The session is kept and listed.</source>
+        <translation>Δεν υπάρχει τάση για προβολή. Η συνεδρία διατηρείται και βρίσκεται στον κατάλογο.</translation>
+    </message>
+    <message>
+        <source>There is no object to show. The session is kept and listed.</source>
+        <translation>Δεν υπάρχει αντικείμενο για προβολή. Η συνεδρία διατηρείται και βρίσκεται στον κατάλογο.</translation>
+    </message>
+    <message>
+        <source>There is no search to show. The session is kept and listed.</source>
+        <translation>Δεν υπάρχει αναζήτηση για προβολή. Η συνεδρία διατηρείται και βρίσκεται στον κατάλογο.</translation>
+    </message>
+    <message>
+        <source>What was compared and answered is shown with its study.</source>
+        <translation>Τι συγκρίθηκε και τι απαντήθηκε φαίνεται στη μελέτη.</translation>
+    </message>
+    <message>
+        <source>What each trial came to</source>
+        <translation>Το αποτέλεσμα κάθε δοκιμής</translation>
+    </message>
+    <message>
+        <source>%1 of %2 landmarks of the bladder were seen.</source>
+        <translation>Φάνηκαν %1 από %2 οδηγά σημεία της κύστης.</translation>
+    </message>
+</context>
+<context>
     <name>ForceWords</name>
     <message>
         <source>Force is stopped</source>
@@ -1726,10 +1785,6 @@ Details: %2</source>
         <translation>Σε παύση για %1</translation>
     </message>
     <message>
-        <source>Force stopped</source>
-        <translation>Διακοπή δύναμης</translation>
-    </message>
-    <message>
         <source>Force armed again</source>
         <translation>Επανενεργοποίηση δύναμης</translation>
     </message>
@@ -1752,14 +1807,6 @@ Details: %2</source>
     <message>
         <source>The next stage begins</source>
         <translation>Αρχίζει το επόμενο στάδιο</translation>
-    </message>
-    <message>
-        <source>Time was up before the end</source>
-        <translation>Ο χρόνος τελείωσε πριν από το τέλος</translation>
-    </message>
-    <message>
-        <source>Everything was done</source>
-        <translation>Όλα ολοκληρώθηκαν</translation>
     </message>
     <message>
         <source>Landmarks seen: %1</source>
@@ -1802,20 +1849,124 @@ Details: %2</source>
         <translation>Ο ιστός υποχώρησε στα %1</translation>
     </message>
     <message>
-        <source>Tissue at its limit: stretched or squeezed too much</source>
-        <translation>Ιστός στο όριό του: υπερβολικό τέντωμα ή σύσφιξη</translation>
-    </message>
-    <message>
-        <source>Torn: the trial could not be done any more</source>
-        <translation>Σχίσιμο: η δοκιμή δεν μπορούσε πια να ολοκληρωθεί</translation>
-    </message>
-    <message>
         <source>Finding %1 marked</source>
         <translation>Σημειώθηκε το εύρημα %1</translation>
     </message>
     <message>
         <source>Finding %1 taken back</source>
         <translation>Αποσύρθηκε το εύρημα %1</translation>
+    </message>
+    <message>
+        <source>The trial was done</source>
+        <translation>Η δοκιμή ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>The trial could not be done any more</source>
+        <translation>Η δοκιμή δεν μπορούσε πια να γίνει</translation>
+    </message>
+    <message>
+        <source>The tissue was damaged</source>
+        <translation>Ο ιστός τραυματίστηκε</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Τέλος</translation>
+    </message>
+    <message>
+        <source>The procedure was done to its end</source>
+        <translation>Η διαδικασία ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>Time was up before the end of the procedure</source>
+        <translation>Ο χρόνος έληξε πριν από το τέλος της διαδικασίας</translation>
+    </message>
+    <message>
+        <source>The procedure could not be done any more</source>
+        <translation>Η διαδικασία δεν μπορούσε πια να γίνει</translation>
+    </message>
+    <message>
+        <source>The tube was held as asked</source>
+        <translation>Ο σωλήνας κρατήθηκε όπως ζητήθηκε</translation>
+    </message>
+    <message>
+        <source>Time was up before the tube was held as asked</source>
+        <translation>Ο χρόνος έληξε πριν κρατηθεί ο σωλήνας όπως ζητήθηκε</translation>
+    </message>
+    <message>
+        <source>The tube tore: the trial could not be done any more</source>
+        <translation>Ο σωλήνας σχίστηκε: η δοκιμή δεν μπορούσε πια να γίνει</translation>
+    </message>
+    <message>
+        <source>The tube was stretched too far</source>
+        <translation>Ο σωλήνας τεντώθηκε υπερβολικά</translation>
+    </message>
+    <message>
+        <source>An object was set down in the target</source>
+        <translation>Ένα αντικείμενο αποτέθηκε στον στόχο</translation>
+    </message>
+    <message>
+        <source>Time was up before an object was set down in the target</source>
+        <translation>Ο χρόνος έληξε πριν αποτεθεί αντικείμενο στον στόχο</translation>
+    </message>
+    <message>
+        <source>The object was squeezed too hard</source>
+        <translation>Το αντικείμενο συσφίχθηκε υπερβολικά</translation>
+    </message>
+    <message>
+        <source>The search was reported as done</source>
+        <translation>Η αναζήτηση δηλώθηκε ως ολοκληρωμένη</translation>
+    </message>
+    <message>
+        <source>Time was up before the search was reported as done</source>
+        <translation>Ο χρόνος έληξε πριν δηλωθεί η αναζήτηση ως ολοκληρωμένη</translation>
+    </message>
+    <message>
+        <source>The search could not be done any more</source>
+        <translation>Η αναζήτηση δεν μπορούσε πια να γίνει</translation>
+    </message>
+    <message>
+        <source>Answered</source>
+        <translation>Απαντήθηκε</translation>
+    </message>
+    <message>
+        <source>The comparison was done</source>
+        <translation>Η σύγκριση ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>Time was up without an answer</source>
+        <translation>Ο χρόνος έληξε χωρίς απάντηση</translation>
+    </message>
+    <message>
+        <source>The comparison could not be done any more</source>
+        <translation>Η σύγκριση δεν μπορούσε πια να γίνει</translation>
+    </message>
+    <message>
+        <source>The object was damaged</source>
+        <translation>Το αντικείμενο υπέστη ζημιά</translation>
+    </message>
+    <message>
+        <source>Force stopped by the person, for %1</source>
+        <translation>Διακοπή της δύναμης από το άτομο, για %1</translation>
+    </message>
+    <message>
+        <source>Force stopped by the person</source>
+        <translation>Διακοπή της δύναμης από το άτομο</translation>
+    </message>
+    <message>
+        <source>Felt less than the tissue answered for %1, which was up to %2</source>
+        <translation>Για %1 έγινε αισθητή λιγότερη δύναμη από την απάντηση του ιστού, που έφτασε τα %2</translation>
+    </message>
+    <message>
+        <source>A miss: not on what was to be marked</source>
+        <translation>Αστοχία: όχι πάνω σε αυτό που έπρεπε να σημειωθεί</translation>
+    </message>
+    <message>
+        <source>Finding %1 marked where no lump was</source>
+        <translation>Εύρημα %1 σημειώθηκε όπου δεν υπήρχε όζος</translation>
+    </message>
+    <message>
+        <source>A lump was missed</source>
+        <translation>Ένας όζος δεν βρέθηκε</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +2583,10 @@ Do you want to replace it?</source>
         <source>Simulated arm with fingertip platform</source>
         <translation>Προσομοιωμένος βραχίονας με πλατφόρμα δακτύλου</translation>
     </message>
+    <message>
+        <source>Force rendered to a scripted hand</source>
+        <translation>Δύναμη αποδόθηκε σε προγραμματισμένο χέρι</translation>
+    </message>
 </context>
 <context>
     <name>SoundLoader</name>
@@ -2557,13 +2712,20 @@ Do you want to replace it?</source>
         <source>%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 µs late, %6 were left out.</source>
         <translation>%1 κύκλοι του 1 ms. Οι μισοί άρχισαν μέσα σε %2 µs, 99 στους 100 μέσα σε %3 µs, ο πιο αργός μετά από %4 µs. %5 καθυστέρησαν πάνω από 100 µs, %6 παραλείφθηκαν.</translation>
     </message>
-    <message>
-        <source>The loop is punctual: at most %1 % of the ticks were late.</source>
-        <translation>Ο βρόχος είναι συνεπής: καθυστέρησε το πολύ το %1 % των κύκλων.</translation>
+    <message numerus="yes">
+        <source>The loop is not punctual: %n tick(s) were left out. Close other programs, or permit real-time priority.</source>
+        <translation>
+            <numerusform>Ο βρόχος δεν είναι ακριβής: παραλείφθηκε %n βήμα. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</numerusform>
+            <numerusform>Ο βρόχος δεν είναι ακριβής: παραλείφθηκαν %n βήματα. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>The loop is not punctual: more than %1 % of the ticks were late. Close other programs, or permit real-time priority.</source>
-        <translation>Ο βρόχος δεν είναι συνεπής: καθυστέρησε πάνω από το %1 % των κύκλων. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</translation>
+        <source>The loop is punctual: %1 % of the ticks were late (limit %2 %), and none was left out.</source>
+        <translation>Ο βρόχος είναι ακριβής: το %1 % των βημάτων καθυστέρησε (όριο %2 %) και κανένα δεν παραλείφθηκε.</translation>
+    </message>
+    <message>
+        <source>The loop is not punctual: %1 % of the ticks were late (limit %2 %). Close other programs, or permit real-time priority.</source>
+        <translation>Ο βρόχος δεν είναι ακριβής: το %1 % των βημάτων καθυστέρησε (όριο %2 %). Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</translation>
     </message>
 </context>
 <context>
@@ -4835,10 +4997,6 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Αναφορά (PDF)</translation>
     </message>
     <message>
-        <source>The answers, seen from above</source>
-        <translation>Οι απαντήσεις, από πάνω</translation>
-    </message>
-    <message>
         <source>Debrief</source>
         <translation>Απολογισμός</translation>
     </message>
@@ -4899,10 +5057,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Δεν άρχισε καμία δοκιμή</translation>
     </message>
     <message>
-        <source>There is no answer to show. The session is kept and listed.</source>
-        <translation>Δεν υπάρχει απάντηση για προβολή. Η συνεδρία διατηρείται και υπάρχει στη λίστα.</translation>
-    </message>
-    <message>
         <source>Chiron session %1.pdf</source>
         <translation>Chiron συνεδρία %1.pdf</translation>
     </message>
@@ -4927,28 +5081,24 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Δεν ήταν δυνατή η εγγραφή της αναφοράς.</translation>
     </message>
     <message>
-        <source>How the endoscope kept to the urethra</source>
-        <translation>Πώς ακολούθησε το ενδοσκόπιο την ουρήθρα</translation>
-    </message>
-    <message>
-        <source>There is nothing to show of the procedure. The session is kept and listed.</source>
-        <translation>Δεν υπάρχει τίποτα για προβολή από τη διαδικασία. Η συνεδρία διατηρείται και υπάρχει στη λίστα.</translation>
-    </message>
-    <message>
         <source>%1: %2, at %3</source>
         <translation>%1: %2, στο %3</translation>
     </message>
     <message>
-        <source>%1 of %2 landmarks of the bladder were seen.</source>
-        <translation>Φάνηκαν %1 από %2 οδηγά σημεία της κύστης.</translation>
-    </message>
-    <message>
-        <source>What was searched and what was found</source>
-        <translation>Τι ερευνήθηκε και τι βρέθηκε</translation>
-    </message>
-    <message>
         <source>Findings and maps could not be read from the recording. The scores above are as they were stored.</source>
         <translation>Τα ευρήματα και οι χάρτες δεν διαβάστηκαν από την καταγραφή. Οι βαθμολογίες παραπάνω είναι όπως αποθηκεύτηκαν.</translation>
+    </message>
+    <message>
+        <source>Force of the tissue, and what was felt</source>
+        <translation>Δύναμη του ιστού και τι έγινε αισθητό</translation>
+    </message>
+    <message>
+        <source>The session did not come to its end: these values are judged by no pass mark.</source>
+        <translation>Η συνεδρία δεν έφτασε στο τέλος της: αυτές οι τιμές δεν κρίνονται με κανένα όριο επιτυχίας.</translation>
+    </message>
+    <message>
+        <source>No trial came to its end: there is no score.</source>
+        <translation>Καμία δοκιμή δεν έφτασε στο τέλος της: δεν υπάρχει βαθμολογία.</translation>
     </message>
 </context>
 <context>
@@ -6620,10 +6770,6 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Όριο επιτυχίας</translation>
     </message>
     <message>
-        <source>Benchmark</source>
-        <translation>Τιμή αναφοράς</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Αποτέλεσμα</translation>
     </message>
@@ -6642,6 +6788,10 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message>
         <source>Not met</source>
         <translation>Εκτός ορίου</translation>
+    </message>
+    <message>
+        <source>Benchmark, chance</source>
+        <translation>Αναφορά, τύχη</translation>
     </message>
 </context>
 <context>
@@ -7524,10 +7674,6 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Η σκηνή αυτή τη στιγμή</translation>
     </message>
     <message>
-        <source>Trial %1 · paused · force %2 · speed %3</source>
-        <translation>Δοκιμή %1 · σε παύση · δύναμη %2 · ταχύτητα %3</translation>
-    </message>
-    <message>
         <source>Trial %1 · force %2 · speed %3</source>
         <translation>Δοκιμή %1 · δύναμη %2 · ταχύτητα %3</translation>
     </message>
@@ -7576,10 +7722,6 @@ Choose a second session to see it beside this one: each of its trials starts whe
 Επιλέξτε δεύτερη συνεδρία για να τη δείτε δίπλα σε αυτήν: κάθε δοκιμή της αρχίζει όταν αρχίζει η εδώ δοκιμή και σχεδιάζεται στην ίδια θέση.</translation>
     </message>
     <message>
-        <source>%1 · paused · depth %2 · force %3 · speed %4</source>
-        <translation>%1 · σε παύση · βάθος %2 · δύναμη %3 · ταχύτητα %4</translation>
-    </message>
-    <message>
         <source>%1 · depth %2 · force %3 · speed %4</source>
         <translation>%1 · βάθος %2 · δύναμη %3 · ταχύτητα %4</translation>
     </message>
@@ -7590,10 +7732,6 @@ Choose a second session to see it beside this one: each of its trials starts whe
     <message>
         <source>tension %1</source>
         <translation>τάση %1</translation>
-    </message>
-    <message>
-        <source>Trial %1 · paused · %2 · force %3 · speed %4</source>
-        <translation>Δοκιμή %1 · παύση · %2 · δύναμη %3 · ταχύτητα %4</translation>
     </message>
     <message>
         <source>Trial %1 · %2 · force %3 · speed %4</source>
@@ -7624,16 +7762,32 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Ναι: πόσο δυνατά πιέστηκε. Όχι: πού έγινε αναζήτηση.</translation>
     </message>
     <message>
-        <source>Trial %1 · paused · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
-        <translation>Δοκιμή %1 · παύση · δύναμη %2 · κλίση %3° · βάθος %4 · ερευνήθηκε %5 % · ευρήματα %6</translation>
-    </message>
-    <message>
         <source>Trial %1 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
         <translation>Δοκιμή %1 · δύναμη %2 · κλίση %3° · βάθος %4 · ερευνήθηκε %5 % · ευρήματα %6</translation>
     </message>
     <message>
         <source>Findings and maps could not be read from the recording: %1</source>
         <translation>Τα ευρήματα και οι χάρτες δεν διαβάστηκαν από την καταγραφή: %1</translation>
+    </message>
+    <message>
+        <source>Trial %1 · %7 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
+        <translation>Δοκιμή %1 · %7 · δύναμη %2 · κλίση %3° · βάθος %4 · ερευνήθηκε %5 % · ευρήματα %6</translation>
+    </message>
+    <message>
+        <source>force stopped</source>
+        <translation>διακοπή δύναμης</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>παύση</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · depth %3 · force %4 · speed %5</source>
+        <translation>%1 · %2 · βάθος %3 · δύναμη %4 · ταχύτητα %5</translation>
+    </message>
+    <message>
+        <source>Trial %1 · %2 · %3 · force %4 · speed %5</source>
+        <translation>Δοκιμή %1 · %2 · %3 · δύναμη %4 · ταχύτητα %5</translation>
     </message>
 </context>
 <context>
@@ -11419,10 +11573,6 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Όριο επιτυχίας</translation>
     </message>
     <message>
-        <source>Benchmark</source>
-        <translation>Τιμή αναφοράς</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Έκβαση</translation>
     </message>
@@ -11449,10 +11599,6 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     <message>
         <source>Stored bytes</source>
         <translation>Αποθηκευμένα byte</translation>
-    </message>
-    <message>
-        <source>Ticks, of them late</source>
-        <translation>Κύκλοι, από αυτούς με καθυστέρηση</translation>
     </message>
     <message>
         <source>Lateness: median, 99 %</source>
@@ -11557,10 +11703,6 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     <message>
         <source>measured</source>
         <translation>μετρημένη</translation>
-    </message>
-    <message>
-        <source>commanded</source>
-        <translation>εντολή</translation>
     </message>
     <message>
         <source>tissue (assessed)</source>
@@ -11865,6 +12007,222 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     <message>
         <source>Trial %1</source>
         <translation>Δοκιμή %1</translation>
+    </message>
+    <message>
+        <source>No trial was begun</source>
+        <translation>Δεν άρχισε καμία δοκιμή</translation>
+    </message>
+    <message>
+        <source>✓ done</source>
+        <translation>✓ έγινε</translation>
+    </message>
+    <message>
+        <source>✗ time was up</source>
+        <translation>✗ έληξε ο χρόνος</translation>
+    </message>
+    <message>
+        <source>✗ torn</source>
+        <translation>✗ σχίστηκε</translation>
+    </message>
+    <message>
+        <source>✗ could not be done any more</source>
+        <translation>✗ δεν μπορούσε πια να γίνει</translation>
+    </message>
+    <message>
+        <source>not finished</source>
+        <translation>δεν τελείωσε</translation>
+    </message>
+    <message>
+        <source>Tension of the tube</source>
+        <translation>Τάση του σωλήνα</translation>
+    </message>
+    <message>
+        <source>Tension (N)</source>
+        <translation>Τάση (N)</translation>
+    </message>
+    <message>
+        <source>band, from</source>
+        <translation>ζώνη, από</translation>
+    </message>
+    <message>
+        <source>band, to</source>
+        <translation>ζώνη, έως</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>τάση</translation>
+    </message>
+    <message>
+        <source>How far the tube was stretched</source>
+        <translation>Πόσο τεντώθηκε ο σωλήνας</translation>
+    </message>
+    <message>
+        <source>Stretch (mm)</source>
+        <translation>Τέντωμα (mm)</translation>
+    </message>
+    <message>
+        <source>mark, from</source>
+        <translation>σημάδι, από</translation>
+    </message>
+    <message>
+        <source>mark, to</source>
+        <translation>σημάδι, έως</translation>
+    </message>
+    <message>
+        <source>over-stretched</source>
+        <translation>υπερτέντωμα</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>τέντωμα</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Στόχος</translation>
+    </message>
+    <message>
+        <source>Tension error</source>
+        <translation>Σφάλμα τάσης</translation>
+    </message>
+    <message>
+        <source>In the band</source>
+        <translation>Στη ζώνη</translation>
+    </message>
+    <message>
+        <source>Largest stretch</source>
+        <translation>Μέγιστο τέντωμα</translation>
+    </message>
+    <message>
+        <source>Over-stretches</source>
+        <translation>Υπερτεντώματα</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>Πτώσεις</translation>
+    </message>
+    <message>
+        <source>Largest squeeze of each trial</source>
+        <translation>Μέγιστη σύσφιξη κάθε δοκιμής</translation>
+    </message>
+    <message>
+        <source>Squeeze (N)</source>
+        <translation>Σύσφιξη (N)</translation>
+    </message>
+    <message>
+        <source>squeeze</source>
+        <translation>σύσφιξη</translation>
+    </message>
+    <message>
+        <source>Where the objects lay at the end</source>
+        <translation>Πού βρίσκονταν τα αντικείμενα στο τέλος</translation>
+    </message>
+    <message>
+        <source>From the target in x (mm)</source>
+        <translation>Από τον στόχο σε x (mm)</translation>
+    </message>
+    <message>
+        <source>From the target in y (mm)</source>
+        <translation>Από τον στόχο σε y (mm)</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>στόχος</translation>
+    </message>
+    <message>
+        <source>set down</source>
+        <translation>αποτέθηκε</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>δεν έγινε</translation>
+    </message>
+    <message>
+        <source>Largest squeeze</source>
+        <translation>Μέγιστη σύσφιξη</translation>
+    </message>
+    <message>
+        <source>Squeezed too hard</source>
+        <translation>Υπερβολική σύσφιξη</translation>
+    </message>
+    <message>
+        <source>From the target</source>
+        <translation>Από τον στόχο</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Επιλογή</translation>
+    </message>
+    <message>
+        <source>never held</source>
+        <translation>δεν κρατήθηκε</translation>
+    </message>
+    <message>
+        <source>✓ the heaviest</source>
+        <translation>✓ το βαρύτερο</translation>
+    </message>
+    <message>
+        <source>✗ a lighter one</source>
+        <translation>✗ ένα ελαφρύτερο</translation>
+    </message>
+    <message>
+        <source>rendered to a scripted hand</source>
+        <translation>αποδόθηκε σε προγραμματισμένο χέρι</translation>
+    </message>
+    <message>
+        <source>The session did not come to its end: these values are judged by no pass mark.</source>
+        <translation>Η συνεδρία δεν έφτασε στο τέλος της: αυτές οι τιμές δεν κρίνονται με κανένα όριο επιτυχίας.</translation>
+    </message>
+    <message>
+        <source>No trial came to its end: there is no score.</source>
+        <translation>Καμία δοκιμή δεν έφτασε στο τέλος της: δεν υπάρχει βαθμολογία.</translation>
+    </message>
+    <message>
+        <source>Benchmark, chance</source>
+        <translation>Αναφορά, τύχη</translation>
+    </message>
+    <message>
+        <source>Tension and stretch</source>
+        <translation>Τάση και τέντωμα</translation>
+    </message>
+    <message>
+        <source>Squeeze and place of each trial</source>
+        <translation>Σύσφιξη και θέση κάθε δοκιμής</translation>
+    </message>
+    <message>
+        <source>Force of the tissue, and what was felt</source>
+        <translation>Δύναμη του ιστού και τι έγινε αισθητό</translation>
+    </message>
+    <message>
+        <source>Ticks, late, left out</source>
+        <translation>Βήματα, αργά, παραλείφθηκαν</translation>
+    </message>
+    <message>
+        <source>by chance %1</source>
+        <translation>τυχαία %1</translation>
+    </message>
+    <message>
+        <source>The tissue answered with up to %1. Nothing of it was felt: the force was shown.</source>
+        <translation>Ο ιστός απάντησε με έως %1. Τίποτε από αυτό δεν έγινε αισθητό: η δύναμη προβλήθηκε.</translation>
+    </message>
+    <message>
+        <source>The tissue answered with up to %1, and all of it was felt.</source>
+        <translation>Ο ιστός απάντησε με έως %1 και όλη η δύναμη έγινε αισθητή.</translation>
+    </message>
+    <message>
+        <source>The tissue answered with up to %1, of which at most %2 were felt: the force was limited for %3, the first time after %4.</source>
+        <translation>Ο ιστός απάντησε με έως %1, από τα οποία έγιναν αισθητά το πολύ %2: η δύναμη περιορίστηκε για %3, πρώτη φορά μετά από %4.</translation>
+    </message>
+    <message>
+        <source>%1 of the samples lie deeper or farther than the force law was checked for. Their force is bounded and counts, but it is less certain than the rest.</source>
+        <translation>Το %1 των δειγμάτων βρίσκεται βαθύτερα ή μακρύτερα από όσο έχει ελεγχθεί ο νόμος της δύναμης. Η δύναμή τους είναι φραγμένη και μετρά, αλλά είναι λιγότερο βέβαιη από την υπόλοιπη.</translation>
+    </message>
+    <message>
+        <source>felt (commanded)</source>
+        <translation>αισθητή (εντολή)</translation>
+    </message>
+    <message>
+        <source>Nothing was touched.</source>
+        <translation>Δεν αγγίχτηκε τίποτα.</translation>
     </message>
 </context>
 </TS>

@@ -36,6 +36,16 @@
     </message>
 </context>
 <context>
+    <name>StationWords</name>
+    <message numerus="yes">
+        <source>The loop is not punctual: %n tick(s) were left out. Close other programs, or permit real-time priority.</source>
+        <translation>
+            <numerusform>The loop is not punctual: %n tick was left out. Close other programs, or permit real-time priority.</numerusform>
+            <numerusform>The loop is not punctual: %n ticks were left out. Close other programs, or permit real-time priority.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StorageWords</name>
     <message numerus="yes">
         <source>%n thing(s) do not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.</source>

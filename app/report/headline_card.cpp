@@ -73,9 +73,14 @@ void paintHeadlineCard(QCPPainter& p, const QRectF& box, const MetricRow& row, c
     const QRectF inner = box.adjusted(12, 9, -12, -8);
     const auto line = [&](double top, double height, const QFont& font, const QColor& ink,
                           const QString& words) {
-        p.setFont(font);
+        // Long words become a little smaller before anything of them is left out: a pass mark without its number says nothing.
+        QFont fitting = font;
+        constexpr double kSmallest_px = 8.0;
+        while (QFontMetricsF(fitting).horizontalAdvance(words) > inner.width() && fitting.pixelSize() > kSmallest_px)
+            fitting.setPixelSize(fitting.pixelSize() - 1);
+        p.setFont(fitting);
         p.setPen(ink);
-        const QString shown = QFontMetricsF(font).elidedText(words, Qt::ElideRight, inner.width());
+        const QString shown = QFontMetricsF(fitting).elidedText(words, Qt::ElideRight, inner.width());
         p.drawText(QRectF(inner.left(), inner.top() + top, inner.width(), height),
                    Qt::AlignLeft | Qt::AlignVCenter, shown);
     };
@@ -91,6 +96,8 @@ void paintHeadlineCard(QCPPainter& p, const QRectF& box, const MetricRow& row, c
     }
     line(80, 15, theme.font(11, row.passed.has_value()), ink, verdict);
     const QString band = formatBand(row, theme.locale);
+    if (band.isEmpty() && row.chance)
+        line(96, 14, theme.font(10.5), theme.muted, chanceWords(row, theme.locale));
     if (!band.isEmpty())
         drawText(p, QRectF(inner.left(), inner.top() + 96, inner.width(), 28),
                  row.bandSource.isEmpty() ? Words::tr("Benchmark %1").arg(band)

@@ -6,7 +6,9 @@
 #include "report/session_plots.h"
 #include "report/text_box.h"
 
+#include <QFontMetricsF>
 #include <algorithm>
+#include <numeric>
 #include <qcustomplot.h>
 
 namespace chiron::report {
@@ -17,6 +19,11 @@ void text(QCPPainter& p, const QRectF& box, const QFont& font, const QColor& ink
     p.setFont(font);
     p.setPen(ink);
     p.drawText(box, flags, words);
+}
+/// What a value can be compared with: a benchmark, or what guessing gives.
+QString besides(const MetricRow& row, const QLocale& locale) {
+    const QString band = formatBand(row, locale);
+    return band.isEmpty() ? chanceWords(row, locale) : band;
 }
 } // namespace
 
@@ -30,6 +37,9 @@ ReportBlocks::ReportBlocks(const ReportData& data, const PlotTheme& theme, doubl
     addApex();
     addInsertion();
     addPalpation();
+    addTube();
+    addHandling();
+    addForce();
     addMetrics();
     addPlots();
     addIntegrity();
@@ -112,17 +122,13 @@ void ReportBlocks::addFacts() {
               {Words::tr("Duration"), formatDuration(m_data.duration_s, locale)},
               {Words::tr("State"), stateWords(m_data.state)},
               {Words::tr("Device"), m_data.device},
-              {Words::tr("Force"), m_data.felt ? Words::tr("felt") : Words::tr("shown, not felt")},
+              {Words::tr("Force"), !m_data.felt ? Words::tr("shown, not felt") : m_data.simulated ? Words::tr("rendered to a scripted hand") : Words::tr("felt")},
               {Words::tr("Session"), m_data.integrity.sessionId}},
              3);
 }
 
 void ReportBlocks::addHeadlines() {
-    std::vector<MetricRow> chosen;
-    for (const MetricRow& row : m_data.metrics) {
-        if (row.headline && chosen.size() < 3)
-            chosen.push_back(row);
-    }
+    const std::vector<MetricRow> chosen = headlineRows(m_data.metrics);
     if (chosen.empty())
         return;
     add(kHeadlineCardHeight, 16, [this, chosen](QCPPainter& p, const QRectF& box) {
@@ -138,6 +144,14 @@ void ReportBlocks::addHeadlines() {
 
 void ReportBlocks::addMetrics() {
     addHeading(Words::tr("All metrics"));
+    if (m_data.state != QLatin1String("completed") && m_data.state != QLatin1String("voided")) {
+        const bool any = !m_data.metrics.empty();
+        addText(any ? Words::tr("The session did not come to its end: these values are judged by no pass mark.")
+                    : Words::tr("No trial came to its end: there is no score."),
+                m_theme.font(12), m_theme.muted, 4);
+        if (!any)
+            return;
+    }
     std::vector<std::vector<QString>> rows;
     for (const MetricRow& row : m_data.metrics) {
         const QString name = row.name.isEmpty() ? row.id : row.name;
@@ -149,13 +163,13 @@ void ReportBlocks::addMetrics() {
                                : *row.passed ? Words::tr("✓ met")
                                              : Words::tr("✗ not met");
         rows.push_back(
-            {name, value, formatGate(row, m_theme.locale), formatBand(row, m_theme.locale), result});
+            {name, value, formatGate(row, m_theme.locale), besides(row, m_theme.locale), result});
     }
     if (rows.empty())
         rows.push_back({Words::tr("No metrics were computed"), {}, {}, {}, {}});
-    addTable({Words::tr("Metric"), Words::tr("Value"), Words::tr("Pass mark"), Words::tr("Benchmark"),
+    addTable({Words::tr("Metric"), Words::tr("Value"), Words::tr("Pass mark"), Words::tr("Benchmark, chance"),
               Words::tr("Result")},
-             rows, {0.36, 0.2, 0.16, 0.17, 0.11}, {false, true, true, true, false});
+             rows, {0.34, 0.19, 0.16, 0.2, 0.11}, {false, true, true, true, false});
 }
 
 void ReportBlocks::addApex() {
@@ -193,6 +207,65 @@ void ReportBlocks::addInsertion() {
     });
 }
 
+void ReportBlocks::addWords(const WordTable& table) {
+    // Columns as wide as their longest word of the head and their longest cell: no language's words are broken.
+    const QFontMetricsF head(m_theme.font(11, true));
+    const QFontMetricsF body(m_theme.font(12));
+    constexpr double kPadding = 14.0;
+    std::vector<double> widths;
+    for (std::size_t column = 0; column < table.head.size(); ++column) {
+        double width = 0.0;
+        for (const QString& word : table.head[column].split(QLatin1Char(' ')))
+            width = std::max(width, head.horizontalAdvance(word));
+        for (const std::vector<QString>& row : table.rows)
+            width = std::max(width, body.horizontalAdvance(row[column]));
+        widths.push_back(width + kPadding);
+    }
+    const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);
+    for (double& width : widths)
+        width /= sum;
+    std::vector<bool> right(table.head.size(), true);
+    right[1] = false; // how it ended, in words
+    addTable(table.head, table.rows, widths, right);
+}
+
+void ReportBlocks::addTube() {
+    if (!m_data.tube)
+        return;
+    addHeading(Words::tr("Tension and stretch"));
+    for (auto plot : {tensionPlot, stretchPlot}) {
+        m_plots.push_back(plot(*m_data.tube, m_theme));
+        PlotView* view = m_plots.back().get();
+        add(216, 8, [view](QCPPainter& p, const QRectF& box) { view->paintTo(p, box); });
+    }
+    addWords(tubeTable(*m_data.tube, m_theme.locale));
+}
+
+void ReportBlocks::addHandling() {
+    if (!m_data.handling)
+        return;
+    addHeading(Words::tr("Squeeze and place of each trial"));
+    m_plots.push_back(squeezePlot(*m_data.handling, m_theme));
+    m_plots.push_back(placePlot(*m_data.handling, m_theme));
+    PlotView* squeeze = m_plots[m_plots.size() - 2].get();
+    PlotView* place = m_plots.back().get();
+    add(270, 8, [squeeze, place](QCPPainter& p, const QRectF& box) {
+        const double left = box.width() * 0.54 - 8;
+        squeeze->paintTo(p, QRectF(box.left(), box.top(), left, box.height()));
+        place->paintTo(p, QRectF(box.left() + left + 8, box.top(), box.width() - left - 8, box.height()));
+    });
+    addWords(handlingTable(*m_data.handling, m_theme.locale));
+}
+
+void ReportBlocks::addForce() {
+    if (!m_data.force)
+        return;
+    addHeading(Words::tr("Force of the tissue, and what was felt"));
+    addText(feltWords(*m_data.force, m_data.felt, m_theme.locale), m_theme.font(12), m_theme.ink, 6);
+    if (const QString beyond = beyondCheckedWords(*m_data.force, m_theme.locale); !beyond.isEmpty())
+        addText(QStringLiteral("!  ") + beyond, m_theme.font(12, true), m_theme.warning, 6);
+}
+
 void ReportBlocks::addPlots() {
     addHeading(Words::tr("The session over time"));
     m_plots.push_back(forcePlot(m_data.series, m_data.forceLimit_N, m_theme));
@@ -215,9 +288,9 @@ void ReportBlocks::addIntegrity() {
     addPairs({{Words::tr("Recorded frames"), locale.toString(static_cast<qulonglong>(facts.frames))},
               {Words::tr("Dropped frames"), locale.toString(static_cast<qulonglong>(facts.dropped))},
               {Words::tr("Stored bytes"), locale.toString(static_cast<qulonglong>(facts.bytes))},
-              {Words::tr("Ticks, of them late"),
-               QStringLiteral("%1, %2").arg(locale.toString(static_cast<qulonglong>(loop.ticks)),
-                                            locale.toString(static_cast<qulonglong>(loop.late)))},
+              {Words::tr("Ticks, late, left out"),
+               QStringLiteral("%1, %2, %3").arg(locale.toString(static_cast<qulonglong>(loop.ticks)), locale.toString(static_cast<qulonglong>(loop.late)),
+                                                locale.toString(static_cast<qulonglong>(loop.skipped)))},
               {Words::tr("Lateness: median, 99 %"),
                loop.realtime ? QStringLiteral("%1, %2").arg(micro(loop.p50_us), micro(loop.p99_us))
                              : Words::tr("ran as fast as the machine can")},

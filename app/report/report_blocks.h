@@ -2,6 +2,7 @@
 #pragma once
 
 #include "report/block_maker.h"
+#include "report/grasp_report.h"
 #include "report/report_data.h"
 
 namespace chiron::report {
@@ -23,6 +24,10 @@ private:
     void addPalpation();
     void addFindings(const PalpationReport& report);
     void addMaps(const PalpationTrialReport& trial);
+    void addTube();
+    void addHandling();
+    void addWords(const WordTable& table);
+    void addForce();
     void addPlots();
     void addIntegrity();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "report/grasp_report_data.h"
 #include "report/palpation_report_data.h"
 
 #include <QDateTime>
@@ -25,6 +26,7 @@ struct MetricRow {
     std::optional<double> bandLow; ///< benchmark band, e.g. a published mean ± SD
     std::optional<double> bandHigh;
     QString bandSource; ///< where the band is from, e.g. "published, 5 subjects × 10"
+    std::optional<double> chance; ///< what somebody reaches who only guesses; absent where guessing has no such value
 };
 
 /// Signed error of one mark, in % of the sphere's radius (models.md §2.3).
@@ -79,6 +81,7 @@ struct SampleSeries {
 struct LoopFacts {
     std::uint64_t ticks = 0;
     std::uint64_t late = 0;
+    std::uint64_t skipped = 0; ///< left out: the loop was not there in time
     bool realtime = true; ///< false: ticks ran back to back, lateness has no meaning
     double p50_us = 0.0; ///< of the lateness
     double p99_us = 0.0;
@@ -97,8 +100,29 @@ struct IntegrityFacts {
     QString resultDigest;    ///< of the score row, hex; empty if none
 };
 
+/// What tissue answered beside what a hand was given, in the running time of the session's trials.
+struct ForceFacts {
+    double tissue_N = 0.0; ///< largest, of every tool: what is assessed
+    double felt_N = 0.0;   ///< largest commanded
+    double limited_s = 0.0; ///< how long any tool was given less than the tissue answered
+    std::optional<double> firstLimited_s; ///< when that began first, on the recording's time
+    double beyondChecked = 0.0; ///< share of the samples outside the poses and depths for which the law was checked, 0..1
+};
+
+/// More of a score's samples than this outside of the checked range, and the score says so (data.md, Range of a law).
+inline constexpr double kBeyondCheckedSaid = 0.01;
+
+/// What only one exercise has to show: each fills its own part, and leaves the others alone.
+struct ExerciseParts {
+    std::vector<ApexError> apexErrors;
+    std::optional<InsertionProfile> insertion;
+    std::optional<PalpationReport> palpation;
+    std::optional<TubeReport> tube;
+    std::optional<HandlingReport> handling;
+};
+
 /// Everything a session report shows. Values only: whoever fills it reads the database, never this module.
-struct ReportData {
+struct ReportData : ExerciseParts {
     QString person;             ///< display name, or the operator's ("expert, seed 7")
     bool simulated = false;     ///< a scripted hand, not a person
     bool demonstration = false; ///< the permanent banner of a demonstration database
@@ -112,11 +136,10 @@ struct ReportData {
     QString device;
     bool felt = true;           ///< false: force was shown, not felt
     QString state;              ///< completed, stopped, interrupted, incomplete, faulted, voided
-    std::optional<bool> passed; ///< absent where nothing is gated
-    std::vector<MetricRow> metrics;
-    std::vector<ApexError> apexErrors;
-    std::optional<InsertionProfile> insertion; ///< exercises through a canal
-    std::optional<PalpationReport> palpation;  ///< of a palpation
+    std::optional<bool> passed; ///< absent where nothing is gated, and where the session did not come to its end
+    int trialsDone = 0;         ///< trials that came to an end
+    std::vector<MetricRow> metrics; ///< of a session that came to no end, none is judged (`passed`, `headline`)
+    std::optional<ForceFacts> force; ///< absent where nothing was recorded
     SampleSeries series;
     double forceLimit_N = 4.0;
     LoopFacts loop;

@@ -95,8 +95,10 @@ void ReportBlocks::addFindings(const PalpationReport& report) {
                             radius(row, locale), rating(row.hardness, locale),
                             rating(row.confidence, locale), outcome(row),
                             row.error_mm ? locale.toString(*row.error_mm, 'f', 1) : QStringLiteral("–")});
-    if (rows.empty())
-        rows.push_back({Words::tr("Nothing was reported, and nothing was there"), {}, {}, {}, {}, {}, {}, {}});
+    if (rows.empty()) {
+        addText(Words::tr("Nothing was reported, and nothing was there"), m_theme.font(12), m_theme.ink, 6);
+        return;
+    }
     addTable({Words::tr("Trial"), Words::tr("No."), Words::tr("x, y (mm)"), Words::tr("Radius (mm)"), Words::tr("Hardness"),
               Words::tr("Confidence"), Words::tr("Outcome"), Words::tr("Error (mm)")},
              rows, {0.08, 0.07, 0.16, 0.13, 0.12, 0.13, 0.19, 0.12}, {true, true, true, true, true, true, false, true});

@@ -2,7 +2,9 @@
 #include "report/report_text.h"
 
 #include <QTimeZone>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace chiron::report {
 
@@ -97,6 +99,42 @@ QString stateWords(const QString& token) {
     if (token == QLatin1String("voided"))
         return Words::tr("voided by a trainer");
     return token;
+}
+
+std::vector<MetricRow> headlineRows(const std::vector<MetricRow>& metrics) {
+    constexpr std::size_t kMost = 3;
+    std::vector<MetricRow> chosen;
+    std::copy_if(metrics.begin(), metrics.end(), std::back_inserter(chosen), [](const MetricRow& row) { return row.headline; });
+    std::stable_partition(chosen.begin(), chosen.end(), [](const MetricRow& row) { return row.passed == std::optional<bool>(false); });
+    if (chosen.size() > kMost)
+        chosen.resize(kMost);
+    return chosen;
+}
+
+QString chanceWords(const MetricRow& row, const QLocale& locale) {
+    return row.chance ? Words::tr("by chance %1").arg(formatValue(row.chance, row.unit, locale)) : QString();
+}
+
+QString feltWords(const ForceFacts& force, bool felt, const QLocale& locale) {
+    const auto newtons = [&locale](double value) { return formatValue(value, QStringLiteral("N"), locale); };
+    constexpr double kContact_N = 0.02; // models.md §6
+    if (force.tissue_N < kContact_N)
+        return Words::tr("Nothing was touched.");
+    if (!felt)
+        return Words::tr("The tissue answered with up to %1. Nothing of it was felt: the force was shown.").arg(newtons(force.tissue_N));
+    if (!force.firstLimited_s)
+        return Words::tr("The tissue answered with up to %1, and all of it was felt.").arg(newtons(force.tissue_N));
+    return Words::tr("The tissue answered with up to %1, of which at most %2 were felt: the force was limited for %3, the first time after %4.")
+        .arg(newtons(force.tissue_N), newtons(force.felt_N), formatValue(force.limited_s, QStringLiteral("s"), locale),
+             formatDuration(*force.firstLimited_s, locale));
+}
+
+QString beyondCheckedWords(const ForceFacts& force, const QLocale& locale) {
+    if (!(force.beyondChecked > kBeyondCheckedSaid))
+        return {};
+    return Words::tr("%1 of the samples lie deeper or farther than the force law was checked for. Their force is bounded and counts, but it "
+                     "is less certain than the rest.")
+        .arg(formatValue(100.0 * force.beyondChecked, QStringLiteral("%"), locale));
 }
 
 } // namespace chiron::report

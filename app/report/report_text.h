@@ -31,4 +31,16 @@ QString formatDuration(double seconds, const QLocale& locale);
 /// Words for the stored state token: "completed", "stopped by the person" ...; the token itself if unknown.
 QString stateWords(const QString& token);
 
+/// The at most three metrics to show large: those whose pass mark was not met first, then the met ones, each in the level's order.
+std::vector<MetricRow> headlineRows(const std::vector<MetricRow>& metrics);
+
+/// "by chance 50 %"; empty where guessing has no value.
+QString chanceWords(const MetricRow& row, const QLocale& locale);
+
+/// What was felt beside what the tissue answered: "The tissue answered with up to 6.20 N, of which at most 4.00 N were felt. ...".
+QString feltWords(const ForceFacts& force, bool felt, const QLocale& locale);
+
+/// That more than 1 % of the samples lay outside of the checked range, and what that means; empty where they did not.
+QString beyondCheckedWords(const ForceFacts& force, const QLocale& locale);
+
 } // namespace chiron::report

@@ -68,7 +68,7 @@ std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, 
     if (!series.measured_N.empty())
         view->addLine(Words::tr("measured"), series.t_s, series.measured_N, PlotStyle::dottedC);
     if (!series.commanded_N.empty())
-        view->addLine(Words::tr("commanded"), series.t_s, series.commanded_N, PlotStyle::dashedB);
+        view->addLine(Words::tr("felt (commanded)"), series.t_s, series.commanded_N, PlotStyle::dashedB);
     view->addLine(Words::tr("tissue (assessed)"), series.t_s, series.tissue_N, PlotStyle::solidA);
     view->addLimit(Words::tr("limit %1").arg(formatValue(limit_N, QStringLiteral("N"), theme.locale)),
                    limit_N);

@@ -24,7 +24,7 @@ class TrackBuilder {
 public:
     TrackBuilder(StoredSession& session, const TrialSurfaces& surfaces)
         : m_quantities(session.reader().table()), m_positions(session.positions()), m_surfaces(surfaces),
-          m_marks(session.record().setup.forceLimit_N, session.positions().tools()) {
+          m_marks(session.record().setup.forceLimit_N, session.positions().tools(), session.record().setup.felt) {
         m_track.session = session.record().summary.id;
         m_track.exercise = session.setup().level.exercise;
         m_track.level = session.setup().level.number;
@@ -44,6 +44,7 @@ public:
         m_now_s = std::max(m_now_s, m_time.at(frame));
         m_marks.add(frame, m_now_s);
         addTrial(frame);
+        addPause(frame.header.paused != 0);
         for (std::size_t i = 0; i < m_open.size(); ++i)
             addForces(m_open[i], frame.tool[i]);
         m_last = frame;
@@ -57,10 +58,6 @@ public:
             closeSample();
         m_track.duration_s = m_now_s;
         m_track.marks = m_marks.take(m_now_s);
-        for (const PlaybackMark& mark : m_track.marks) {
-            if (mark.kind == PlaybackMarkKind::paused)
-                m_track.paused.push_back({mark.t_s, mark.end_s});
-        }
         addSpeeds();
         return std::move(m_track);
     }
@@ -75,6 +72,15 @@ private:
             tool.measured_N = std::max(tool.measured_N, normOf(frame.measured));
             m_track.measures = true;
         }
+    }
+
+    /// Whatever made the clock stand still: a pause, a stop, a fault.
+    void addPause(bool paused) {
+        if (paused && !m_paused)
+            m_track.paused.push_back({m_now_s, m_now_s});
+        if (paused || m_paused)
+            m_track.paused.back().end_s = m_now_s;
+        m_paused = paused;
     }
 
     /// The open sample becomes one of the track, with the last frame's pose; where no time has passed since the one before, it
@@ -151,9 +157,27 @@ private:
     core::HapticFrame m_last;
     int m_inSample = 0;
     bool m_inTrial = false;
+    bool m_paused = false;
     DeviceTime m_time;
     double m_now_s = 0.0;
 };
+
+/// An answer beside the sphere, or in the air, is a miss (as apex_misses counts it): said right after its mark.
+void noteMisses(PlaybackTrack& track) {
+    std::vector<PlaybackMark> marks;
+    for (const PlaybackMark& mark : track.marks) {
+        marks.push_back(mark);
+        const PlaybackTrial* trial = mark.kind == PlaybackMarkKind::marked ? track.trial(mark.trial) : nullptr;
+        if (trial == nullptr || !trial->object)
+            continue;
+        const core::Vec3 d = trial->p_WEnd - trial->object->p_WObject;
+        if (trial->endedInContact && std::hypot(d.x(), d.y()) <= trial->object->radius_m)
+            continue;
+        marks.push_back(mark);
+        marks.back().kind = PlaybackMarkKind::missed;
+    }
+    track.marks = std::move(marks);
+}
 
 void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace) {
     const bool any = std::any_of(trace.trials.begin(), trace.trials.end(), [](const auto& trial) { return trial.insertion.has_value(); });
@@ -185,6 +209,8 @@ core::Result<PlaybackTrack> buildPlaybackTrack(StoredSession& session, const Pla
             builder.add(frame);
     }
     PlaybackTrack track = builder.take();
+    if (std::holds_alternative<simulation::SphereApexParameters>(session.setup().level.parameters))
+        noteMisses(track);
     if ((*kind)->pointerTool() != PointerTool::endoscope)
         return track;
     auto trace = session.trace(); // what is scored from the whole of it is marked from the same

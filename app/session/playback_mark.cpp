@@ -2,6 +2,7 @@
 #include "session/playback_mark.h"
 
 #include "core/contact_bits.h"
+#include "scoring/force_facts.h"
 #include "session/event_extractor.h"
 #include "session/trace_mark.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kContact_N = 0.02;
 constexpr double kBridge_s = 0.2;
+constexpr double kShortest_s = 0.02; // the slew at every touch limits for a tick or two: nobody feels that
 
 double tissueOf(const core::ToolFrame& tool) {
     return std::hypot(tool.tissue[0], tool.tissue[1], tool.tissue[2]);
@@ -26,7 +28,8 @@ bool isPenalty(PlaybackMarkKind kind) noexcept {
     return kind == PlaybackMarkKind::overLimit || kind == PlaybackMarkKind::timedOut || kind == PlaybackMarkKind::fault ||
            kind == PlaybackMarkKind::trauma || kind == PlaybackMarkKind::reversal || kind == PlaybackMarkKind::offCentre ||
            kind == PlaybackMarkKind::overTorque || kind == PlaybackMarkKind::slipped || kind == PlaybackMarkKind::damaged ||
-           kind == PlaybackMarkKind::yielded || kind == PlaybackMarkKind::failed;
+           kind == PlaybackMarkKind::yielded || kind == PlaybackMarkKind::failed || kind == PlaybackMarkKind::missed ||
+           kind == PlaybackMarkKind::falseAlarm || kind == PlaybackMarkKind::lumpMissed;
 }
 
 PlaybackMark& MarkExtractor::note(const core::HapticFrame& frame, double t_s, PlaybackMarkKind kind, int tool) {
@@ -61,7 +64,25 @@ void MarkExtractor::add(const core::HapticFrame& frame, double t_s) {
     addTrialEvents(frame, t_s);
     addGuards(frame, t_s);
     addForces(frame, t_s);
-    follow(m_paused, frame.header.paused != 0, frame, t_s, PlaybackMarkKind::paused);
+    addStandstill(frame, t_s);
+}
+
+// What stands still because force was stopped, or taken away, was not paused by anybody.
+void MarkExtractor::addStandstill(const core::HapticFrame& frame, double t_s) {
+    const core::ForceState force = frame.header.force;
+    if (frame.header.paused == 0)
+        m_standstill = Standstill::none;
+    else if (force == core::ForceState::stopped)
+        m_standstill = Standstill::stop;
+    else if (force == core::ForceState::fault)
+        m_standstill = Standstill::fault;
+    else if (m_standstill == Standstill::none)
+        m_standstill = Standstill::pause;
+    if (m_standstill != Standstill::stop)
+        m_stop.reset();
+    if (m_stop)
+        m_marks[*m_stop].end_s = t_s;
+    follow(m_paused, m_standstill == Standstill::pause, frame, t_s, PlaybackMarkKind::paused);
 }
 
 void MarkExtractor::addCommands(const core::HapticFrame& frame, double t_s) {
@@ -110,8 +131,10 @@ void MarkExtractor::addGuards(const core::HapticFrame& frame, double t_s) {
             note(frame, t_s, guard.latched ? PlaybackMarkKind::fault : PlaybackMarkKind::guard).detail = guard.word;
     }
     m_guards = frame.header.guards;
-    if (frame.header.force == core::ForceState::stopped && m_force != core::ForceState::stopped)
+    if (frame.header.force == core::ForceState::stopped && m_force != core::ForceState::stopped) {
         note(frame, t_s, PlaybackMarkKind::forceStopped);
+        m_stop = m_marks.size() - 1;
+    }
     m_force = frame.header.force;
 }
 
@@ -130,7 +153,21 @@ void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
             std::optional<double>& worst = m_marks[*m_over[i].mark].value;
             worst = std::max(worst.value_or(0.0), tissue);
         }
+        addLimited(frame, t_s, tool);
     }
+}
+
+void MarkExtractor::addLimited(const core::HapticFrame& frame, double t_s, int tool) {
+    const auto i = static_cast<std::size_t>(tool);
+    const core::Array6& f = frame.tool[i].commanded;
+    const double tissue = tissueOf(frame.tool[i]);
+    const bool running = frame.header.phase == core::TrialPhase::running && frame.header.paused == 0;
+    const bool limited = m_felt && running && tissue > std::hypot(f[0], f[1], f[2]) + scoring::kLimited_N;
+    follow(m_limited[i], limited, frame, t_s, PlaybackMarkKind::limited, tool, kBridge_s);
+    if (!limited)
+        return;
+    std::optional<double>& largest = m_marks[*m_limited[i].mark].value;
+    largest = std::max(largest.value_or(0.0), tissue);
 }
 
 std::vector<PlaybackMark> MarkExtractor::take(double end_s) {
@@ -142,6 +179,10 @@ std::vector<PlaybackMark> MarkExtractor::take(double end_s) {
     close(m_paused);
     std::for_each(m_over.begin(), m_over.end(), close);
     std::for_each(m_contact.begin(), m_contact.end(), close);
+    std::for_each(m_limited.begin(), m_limited.end(), close);
+    std::erase_if(m_marks, [](const PlaybackMark& mark) {
+        return mark.kind == PlaybackMarkKind::limited && mark.end_s - mark.t_s < kShortest_s;
+    });
     std::stable_sort(m_marks.begin(), m_marks.end(),
                      [](const PlaybackMark& a, const PlaybackMark& b) { return a.t_s < b.t_s; });
     return std::move(m_marks);

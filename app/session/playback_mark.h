@@ -40,6 +40,10 @@ enum class PlaybackMarkKind : std::uint8_t {
     takenBack,    ///< palpation: a finding was taken back; value: its number, from 1
     yielded,      ///< penalty: tissue gave way; value: the force at which it did, N
     failed,       ///< penalty: the trial could not be done any more (torn)
+    limited,      ///< less was commanded than the tissue answered, from t_s to end_s; value: the largest tissue force, N
+    missed,       ///< penalty: an answer was given beside what was asked for
+    falseAlarm,   ///< penalty; palpation: a finding where nothing was; value: its number, from 1
+    lumpMissed,   ///< penalty; palpation: at the trial's end, a lump that no finding was near enough to
 };
 
 /// `detail` of a time-out of a procedure, which nobody marks.
@@ -59,7 +63,8 @@ struct PlaybackMark {
     std::string detail;
 };
 
-/// Whether it costs: over the limit, timed out, a fault, trauma, a reversal, off centre, torque, slipped, damaged, yielded, failed.
+/// Whether it costs: over the limit, timed out, a fault, trauma, a reversal, off centre, torque, slipped, damaged, yielded, failed,
+/// missed, a false alarm, a lump missed.
 bool isPenalty(PlaybackMarkKind kind) noexcept;
 
 /// Stored frames -> marks, in the order of time, by the rules of EventExtractor, so that playback tells what the database
@@ -67,7 +72,8 @@ bool isPenalty(PlaybackMarkKind kind) noexcept;
 /// for every metric; a touch lost for less than 0.2 s goes on. Frames come in order, chunk by chunk.
 class MarkExtractor {
 public:
-    MarkExtractor(double forceLimit_N, int tools) : m_forceLimit_N(forceLimit_N), m_tools(tools) {}
+    /// `felt`: the device rendered force, so that less than the tissue's can have been felt.
+    MarkExtractor(double forceLimit_N, int tools, bool felt = false) : m_forceLimit_N(forceLimit_N), m_tools(tools), m_felt(felt) {}
 
     /// `t_s`: the frame's device time since the first frame.
     void add(const core::HapticFrame& frame, double t_s);
@@ -88,14 +94,22 @@ private:
     void addGrasps(const core::HapticFrame& frame, double t_s);
     void addForces(const core::HapticFrame& frame, double t_s);
     void addGuards(const core::HapticFrame& frame, double t_s);
+    void addStandstill(const core::HapticFrame& frame, double t_s);
+    void addLimited(const core::HapticFrame& frame, double t_s, int tool);
 
+    /// Why the clock stands still.
+    enum class Standstill : std::uint8_t { none, pause, stop, fault };
     double m_forceLimit_N;
     int m_tools;
+    bool m_felt;
+    Standstill m_standstill = Standstill::none;
+    std::optional<std::size_t> m_stop; ///< the mark of the stop that goes on
     std::uint32_t m_guards = 0;
     core::ForceState m_force = core::ForceState::off;
     std::array<double, core::kMaxTools> m_before_N{}; ///< tissue force of the tick before
     Span m_paused;
     std::array<Span, core::kMaxTools> m_over{};
+    std::array<Span, core::kMaxTools> m_limited{};
     std::array<Span, core::kMaxTools> m_contact{};
     std::vector<PlaybackMark> m_marks;
 };

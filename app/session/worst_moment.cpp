@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
+#include <vector>
 
 namespace chiron::session {
 
@@ -93,6 +96,38 @@ std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkK
     return worst;
 }
 
+/// Where it first happened, of what is counted; the session's count is the value.
+std::optional<WorstMoment> firstOf(const PlaybackTrack& track, std::initializer_list<PlaybackMarkKind> kinds, const scoring::MetricValue& metric) {
+    for (const PlaybackMarkKind kind : kinds)
+        for (const PlaybackMark& mark : track.marks)
+            if (mark.kind == kind && metric.value) {
+                WorstMoment worst;
+                worst.t_s = mark.t_s;
+                worst.trial = mark.trial;
+                worst.value = *metric.value;
+                worst.unit = metric.unit;
+                return worst;
+            }
+    return std::nullopt;
+}
+
+/// Where one of the scene's quantities was largest within a trial.
+std::optional<WorstMoment> largestQuantity(const PlaybackTrack& track, const char* id, const char* unit) {
+    const PlaybackQuantity* quantity = track.quantity(id);
+    std::optional<WorstMoment> worst;
+    for (std::size_t i = 0; quantity != nullptr && i < std::min(quantity->values.size(), track.moments.size()); ++i) {
+        const PlaybackMoment& moment = track.moments[i];
+        if (moment.paused || moment.phase != core::TrialPhase::running || (worst && quantity->values[i] <= worst->value))
+            continue;
+        worst.emplace();
+        worst->t_s = moment.t_s;
+        worst->trial = moment.trial;
+        worst->value = quantity->values[i];
+        worst->unit = unit;
+    }
+    return worst;
+}
+
 /// Where a quantity was largest in any trial, in its metrics' unit.
 std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, scoring::InsertionQuantity quantity) {
     const PlaybackPeak* found = nullptr;
@@ -109,18 +144,44 @@ std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, scoring::Inse
     return worst;
 }
 
-std::optional<WorstMoment> ofGate(const PlaybackTrack& track, const scoring::ScoreCard& card, const scoring::Gate& gate) {
-    if (startsWith(gate.metric, "force_"))
+/// Where a gate on a metric was missed, if it has a place in time of its own: a force, an event, a largest value. Nothing for what
+/// is spread over a trial.
+std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::MetricValue& metric) {
+    using enum PlaybackMarkKind;
+    const std::string& id = metric.id;
+    if (startsWith(id, "force_"))
         return largestForce(track);
-    if (startsWith(gate.metric, "apex_"))
+    if (startsWith(id, "apex_"))
         return farthestAnswer(track);
-    if (gate.metric == "trauma_events")
-        return largestMark(track, PlaybackMarkKind::trauma, 1.0, "N");
-    if (gate.metric == "reversals")
-        return largestMark(track, PlaybackMarkKind::reversal, 1e3, "mm");
-    if (const auto quantity = scoring::insertionQuantityOf(gate.metric))
-        if (auto worst = largestPeak(track, *quantity))
-            return worst;
+    if (id == "trauma_events")
+        return largestMark(track, trauma, 1.0, "N");
+    if (id == "reversals")
+        return largestMark(track, reversal, 1e3, "mm");
+    if (id == "critical_errors") {
+        auto broken = largestMark(track, yielded, 1.0, "N");
+        return broken ? broken : firstOf(track, {failed, damaged}, metric);
+    }
+    if (id == "over_stretches")
+        return firstOf(track, {damaged, failed}, metric);
+    if (id == "drops")
+        return firstOf(track, {slipped}, metric);
+    if (id == "palpation_misses")
+        return firstOf(track, {lumpMissed}, metric);
+    if (id == "palpation_false_alarms")
+        return firstOf(track, {falseAlarm}, metric);
+    if (startsWith(id, "squeeze_"))
+        return largestQuantity(track, "squeeze_N", "N");
+    if (const auto quantity = scoring::insertionQuantityOf(id))
+        return largestPeak(track, *quantity);
+    return std::nullopt;
+}
+
+/// What a gate on a metric that is spread over a trial is led to: the trial that tore, or that did worst, at its end.
+std::optional<WorstMoment> spread(const PlaybackTrack& track, const scoring::ScoreCard& card, const scoring::Gate& gate,
+                                  const scoring::MetricValue& metric) {
+    if (gate.metric == "procedure_completed")
+        if (auto torn = firstOf(track, {PlaybackMarkKind::failed}, metric))
+            return torn;
     return worstTrial(track, card, gate);
 }
 
@@ -130,16 +191,23 @@ std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring
                                        std::span<const scoring::Gate> gates) {
     if (track.trials.empty())
         return std::nullopt;
-    for (const scoring::Gate& gate : gates) {
-        const scoring::MetricValue* metric = metricIn(card.metrics, gate.metric);
-        if (!metric || metric->passed != std::optional<bool>(false))
-            continue;
-        if (auto worst = ofGate(track, card, gate)) {
-            worst->reason = gate.metric;
-            worst->gateFailed = true;
-            return worst;
-        }
-    }
+    std::vector<const scoring::Gate*> missed;
+    for (const scoring::Gate& gate : gates)
+        if (const scoring::MetricValue* metric = metricIn(card.metrics, gate.metric); metric && metric->passed == std::optional<bool>(false))
+            missed.push_back(&gate);
+    // Broken tissue is worse than anything else that went wrong.
+    std::stable_partition(missed.begin(), missed.end(), [](const scoring::Gate* gate) { return gate->metric == "critical_errors"; });
+    const auto ledBy = [](WorstMoment worst, const scoring::Gate& gate) {
+        worst.reason = gate.metric;
+        worst.gateFailed = true;
+        return worst;
+    };
+    for (const scoring::Gate* gate : missed)
+        if (auto worst = located(track, *metricIn(card.metrics, gate->metric)))
+            return ledBy(std::move(*worst), *gate);
+    for (const scoring::Gate* gate : missed)
+        if (auto worst = spread(track, card, *gate, *metricIn(card.metrics, gate->metric)))
+            return ledBy(std::move(*worst), *gate);
     return largestForce(track);
 }
 

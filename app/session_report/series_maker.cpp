@@ -21,7 +21,8 @@ double normOf(const core::Array6& wrench) { return std::hypot(wrench[0], wrench[
 /// Adds up frames to points of the series.
 class SeriesBuilder {
 public:
-    explicit SeriesBuilder(const session::StoredSession& session) : m_positions(session.positions()) {}
+    explicit SeriesBuilder(const session::StoredSession& session)
+        : m_positions(session.positions()), m_felt(session.record().setup.felt) {}
 
     void add(const core::HapticFrame& frame) {
         const core::ToolFrame& tool = frame.tool[0];
@@ -41,6 +42,8 @@ public:
             m_series.paused.push_back({m_pauseBegan_s, m_series.t_s.back()});
         if (!m_measures)
             m_series.measured_N.clear();
+        if (!m_felt)
+            m_series.commanded_N.clear(); // nothing was commanded that could be felt
         addSpeed();
         return std::move(m_series);
     }
@@ -91,6 +94,7 @@ private:
     session::DeviceTime m_time;
     int m_inPoint = 0;
     double m_tissue = 0.0, m_commanded = 0.0, m_measured = 0.0;
+    bool m_felt;
     bool m_measures = false;
     bool m_paused = false;
     double m_pauseBegan_s = 0.0;

@@ -3,14 +3,15 @@
 
 #include "database/repositories/score_repository.h"
 #include "recording/digest.h"
-#include "session_report/insertion_profile.h"
-#include "session_report/palpation_report.h"
+#include "scoring/force_facts.h"
+#include "session_report/exercise_parts.h"
+#include "session_report/metric_words.h"
 #include "session_report/series_maker.h"
 #include "session/exercise_kind.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <map>
+#include <algorithm>
 
 namespace chiron::session_report {
 
@@ -18,25 +19,29 @@ using namespace report;
 
 namespace {
 
-constexpr std::size_t kHeadlines = 3;
+/// Whether a session in this state is judged: one that came to no end has values, but no verdict.
+bool isJudged(const database::SessionRecord& record) {
+    return record.summary.state == database::SessionState::completed || record.stateBeforeVoid == database::SessionState::completed;
+}
 
-std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::ExerciseLevel& level, bool felt) {
+std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::ExerciseLevel& level, bool felt, bool judged) {
     std::vector<MetricRow> rows;
-    std::size_t headlines = 0;
     for (const scoring::MetricValue& metric : card.metrics) {
         MetricRow row;
         row.id = QString::fromStdString(metric.id);
-        row.name = metricName(metric.id);
+        row.name = metricTitle(row.id);
         row.unit = QString::fromStdString(metric.unit);
         row.value = metric.value;
         row.reason = QString::fromStdString(metric.reason);
-        row.passed = metric.passed;
+        row.chance = chanceOf(metric.id, card);
+        if (judged)
+            row.passed = metric.passed;
         for (const scoring::Gate& gate : level.gates) {
             if (gate.metric != metric.id)
                 continue;
             row.gateMinimum = gate.minimum;
             row.gateMaximum = gate.maximum;
-            row.headline = headlines++ < kHeadlines;
+            row.headline = judged;
         }
         if (felt) // a band is of one device class: these people felt the force
             addPublishedBand(row);
@@ -45,30 +50,12 @@ std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::E
     return rows;
 }
 
-std::vector<ApexError> apexErrorsOf(const scoring::SessionTrace& trace) {
-    std::vector<ApexError> errors;
-    for (const scoring::TrialTrace& trial : trace.trials) {
-        if (trial.unfinished || !trial.apex || trial.tools.empty() || trial.tools[0].p_WT_m.empty())
-            continue;
-        ApexError error;
-        error.trial = trial.trial;
-        error.timedOut = !trial.marked; // the answer that its score counts: where it stood at the end
-        const core::Vec3& p = trial.marked ? trial.p_WMark_m : trial.tools[0].p_WT_m.back();
-        const double dx = p.x() - trial.apex->x_m;
-        const double dy = p.y() - trial.apex->y_m;
-        error.x_percent = 100.0 * dx / trial.apex->radius_m;
-        error.y_percent = 100.0 * dy / trial.apex->radius_m;
-        error.miss = trial.marked && (!trial.markInContact || std::hypot(dx, dy) > trial.apex->radius_m);
-        errors.push_back(error);
-    }
-    return errors;
-}
-
 LoopFacts loopFactsOf(const std::string& text) {
     const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
     LoopFacts facts;
     facts.ticks = static_cast<std::uint64_t>(json.value("ticks").toDouble());
     facts.late = static_cast<std::uint64_t>(json.value("late").toDouble());
+    facts.skipped = static_cast<std::uint64_t>(json.value("skipped").toDouble());
     facts.realtime = json.value("realtime").toBool();
     facts.p50_us = json.value("p50_us").toDouble();
     facts.p99_us = json.value("p99_us").toDouble();
@@ -107,6 +94,17 @@ void addFacts(ReportData& data, const database::SessionRecord& record, const ses
 
 } // namespace
 
+int trialsDoneOf(const std::vector<database::TrialRecord>& trials) {
+    return static_cast<int>(std::count_if(trials.begin(), trials.end(), [](const database::TrialRecord& trial) {
+        return trial.state == database::SessionState::completed;
+    }));
+}
+
+report::ForceFacts feltFactsOf(const scoring::SessionTrace& trace) {
+    const scoring::ForceFacts facts = scoring::forceFactsOf(trace);
+    return {facts.tissue_N, facts.commanded_N, facts.limited_s, facts.firstLimited_s, facts.beyondCheckedShare()};
+}
+
 /// P2, "Preliminary Validation": 14.2 % mean, SD 11.3, five subjects with ten hemispheres each.
 void addPublishedBand(MetricRow& row) {
     if (row.id != QLatin1String("apex_error_mean"))
@@ -116,82 +114,21 @@ void addPublishedBand(MetricRow& row) {
     row.bandSource = QStringLiteral("published, 5 subjects × 10");
 }
 
-QString metricName(const std::string& id) {
-    static const std::map<std::string, const char*> names{
-        {"time", "Time"},
-        {"path_length", "Path length"},
-        {"path_inefficiency", "Path inefficiency"},
-        {"sparc", "Smoothness (SPARC)"},
-        {"ldlj", "Smoothness (LDLJ)"},
-        {"force_max", "Largest force"},
-        {"force_mean", "Mean force in contact"},
-        {"force_rms", "Force RMS"},
-        {"force_p95", "Force, 95th percentile"},
-        {"force_peak_rate", "Peak force rate"},
-        {"force_impulse_over_limit", "Impulse over the limit"},
-        {"force_time_over_limit", "Time over the limit"},
-        {"offset_rms", "Off-centre distance, RMS"},
-        {"offset_max", "Off-centre distance, largest"},
-        {"alignment_rms", "Alignment, RMS"},
-        {"bend_alignment", "Alignment at the bend, RMS"},
-        {"trauma_events", "Trauma events"},
-        {"torque_max", "Largest torque"},
-        {"torque_rms", "Torque RMS"},
-        {"reversals", "Reversals"},
-        {"landmarks_seen", "Landmarks seen"},
-        {"procedure_completed", "Procedure completed"},
-        {"inspection_travel", "Tip travel during inspection"},
-        {"insertion_depth", "Insertion depth"},
-        {"tension_error_rms", "Tension error, RMS"},
-        {"tension_error_sd", "Tension error, SD"},
-        {"time_in_band", "Time in the band"},
-        {"over_stretches", "Over-stretches"},
-        {"critical_errors", "Critical errors"},
-        {"drops", "Drops"},
-        {"squeeze_max", "Largest squeeze"},
-        {"squeeze_time_over_limit", "Time squeezed too hard"},
-        {"placement_error", "Placement error"},
-        {"weighing_correct", "Heaviest found"},
-        {"weighing_correct_by_chance", "Heaviest found by chance"},
-        {"palpation_hits", "Lumps found"},
-        {"palpation_misses", "Lumps missed"},
-        {"palpation_false_alarms", "False alarms"},
-        {"palpation_d_prime", "Sensitivity (d′)"},
-        {"palpation_d_prime_low", "Sensitivity, at least"},
-        {"palpation_d_prime_high", "Sensitivity, at most"},
-        {"palpation_criterion", "Criterion (c)"},
-        {"palpation_roc_area", "Area under the ROC"},
-        {"localisation_error", "Localisation error"},
-        {"localisation_error_by_chance", "Localisation error by chance"},
-        {"size_error", "Size error"},
-        {"size_error_by_chance", "Size error by chance"},
-        {"hardness_order", "Hardness order"},
-        {"hardness_order_by_chance", "Hardness order by chance"},
-        {"coverage", "Area covered"},
-        {"force_band_time", "Time in the force band"},
-        {"pressing_time", "Time pressing"},
-        {"searching_time", "Time searching"},
-        {"apex_error_mean", "Apex error, mean"},
-        {"apex_error_mean_by_chance", "Apex error by chance"},
-        {"apex_error_sd", "Apex error, SD"},
-        {"apex_bias_x", "Apex bias, x"},
-        {"apex_bias_y", "Apex bias, y"},
-        {"apex_misses", "Misses"},
-    };
-    const auto found = names.find(id);
-    return found != names.end() ? QString::fromUtf8(found->second)
-                                : QString::fromStdString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
-}
-
 core::Result<ReportData> reportHeadOf(const database::SessionRecord& record, const session::SessionSetup& setup,
                                       database::Connection& connection, const database::Actor& actor,
                                       const std::string& language) {
     ReportData data;
     addFacts(data, record, setup, language);
+    auto trials = database::SessionReader(connection, actor).trials(record.summary.id);
+    if (!trials)
+        return tl::unexpected(trials.error());
+    data.trialsDone = trialsDoneOf(*trials);
     auto card = database::ScoreRepository(connection, actor).scores(record.summary.id);
     if (card) {
-        data.metrics = rowsOf(*card, setup.level, record.setup.felt);
-        if (!setup.level.gates.empty())
+        const bool judged = isJudged(record);
+        if (judged || data.trialsDone > 0) // of trials that were all broken off nothing is said
+            data.metrics = rowsOf(*card, setup.level, record.setup.felt, judged);
+        if (judged && !setup.level.gates.empty())
             data.passed = card->passed;
     } else if (card.error().code != core::ErrorCode::notFound) {
         return tl::unexpected(card.error());
@@ -208,9 +145,8 @@ core::Result<ReportData> reportDataOf(session::StoredSession& session, database:
     auto trace = session.trace();
     if (!trace)
         return tl::unexpected(trace.error());
-    data.apexErrors = apexErrorsOf(*trace);
-    data.insertion = insertionProfileOf(*trace);
-    data.palpation = palpationReportOf(*trace, session.setup().level);
+    static_cast<ExerciseParts&>(data) = exercisePartsOf(*trace, session.setup().level);
+    data.force = feltFactsOf(*trace);
     auto series = makeSeries(session, data.integrity.recordingDigest);
     if (!series)
         return tl::unexpected(series.error());

@@ -21,7 +21,10 @@ core::Result<report::ReportData> reportHeadOf(const database::SessionRecord& rec
 /// Adds the published benchmark of a metric where there is one; of sessions whose force was felt. Pure.
 void addPublishedBand(report::MetricRow& row);
 
-/// What a metric is called on screen and paper, in English; the id with spaces where it has no name of its own.
-QString metricName(const std::string& id);
+/// Trials that came to an end: marked, done, timed out or failed; not those that the session's end broke off. Pure.
+int trialsDoneOf(const std::vector<database::TrialRecord>& trials);
+
+/// What the tissue answered, and what of it was felt. Pure.
+report::ForceFacts feltFactsOf(const scoring::SessionTrace& trace);
 
 } // namespace chiron::session_report

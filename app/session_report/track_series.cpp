@@ -39,22 +39,4 @@ report::SampleSeries seriesOf(const PlaybackTrack& track) {
     return series;
 }
 
-std::vector<report::ApexError> apexErrorsOf(const PlaybackTrack& track) {
-    std::vector<report::ApexError> errors;
-    for (const session::PlaybackTrial& trial : track.trials) {
-        if (!trial.object || trial.object->radius_m <= 0.0)
-            continue;
-        const core::Vec3 d = trial.p_WEnd - trial.object->p_WObject;
-        report::ApexError error;
-        error.trial = trial.index;
-        error.timedOut = !trial.marked;
-        error.x_percent = 100.0 * d.x() / trial.object->radius_m;
-        error.y_percent = 100.0 * d.y() / trial.object->radius_m;
-        error.miss = trial.marked &&
-                     (!trial.endedInContact || std::hypot(d.x(), d.y()) > trial.object->radius_m);
-        errors.push_back(error);
-    }
-    return errors;
-}
-
 } // namespace chiron::session_report

@@ -9,7 +9,4 @@ namespace chiron::session_report {
 /// Tool 0 of a playback track as plots draw it: pauses hatched, the trials' numbers as events. Pure.
 report::SampleSeries seriesOf(const session::PlaybackTrack& track);
 
-/// Where each trial's answer lay, % of the radius: what the scores count; without a mark, where the tool stood at the end. Pure.
-std::vector<report::ApexError> apexErrorsOf(const session::PlaybackTrack& track);
-
 } // namespace chiron::session_report

@@ -3,6 +3,7 @@
 #include "cli/session_output.h"
 #include "cli/site_access.h"
 #include "database/repositories/score_repository.h"
+#include "scoring/force_facts.h"
 #include "session/replayer.h"
 
 #include <QJsonValue>
@@ -35,6 +36,26 @@ core::Result<Opened> openStored(const Arguments& arguments) {
     return Opened{std::move(*site), std::move(*connection), std::move(*session)};
 }
 
+/// What the tissue answered and what of it was felt (commanded); a score that rests on more than 1 % of samples outside the range for
+/// which the law was checked says so (data.md, Range of a law).
+QJsonObject forceJson(const scoring::ForceFacts& force, bool felt) {
+    return {{"tissue_max_N", force.tissue_N},
+            {"felt_max_N", felt ? QJsonValue(force.commanded_N) : QJsonValue()},
+            {"limited_s", felt ? QJsonValue(force.limited_s) : QJsonValue()},
+            {"first_limited_s", felt && force.firstLimited_s ? QJsonValue(*force.firstLimited_s) : QJsonValue()},
+            {"beyond_checked_share", force.beyondCheckedShare()}};
+}
+
+QString forceText(const scoring::ForceFacts& force, bool felt) {
+    QString text = QStringLiteral("\ntissue answered with up to %1 N; ").arg(force.tissue_N, 0, 'f', 2);
+    text += !felt ? QStringLiteral("shown, not felt\n")
+                  : QStringLiteral("felt (commanded) up to %1 N, limited for %2 s\n").arg(force.commanded_N, 0, 'f', 2).arg(force.limited_s, 0, 'f', 2);
+    constexpr double kSaid = 0.01;
+    if (force.beyondCheckedShare() > kSaid)
+        text += QStringLiteral("%1 % of the samples lie outside the range for which the force law was checked\n").arg(100.0 * force.beyondCheckedShare(), 0, 'f', 1);
+    return text;
+}
+
 core::Result<CommandOutput> score(const Arguments& arguments) {
     auto version = arguments.integer(QStringLiteral("metric-version"), 1, 1000, 0);
     if (!version)
@@ -51,12 +72,18 @@ core::Result<CommandOutput> score(const Arguments& arguments) {
     const bool same = session::sameScores(view->card, *card);
     const QJsonArray stored = metricsJson(view->card.metrics);
     view->card = std::move(*card);
+    auto trace = opened->session->trace();
+    if (!trace)
+        return tl::unexpected(trace.error());
+    const scoring::ForceFacts force = scoring::forceFactsOf(*trace);
+    const bool felt = opened->session->record().setup.felt;
     QJsonObject json = scoreJson(*view);
+    json.insert("force", forceJson(force, felt));
     json.insert("stored", stored);
     json.insert("same", same);
     const QString verdict = same ? QStringLiteral("\nsame as stored\n") : QStringLiteral("\nDIFFERS from what is stored\n");
     // Another version of a metric may well differ: that is an answer, not a failure.
-    return CommandOutput{QJsonDocument(json), scoreText(*view) + verdict, same || *version > 0 ? 0 : 1};
+    return CommandOutput{QJsonDocument(json), scoreText(*view) + forceText(force, felt) + verdict, same || *version > 0 ? 0 : 1};
 }
 
 core::Result<CommandOutput> replay(const Arguments& arguments) {

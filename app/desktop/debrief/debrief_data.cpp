@@ -3,12 +3,10 @@
 
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
+#include "session/palpation_marks.h"
 #include "session/playback_builder.h"
-#include "session_report/insertion_profile.h"
+#include "session_report/exercise_parts.h"
 #include "session_report/session_report.h"
-#include "session_report/track_series.h"
-
-#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -28,12 +26,6 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
     if (!report)
         return tl::unexpected(report.error());
     head.report = std::move(*report);
-    auto trials = sessions.trials(session);
-    if (!trials)
-        return tl::unexpected(trials.error());
-    head.trialsDone = static_cast<int>(std::count_if(trials->begin(), trials->end(), [](const database::TrialRecord& trial) {
-        return trial.marked || trial.timedOut;
-    }));
     return head;
 }
 
@@ -46,19 +38,25 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
     if (!track)
         return tl::unexpected(track.error());
     DebriefDetails details;
-    details.answers = session_report::apexErrorsOf(*track);
-    details.insertion = session_report::insertionProfileOf(*track);
-    if (std::holds_alternative<simulation::PalpationParameters>((*stored)->setup().level.parameters)) {
-        if (auto records = session::palpationRecord(**stored))
+    const catalogue::ExerciseLevel& level = (*stored)->setup().level;
+    auto trace = (*stored)->trace();
+    if (!trace)
+        return tl::unexpected(trace.error());
+    details.parts = session_report::exercisePartsOf(*trace, level);
+    details.force = session_report::feltFactsOf(*trace);
+    if (const auto* palpation = std::get_if<simulation::PalpationParameters>(&level.parameters)) {
+        if (auto records = session::palpationRecord(*trace, *palpation)) {
+            session::addPalpationMarks(*track, *records);
             details.palpation = std::move(*records);
-        else
+        } else
             details.palpationLost = std::move(records.error());
     }
     details.duration_s = track->duration_s;
     auto card = database::ScoreRepository(connection, actor).scores(session);
     if (!card && card.error().code != core::ErrorCode::notFound)
         return tl::unexpected(card.error());
-    details.worst = session::worstMoment(*track, card ? *card : scoring::ScoreCard{}, (*stored)->setup().level.gates);
+    const bool judged = (*stored)->record().summary.state == database::SessionState::completed;
+    details.worst = session::worstMoment(*track, card && judged ? *card : scoring::ScoreCard{}, level.gates);
     return details;
 }
 

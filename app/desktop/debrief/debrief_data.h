@@ -21,13 +21,12 @@ struct DebriefHead {
     database::SessionRecord record;
     session::SessionSetup setup;
     report::ReportData report; ///< facts and metrics; no samples
-    int trialsDone = 0;        ///< trials that came to a mark or a time-out
 };
 
 /// What has to be read from the recording, some tenths of a second later.
 struct DebriefDetails {
-    std::vector<report::ApexError> answers;
-    std::optional<report::InsertionProfile> insertion; ///< exercises through a canal
+    report::ExerciseParts parts; ///< of this session's exercise alone
+    report::ForceFacts force;
     std::vector<session::PalpationTrialRecord> palpation; ///< palpations: one a trial that was begun
     std::optional<core::Error> palpationLost; ///< why `palpation` is empty although trials were begun; the rest holds
     std::optional<session::WorstMoment> worst;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/debrief/debrief_screen.h"
+#include "desktop/debrief/exercise_part.h"
 #include "desktop/debrief/headline_card.h"
 #include "desktop/debrief/verdict.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
-#include "desktop/training/endoscopy.h"
-#include "desktop/training/palpating.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
+#include "report/report_text.h"
 
 #include <QHBoxLayout>
 
@@ -26,7 +26,7 @@ QWidget* DebriefScreen::headBox() {
     const QString level = QString::fromStdString(catalogue::textIn(m_head->setup.level.title, context().language().toStdString()));
     column->addWidget(kit::label(theme, tr("%1, level %2: %3").arg(exercise, context().locale().toString(summary.level), level), TextStyle::heading));
     const QString device = deviceText(m_head->setup.devices.front());
-    auto* facts = kit::label(theme, tr("%1 · %2 · %3 · %4").arg(whoText(summary), whenText(summary, context().locale()), device, forceText(summary.felt)),
+    auto* facts = kit::label(theme, tr("%1 · %2 · %3 · %4").arg(whoText(summary), whenText(summary, context().locale()), device, forceText(summary)),
                              TextStyle::body, "muted");
     facts->setObjectName(QStringLiteral("debrief.facts"));
     column->addWidget(facts);
@@ -109,26 +109,35 @@ QWidget* DebriefScreen::actionRow() {
 }
 
 QWidget* DebriefScreen::headlineRow() {
+    const std::vector<report::MetricRow> rows = report::headlineRows(m_head->report.metrics);
+    if (rows.empty())
+        return nullptr;
     const Theme& theme = context().theme();
     auto* row = new ResponsiveRow(theme.px(660), theme.px(12));
-    int shown = 0;
-    for (const report::MetricRow& metric : m_head->report.metrics) {
-        if (metric.headline && shown++ < 3)
-            row->add(new HeadlineCard(theme, metric, context().locale()));
-    }
-    for (std::size_t i = 0; shown == 0 && i < std::min<std::size_t>(3, m_head->report.metrics.size()); ++i)
-        row->add(new HeadlineCard(theme, m_head->report.metrics[i], context().locale()));
+    for (const report::MetricRow& metric : rows)
+        row->add(new HeadlineCard(theme, metric, context().locale()));
     return row;
+}
+
+QWidget* DebriefScreen::forceBox() {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Force of the tissue, and what was felt"), TextStyle::title));
+    m_force = kit::label(theme, {});
+    m_force->setObjectName(QStringLiteral("debrief.felt"));
+    m_force->hide(); // until the recording was looked through
+    m_beyond = kit::label(theme, {}, TextStyle::strong, "warning");
+    m_beyond->setObjectName(QStringLiteral("debrief.beyond"));
+    m_beyond->hide();
+    box.layout->addWidget(m_force);
+    box.layout->addWidget(m_beyond);
+    return box.frame;
 }
 
 QWidget* DebriefScreen::answersBox() {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
-    const bool endoscopy = endoscopyOf(m_head->setup.level) != nullptr;
-    const QString what = endoscopy                          ? tr("How the endoscope kept to the urethra")
-                         : palpationOf(m_head->setup.level) ? tr("What was searched and what was found")
-                                                            : tr("The answers, seen from above");
-    box.layout->addWidget(kit::label(theme, what, TextStyle::title));
+    box.layout->addWidget(kit::label(theme, exercisePartTitle(m_head->setup.level.parameters), TextStyle::title));
     m_answers = new StatePanel(theme);
     m_answers->setMinimumHeight(theme.px(290));
     box.layout->addWidget(m_answers);

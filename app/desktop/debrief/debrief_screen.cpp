@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/debrief/debrief_screen.h"
 
+#include "desktop/debrief/exercise_part.h"
 #include "desktop/debrief/metrics_table.h"
-#include "desktop/debrief/palpation_box.h"
 #include "desktop/debrief/report_words.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/plots/metric_words.h"
-#include "desktop/plots/plot_theme_of.h"
-#include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
-#include "desktop/training/endoscopy.h"
-#include "desktop/training/palpating.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 #include "report/report_text.h"
 #include "report/report_writer.h"
-#include "report/session_plots.h"
 
 #include <QFileDialog>
 
@@ -84,12 +79,20 @@ void DebriefScreen::showHead(DebriefHead head) {
         row.unit = unitText(row.unit);
     m_column->addWidget(headBox());
     m_column->addWidget(verdictBox());
-    if (!m_head->report.metrics.empty())
-        m_column->addWidget(headlineRow());
+    if (QWidget* cards = headlineRow())
+        m_column->addWidget(cards);
     m_column->addWidget(answersBox());
+    m_column->addWidget(forceBox());
     if (!m_head->report.metrics.empty()) {
         m_column->addWidget(kit::label(context().theme(), tr("All metrics"), TextStyle::title));
+        const database::SessionState state = m_head->record.summary.state;
+        if (state != database::SessionState::completed && state != database::SessionState::voided)
+            m_column->addWidget(kit::label(context().theme(), tr("The session did not come to its end: these values are judged by no pass mark."), TextStyle::small, "muted"));
         m_column->addWidget(new MetricsTable(context().theme(), m_head->report.metrics, context().locale()));
+    } else if (m_head->record.summary.state != database::SessionState::completed) {
+        auto* none = kit::label(context().theme(), tr("No trial came to its end: there is no score."), TextStyle::body, "muted");
+        none->setObjectName(QStringLiteral("debrief.no_score"));
+        m_column->addWidget(none);
     }
     m_column->addStretch();
     m_panel->showContent();
@@ -138,18 +141,23 @@ void DebriefScreen::showDetails(const DebriefDetails& details) {
     m_worstMoment = details.worst;
     if (details.worst)
         showWorst(*details.worst);
-    if (details.insertion)
-        showInsertion(*details.insertion);
-    else if (!details.palpation.empty())
-        showPalpation(details.palpation);
-    else if (details.palpationLost)
+    showForce(details.force);
+    const catalogue::ExerciseParameters& level = m_head->setup.level.parameters;
+    if (details.palpationLost)
         m_answers->showError(tr("Findings and maps could not be read from the recording. The scores above are as they were stored."), *details.palpationLost);
-    else if (!details.answers.empty())
-        showAnswers(details.answers);
-    else
-        m_answers->showEmpty(tr("No trial was begun"), endoscopyOf(m_head->setup.level)
-                                                           ? tr("There is nothing to show of the procedure. The session is kept and listed.")
-                                                           : tr("There is no answer to show. The session is kept and listed."));
+    else if (auto part = exercisePart(context().theme(), context().locale(), level, details)) {
+        m_answers->setContent(part.release()); // the panel owns it from here on
+        m_answers->showContent();
+    } else
+        m_answers->showEmpty(tr("No trial was begun"), exercisePartEmpty(level));
+}
+
+void DebriefScreen::showForce(const report::ForceFacts& force) {
+    m_force->setText(report::feltWords(force, m_head->record.summary.felt, context().locale()));
+    m_force->show();
+    const QString beyond = report::beyondCheckedWords(force, context().locale());
+    m_beyond->setText(beyond);
+    m_beyond->setVisible(!beyond.isEmpty());
 }
 
 void DebriefScreen::showWorst(const session::WorstMoment& worst) {
@@ -163,54 +171,6 @@ void DebriefScreen::showWorst(const session::WorstMoment& worst) {
                             : tr("%1: %2, at %3").arg(metric, value, at));
     m_worst->setAccessibleDescription(m_worst->toolTip());
     m_worst->setEnabled(true);
-}
-
-void DebriefScreen::showAnswers(const std::vector<report::ApexError>& answers) {
-    const Theme& theme = context().theme();
-    const report::PlotTheme look = plotThemeOf(theme, context().locale());
-    auto* row = new ResponsiveRow(theme.px(640), theme.px(12));
-    auto scatter = report::apexScatterPlot(answers, look);
-    auto trials = report::apexTrialPlot(answers, look);
-    scatter->setObjectName(QStringLiteral("debrief.scatter"));
-    for (report::PlotView* view : {scatter.get(), trials.get()})
-        view->setMinimumHeight(theme.px(280));
-    row->add(scatter.release(), 2); // the row owns them from here on
-    row->add(trials.release(), 3);
-    m_answers->setContent(row);
-    m_answers->showContent();
-}
-
-void DebriefScreen::showPalpation(const std::vector<session::PalpationTrialRecord>& records) {
-    const auto* level = palpationOf(m_head->setup.level);
-    m_answers->setContent(new PalpationBox(context().theme(), context().locale(), *level, records));
-    m_answers->showContent();
-}
-
-void DebriefScreen::showInsertion(const report::InsertionProfile& profile) {
-    const Theme& theme = context().theme();
-    const QLocale locale = context().locale();
-    const report::PlotTheme look = plotThemeOf(theme, locale);
-    auto* holder = new QWidget;
-    auto* column = new QVBoxLayout(holder);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(theme.px(8));
-    if (profile.landmarks > 0) {
-        auto* seen = kit::label(theme, tr("%1 of %2 landmarks of the bladder were seen.").arg(locale.toString(profile.landmarksSeen), locale.toString(profile.landmarks)));
-        seen->setObjectName(QStringLiteral("debrief.landmarks"));
-        column->addWidget(seen);
-    }
-    auto* row = new ResponsiveRow(theme.px(640), theme.px(12));
-    auto offset = report::offsetDepthPlot(profile, look);
-    auto alignment = report::alignmentDepthPlot(profile, look);
-    offset->setObjectName(QStringLiteral("debrief.offset"));
-    alignment->setObjectName(QStringLiteral("debrief.alignment"));
-    for (report::PlotView* view : {offset.get(), alignment.get()})
-        view->setMinimumHeight(theme.px(250));
-    row->add(offset.release()); // the row owns them from here on
-    row->add(alignment.release());
-    column->addWidget(row);
-    m_answers->setContent(holder);
-    m_answers->showContent();
 }
 
 bool DebriefScreen::isMine() const {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
@@ -39,14 +40,13 @@ private:
     void loadDetails();
     void showDetails(const DebriefDetails& details);
     void showWorst(const session::WorstMoment& worst);
-    void showAnswers(const std::vector<report::ApexError>& answers);
-    void showPalpation(const std::vector<session::PalpationTrialRecord>& records);
-    void showInsertion(const report::InsertionProfile& profile);
+    void showForce(const report::ForceFacts& force);
     void showNoDetails(const core::Error& error);
     QWidget* headBox();
     QWidget* verdictBox();
     QWidget* actionRow();
-    QWidget* headlineRow();
+    QWidget* headlineRow(); ///< null where nothing is judged
+    QWidget* forceBox();
     QWidget* answersBox();
     void askReport();
     void openPlayback(std::optional<double> at_s);
@@ -57,6 +57,8 @@ private:
     StatePanel* m_panel = nullptr;
     QVBoxLayout* m_column = nullptr; ///< of the page inside m_panel
     StatePanel* m_answers = nullptr;
+    QLabel* m_force = nullptr;  ///< what was felt of what the tissue answered
+    QLabel* m_beyond = nullptr; ///< that the law was left
     QPushButton* m_worst = nullptr;
     QPushButton* m_report = nullptr;
     std::optional<DebriefHead> m_head;

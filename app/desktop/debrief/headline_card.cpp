@@ -42,6 +42,8 @@ HeadlineCard::HeadlineCard(const Theme& theme, const report::MetricRow& row, con
     const QString band = report::formatBand(row, locale);
     if (!band.isEmpty())
         column->addWidget(kit::label(theme, tr("Benchmark %1 (%2)").arg(band, bandSourceText(row.bandSource)), TextStyle::small, "muted"));
+    if (row.chance)
+        column->addWidget(kit::label(theme, report::chanceWords(row, locale), TextStyle::small, "muted"));
     column->addStretch();
     bar->setToolTip(metricMeaning(row.id));
     setToolTip(metricMeaning(row.id));

@@ -15,7 +15,7 @@ MetricsTable::MetricsTable(const Theme& theme, const std::vector<report::MetricR
     column->setSpacing(theme.px(8));
     m_table->setObjectName(QStringLiteral("debrief.metrics"));
     m_table->setAccessibleName(tr("All metrics"));
-    m_table->setHorizontalHeaderLabels({tr("Metric"), tr("Value"), tr("Pass mark"), tr("Benchmark"), tr("Result")});
+    m_table->setHorizontalHeaderLabels({tr("Metric"), tr("Value"), tr("Pass mark"), tr("Benchmark, chance"), tr("Result")});
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     fill(theme, rows, locale);
     m_meaning = kit::label(theme, tr("Choose a row to read what it means."), TextStyle::small, "muted");
@@ -45,7 +45,8 @@ void MetricsTable::fill(const Theme& theme, const std::vector<report::MetricRow>
         put(i, 0, metricTitle(row.id), meaning);
         put(i, 1, row.value ? report::formatValue(row.value, row.unit, locale) : metricReason(row.reason), meaning);
         put(i, 2, report::formatGate(row, locale), meaning);
-        put(i, 3, report::formatBand(row, locale), meaning);
+        const QString band = report::formatBand(row, locale);
+        put(i, 3, band.isEmpty() ? report::chanceWords(row, locale) : band, meaning);
         put(i, 4, !row.passed ? QString() : *row.passed ? tr("Met") : tr("Not met"), meaning);
         if (row.passed)
             m_table->item(i, 4)->setIcon(*row.passed ? theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good)

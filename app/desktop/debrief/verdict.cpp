@@ -36,7 +36,7 @@ Verdict ofCompleted(const DebriefHead& head, const QLocale& locale) {
 QString reached(const DebriefHead& head) {
     if (head.record.setup.plannedTrials <= 1)
         return Words::tr("The procedure was not done to its end.");
-    return Words::tr("%1 of %2 trials were done.").arg(QLocale().toString(head.trialsDone), QLocale().toString(head.record.setup.plannedTrials));
+    return Words::tr("%1 of %2 trials were done.").arg(QLocale().toString(head.report.trialsDone), QLocale().toString(head.record.setup.plannedTrials));
 }
 
 Verdict ofUnfinished(const DebriefHead& head, SessionState state) {

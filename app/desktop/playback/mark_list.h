@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalogue/exercise.h"
 #include "desktop/theme/theme.h"
 #include "session/playback_mark.h"
 
@@ -18,7 +19,8 @@ namespace chiron::desktop {
 class MarkList : public QWidget {
     Q_OBJECT
 public:
-    MarkList(const Theme& theme, const QLocale& locale, std::vector<session::PlaybackMark> marks, QWidget* parent = nullptr);
+    MarkList(const Theme& theme, const QLocale& locale, std::vector<session::PlaybackMark> marks,
+             const catalogue::ExerciseParameters& level, QWidget* parent = nullptr);
 
 signals:
     void seekAsked(double t_s);
@@ -29,6 +31,7 @@ private:
     const Theme& m_theme;
     QLocale m_locale;
     std::vector<session::PlaybackMark> m_marks;
+    catalogue::ExerciseParameters m_level; ///< whose words are used
     QCheckBox* m_penaltiesOnly;
     QCheckBox* m_contacts;
     QListWidget* m_list;

@@ -49,30 +49,67 @@ QString stageText(const std::string& stage) {
     return Words::tr("The next stage begins");
 }
 
+/// What a trial's end, and damage, are called in an exercise. None is anybody's default.
+struct EndWords {
+    QString marked;
+    QString completed;
+    QString timedOut;
+    QString failed;
+    QString damaged;
+};
+
+struct EndWordsOf {
+    EndWords operator()(const simulation::SphereApexParameters&) const {
+        return {Words::tr("Marked the highest point"), Words::tr("The trial was done"), Words::tr("Time was up without a mark"),
+                Words::tr("The trial could not be done any more"), Words::tr("The tissue was damaged")};
+    }
+    EndWords operator()(const simulation::UrethraInsertionParameters&) const {
+        return {Words::tr("Ended"), Words::tr("The procedure was done to its end"), Words::tr("Time was up before the end of the procedure"),
+                Words::tr("The procedure could not be done any more"), Words::tr("The tissue was damaged")};
+    }
+    EndWords operator()(const simulation::ElasticTubeParameters&) const {
+        return {Words::tr("Ended"), Words::tr("The tube was held as asked"), Words::tr("Time was up before the tube was held as asked"),
+                Words::tr("The tube tore: the trial could not be done any more"), Words::tr("The tube was stretched too far")};
+    }
+    EndWords operator()(const simulation::ObjectHandlingParameters&) const {
+        return {Words::tr("Ended"), Words::tr("An object was set down in the target"), Words::tr("Time was up before an object was set down in the target"),
+                Words::tr("The trial could not be done any more"), Words::tr("The object was squeezed too hard")};
+    }
+    EndWords operator()(const simulation::PalpationParameters&) const {
+        return {Words::tr("Ended"), Words::tr("The search was reported as done"), Words::tr("Time was up before the search was reported as done"),
+                Words::tr("The search could not be done any more"), Words::tr("The tissue was damaged")};
+    }
+    EndWords operator()(const simulation::ComparisonParameters&) const {
+        return {Words::tr("Answered"), Words::tr("The comparison was done"), Words::tr("Time was up without an answer"),
+                Words::tr("The comparison could not be done any more"), Words::tr("The object was damaged")};
+    }
+};
+
 QString seconds(double span_s, const QLocale& locale) {
     return report::formatValue(span_s, QStringLiteral("s"), locale);
 }
 
 } // namespace
 
-QString markText(const session::PlaybackMark& mark, const QLocale& locale) {
+QString markText(const session::PlaybackMark& mark, const catalogue::ExerciseParameters& level, const QLocale& locale) {
+    const EndWords end = std::visit(EndWordsOf{}, level);
     const double span_s = mark.end_s - mark.t_s;
     switch (mark.kind) {
     case PlaybackMarkKind::trialStarted: return Words::tr("Trial %1 begins").arg(locale.toString(mark.trial + 1));
-    case PlaybackMarkKind::marked: return Words::tr("Marked the highest point");
-    case PlaybackMarkKind::timedOut:
-        return mark.detail == session::kProcedure ? Words::tr("Time was up before the end") : Words::tr("Time was up without a mark");
+    case PlaybackMarkKind::marked: return end.marked;
+    case PlaybackMarkKind::timedOut: return end.timedOut;
     case PlaybackMarkKind::traceEnded: return Words::tr("The trace ended without a mark");
     case PlaybackMarkKind::contact: return Words::tr("In contact for %1").arg(seconds(span_s, locale));
     case PlaybackMarkKind::overLimit:
         return Words::tr("Over the limit for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
     case PlaybackMarkKind::paused: return Words::tr("Paused for %1").arg(seconds(span_s, locale));
-    case PlaybackMarkKind::forceStopped: return Words::tr("Force stopped");
+    case PlaybackMarkKind::forceStopped:
+        return span_s > 0.0 ? Words::tr("Force stopped by the person, for %1").arg(seconds(span_s, locale)) : Words::tr("Force stopped by the person");
     case PlaybackMarkKind::rearmed: return Words::tr("Force armed again");
     case PlaybackMarkKind::guard:
     case PlaybackMarkKind::fault: return guardText(mark.detail);
     case PlaybackMarkKind::ended: return Words::tr("The person ended the session");
-    case PlaybackMarkKind::completed: return Words::tr("Everything was done");
+    case PlaybackMarkKind::completed: return end.completed;
     case PlaybackMarkKind::stageChanged: return stageText(mark.detail);
     case PlaybackMarkKind::landmarkSeen:
         return mark.value ? Words::tr("Landmarks seen: %1").arg(locale.toString(static_cast<int>(*mark.value))) : Words::tr("A landmark was seen");
@@ -87,12 +124,18 @@ QString markText(const session::PlaybackMark& mark, const QLocale& locale) {
     case PlaybackMarkKind::grasped: return Words::tr("Took hold");
     case PlaybackMarkKind::released: return Words::tr("Let go");
     case PlaybackMarkKind::slipped: return Words::tr("Slipped out or dropped");
-    case PlaybackMarkKind::damaged: return Words::tr("Tissue at its limit: stretched or squeezed too much");
+    case PlaybackMarkKind::damaged: return end.damaged;
     case PlaybackMarkKind::yielded:
         return Words::tr("The tissue gave way at %1").arg(report::formatValue(mark.value, QStringLiteral("N"), locale));
     case PlaybackMarkKind::found: return Words::tr("Finding %1 marked").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
     case PlaybackMarkKind::takenBack: return Words::tr("Finding %1 taken back").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
-    case PlaybackMarkKind::failed: return Words::tr("Torn: the trial could not be done any more");
+    case PlaybackMarkKind::failed: return end.failed;
+    case PlaybackMarkKind::limited:
+        return Words::tr("Felt less than the tissue answered for %1, which was up to %2")
+            .arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
+    case PlaybackMarkKind::missed: return Words::tr("A miss: not on what was to be marked");
+    case PlaybackMarkKind::falseAlarm: return Words::tr("Finding %1 marked where no lump was").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
+    case PlaybackMarkKind::lumpMissed: return Words::tr("A lump was missed");
     }
     return {};
 }
@@ -126,6 +169,10 @@ QString markIcon(PlaybackMarkKind kind) {
     case PlaybackMarkKind::found: return QStringLiteral("flag");
     case PlaybackMarkKind::takenBack: return QStringLiteral("edit-undo");
     case PlaybackMarkKind::failed: return QStringLiteral("dialog-error");
+    case PlaybackMarkKind::limited: return QStringLiteral("security-medium");
+    case PlaybackMarkKind::missed: return QStringLiteral("dialog-close");
+    case PlaybackMarkKind::falseAlarm: return QStringLiteral("dialog-close");
+    case PlaybackMarkKind::lumpMissed: return QStringLiteral("dialog-close");
     }
     return {};
 }
@@ -135,7 +182,7 @@ Colour markColour(PlaybackMarkKind kind) {
         return Colour::bad;
     if (kind == PlaybackMarkKind::marked || kind == PlaybackMarkKind::completed || kind == PlaybackMarkKind::landmarkSeen)
         return Colour::accent;
-    return kind == PlaybackMarkKind::guard ? Colour::warning : Colour::muted;
+    return kind == PlaybackMarkKind::guard || kind == PlaybackMarkKind::limited ? Colour::warning : Colour::muted;
 }
 
 } // namespace chiron::desktop

@@ -16,17 +16,6 @@ double valueOf(const session::PlaybackTrack& track, const std::string& id, std::
     return quantity && moment < quantity->values.size() ? quantity->values[moment] : 0.0;
 }
 
-session::PlaybackMark markOf(const session::PalpationTrialRecord& record, const scoring::TimedReport& report,
-                             const session::PlaybackTrack& track) {
-    session::PlaybackMark mark;
-    mark.t_s = mark.end_s = report.t_s;
-    mark.tick = track.tickAt(report.t_s);
-    mark.trial = record.trial;
-    mark.value = report.finding + 1;
-    mark.kind = report.field == core::ReportField::found ? session::PlaybackMarkKind::found : session::PlaybackMarkKind::takenBack;
-    return mark;
-}
-
 } // namespace
 
 PalpationReplay::PalpationReplay(simulation::PalpationParameters level, std::vector<session::PalpationTrialRecord> records)
@@ -120,15 +109,6 @@ void PalpationReplay::showIn(scene3d::SceneState& state, const session::Playback
     m_last = state.surfaceMap;
     m_lastStep = state.surfaceMap->step();
     state.surfaceMapStep = m_shown;
-}
-
-std::vector<session::PlaybackMark> PalpationReplay::marks(const session::PlaybackTrack& track) const {
-    std::vector<session::PlaybackMark> marks;
-    for (const session::PalpationTrialRecord& record : m_records)
-        for (const scoring::TimedReport& report : record.answer.reports)
-            if (report.field == core::ReportField::found || report.field == core::ReportField::remove)
-                marks.push_back(markOf(record, report, track));
-    return marks;
 }
 
 } // namespace chiron::desktop

@@ -32,8 +32,6 @@ public:
     core::PalpationCues cuesAt(const session::PlaybackTrack& track, double t_s, bool truth) const;
     /// Puts it into the scene; its map stays valid until the next call.
     void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, double t_s, const PalpationLook& look);
-    /// Findings and what was taken back, as marks that a list and a time bar jump to.
-    std::vector<session::PlaybackMark> marks(const session::PlaybackTrack& track) const;
     const simulation::PalpationParameters& level() const { return m_level; }
 
 private:

@@ -3,6 +3,7 @@
 
 #include "database/repositories/account_repository.h"
 #include "database/repositories/score_repository.h"
+#include "session/palpation_marks.h"
 #include "session/playback_builder.h"
 
 #include <algorithm>
@@ -54,11 +55,8 @@ void addPalpation(session::StoredSession& stored, PlaybackData& data) {
         data.palpationLost = std::move(records.error());
         return;
     }
+    session::addPalpationMarks(data.track, *records);
     data.palpation.emplace(*level, std::move(*records));
-    const std::vector<session::PlaybackMark> findings = data.palpation->marks(data.track);
-    auto& marks = data.track.marks;
-    marks.insert(marks.end(), findings.begin(), findings.end());
-    std::stable_sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
 }
 
 } // namespace

@@ -54,7 +54,8 @@ QString PlaybackScreen::palpationReadout(const session::PlaybackView& view) cons
     const QString depth = report::formatValue(1e3 * cues.depth_m[hardest], QStringLiteral("mm"), locale);
     const QString searched = locale.toString(static_cast<int>(100.0 * cues.coverage));
     const QString findings = locale.toString(findingCount(cues));
-    return view.moment.paused ? tr("Trial %1 · paused · force %2 · lean %3° · depth %4 · searched %5 % · findings %6").arg(trial, force, lean, depth, searched, findings)
+    return view.moment.paused ? tr("Trial %1 · %7 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6")
+                                    .arg(trial, force, lean, depth, searched, findings, stillWords(view.moment))
                               : tr("Trial %1 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6").arg(trial, force, lean, depth, searched, findings);
 }
 

@@ -54,7 +54,7 @@ QWidget* PlaybackScreen::headBox() {
     column->addWidget(kit::label(theme, tr("%1, level %2: %3").arg(exerciseTitle(context().site().catalogue(), summary.exercise, language),
                                                                    context().locale().toString(summary.level), level),
                                  TextStyle::title));
-    column->addWidget(kit::label(theme, tr("%1 · %2 · %3 · %4").arg(whoText(summary), whenText(summary, context().locale()), outcomeText(summary), forceText(summary.felt)),
+    column->addWidget(kit::label(theme, tr("%1 · %2 · %3 · %4").arg(whoText(summary), whenText(summary, context().locale()), outcomeText(summary), forceText(summary)),
                                  TextStyle::small, "muted"));
     row->add(words, 1);
     auto* debrief = kit::button(theme, tr("Debrief"), "", QStringLiteral("view-statistics"));
@@ -108,7 +108,7 @@ QWidget* PlaybackScreen::stageColumn() {
     m_scrubber = new Scrubber(theme);
     m_scrubber->setObjectName(QStringLiteral("playback.scrubber"));
     m_scrubber->setLocale(locale);
-    m_scrubber->setTrack(m_data->track);
+    m_scrubber->setTrack(m_data->track, m_data->setup.level.parameters);
     connect(m_scrubber, &Scrubber::seekAsked, &m_clock, &PlaybackClock::seek);
     column->addWidget(m_scrubber);
     column->addWidget(new TransportBar(theme, locale, m_clock));
@@ -146,7 +146,7 @@ QWidget* PlaybackScreen::sideColumn() {
     auto* tabs = new QTabWidget;
     tabs->setObjectName(QStringLiteral("playback.tabs"));
     tabs->setMinimumHeight(theme.px(300));
-    auto* marks = new MarkList(theme, context().locale(), m_data->track.marks);
+    auto* marks = new MarkList(theme, context().locale(), m_data->track.marks, m_data->setup.level.parameters);
     connect(marks, &MarkList::seekAsked, &m_clock, &PlaybackClock::seek);
     tabs->addTab(marks, tr("Events"));
     m_comments = new CommentPanel(theme, context().locale());
@@ -179,15 +179,23 @@ QWidget* PlaybackScreen::ghostBox() {
     return box;
 }
 
+/// Why nothing runs: empty while it does.
+QString PlaybackScreen::stillWords(const session::PlaybackMoment& moment) {
+    if (!moment.paused)
+        return {};
+    return moment.force == core::ForceState::stopped || moment.force == core::ForceState::fault ? tr("force stopped") : tr("paused");
+}
+
 QString PlaybackScreen::readoutText(const session::PlaybackView& view) const {
     const QLocale locale = context().locale();
     const session::PlaybackTool& tool = view.tools.front();
     const QString force = report::formatValue(tool.tissue_N.norm(), QStringLiteral("N"), locale);
     const QString speed = report::formatValue(1e3 * tool.speed_m_per_s, QStringLiteral("mm/s"), locale);
+    const QString still = stillWords(view.moment);
     if (view.insertion) {
         const QString stage = stageTitle(view.insertion->stage);
         const QString depth = report::formatValue(1e3 * view.insertion->depth_m, QStringLiteral("mm"), locale);
-        return view.moment.paused ? tr("%1 · paused · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed)
+        return view.moment.paused ? tr("%1 · %2 · depth %3 · force %4 · speed %5").arg(stage, still, depth, force, speed)
                                   : tr("%1 · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed);
     }
     if (m_data->palpation)
@@ -198,10 +206,10 @@ QString PlaybackScreen::readoutText(const session::PlaybackView& view) const {
         const double held_N = cues.tensionShown ? cues.tension_N : cues.squeeze_N[0];
         const QString held = report::formatValue(held_N, QStringLiteral("N"), locale);
         const QString words = cues.squeezeShown ? tr("squeeze %1").arg(held) : tr("tension %1").arg(held);
-        return view.moment.paused ? tr("Trial %1 · paused · %2 · force %3 · speed %4").arg(trial, words, force, speed)
+        return view.moment.paused ? tr("Trial %1 · %2 · %3 · force %4 · speed %5").arg(trial, still, words, force, speed)
                                   : tr("Trial %1 · %2 · force %3 · speed %4").arg(trial, words, force, speed);
     }
-    return view.moment.paused ? tr("Trial %1 · paused · force %2 · speed %3").arg(trial, force, speed)
+    return view.moment.paused ? tr("Trial %1 · %2 · force %3 · speed %4").arg(trial, still, force, speed)
                               : tr("Trial %1 · force %2 · speed %3").arg(trial, force, speed);
 }
 

@@ -59,6 +59,7 @@ private:
     QWidget* readoutRow();
     QWidget* palpationRow();
     QString palpationReadout(const session::PlaybackView& view) const;
+    static QString stillWords(const session::PlaybackMoment& moment);
     QString readoutText(const session::PlaybackView& view) const;
     void setDepthOfField(bool on);
     void makeScene();

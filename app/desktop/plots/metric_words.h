@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include "session_report/metric_words.h"
 
 namespace chiron::desktop {
 
-/// A metric's name in the language of the screen; its id with spaces where it has no name of its own. GUI thread, as all of
-/// these.
-QString metricTitle(const QString& id);
-/// What it measures, in a sentence for people; empty for one that is not known.
-QString metricMeaning(const QString& id);
-/// A stored unit in the language of the screen: "% of R" has a word in it, "N" has none.
-QString unitText(const QString& unit);
-/// Why a metric has no value, from the stored reason.
-QString metricReason(const QString& reason);
-/// Where a benchmark band is from.
-QString bandSourceText(const QString& source);
+using session_report::bandSourceText;
+using session_report::metricMeaning;
+using session_report::metricReason;
+using session_report::metricTitle;
+using session_report::unitText;
 
 } // namespace chiron::desktop

@@ -64,8 +64,11 @@ QString feltText(bool felt) {
     return felt ? words(QT_TRANSLATE_NOOP("Sessions", "Felt")) : words(QT_TRANSLATE_NOOP("Sessions", "Shown, not felt"));
 }
 
-QString forceText(bool felt) {
-    return felt ? words(QT_TRANSLATE_NOOP("Sessions", "Force felt")) : words(QT_TRANSLATE_NOOP("Sessions", "Force shown, not felt"));
+QString forceText(const database::SessionSummary& session) {
+    if (!session.felt)
+        return words(QT_TRANSLATE_NOOP("Sessions", "Force shown, not felt"));
+    return session.operatorName.empty() ? words(QT_TRANSLATE_NOOP("Sessions", "Force felt"))
+                                        : words(QT_TRANSLATE_NOOP("Sessions", "Force rendered to a scripted hand"));
 }
 
 QString whoText(const database::SessionSummary& session) {

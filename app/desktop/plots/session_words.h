@@ -19,8 +19,8 @@ QString outcomeText(const database::SessionSummary& session);
 QString outcomeIcon(const database::SessionSummary& session);
 /// "Felt", "Shown, not felt": in a column of its own.
 QString feltText(bool felt);
-/// "Force felt", "Force shown, not felt": beside other facts.
-QString forceText(bool felt);
+/// "Force felt", "Force shown, not felt", or that nobody was there to feel it: beside other facts.
+QString forceText(const database::SessionSummary& session);
 /// Who did it: the person's name, or "expert (scripted)".
 QString whoText(const database::SessionSummary& session);
 /// What it was done on.

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/station/station_words.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace chiron::desktop {
 
 namespace {
 constexpr double kMostLate = 0.003; // speed.md: ticks more than 100 µs late, as a share of all
+
+double lateShare(const session::LoopReport& loop) {
+    return loop.ticks > 0 ? static_cast<double>(loop.late) / static_cast<double>(loop.ticks) : 0.0;
 }
+} // namespace
 
 QString StationWords::driver(const devices::DriverEntry& entry) {
     if (entry.id == "simulated")
@@ -54,15 +61,19 @@ QString StationWords::punctuality(const session::LoopReport& loop, const QLocale
 }
 
 const char* StationWords::verdictKind(const session::LoopReport& loop) {
-    const double share = loop.ticks > 0 ? static_cast<double>(loop.late + loop.skipped) / static_cast<double>(loop.ticks) : 0.0;
-    return share <= kMostLate ? "good" : "warning";
+    return lateShare(loop) <= kMostLate && loop.skipped == 0 ? "good" : "warning";
 }
 
 QString StationWords::verdict(const session::LoopReport& loop, const QLocale& locale) {
-    const QString limit = locale.toString(kMostLate * 100.0, 'f', 1);
+    const auto percent = [&locale](double share) { return locale.toString(100.0 * share, 'f', share > 0.0 && share < 0.001 ? 3 : 1); };
+    const QString measured = percent(lateShare(loop));
+    const QString limit = percent(kMostLate);
+    if (loop.skipped > 0) // each is a millisecond in which nobody looked after the device
+        return tr("The loop is not punctual: %n tick(s) were left out. Close other programs, or permit real-time priority.", nullptr,
+                  static_cast<int>(std::min<std::uint64_t>(loop.skipped, std::numeric_limits<int>::max())));
     return QLatin1String(verdictKind(loop)) == QLatin1String("good")
-               ? tr("The loop is punctual: at most %1 % of the ticks were late.").arg(limit)
-               : tr("The loop is not punctual: more than %1 % of the ticks were late. Close other programs, or permit real-time priority.").arg(limit);
+               ? tr("The loop is punctual: %1 % of the ticks were late (limit %2 %), and none was left out.").arg(measured, limit)
+               : tr("The loop is not punctual: %1 % of the ticks were late (limit %2 %). Close other programs, or permit real-time priority.").arg(measured, limit);
 }
 
 } // namespace chiron::desktop

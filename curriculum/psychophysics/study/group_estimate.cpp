@@ -60,9 +60,18 @@ RandomEffects effectsOf(const std::vector<LogWeber>& logs) {
 
 Interval powerOfTen(double low, double high) { return {std::pow(10.0, low), std::pow(10.0, high)}; }
 
-void warnOfNumber(std::vector<Warning>& warnings, int used, int leftOut) {
+bool isSealed(const RunEstimate& run) {
+    return std::any_of(run.warnings.begin(), run.warnings.end(), [](const Warning& warning) { return warning.kind == WarningKind::sealed; });
+}
+
+/// Answers that are sealed say nothing yet, which is another thing than answers that give no value.
+void warnOfNumber(std::vector<Warning>& warnings, int used, int leftOut, int sealed = 0) {
+    if (sealed > 0)
+        warnings.push_back({WarningKind::sealed});
     if (leftOut > 0)
         warnings.push_back({WarningKind::leftOutParticipants, leftOut});
+    if (used == 0 && sealed > 0)
+        return;
     if (used == 0)
         warnings.push_back({WarningKind::noParticipants});
     else if (used == 1)
@@ -126,8 +135,9 @@ GroupEstimate estimateGroup(const std::vector<RunEstimate>& runs, std::uint64_t 
         result.unit = runs[i].unit;
     }
     result.participants = static_cast<int>(logs.size());
-    result.leftOut = static_cast<int>(runs.size()) - result.participants;
-    warnOfNumber(result.warnings, result.participants, result.leftOut);
+    const int sealed = static_cast<int>(std::count_if(runs.begin(), runs.end(), isSealed));
+    result.leftOut = static_cast<int>(runs.size()) - result.participants - sealed;
+    warnOfNumber(result.warnings, result.participants, result.leftOut, sealed);
     takeOtherMeans(result, runs);
     if (logs.empty())
         return result;

@@ -143,8 +143,8 @@ private slots:
         for (const session::PlaybackMarkKind kind : {grasped, released, slipped, damaged, failed}) {
             session::PlaybackMark mark;
             mark.kind = kind;
-            QVERIFY(!markText(mark, QLocale::c()).isEmpty() && !markIcon(kind).isEmpty());
-            said.insert(markText(mark, QLocale::c()));
+            QVERIFY(!markText(mark, tubeSetup(TubeTask::hold).level.parameters, QLocale::c()).isEmpty() && !markIcon(kind).isEmpty());
+            said.insert(markText(mark, tubeSetup(TubeTask::hold).level.parameters, QLocale::c()));
         }
         QCOMPARE(said.size(), std::size_t(5));
         QVERIFY(session::isPenalty(slipped) && session::isPenalty(damaged) && session::isPenalty(failed));

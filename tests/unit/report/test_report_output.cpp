@@ -57,10 +57,10 @@ ReportData sample(std::size_t samples) {
                      true,
                      2.9,
                      25.5,
-                     "published mean ± SD"},
-                    {"time", "Time", "s", 184.2, {}, {}, 300.0, true, true, {}, {}, {}},
-                    {"force_max", "Maximum force", "N", 4.62, {}, {}, 4.0, false, true, {}, {}, {}},
-                    {"apex_error_sd", "Apex error, SD", "%", 12.04, {}, {}, {}, {}, false, {}, {}, {}},
+                     "published mean ± SD", {}},
+                    {"time", "Time", "s", 184.2, {}, {}, 300.0, true, true, {}, {}, {}, {}},
+                    {"force_max", "Maximum force", "N", 4.62, {}, {}, 4.0, false, true, {}, {}, {}, {}},
+                    {"apex_error_sd", "Apex error, SD", "%", 12.04, {}, {}, {}, {}, false, {}, {}, {}, {}},
                     {"path_inefficiency",
                      "Path inefficiency",
                      "%",
@@ -72,8 +72,8 @@ ReportData sample(std::size_t samples) {
                      false,
                      {},
                      {},
-                     {}},
-                    {"sparc", "Smoothness (SPARC)", "", -2.417, {}, {}, {}, {}, false, {}, {}, {}}};
+                     {}, {}},
+                    {"sparc", "Smoothness (SPARC)", "", -2.417, {}, {}, {}, {}, false, {}, {}, {}, {}}};
     const double misfit[10][2] = {{12, -8}, {-22, 5},   {7, 14},  {31, -19}, {-4, -11},
                                   {15, 3},  {-140, 60}, {9, -27}, {2, 6},    {-13, 18}};
     for (int i = 0; i < 10; ++i)
@@ -95,7 +95,7 @@ ReportData sample(std::size_t samples) {
     for (int i = 0; i < 10; ++i)
         s.events.push_back({18.0 * i, QStringLiteral("trial %1").arg(i + 1)});
     s.paused = {{62.0, 71.5}};
-    data.loop = {180000, 12, true, 0.61, 1.9, 38.4};
+    data.loop = {180000, 12, 0, true, 0.61, 1.9, 38.4};
     data.integrity = {"S-000042",
                       180000,
                       0,
@@ -137,7 +137,7 @@ ReportData longAndGreek() {
                                 false,
                                 {},
                                 {},
-                                {}});
+                                {}, {}});
     return data;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/plots/metric_words.h"
+#include "session_report/metric_words.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <algorithm>
 #include <array>
+#include <string_view>
+#include <utility>
 
-namespace chiron::desktop {
+namespace chiron::session_report {
 
 namespace {
 
@@ -198,6 +201,19 @@ const MetricWords* wordsOf(const QString& id) {
     return nullptr;
 }
 
+/// What guessing reaches whatever was there. d′ and ROC: models.md §6.
+constexpr std::array<std::pair<std::string_view, double>, 4> kChance{{
+    {"palpation_d_prime", 0.0},
+    {"palpation_roc_area", 0.5},
+    {"hardness_order", 50.0}, // of two lumps, the harder one is named by luck half of the time
+    {"weighing_correct", 100.0 / 3.0}, // three objects (P2, Preliminary Validation)
+}};
+
+std::optional<double> valueIn(const scoring::ScoreCard& card, std::string_view id) {
+    const auto found = std::find_if(card.metrics.begin(), card.metrics.end(), [id](const auto& metric) { return metric.id == id; });
+    return found == card.metrics.end() ? std::nullopt : found->value;
+}
+
 } // namespace
 
 QString metricTitle(const QString& id) {
@@ -234,4 +250,11 @@ QString bandSourceText(const QString& source) {
     return source;
 }
 
-} // namespace chiron::desktop
+std::optional<double> chanceOf(const std::string& id, const scoring::ScoreCard& card) {
+    if (id == "size_error")
+        return valueIn(card, "size_error_by_chance");
+    const auto known = std::find_if(kChance.begin(), kChance.end(), [&id](const auto& chance) { return chance.first == id; });
+    return known == kChance.end() ? std::nullopt : std::optional(known->second);
+}
+
+} // namespace chiron::session_report

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/grasp_report.h"
+
+#include "report/report_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::report {
+
+namespace {
+
+const QString kNothing = QStringLiteral("–");
+
+bool anyNumber(const std::vector<double>& values) {
+    return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+std::unique_ptr<PlotView> overTime(const QString& title, const QString& quantity, const TubeReport& tube, const PlotTheme& theme) {
+    auto view = std::make_unique<PlotView>(theme);
+    view->setTitle(title);
+    PlotAxis time{Words::tr("Time (s)"), std::nullopt, std::nullopt};
+    if (tube.t_s.size() > 1) {
+        time.minimum = tube.t_s.front();
+        time.maximum = tube.t_s.back();
+    }
+    view->setXAxis(time);
+    view->setYAxis({quantity, 0.0, {}});
+    return view;
+}
+
+void finishTube(PlotView& view, const TubeReport& tube) {
+    std::vector<TimeSpan> paused;
+    for (const TubeReport::Span& span : tube.paused)
+        paused.push_back({span.begin_s, span.end_s});
+    view.addHatchedSpans(Words::tr("paused"), paused);
+    std::vector<TimedEvent> trials;
+    for (std::size_t i = 0; i < tube.trialStart_s.size() && i < tube.rows.size(); ++i)
+        trials.push_back({tube.trialStart_s[i], QString::number(tube.rows[i].trial + 1)});
+    view.addEvents(trials);
+    if (tube.t_s.empty())
+        view.setNote(Words::tr("No trial was begun"));
+}
+
+QString inUnit(const std::optional<double>& value, const char* unit, const QLocale& locale) {
+    return formatValue(value, QLatin1String(unit), locale);
+}
+
+QString count(const std::optional<double>& value, const QLocale& locale) {
+    return formatValue(value, QStringLiteral("count"), locale);
+}
+
+} // namespace
+
+QString trialOutcomeWords(TrialOutcome outcome, bool tears) {
+    switch (outcome) {
+    case TrialOutcome::done: return Words::tr("✓ done");
+    case TrialOutcome::timedOut: return Words::tr("✗ time was up");
+    case TrialOutcome::failed: return tears ? Words::tr("✗ torn") : Words::tr("✗ could not be done any more");
+    case TrialOutcome::unfinished: break;
+    }
+    return Words::tr("not finished");
+}
+
+std::unique_ptr<PlotView> tensionPlot(const TubeReport& tube, const PlotTheme& theme) {
+    auto view = overTime(Words::tr("Tension of the tube"), Words::tr("Tension (N)"), tube, theme);
+    if (anyNumber(tube.bandLow_N)) {
+        view->addLine(Words::tr("band, from"), tube.t_s, tube.bandLow_N, PlotStyle::dashedB);
+        view->addLine(Words::tr("band, to"), tube.t_s, tube.bandHigh_N, PlotStyle::dashedB);
+    }
+    view->addLine(Words::tr("tension"), tube.t_s, tube.tension_N, PlotStyle::solidA);
+    finishTube(*view, tube);
+    return view;
+}
+
+std::unique_ptr<PlotView> stretchPlot(const TubeReport& tube, const PlotTheme& theme) {
+    auto view = overTime(Words::tr("How far the tube was stretched"), Words::tr("Stretch (mm)"), tube, theme);
+    if (anyNumber(tube.markLow_mm)) {
+        view->addLine(Words::tr("mark, from"), tube.t_s, tube.markLow_mm, PlotStyle::dashedB);
+        view->addLine(Words::tr("mark, to"), tube.t_s, tube.markHigh_mm, PlotStyle::dashedB);
+    }
+    if (tube.overStretch_mm > 0.0) {
+        view->shadeAbove(Words::tr("over-stretched"), tube.t_s, tube.stretch_mm, tube.overStretch_mm);
+        view->addLimit(Words::tr("limit %1").arg(formatValue(tube.overStretch_mm, QStringLiteral("mm"), theme.locale)), tube.overStretch_mm);
+    }
+    view->addLine(Words::tr("stretch"), tube.t_s, tube.stretch_mm, PlotStyle::solidA);
+    finishTube(*view, tube);
+    return view;
+}
+
+WordTable tubeTable(const TubeReport& tube, const QLocale& locale) {
+    WordTable table{{Words::tr("Trial"), Words::tr("Outcome"), Words::tr("Target"), Words::tr("Tension error"), Words::tr("In the band"),
+                     Words::tr("Largest stretch"), Words::tr("Over-stretches"), Words::tr("Drops")},
+                    {}};
+    for (const TubeTrialRow& row : tube.rows)
+        table.rows.push_back({locale.toString(row.trial + 1), trialOutcomeWords(row.outcome, true), inUnit(row.target_N, "N", locale),
+                              inUnit(row.error_N, "N", locale), inUnit(row.inBand_s, "s", locale), inUnit(row.stretchMax_mm, "mm", locale),
+                              count(row.overStretches, locale), count(row.drops, locale)});
+    return table;
+}
+
+std::unique_ptr<PlotView> squeezePlot(const HandlingReport& handling, const PlotTheme& theme) {
+    auto view = std::make_unique<PlotView>(theme);
+    view->setTitle(Words::tr("Largest squeeze of each trial"));
+    view->setXAxis({Words::tr("Trial"), {}, {}});
+    view->setYAxis({Words::tr("Squeeze (N)"), 0.0, {}});
+    std::vector<QString> names;
+    std::vector<PlotPoint> bars;
+    for (const HandlingTrialRow& row : handling.rows) {
+        if (row.squeezeMax_N)
+            bars.push_back({static_cast<double>(names.size()), *row.squeezeMax_N});
+        names.push_back(theme.locale.toString(row.trial + 1));
+    }
+    view->addBars(Words::tr("squeeze"), bars, PlotStyle::solidA, 0, 1);
+    if (handling.squeezeLimit_N > 0.0)
+        view->addLimit(Words::tr("limit %1").arg(formatValue(handling.squeezeLimit_N, QStringLiteral("N"), theme.locale)), handling.squeezeLimit_N);
+    view->setXCategories(names);
+    if (bars.empty())
+        view->setNote(Words::tr("No trial was begun"));
+    return view;
+}
+
+std::unique_ptr<PlotView> placePlot(const HandlingReport& handling, const PlotTheme& theme) {
+    auto view = std::make_unique<PlotView>(theme);
+    view->setTitle(Words::tr("Where the objects lay at the end"));
+    view->setXAxis({Words::tr("From the target in x (mm)"), {}, {}});
+    view->setYAxis({Words::tr("From the target in y (mm)"), {}, {}});
+    view->setEqualScale(true);
+    if (handling.targetRadius_mm > 0.0)
+        view->addCircle(Words::tr("target"), handling.targetRadius_mm);
+    std::vector<PlotPoint> placed, left;
+    for (const HandlingTrialRow& row : handling.rows)
+        if (row.x_mm && row.y_mm)
+            (row.outcome == TrialOutcome::done ? placed : left).push_back({*row.x_mm, *row.y_mm});
+    view->addMarkers(Words::tr("set down"), placed, PlotStyle::solidA);
+    if (!left.empty())
+        view->addMarkers(Words::tr("not done"), left, PlotStyle::solidA, true);
+    if (placed.empty() && left.empty())
+        view->setNote(Words::tr("No trial was begun"));
+    return view;
+}
+
+WordTable handlingTable(const HandlingReport& handling, const QLocale& locale) {
+    const bool weighing = std::any_of(handling.rows.begin(), handling.rows.end(), [](const auto& row) { return row.heaviest.has_value(); });
+    WordTable table{{Words::tr("Trial"), Words::tr("Outcome"), Words::tr("Largest squeeze"), Words::tr("Squeezed too hard"),
+                     Words::tr("From the target"), Words::tr("x, y (mm)")},
+                    {}};
+    if (weighing)
+        table.head.push_back(Words::tr("Chosen"));
+    for (const HandlingTrialRow& row : handling.rows) {
+        const QString place = row.x_mm && row.y_mm ? QStringLiteral("%1, %2").arg(locale.toString(*row.x_mm, 'f', 1), locale.toString(*row.y_mm, 'f', 1))
+                                                   : kNothing;
+        table.rows.push_back({locale.toString(row.trial + 1), trialOutcomeWords(row.outcome, false), inUnit(row.squeezeMax_N, "N", locale),
+                              inUnit(row.overLimit_s, "s", locale), row.taken ? inUnit(row.fromTarget_mm, "mm", locale) : Words::tr("never held"), place});
+        if (weighing)
+            table.rows.back().push_back(!row.heaviest ? kNothing : *row.heaviest ? Words::tr("✓ the heaviest") : Words::tr("✗ a lighter one"));
+    }
+    return table;
+}
+
+} // namespace chiron::report

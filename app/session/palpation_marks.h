@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session/palpation_record.h"
+#include "session/playback_track.h"
+
+#include <span>
+
+namespace chiron::session {
+
+/// Adds to a track what happened in its palpations: findings marked and taken back, a finding that is there at the trial's end and
+/// found no lump as a false alarm where it was marked, and at the end of a trial that came to one each lump that was missed. The
+/// same list as the scores' (PalpationTrialRecord::answer). Marks stay in the order of time. Pure.
+void addPalpationMarks(PlaybackTrack& track, std::span<const PalpationTrialRecord> records);
+
+} // namespace chiron::session

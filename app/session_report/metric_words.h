@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scoring/score_card.h"
+
+#include <QString>
+#include <optional>
+#include <string>
+
+namespace chiron::session_report {
+
+/// A metric's name in the program's language; its id with spaces where it has no name of its own. The one source of titles for
+/// screens, paper and the command line. Thread of the translator (GUI), as all of these.
+QString metricTitle(const QString& id);
+/// What it measures, in a sentence for people; empty for one that is not known.
+QString metricMeaning(const QString& id);
+/// A stored unit in the program's language: "% of R" has a word in it, "N" has none.
+QString unitText(const QString& unit);
+/// Why a metric has no value, from the stored reason.
+QString metricReason(const QString& reason);
+/// Where a benchmark band is from.
+QString bandSourceText(const QString& source);
+/// What somebody who only guesses reaches in a metric, in its unit; nothing where guessing has no such value. `card`: the
+/// session's own values, for chance that depends on what was there (size_error_by_chance).
+std::optional<double> chanceOf(const std::string& id, const scoring::ScoreCard& card);
+
+} // namespace chiron::session_report

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every exercise, however a session of it ended, through debrief, playback, results and the printed report, in each language: no word
+// and no plot of another exercise, and its own where there is something to show. By default one level of each exercise;
+// CHIRON_EVERY_LEVEL=1: all of them. CHIRON_PICTURES=<folder> keeps what is seen.
+#include "desktop/debrief/debrief_data.h"
+#include "desktop/debrief/report_words.h"
+#include "desktop/plots/session_words.h"
+#include "report/plot_view.h"
+#include "report/report_writer.h"
+#include "review_sessions.h"
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QListWidget>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTableWidget>
+#include <map>
+
+using namespace chiron;
+using tests::DesktopFixture;
+using tests::MadeSession;
+
+namespace {
+
+enum class Ending { completed, stopped, timedOut, nothing };
+
+/// What only one exercise talks about, as a pattern a language; and what only its debrief draws.
+struct Own {
+    const char* en;
+    const char* de;
+    const char* el;
+    QStringList plots;
+};
+
+const std::map<std::string, Own>& owners() {
+    static const std::map<std::string, Own> kOwners{
+        {"sphere_apex",
+         {"\\bspheres?\\b|\\bapex\\b|highest point", "Kugel|Scheitel|höchste[rn]? Punkt", "σφαίρα|σφαιρών|κορυφή|ψηλότερο σημείο",
+          {"debrief.scatter", "debrief.trials"}}},
+        {"urethra_insertion",
+         {"urethra|endoscope|bladder|\\bcanal\\b|off-centre", "Harnröhre|Endoskop|Blase|Kanal\\b", "ουρήθρα|ενδοσκόπι|κύστη",
+          {"debrief.offset", "debrief.alignment"}}},
+        {"elastic_tube",
+         {"\\btubes?\\b|\\btension\\b|over-?stretch|\\btorn?\\b", "Schlauch|Überdehn|Zugspannung", "σωλήνα|υπερτεντώματα|υπερτέντωμα",
+          {"debrief.tension", "debrief.stretch", "debrief.tube_trials"}}},
+        {"object_handling",
+         {"squeez|\\bovar|\\bheaviest\\b|set down", "quetsch|Eierst|schwerste", "σύσφιξη|ωοθήκη|βαρύτερο",
+          {"debrief.squeeze", "debrief.place", "debrief.handling_trials"}}},
+        {"palpation", {"\\blumps?\\b|\\bfindings?\\b|palpat", "Knoten|\\bFunde?\\b|Palpation|abgetastet", "όζο[ςιυ]|εύρημα|ευρήματα|ψηλάφηση", {"debrief.palpation"}}}};
+    return kOwners;
+}
+
+const char* wordsIn(const Own& own, const QString& language) {
+    return language == QLatin1String("de") ? own.de : language == QLatin1String("el") ? own.el : own.en;
+}
+
+/// The level with one trial of at most so long.
+catalogue::ExerciseLevel shortened(const catalogue::ExerciseLevel& shipped, double limit_s) {
+    QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(shipped.resolvedJson)).object();
+    QJsonObject inner = json["level"].toObject();
+    QJsonObject parameters = inner["parameters"].toObject();
+    if (!parameters.contains("trial_limit_s"))
+        qFatal("the resolved level does not say how long a trial may take");
+    parameters["trial_limit_s"] = limit_s;
+    if (parameters.contains("trials"))
+        parameters["trials"] = 1;
+    inner["parameters"] = parameters;
+    json["level"] = inner;
+    auto changed = catalogue::fromResolvedJson(QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString());
+    return changed ? *changed : shipped;
+}
+
+/// All that a person can read on a screen: labels, buttons, tables with their tips, lists, plots.
+QStringList readable(const QWidget* screen) {
+    QStringList texts;
+    for (const QLabel* label : screen->findChildren<QLabel*>())
+        texts << label->text() << label->toolTip();
+    for (const QAbstractButton* button : screen->findChildren<QAbstractButton*>())
+        texts << button->text() << button->toolTip();
+    for (const QTableWidget* table : screen->findChildren<QTableWidget*>())
+        for (int column = 0; column < table->columnCount(); ++column) {
+            if (const QTableWidgetItem* head = table->horizontalHeaderItem(column))
+                texts << head->text();
+            for (int row = 0; row < table->rowCount(); ++row)
+                if (const QTableWidgetItem* item = table->item(row, column))
+                    texts << item->text() << item->toolTip();
+        }
+    for (const QListWidget* list : screen->findChildren<QListWidget*>())
+        for (int row = 0; row < list->count(); ++row)
+            texts << list->item(row)->text();
+    for (const QWidget* widget : screen->findChildren<QWidget*>()) // a plot has no meta-object of its own
+        if (const auto* plot = dynamic_cast<const report::PlotView*>(widget))
+            texts << plot->accessibleName() << plot->legendTexts();
+    texts.removeAll(QString());
+    return texts;
+}
+
+/// The words of other exercises among these texts.
+QStringList foreignWords(const QStringList& texts, const std::string& exercise, const QString& language) {
+    QStringList found;
+    for (const auto& [id, own] : owners()) {
+        if (id == exercise)
+            continue;
+        const QRegularExpression words(QString::fromUtf8(wordsIn(own, language)), QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+        for (const QString& text : texts)
+            if (const auto match = words.match(text); match.hasMatch())
+                found << QStringLiteral("\"%1\" of %2 in: %3").arg(match.captured(), QString::fromStdString(id), text);
+    }
+    return found;
+}
+
+bool hasOwnWord(const QStringList& texts, const std::string& exercise, const QString& language) {
+    const QRegularExpression words(QString::fromUtf8(wordsIn(owners().at(exercise), language)), QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+    return std::any_of(texts.begin(), texts.end(), [&](const QString& text) { return words.match(text).hasMatch(); });
+}
+
+QStringList linesOf(const QString& pdf) {
+    QProcess reader;
+    reader.start(QStringLiteral("pdftotext"), {QStringLiteral("-layout"), pdf, QStringLiteral("-")});
+    reader.waitForFinished();
+    return QString::fromUtf8(reader.readAllStandardOutput()).split(QLatin1Char('\n'));
+}
+
+} // namespace
+
+class TestEveryDebrief : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void speaksOfItsOwnExercise_data();
+    void speaksOfItsOwnExercise();
+
+private:
+    MadeSession scripted(const std::string& exercise, int level, double limit_s);
+    void debrief(database::SessionId id, const std::string& exercise, Ending ending, const QString& language);
+    void playback(database::SessionId id, const std::string& exercise, const QString& language);
+    void results(const std::string& exercise, int level, const QString& language);
+    void paper(database::SessionId id, const std::string& exercise, const QString& language);
+    QWidget* screen() { return m_site->window->screen(); }
+
+    std::unique_ptr<DesktopFixture> m_site;
+    std::optional<database::Actor> m_tina;
+    qsizetype m_row = 0;
+    std::map<std::string, MadeSession> m_done; ///< of exercise and level: a session that its operator finished
+};
+
+void TestEveryDebrief::initTestCase() {
+    m_site = std::make_unique<DesktopFixture>();
+    m_tina = m_site->actor("tina");
+    m_site->context.logIn(*m_tina);
+}
+
+void TestEveryDebrief::speaksOfItsOwnExercise_data() {
+    QTest::addColumn<QString>("exercise");
+    QTest::addColumn<int>("level");
+    QTest::addColumn<int>("ending");
+    const bool all = qEnvironmentVariableIntValue("CHIRON_EVERY_LEVEL") != 0;
+    const std::pair<Ending, const char*> endings[] = {
+        {Ending::completed, "completed"}, {Ending::stopped, "stopped"}, {Ending::timedOut, "timed out"}, {Ending::nothing, "nothing marked"}};
+    int known = 0;
+    for (const catalogue::Exercise& exercise : m_site->context.site().catalogue().exercises()) {
+        known += owners().count(exercise.id) > 0 ? 1 : 0;
+        for (const catalogue::ExerciseLevel& level : exercise.levels)
+            for (const auto& [ending, name] : endings)
+                if (all || level.number == 1)
+                    QTest::addRow("%s %d %s", exercise.id.c_str(), level.number, name)
+                        << QString::fromStdString(exercise.id) << level.number << static_cast<int>(ending);
+    }
+    QCOMPARE(known, static_cast<int>(m_site->context.site().catalogue().exercises().size())); // a new exercise has words of its own
+}
+
+MadeSession TestEveryDebrief::scripted(const std::string& exercise, int level, double limit_s) {
+    session::TrainingRequest request;
+    request.level = shortened(*m_site->context.site().catalogue().find(exercise, level), limit_s);
+    request.seed = 11;
+    request.ringFolder = recording::defaultRingFolder();
+    auto station = session::scriptedStation(**session::exerciseKind(exercise), request.level, "expert", request.seed);
+    if (!station)
+        qFatal("%s", station.error().message.c_str());
+    request.station = std::move(*station);
+    auto result = session::runTraining(m_site->database(), database::Actor::simulated(), std::move(request));
+    if (!result)
+        qFatal("%s", result.error().message.c_str());
+    MadeSession made = tests::copyOf(m_site->database(), result->session);
+    made.operatorName.clear();
+    return made;
+}
+
+void TestEveryDebrief::speaksOfItsOwnExercise() {
+    QFETCH(QString, exercise);
+    QFETCH(int, level);
+    QFETCH(int, ending);
+    const std::string id = exercise.toStdString();
+    const auto wanted = static_cast<Ending>(ending);
+    constexpr double kShort_s = 4.0;
+    const std::string key = id + std::to_string(level) + (wanted == Ending::completed ? "" : " short");
+    if (m_done.count(key) == 0)
+        m_done.emplace(key, scripted(id, level, wanted == Ending::completed ? 40.0 : kShort_s));
+    MadeSession made = m_done.at(key);
+    if (wanted == Ending::stopped)
+        tests::cutFrames(made.frames, made.frames.size() * 2 / 3, core::CommandKind::end);
+    if (wanted == Ending::nothing)
+        tests::cutFrames(made.frames, 40, core::CommandKind::end);
+    made.ending.stopped = wanted == Ending::stopped || wanted == Ending::nothing;
+    const database::SessionId session = tests::store(m_site->database(), *m_tina, made);
+    // One language a row, by turns; all of them where all levels are walked.
+    QStringList languages{QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")};
+    if (qEnvironmentVariableIntValue("CHIRON_EVERY_LEVEL") == 0)
+        languages = {languages[m_row++ % languages.size()]};
+    for (const QString& language : languages) {
+        m_site->settings.setLanguage(language);
+        m_site->context.applyAppearance();
+        debrief(session, id, wanted, language);
+        playback(session, id, language);
+        results(id, level, language);
+        paper(session, id, language);
+        if (QTest::currentTestFailed())
+            break;
+    }
+    m_site->settings.setLanguage(QStringLiteral("en"));
+    m_site->context.applyAppearance();
+    tests::takePictures(*m_site, QStringLiteral("debrief_%1").arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_'))), [&] {
+        m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(session)}});
+        QTRY_VERIFY(tests::isLoaded(*m_site));
+        m_site->window->resize(1280, 1500);
+        QTest::qWait(600);
+    });
+    tests::takePictures(*m_site, QStringLiteral("playback_%1").arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_'))), [&] {
+        m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(session)}});
+        QTRY_VERIFY(tests::isLoaded(*m_site));
+    });
+}
+
+void TestEveryDebrief::debrief(database::SessionId id, const std::string& exercise, Ending ending, const QString& language) {
+    m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(id)}});
+    QTRY_VERIFY(tests::isLoaded(*m_site));
+    // The felt line is there as soon as the recording was looked through.
+    QTRY_VERIFY(!screen()->findChild<QLabel*>(QStringLiteral("debrief.felt"))->text().isEmpty());
+    const QStringList texts = readable(screen());
+    const QStringList foreign = foreignWords(texts, exercise, language);
+    QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
+    if (ending != Ending::nothing) // of what was not begun there is little to say
+        QVERIFY2(hasOwnWord(texts, exercise, language), qPrintable(texts.join(QLatin1Char('|'))));
+    for (const auto& [other, own] : owners())
+        for (const QString& plot : own.plots)
+            QCOMPARE(screen()->findChild<QWidget*>(plot) != nullptr, other == exercise && ending != Ending::nothing);
+    // What did not come to its end has no verdict: neither a card nor a mark that was met or not.
+    const bool judged = ending == Ending::completed || ending == Ending::timedOut;
+    QCOMPARE(!screen()->findChildren<QLabel*>(QStringLiteral("headline.verdict")).isEmpty(), judged);
+    if (const auto* table = screen()->findChild<QTableWidget*>(QStringLiteral("debrief.metrics")))
+        for (int row = 0; row < table->rowCount(); ++row)
+            QVERIFY(judged || table->item(row, 4)->text().isEmpty());
+}
+
+void TestEveryDebrief::playback(database::SessionId id, const std::string& exercise, const QString& language) {
+    m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
+    QTRY_VERIFY(tests::isLoaded(*m_site));
+    const QStringList foreign = foreignWords(readable(screen()), exercise, language);
+    QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
+}
+
+void TestEveryDebrief::results(const std::string& exercise, int level, const QString& language) {
+    m_site->go(QStringLiteral("results"), {{QStringLiteral("exercise"), QString::fromStdString(exercise)}, {QStringLiteral("level"), level}});
+    QTRY_VERIFY(tests::isLoaded(*m_site));
+    const QStringList foreign = foreignWords(readable(screen()), exercise, language);
+    QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
+}
+
+void TestEveryDebrief::paper(database::SessionId id, const std::string& exercise, const QString& language) {
+    if (QStandardPaths::findExecutable(QStringLiteral("pdftotext")).isEmpty())
+        return;
+    auto connection = m_site->database().openReader();
+    auto data = desktop::loadReport(**connection, *m_tina, id, language.toStdString());
+    QVERIFY2(data, data ? "" : data.error().message.c_str());
+    desktop::translateReport(*data, {QStringLiteral("Tina"), desktop::exerciseTitle(m_site->context.site().catalogue(), exercise, language), QStringLiteral("device")});
+    const QString pictures = qEnvironmentVariable("CHIRON_PICTURES");
+    const QString folder = pictures.isEmpty() ? m_site->folder() : pictures;
+    const QString pdf = QDir(folder).filePath(QStringLiteral("report_%1_%2.pdf").arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_')), language));
+    const auto written = report::writeSessionPdf(pdf, *data, report::lightTheme(m_site->context.locale()));
+    QVERIFY2(written, written ? "" : written.error().message.c_str());
+    const QStringList foreign = foreignWords(linesOf(pdf), exercise, language);
+    QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
+}
+
+QTEST_MAIN(TestEveryDebrief)
+#include "test_every_debrief.moc"

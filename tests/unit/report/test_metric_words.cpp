@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One source of what metrics are called, and which of them go first.
+#include "report/report_text.h"
+#include "scoring/metric_catalogue.h"
+#include "session_report/metric_words.h"
+
+#include <QtTest>
+#include <set>
+
+using namespace chiron;
+
+class TestMetricWords : public QObject {
+    Q_OBJECT
+private slots:
+    void everyMetricHasATitleOfItsOwnAndAMeaning() {
+        std::map<QString, std::string> titles;
+        for (const scoring::MetricDefinition& metric : scoring::metricCatalogue()) {
+            const std::string id(metric.id);
+            const QString title = session_report::metricTitle(QString::fromStdString(id));
+            QVERIFY2(title.at(0).isUpper(), qPrintable(title)); // an id with spaces is no title
+            QVERIFY2(!session_report::metricMeaning(QString::fromStdString(id)).isEmpty(), id.c_str());
+            const auto [known, isNew] = titles.emplace(title, id);
+            QVERIFY2(isNew || known->second == id, qPrintable(title));
+        }
+    }
+
+    void whatFailedGoesFirstAndAtMostThreeAreShown() {
+        std::vector<report::MetricRow> rows;
+        for (const auto& [id, passed] : {std::pair{"a", true}, std::pair{"b", true}, std::pair{"c", true}, std::pair{"d", false}, std::pair{"e", false}}) {
+            report::MetricRow row;
+            row.id = QLatin1String(id);
+            row.passed = passed;
+            row.headline = true;
+            rows.push_back(row);
+        }
+        QStringList shown;
+        for (const report::MetricRow& row : report::headlineRows(rows))
+            shown << row.id;
+        QCOMPARE(shown, QStringList({"d", "e", "a"}));
+        for (report::MetricRow& row : rows)
+            row.headline = false;
+        QVERIFY(report::headlineRows(rows).empty());
+    }
+
+    void chanceStandsWhereGuessingHasAValue() {
+        scoring::ScoreCard card;
+        card.metrics = {{"size_error", 1, "mm", 1.2, "", {}}, {"size_error_by_chance", 1, "mm", 1.5, "", {}}};
+        QCOMPARE(session_report::chanceOf("size_error", card), std::optional(1.5));
+        QCOMPARE(session_report::chanceOf("palpation_d_prime", card), std::optional(0.0));
+        QCOMPARE(session_report::chanceOf("palpation_roc_area", card), std::optional(0.5));
+        QCOMPARE(session_report::chanceOf("hardness_order", card), std::optional(50.0));
+        QVERIFY(!session_report::chanceOf("force_max", card));
+        QVERIFY(!session_report::chanceOf("size_error", {}));
+    }
+
+    void feltIsToldBesideTheTissue() {
+        const QLocale locale = QLocale::c();
+        report::ForceFacts force;
+        force.tissue_N = 6.2;
+        force.felt_N = 4.0;
+        QVERIFY(report::feltWords(force, false, locale).contains(QStringLiteral("shown")));
+        QVERIFY(!report::feltWords(force, true, locale).contains(QStringLiteral("limited")));
+        force.limited_s = 1.25;
+        force.firstLimited_s = 12.0;
+        const QString words = report::feltWords(force, true, locale);
+        for (const char* part : {"6.20", "4.00", "1.25", "12.0"})
+            QVERIFY2(words.contains(QLatin1String(part)), qPrintable(words));
+        force.beyondChecked = 0.01;
+        QVERIFY(report::beyondCheckedWords(force, locale).isEmpty()); // one percent is not more than one percent
+        force.beyondChecked = 0.0101;
+        QVERIFY(!report::beyondCheckedWords(force, locale).isEmpty());
+    }
+};
+
+QTEST_MAIN(TestMetricWords)
+#include "test_metric_words.moc"

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a recording is said to tell: stops, limits, misses, the worst moment, what was felt.
+#include "core/contact_bits.h"
+#include "frames.h"
+#include "scoring/force_facts.h"
+#include "session/palpation_marks.h"
+#include "session/playback_mark.h"
+#include "session/worst_moment.h"
+
+#include <QtTest>
+
+using namespace chiron;
+using namespace chiron::session;
+
+namespace {
+
+std::vector<PlaybackMark> marksOf(const std::vector<core::HapticFrame>& frames, bool felt = false) {
+    MarkExtractor extractor(4.0, 1, felt);
+    for (const core::HapticFrame& frame : frames)
+        extractor.add(frame, 1e-3 * static_cast<double>(frame.header.index));
+    return extractor.take(1e-3 * static_cast<double>(frames.size() - 1));
+}
+
+std::vector<PlaybackMark> ofKind(const std::vector<PlaybackMark>& marks, PlaybackMarkKind kind) {
+    std::vector<PlaybackMark> found;
+    for (const PlaybackMark& mark : marks)
+        if (mark.kind == kind)
+            found.push_back(mark);
+    return found;
+}
+
+PlaybackMark markAt(double t_s, PlaybackMarkKind kind, std::optional<double> value = {}) {
+    PlaybackMark mark;
+    mark.t_s = mark.end_s = t_s;
+    mark.kind = kind;
+    mark.value = value;
+    return mark;
+}
+
+/// Ten seconds of one trial that touches with 3 N at 2 s and with next to nothing at its end.
+PlaybackTrack quietEnd() {
+    PlaybackTrack track;
+    track.toolCount = 1;
+    for (int i = 0; i <= 1000; ++i) {
+        PlaybackMoment moment;
+        moment.t_s = 0.01 * i;
+        moment.phase = core::TrialPhase::running;
+        track.moments.push_back(moment);
+        PlaybackTool tool;
+        tool.tissue_N = core::Vec3(0.0, 0.0, i == 200 ? 3.0 : 0.02);
+        track.tools.push_back(tool);
+    }
+    PlaybackTrial trial;
+    trial.end_s = 10.0;
+    track.trials.push_back(trial);
+    return track;
+}
+
+scoring::ScoreCard failed(std::initializer_list<std::pair<const char*, double>> metrics) {
+    scoring::ScoreCard card;
+    card.trials.emplace_back();
+    for (const auto& [id, value] : metrics) {
+        card.metrics.push_back({id, 1, "count", value, "", false});
+        card.trials[0].push_back({id, 1, "count", value, "", {}});
+    }
+    return card;
+}
+
+} // namespace
+
+class TestLookingBack : public QObject {
+    Q_OBJECT
+private slots:
+    void aStopIsNoPause() {
+        auto frames = tests::someFrames(1000);
+        for (std::size_t i = 300; i < 500; ++i) { // stopped, then armed again
+            frames[i].header.paused = 1;
+            frames[i].header.force = core::ForceState::stopped;
+        }
+        for (std::size_t i = 700; i < 800; ++i) {
+            frames[i].header.paused = 1;
+            frames[i].header.force = core::ForceState::paused;
+        }
+        const auto marks = marksOf(frames);
+        const auto stops = ofKind(marks, PlaybackMarkKind::forceStopped);
+        QCOMPARE(stops.size(), std::size_t(1));
+        QCOMPARE(stops[0].t_s, 0.3);
+        QCOMPARE(stops[0].end_s, 0.499);
+        const auto pauses = ofKind(marks, PlaybackMarkKind::paused);
+        QCOMPARE(pauses.size(), std::size_t(1));
+        QCOMPARE(pauses[0].t_s, 0.7);
+    }
+
+    void aStopFromAPauseEndsThePause() {
+        auto frames = tests::someFrames(600);
+        for (std::size_t i = 100; i < 500; ++i) {
+            frames[i].header.paused = 1;
+            frames[i].header.force = i < 300 ? core::ForceState::paused : core::ForceState::stopped;
+        }
+        const auto marks = marksOf(frames);
+        const auto pauses = ofKind(marks, PlaybackMarkKind::paused);
+        QCOMPARE(pauses.size(), std::size_t(1));
+        QVERIFY(pauses[0].end_s <= 0.3);
+        QCOMPARE(ofKind(marks, PlaybackMarkKind::forceStopped).front().end_s, 0.499);
+    }
+
+    void whatWasFeltIsToldWhereItWasLess() {
+        auto frames = tests::someFrames(1000);
+        for (core::HapticFrame& frame : frames) {
+            frame.header.phase = core::TrialPhase::running;
+            frame.tool[0].tissue = {};
+            frame.tool[0].commanded = {};
+        }
+        for (std::size_t i = 200; i < 400; ++i) {
+            frames[i].tool[0].tissue[2] = 6.0;
+            frames[i].tool[0].commanded[2] = 4.0;
+        }
+        frames[600].tool[0].tissue[2] = 1.0; // one tick of the slew: nobody feels it
+        const auto limited = ofKind(marksOf(frames, true), PlaybackMarkKind::limited);
+        QCOMPARE(limited.size(), std::size_t(1));
+        QCOMPARE(limited[0].t_s, 0.2);
+        QCOMPARE(limited[0].value, std::optional(6.0));
+        QVERIFY(!isPenalty(PlaybackMarkKind::limited)); // the safety did that, not the person
+        QVERIFY(ofKind(marksOf(frames, false), PlaybackMarkKind::limited).empty());
+    }
+
+    void forceFactsLeaveOutPausesAndCountSharedTimeOnce() {
+        scoring::SessionTrace trace;
+        scoring::ToolTrace tool;
+        for (int i = 0; i < 1000; ++i) {
+            tool.t_s.push_back(1e-3 * i);
+            tool.p_WT_m.push_back(core::Vec3::Zero());
+            const bool paused = i >= 900;
+            tool.tissue_N.push_back(core::Vec3(0.0, 0.0, paused ? 50.0 : i >= 200 && i < 300 ? 6.0 : 1.0));
+            tool.commanded_N.push_back(core::Vec3(0.0, 0.0, i >= 200 && i < 300 ? 4.0 : 1.0));
+            tool.paused.push_back(paused ? 1 : 0);
+            tool.contact.push_back(i < 18 ? core::contact_bits::kBeyondChecked : 0);
+        }
+        scoring::TrialTrace trial;
+        trial.tools = {tool, tool};
+        trace.trials.push_back(trial);
+        const scoring::ForceFacts facts = scoring::forceFactsOf(trace);
+        QCOMPARE(facts.tissue_N, 6.0);
+        QCOMPARE(facts.commanded_N, 4.0);
+        QVERIFY(std::abs(facts.limited_s - 0.1) < 1e-9);
+        QCOMPARE(facts.firstLimited_s, std::optional(0.2));
+        QVERIFY(std::abs(facts.beyondCheckedShare() - 0.02) < 1e-12);
+        QVERIFY(!scoring::forceFactsOf({}).firstLimited_s && scoring::forceFactsOf({}).beyondCheckedShare() == 0.0);
+    }
+
+    void theWorstMomentIsWhereItHappenedNotWhereTheTrialEnded() {
+        PlaybackTrack track = quietEnd();
+        track.marks = {markAt(4.0, PlaybackMarkKind::slipped), markAt(6.0, PlaybackMarkKind::yielded, 9.0), markAt(5.0, PlaybackMarkKind::yielded, 8.0)};
+        const std::vector<scoring::Gate> gates{{"procedure_completed", 100.0, {}}, {"drops", {}, 0.0}, {"critical_errors", {}, 0.0}};
+        const auto broken = worstMoment(track, failed({{"procedure_completed", 0.0}, {"drops", 1.0}, {"critical_errors", 2.0}}), gates);
+        QCOMPARE(broken->reason, std::string("critical_errors"));
+        QCOMPARE(broken->t_s, 6.0); // the larger of two, and not the first gate's
+        const auto dropped = worstMoment(track, failed({{"procedure_completed", 0.0}, {"drops", 1.0}}), gates);
+        QCOMPARE(dropped->reason, std::string("drops"));
+        QCOMPARE(dropped->t_s, 4.0);
+        const auto none = worstMoment(track, {}, gates);
+        QCOMPARE(none->t_s, 2.0);
+        QCOMPARE(none->value, 3.0);
+    }
+
+    void eachCountedEventOfATaskHasItsMoment_data() {
+        QTest::addColumn<QString>("metric");
+        QTest::addColumn<int>("kind");
+        QTest::newRow("over-stretches") << "over_stretches" << static_cast<int>(PlaybackMarkKind::damaged);
+        QTest::newRow("drops") << "drops" << static_cast<int>(PlaybackMarkKind::slipped);
+        QTest::newRow("lumps missed") << "palpation_misses" << static_cast<int>(PlaybackMarkKind::lumpMissed);
+        QTest::newRow("false alarms") << "palpation_false_alarms" << static_cast<int>(PlaybackMarkKind::falseAlarm);
+        QTest::newRow("torn") << "procedure_completed" << static_cast<int>(PlaybackMarkKind::failed);
+    }
+    void eachCountedEventOfATaskHasItsMoment() {
+        QFETCH(QString, metric);
+        QFETCH(int, kind);
+        PlaybackTrack track = quietEnd();
+        track.marks = {markAt(3.5, static_cast<PlaybackMarkKind>(kind))};
+        const std::string id = metric.toStdString();
+        const scoring::Gate gate{id, {}, 0.0};
+        const auto worst = worstMoment(track, failed({{id.c_str(), 1.0}}), {&gate, 1});
+        QVERIFY(worst && worst->gateFailed);
+        QCOMPARE(worst->t_s, 3.5);
+    }
+
+    void theLargestSqueezeIsInTheRunningTimeOfATrial() {
+        PlaybackTrack track = quietEnd();
+        PlaybackQuantity squeeze{"squeeze_N", "N", std::vector<double>(track.moments.size(), 0.5)};
+        squeeze.values[700] = 2.5;
+        squeeze.values[800] = 9.0;
+        track.moments[800].paused = true;
+        track.quantities.push_back(squeeze);
+        const scoring::Gate gate{"squeeze_max", {}, 1.0};
+        const auto worst = worstMoment(track, failed({{"squeeze_max", 2.5}}), {&gate, 1});
+        QCOMPARE(worst->value, 2.5);
+        QCOMPARE(worst->t_s, 7.0);
+    }
+
+    void findingsThatFoundNothingAndLumpsThatNobodyFoundAreEvents() {
+        PlaybackTrack track = quietEnd();
+        PalpationTrialRecord record{0, true, false, {}, simulation::SurfaceMap(core::Vec2(0.04, 0.04), 0.005, 0.5), 1.0};
+        record.answer.truth.lumps.resize(2);
+        const auto report = [](double t_s, core::ReportField field, int finding) {
+            scoring::TimedReport made;
+            made.t_s = t_s;
+            made.field = field;
+            made.finding = finding;
+            return made;
+        };
+        record.answer.reports = {report(1.0, core::ReportField::found, 0), report(2.0, core::ReportField::found, 1),
+                                 report(3.0, core::ReportField::remove, 1), report(4.0, core::ReportField::found, 1)};
+        scoring::FindingMatch hit;
+        hit.finding = 0;
+        hit.lump = 1;
+        scoring::FindingMatch wrong;
+        wrong.finding = 1;
+        wrong.lump = -1;
+        record.answer.matches = {hit, wrong};
+        addPalpationMarks(track, {&record, 1});
+        QVERIFY(std::is_sorted(track.marks.begin(), track.marks.end(), [](const auto& a, const auto& b) { return a.t_s < b.t_s; }));
+        QCOMPARE(ofKind(track.marks, PlaybackMarkKind::found).size(), std::size_t(2)); // the first, and the one that was taken back
+        const auto alarms = ofKind(track.marks, PlaybackMarkKind::falseAlarm);
+        QCOMPARE(alarms.size(), std::size_t(1));
+        QCOMPARE(alarms[0].t_s, 4.0);
+        const auto missed = ofKind(track.marks, PlaybackMarkKind::lumpMissed);
+        QCOMPARE(missed.size(), std::size_t(1));
+        QCOMPARE(missed[0].t_s, 10.0);
+        // A search that was broken off missed nothing yet.
+        record.completed = false;
+        PlaybackTrack stopped = quietEnd();
+        addPalpationMarks(stopped, {&record, 1});
+        QVERIFY(ofKind(stopped.marks, PlaybackMarkKind::lumpMissed).empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLookingBack)
+#include "test_looking_back.moc"
