@@ -21,6 +21,7 @@ CommandSpec fitting() {
     row.operands = {{"DATA.csv", "columns intensity,n_correct,n_total; rows of one intensity are put together"}};
     row.options = {{"function", "NAME", "logistic, gauss, weibull, gumbel, rgumbel, logn, hyperbolic or tdist; default: gauss"},
                    {"method", "WORD", "bayes (psignifit's priors) or ml; default: bayes"},
+                   {"prior", "WORD", "bayes, of the width: psignifit, wide (from a step to nine ranges), or auto (psignifit's, and intervals of the wide one where the answers disagree with it); default: auto"},
                    {"guess", "G", "a proportion, free, or equal (as the lapse); default: 0.5"},
                    {"lapse", "L", "a proportion or free; default: free"},
                    {"scale", "WORD", "axis it is fitted on: linear, ln, log10, db; default: ln for weibull and logn, else linear"},

@@ -4,6 +4,7 @@
 #include "cli/messages.h"
 #include "psychophysics/study/arrangement.h"
 
+#include <QJsonArray>
 #include <algorithm>
 #include <cmath>
 
@@ -45,6 +46,10 @@ QJsonObject estimateJson(const ProcedureEstimate& estimate) {
         json.insert(name + "_low", finite(parameter.low));
         json.insert(name + "_high", finite(parameter.high));
     }
+    QJsonArray warnings;
+    for (const std::string& warning : estimate.warnings)
+        warnings.append(QString::fromStdString(warning));
+    json.insert("warnings", warnings);
     return json;
 }
 

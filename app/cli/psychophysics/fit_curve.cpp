@@ -128,6 +128,10 @@ core::Result<FitOptions> readOptions(const Arguments& arguments) {
     if (!function || !scale)
         return tl::unexpected(function ? scale.error() : function.error());
     options.function = *sigmoidFromToken(function->toStdString());
+    const auto prior = arguments.choice(QStringLiteral("prior"), {"auto", "psignifit", "wide"}, QStringLiteral("auto"));
+    if (!prior)
+        return tl::unexpected(prior.error());
+    options.widthPrior = *prior == u"wide" ? WidthPrior::wide : *prior == u"psignifit" ? WidthPrior::psignifit : WidthPrior::automatic;
     if (!scale->isEmpty())
         options.scale = stimulusScaleFromToken(scale->toStdString());
     const auto guess = asymptote(arguments, QStringLiteral("guess"), true, Asymptote::fixedAt(0.5));
@@ -163,6 +167,11 @@ QJsonObject parameterErrors(const FitResult& fit) {
     return {{"threshold", fit.error.threshold}, {"width", fit.error.width}, {"lapse", fit.error.lapse}, {"guess", fit.error.guess}, {"eta", fit.error.eta}};
 }
 
+/// The posterior's spread over the prior's; null where a parameter is fixed.
+QJsonObject influenceJson(const CurveParameters& of) {
+    return {{"threshold", of.threshold}, {"width", of.width}, {"lapse", of.lapse}, {"guess", of.guess}, {"eta", of.eta}};
+}
+
 QJsonArray levelsJson(const FitResult& fit) {
     QJsonArray levels;
     for (const FittedLevel& level : fit.levels)
@@ -179,8 +188,11 @@ QJsonObject fitJson(const FitResult& fit) {
                      {"guess", fit.guess}, {"eta", fit.eta}, {"confidence", fit.confidence}, {"ci", intervals(fit.ci)},
                      {"deviance", fit.deviance}, {"degrees_of_freedom", fit.degreesOfFreedom}, {"p_value", fit.pValue},
                      {"error", parameterErrors(fit)}, {"log_likelihood", fit.logLikelihood}, {"aic", fit.aic}, {"levels", levelsJson(fit)}, {"warnings", warnings}};
-    if (fit.method == FitMethod::bayesian)
+    if (fit.method == FitMethod::bayesian) {
         json.insert("mean", parameters(fit.mean, fit.scale));
+        json.insert("interval_prior", fit.intervalPrior == WidthPrior::wide ? "wide" : "psignifit");
+        json.insert("prior_influence", influenceJson(fit.priorInfluence));
+    }
     if (!fit.curve.empty()) {
         QJsonArray curve;
         for (const CurveSample& sample : fit.curve)
@@ -245,17 +257,27 @@ QString derivedText(const QJsonObject& json) {
 }
 
 QString fitText(const QJsonObject& json) {
-    TextTable table({"parameter", ">value", ">low", ">high"});
+    const bool bayes = json.contains("prior_influence");
+    QStringList headings{"parameter", ">value", ">low", ">high"};
+    if (bayes)
+        headings << QStringLiteral(">prior's part");
+    TextTable table(headings);
     for (const char* name : {"threshold", "width", "lapse", "guess", "eta"}) {
         const QJsonArray ci = json["ci"][QLatin1String(name)].toArray();
         const auto shown = [](const QJsonValue& value) { return shortNumber(value.toDouble(std::nan(""))); };
-        table.add({name, shown(json[QLatin1String(name)]), shown(ci[0]), shown(ci[1])});
+        QStringList row{name, shown(json[QLatin1String(name)]), shown(ci[0]), shown(ci[1])};
+        if (bayes)
+            row << shown(json["prior_influence"][QLatin1String(name)]);
+        table.add(row);
     }
     const auto number = [&](const char* key) { return shortNumber(json[QLatin1String(key)].toDouble(std::nan(""))); };
     QString words = QStringLiteral("%1, %2, fitted on a %3 axis, %4 % intervals\n")
                         .arg(json["function"].toString(), json["method"].toString(), json["scale"].toString())
                         .arg(100.0 * json["confidence"].toDouble());
     words += table.toText();
+    if (bayes)
+        words += QStringLiteral("prior's part: spread after the answers over spread before them, 0 the answers decide, 1 the prior does; intervals of the %1 prior\n")
+                     .arg(json["interval_prior"].toString());
     words += QStringLiteral("deviance %1 (p %2), log-likelihood %3\nPSE %4, JND %5\n")
                  .arg(number("deviance"), number("p_value"), number("log_likelihood"), number("pse"), number("jnd"));
     words += derivedText(json);
@@ -273,6 +295,8 @@ core::Result<CommandOutput> fitCurve(const Arguments& arguments) {
     const auto options = readOptions(arguments);
     if (!options)
         return tl::unexpected(options.error());
+    if (*method == u"ml" && arguments.has(QStringLiteral("prior")))
+        return wrongUse(QStringLiteral("--prior: expected with --method bayes; maximum likelihood has none"));
     if (*method == u"bayes" && options->bootstrap != Bootstrap::none)
         return wrongUse(QStringLiteral("--bootstrap: expected with --method ml; a Bayesian fit has credible intervals"));
     const auto levels = readLevels(arguments.operand(0));

@@ -77,7 +77,10 @@ QJsonObject apexPlanJson(int participants, int marksEach, int studies, std::uint
             {"mean_absolute_percent", value(plan.meanAbsolutePercent)},
             {"half_width_percent", value(plan.halfWidthPercent)},
             {"against_percent", psychophysics::kP2EarlierMeanPercent},
-            {"power", value(plan.power)}};
+            {"power", value(plan.power)},
+            {"mean_absolute_percent_error", value(plan.meanError)},
+            {"half_width_percent_error", value(plan.halfWidthError)},
+            {"power_error", value(plan.powerError)}};
 }
 
 TextTable apexTable(bool blinded) {

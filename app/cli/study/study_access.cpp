@@ -56,7 +56,7 @@ QString warningTokens(const std::vector<psychophysics::Warning>& warnings) {
 
 QJsonObject estimateJson(const psychophysics::RunEstimate& e, bool blinded) {
     const auto number = [](double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); };
-    QJsonObject json{{"weber", number(e.weber)}, {"sigma_log10", number(e.sigma_log10)}, {"ci_low", number(e.weber95.low)}, {"ci_high", number(e.weber95.high)},
+    QJsonObject json{{"weber", number(e.weber)}, {"sigma_log10", number(e.sigma_log10)}, {"prior_influence", number(e.priorInfluence)}, {"ci_low", number(e.weber95.low)}, {"ci_high", number(e.weber95.high)},
                      {"trials", e.trials}, {"warnings", warningsJson(e.warnings, blinded)}};
     if (blinded)
         return json;

@@ -52,7 +52,7 @@ QString labelOf(const session::AnalysedCondition& condition) {
 
 struct Told {
     QJsonArray runs, conditions;
-    TextTable table{{"participant", "condition", ">trials", ">Weber", ">low", ">high", ">same choices", "warnings"}};
+    TextTable table{{"participant", "condition", ">trials", ">Weber", ">low", ">high", ">prior's part", ">same choices", "warnings"}};
     TextTable marks = apexTable(false); ///< of conditions in which an apex was looked for
     bool compared = false, marked = false;
 };
@@ -73,7 +73,7 @@ void tellRuns(Told& told, const session::AnalysedCondition& condition, const QSt
         }
         told.compared = true;
         told.table.add({text(run.participant.code), label, QString::number(e.trials), shortNumber(e.weber), shortNumber(e.weber95.low), shortNumber(e.weber95.high),
-                        QStringLiteral("%1/%2").arg(run.replayed.same + run.replayed.ties).arg(run.replayed.trials), warningTokens(e.warnings)});
+                        shortNumber(e.priorInfluence), QStringLiteral("%1/%2").arg(run.replayed.same + run.replayed.ties).arg(run.replayed.trials), warningTokens(e.warnings)});
     }
 }
 
@@ -93,7 +93,37 @@ void tellGroup(Told& told, const session::AnalysedCondition& condition, const QS
         return;
     }
     told.table.add({QStringLiteral("(group of %1)").arg(g.participants), label, QString(), shortNumber(g.weber), shortNumber(g.weber95.low), shortNumber(g.weber95.high),
-                    QStringLiteral("%1/%2").arg(same).arg(trials), warningTokens(g.warnings)});
+                    QString(), QStringLiteral("%1/%2").arg(same).arg(trials), warningTokens(g.warnings)});
+}
+
+QJsonObject comparisonJson(const session::ComparedConditions& each, const QString& first, const QString& second) {
+    const psychophysics::ConditionComparison& c = each.weber;
+    QJsonObject json{{"condition_a", first}, {"condition_b", second}, {"ratio", number(c.ratio)}, {"ci_low", number(c.ratio95.low)}, {"ci_high", number(c.ratio95.high)},
+                     {"p", number(c.pValue)}, {"p_holm", number(c.pHolm)}, {"paired", c.paired}, {"n", c.participants}, {"n_a", c.first}, {"n_b", c.second},
+                     {"bootstrap", interval(c.bootstrap95)}, {"sd_between_log10", number(c.sdBetweenLog10)}, {"warnings", warningsJson(c.warnings, false)}};
+    if (each.models.participants > 0)
+        json.insert("threshold_models", QJsonObject{{"likelihood_ratio", number(each.models.likelihoodRatio)}, {"degrees_of_freedom", each.models.freedom},
+                                                    {"p", number(each.models.pValue)}, {"aic_difference", number(each.models.aicDifference)},
+                                                    {"participants", each.models.participants}});
+    return json;
+}
+
+QString pWords(double p) { return !std::isfinite(p) ? QString() : p < 0.001 ? QStringLiteral("< 0.001") : QString::number(p, 'f', 3); }
+
+/// Ratios of Weber fractions, the second condition's over the first's.
+QString tellComparisons(const session::StudyAnalysis& analysis, QJsonArray& array) {
+    if (analysis.comparisons.empty())
+        return {};
+    TextTable table({"condition A", "condition B", ">B/A", ">low", ">high", ">p", ">p (Holm)", "people", ">p of two thresholds", "warnings"});
+    for (const session::ComparedConditions& each : analysis.comparisons) {
+        const QString first = labelOf(analysis.conditions[each.first]), second = labelOf(analysis.conditions[each.second]);
+        array.append(comparisonJson(each, first, second));
+        const psychophysics::ConditionComparison& c = each.weber;
+        table.add({first, second, shortNumber(c.ratio), shortNumber(c.ratio95.low), shortNumber(c.ratio95.high), pWords(c.pValue), pWords(c.pHolm),
+                   c.paired ? QStringLiteral("%1, each did both").arg(c.participants) : QStringLiteral("%1 and %2").arg(c.first).arg(c.second),
+                   pWords(each.models.pValue), warningTokens(c.warnings)});
+    }
+    return QStringLiteral("\n") + table.toText();
 }
 
 } // namespace
@@ -113,6 +143,8 @@ core::Result<CommandOutput> analyseStudies(const Arguments& arguments) {
     if (!analysis)
         return tl::unexpected(analysis.error());
     const bool blinded = analysis->blind();
+    QJsonArray comparisons;
+    const QString compared = tellComparisons(*analysis, comparisons);
     auto& conditions = analysis->conditions;
     std::erase_if(conditions, [](const auto& each) { return each.runs.empty(); });
     if (blinded) // neither the design's order nor that of enrolment shows
@@ -124,8 +156,8 @@ core::Result<CommandOutput> analyseStudies(const Arguments& arguments) {
         tellGroup(told, condition, labelOf(condition), blinded);
     }
     return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"sha256", text(sha256)}, {"blinded", blinded},
-                                                   {"conditions", told.conditions}, {"runs", told.runs}}),
-                         (told.compared || !told.marked ? told.table.toText() : QString()) + (told.marked ? told.marks.toText() : QString()), 0};
+                                                   {"conditions", told.conditions}, {"comparisons", comparisons}, {"runs", told.runs}}),
+                         (told.compared || !told.marked ? told.table.toText() : QString()) + (told.marked ? told.marks.toText() : QString()) + compared, 0};
 }
 
 } // namespace chiron::cli

@@ -16,6 +16,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <cmath>
+#include <optional>
 
 namespace chiron::cli {
 
@@ -76,6 +77,89 @@ QString withoutSpacing(Task task) {
     return task == Task::magnitude ? QStringLiteral("magnitude estimation: single values are presented, no difference") : QString();
 }
 
+/// What the plan of a comparison assumes.
+struct PowerInputs {
+    PowerQuestion question;
+    double wanted = 0.8;
+    std::optional<double> ratio;
+};
+
+core::Result<std::optional<PowerInputs>> readPower(const Arguments& arguments, const StudyDesign& design) {
+    for (const char* option : {"ratio", "participants", "wanted", "alpha", "paired", "unpaired", "between-sd"})
+        if (arguments.has(QLatin1String(option)) && !arguments.has(QStringLiteral("power")))
+            return wrongUse(QStringLiteral("--%1: expected with --power").arg(QLatin1String(option)));
+    if (!arguments.has(QStringLiteral("power")))
+        return std::nullopt;
+    if (arguments.has(QStringLiteral("paired")) && arguments.has(QStringLiteral("unpaired")))
+        return wrongUse(QStringLiteral("--paired, --unpaired: expected one of them"));
+    PowerInputs inputs;
+    PowerQuestion& question = inputs.question;
+    question.paired = !arguments.has(QStringLiteral("unpaired"));
+    constexpr int kMost = 100'000;
+    const auto participants = arguments.integer(QStringLiteral("participants"), 2, kMost, std::max(2, design.participantsPlanned));
+    const auto wanted = arguments.number(QStringLiteral("wanted"), 0.01, 0.9999, 0.8);
+    const auto alpha = arguments.number(QStringLiteral("alpha"), 1e-6, 0.5, question.alpha);
+    const auto between = arguments.number(QStringLiteral("between-sd"), 0.0, 3.0, question.paired ? question.effectSdLog10 : question.personSdLog10);
+    const auto ratio = arguments.number(QStringLiteral("ratio"), 0.01, 100.0, 1.0);
+    if (!participants)
+        return tl::unexpected(participants.error());
+    for (const auto* each : {&wanted, &alpha, &between, &ratio})
+        if (!*each)
+            return tl::unexpected(each->error());
+    question.participants = static_cast<int>(*participants);
+    question.alpha = *alpha;
+    (question.paired ? question.effectSdLog10 : question.personSdLog10) = *between;
+    inputs.wanted = *wanted;
+    if (arguments.has(QStringLiteral("ratio"))) {
+        if (*ratio == 1.0)
+            return wrongUse(QStringLiteral("--ratio 1: expected another ratio; no number of participants finds no difference"));
+        inputs.ratio = *ratio;
+        question.differenceLog10 = std::log10(*ratio);
+    }
+    return inputs;
+}
+
+/// Of two conditions like this one. Errors: one standard error, from that of the runs' sd.
+QJsonObject powerJson(const PowerInputs& inputs, const ConditionPlan& plan) {
+    PowerQuestion question = inputs.question;
+    QJsonObject json{{"participants", question.participants}, {"alpha", question.alpha}, {"paired", question.paired}, {"wanted_power", inputs.wanted},
+                     {"between_sd_log10", question.paired ? question.effectSdLog10 : question.personSdLog10}, {"run_sd_log10", numberOrNull(plan.sdLog10)}};
+    const auto with = [&](double sd, auto&& figure) {
+        question.runSdLog10 = std::max(sd, 0.0);
+        return std::isfinite(sd) ? figure(question) : std::nan("");
+    };
+    const auto insert = [&](const char* key, auto&& figure) {
+        const double value = with(plan.sdLog10, figure), low = with(plan.sdLog10 - plan.sdError, figure), high = with(plan.sdLog10 + plan.sdError, figure);
+        json.insert(QLatin1String(key), numberOrNull(value));
+        json.insert(QLatin1String(key) + QStringLiteral("_error"), numberOrNull(0.5 * std::abs(high - low)));
+    };
+    insert("detectable_ratio", [&](const PowerQuestion& q) { return detectableRatio(q, inputs.wanted); });
+    if (inputs.ratio) {
+        json.insert("ratio", *inputs.ratio);
+        insert("power", [](const PowerQuestion& q) { return power(q); });
+        insert("participants_needed", [&](const PowerQuestion& q) {
+            const int needed = participantsFor(q, inputs.wanted);
+            return needed > 0 ? static_cast<double>(needed) : std::nan("");
+        });
+    }
+    return json;
+}
+
+QString powerText(const QString& condition, const QJsonObject& json) {
+    const auto shown = [&](const char* key) {
+        const double value = json[QLatin1String(key)].toDouble(std::nan("")), error = json[QLatin1String(key) + QStringLiteral("_error")].toDouble(std::nan(""));
+        return std::isfinite(value) ? QStringLiteral("%1 ± %2").arg(shortNumber(value), shortNumber(error)) : QStringLiteral("none");
+    };
+    QString words = QStringLiteral("%1: %2 participants%3, sd %4 log10 %5, alpha %6: a ratio of %7 is found with %8 % power\n")
+                        .arg(condition).arg(json["participants"].toInt()).arg(json["paired"].toBool() ? QStringLiteral(" who do both") : QStringLiteral(" in each group"))
+                        .arg(shortNumber(json["between_sd_log10"].toDouble()), json["paired"].toBool() ? QStringLiteral("of the difference") : QStringLiteral("between people"),
+                             shortNumber(json["alpha"].toDouble()), shown("detectable_ratio"), shortNumber(100.0 * json["wanted_power"].toDouble()));
+    if (json.contains("ratio"))
+        words += QStringLiteral("%1: a ratio of %2 is found with a chance of %3; needed: %4 participants\n")
+                     .arg(condition, shortNumber(json["ratio"].toDouble()), shown("power"), shown("participants_needed"));
+    return words;
+}
+
 /// Without simulated runs how many trials a run has, and how long it takes, is not known.
 QJsonObject planJson(const Condition& condition, const ConditionPlan& plan) {
     const QString why = withoutSpacing(condition.task);
@@ -85,6 +169,9 @@ QJsonObject planJson(const Condition& condition, const ConditionPlan& plan) {
                      {"minutes", numberOrNull(simulated ? plan.minutes : std::nan(""))}, {"information_per_trial", numberOrNull(condition.task == Task::magnitude ? std::nan("") : plan.fisherPerTrial)},
                      {"best_spacing_sigma", numberOrNull(why.isEmpty() ? plan.bestSpacing : std::nan(""))},
                      {"best_difference", numberOrNull(why.isEmpty() ? plan.bestDifference : std::nan(""))}, {"without_estimate", plan.withoutEstimate},
+                     {"bias_log10_error", numberOrNull(plan.biasError)}, {"sd_log10_error", numberOrNull(plan.sdError)}, {"coverage_error", numberOrNull(plan.coverageError)},
+                     {"trials_error", numberOrNull(plan.trialsError)}, {"minutes_error", numberOrNull(plan.minutesError)},
+                     {"weber_quantiles", QJsonObject{{"0.1", numberOrNull(plan.weber10)}, {"0.5", numberOrNull(plan.weber50)}, {"0.9", numberOrNull(plan.weber90)}}},
                      {"warnings", warningsJson(plan.warnings, false)}};
     if (!why.isEmpty())
         json.insert("best_spacing_why", why);
@@ -188,6 +275,11 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
         return tl::unexpected(design.error());
     if (auto ofItsKind = session::checkObserver(*design, *observer); !ofItsKind)
         return tl::unexpected(ofItsKind.error());
+    const auto powerInputs = readPower(arguments, *design);
+    if (!powerInputs)
+        return tl::unexpected(powerInputs.error());
+    if (*powerInputs && *runs < 2)
+        return wrongUse(QStringLiteral("--power: expected --runs of at least 2: the spread of a run's estimate is simulated"));
     QJsonArray conditions;
     TextTable table({"condition", ">bias (log10)", ">sd (log10)", ">coverage", ">trials", ">minutes", ">information"});
     double minutes = 0.0;
@@ -203,12 +295,20 @@ core::Result<CommandOutput> planStudy(const Arguments& arguments) {
                          .arg(shortNumber(apex["mean_absolute_percent"].toDouble()), shortNumber(apex["half_width_percent"].toDouble()),
                               shortNumber(apex["against_percent"].toDouble()), shortNumber(100.0 * apex["power"].toDouble()));
         }
+        if (*powerInputs && condition.stimulus.attribute != Attribute::apex) {
+            json.insert("power", powerJson(**powerInputs, plan));
+            words += powerText(text(condition.id), json["power"].toObject());
+        }
         conditions.append(json);
         const auto shown = [&](const char* key) { return shortNumber(json[QLatin1String(key)].toDouble(std::nan(""))); };
-        table.add({text(condition.id), shown("bias_log10"), shown("sd_log10"), shown("coverage"), shown("trials"), shown("minutes"), shown("information_per_trial")});
+        const auto withError = [&](const char* key) {
+            const double error = json[QLatin1String(key) + QStringLiteral("_error")].toDouble(std::nan(""));
+            return std::isfinite(error) ? QStringLiteral("%1 ± %2").arg(shown(key), shortNumber(error)) : shown(key);
+        };
+        table.add({text(condition.id), withError("bias_log10"), withError("sd_log10"), withError("coverage"), withError("trials"), withError("minutes"), shown("information_per_trial")});
         minutes += plan.runs > 0 ? plan.minutes : std::nan("");
     }
-    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(design->id)}, {"observer", text(observerText(*observer))}, {"conditions", conditions}, {"minutes", numberOrNull(minutes)}}), table.toText() + words, 0};
+    return CommandOutput{QJsonDocument(QJsonObject{{"study", text(design->id)}, {"observer", text(observerText(*observer))}, {"conditions", conditions}, {"minutes", numberOrNull(minutes)}}), table.toText() + (*runs > 0 ? QStringLiteral("±: one standard error of so few simulated runs (Monte Carlo)\n") : QString()) + words, 0};
 }
 
 } // namespace chiron::cli

@@ -217,6 +217,7 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
         if (designed && looksForApex(*designed))
             poolApex(condition, radiusOf(*study, *designed), core::Random::mix(seed, "apex " + condition.condition));
     }
+    study->comparisons = compareAll(*study, seed);
     return study;
 }
 

@@ -7,6 +7,7 @@
 #include "psychophysics/measures/ranking_summary.h"
 #include "psychophysics/study/group_estimate.h"
 #include "psychophysics/study/run_estimate.h"
+#include "session/study/study_comparisons.h"
 #include "session/study/study_progress.h"
 
 #include <optional>
@@ -42,6 +43,7 @@ struct StudyAnalysis {
     database::StudyRecord record;
     psychophysics::StudyDesign design;
     std::vector<AnalysedCondition> conditions; ///< in the design's order; while blinded by sealed code
+    std::vector<ComparedConditions> comparisons; ///< every two of them; none while blinded
     database::Blinding blinding;
 
     bool blind() const { return blinding.on; }

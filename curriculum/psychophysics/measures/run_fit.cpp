@@ -27,27 +27,6 @@ bool hasCriterion(Task task) { return task == Task::yesNo || task == Task::sameD
 
 bool saysYes(Task task) { return task == Task::yesNo || task == Task::sameDifferent; }
 
-PsychometricData dataOf(const ScoredAnswers& answers, bool positiveOnly) {
-    PsychometricData data;
-    for (const CurvePoint& point : answers.points) {
-        if (positiveOnly && !(point.difference > 0.0))
-            continue;
-        data.x.push_back(point.difference);
-        data.k.push_back(point.right);
-        data.n.push_back(point.of);
-    }
-    return data;
-}
-
-FitOptions optionsOf(Task task, bool positive) {
-    FitOptions options;
-    options.function = Sigmoid::gauss;
-    options.scale = positive ? StimulusScale::log10 : StimulusScale::linear;
-    options.guess = hasCriterion(task) ? Asymptote::fitted() : Asymptote::fixedAt(task == Task::rank3 ? 1.0 / 6.0 : 1.0 / answers(task));
-    options.largestAsymptote = 0.3;
-    return options;
-}
-
 /// −2 ln of the likelihood ratio of a level's own share against ψ.
 double devianceOf(double k, double n, double psi) {
     const double wrong = n - k;
@@ -120,13 +99,36 @@ void addWarnings(RunEstimate& result, const FitResult& fit) {
 
 } // namespace
 
+PsychometricData curveData(const std::vector<CurvePoint>& points, bool positive) {
+    PsychometricData data;
+    for (const CurvePoint& point : points) {
+        if (positive && !(point.difference > 0.0))
+            continue;
+        data.x.push_back(point.difference);
+        data.k.push_back(point.right);
+        data.n.push_back(point.of);
+    }
+    return data;
+}
+
+FitOptions freeCurveOptions(Task task, bool positive) {
+    FitOptions options;
+    options.function = Sigmoid::gauss;
+    options.scale = positive ? StimulusScale::log10 : StimulusScale::linear;
+    options.guess = hasCriterion(task) ? Asymptote::fitted() : Asymptote::fixedAt(task == Task::rank3 ? 1.0 / 6.0 : 1.0 / answers(task));
+    options.largestAsymptote = 0.3;
+    return options;
+}
+
+bool isPositive(Task task, const std::vector<CurvePoint>& points) { return !points.empty() && !saysYes(task) && points.front().difference > 0.0; }
+
 void takeFit(RunEstimate& result, Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior) {
-    const bool positive = !answers.points.empty() && !saysYes(task) && answers.points.front().difference > 0.0;
-    const PsychometricData data = dataOf(answers, positive);
+    const bool positive = isPositive(task, answers.points);
+    const PsychometricData data = curveData(answers.points, positive);
     if (data.x.size() < 2 || answers.levels < 2)
         return;
     takeGoodness(result, task, answers, posterior);
-    const FitResult fit = fitMaximumLikelihood(data, optionsOf(task, positive));
+    const FitResult fit = fitMaximumLikelihood(data, freeCurveOptions(task, positive));
     if (!fit.fitted)
         return addWarnings(result, fit);
     result.fitThreshold = at(fit, fit.best, fit.threshold, result.criterion);

@@ -2,11 +2,15 @@
 #include "psychophysics/planning/study_plan.h"
 
 #include "core/random.h"
+#include "psychophysics/measures/run_curve.h"
+#include "psychophysics/measures/sample_moments.h"
 #include "psychophysics/planning/fisher_information.h"
 #include "psychophysics/planning/run_simulator.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace chiron::psychophysics {
 
@@ -25,6 +29,26 @@ double minutesOf(const Condition& condition, const TrialRules& rules, double tri
     return ((trials + rules.practiceTrials) * one + breaks) / 60.0;
 }
 
+void summarise(ConditionPlan& plan, const std::vector<double>& offs, std::vector<double> webers, const std::vector<double>& trials, int covered) {
+    const SampleMoments ofTrials = momentsOf(trials), ofOffs = momentsOf(offs);
+    plan.meanTrials = ofTrials.mean;
+    plan.trialsError = ofTrials.sd / std::sqrt(static_cast<double>(trials.size()));
+    if (offs.empty())
+        return;
+    const auto n = static_cast<double>(offs.size());
+    plan.biasLog10 = ofOffs.mean;
+    plan.sdLog10 = ofOffs.sd;
+    plan.biasError = ofOffs.sd / std::sqrt(n);
+    plan.sdError = ofOffs.sd / std::sqrt(2.0 * (n - 1.0)); // of normal errors
+    plan.coverage = covered / n;
+    const double share = (covered + 2.0) / (n + 4.0);
+    plan.coverageError = std::sqrt(share * (1.0 - share) / (n + 4.0));
+    std::sort(webers.begin(), webers.end());
+    plan.weber10 = quantileOf(webers, 0.1);
+    plan.weber50 = quantileOf(webers, 0.5);
+    plan.weber90 = quantileOf(webers, 0.9);
+}
+
 void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpec& observer, std::uint64_t seed) {
     const auto simulator = RunSimulator::make(condition);
     if (!simulator) {
@@ -33,30 +57,22 @@ void simulate(ConditionPlan& plan, const Condition& condition, const ObserverSpe
         return;
     }
     const double truth = std::log10(sigmaOf(observer));
-    double sum = 0.0, squares = 0.0, trials = 0.0;
-    int estimates = 0, covered = 0;
+    std::vector<double> offs, webers, trials;
+    int covered = 0;
     for (int run = 0; run < plan.runs; ++run) {
         const std::uint64_t runSeed = core::Random::mix(seed, "plan." + std::to_string(run));
         const std::vector<ScoredTrial> scored = simulator->run(observer, runSeed);
-        trials += static_cast<double>(scored.size());
+        trials.push_back(static_cast<double>(scored.size()));
         const RunEstimate estimate = estimateRun(condition, scored, runSeed);
         if (!std::isfinite(estimate.sigma_log10) || !(estimate.sigma_log10 > 0.0)) {
             ++plan.withoutEstimate;
             continue;
         }
-        const double off = std::log10(estimate.sigma_log10) - truth;
-        sum += off;
-        squares += off * off;
+        offs.push_back(std::log10(estimate.sigma_log10) - truth);
+        webers.push_back(estimate.weber);
         covered += estimate.weber95.low <= observer.weber && observer.weber <= estimate.weber95.high ? 1 : 0;
-        ++estimates;
     }
-    plan.meanTrials = trials / plan.runs;
-    if (estimates > 0) {
-        plan.biasLog10 = sum / estimates;
-        plan.coverage = static_cast<double>(covered) / estimates;
-    }
-    if (estimates > 1)
-        plan.sdLog10 = std::sqrt(std::max(0.0, (squares - estimates * plan.biasLog10 * plan.biasLog10) / (estimates - 1)));
+    summarise(plan, offs, std::move(webers), trials, covered);
 }
 
 /// Simpson's rule over 0..end.
@@ -98,8 +114,9 @@ ConditionPlan planCondition(const Condition& condition, const TrialRules& rules,
     if (const int row = nearestCandidate(condition.stimulus.differences, best.spacing * sigmaOf(observer)); row >= 0)
         plan.bestDifference = condition.stimulus.differences[static_cast<std::size_t>(row)];
     if (plan.runs > 0)
-        simulate(plan, condition, observer, seed);
+        simulate(plan, condition, observer, core::Random::mix(seed, "condition " + condition.id));
     plan.minutes = minutesOf(condition, rules, plan.meanTrials);
+    plan.minutesError = 0.5 * (minutesOf(condition, rules, plan.meanTrials + plan.trialsError) - minutesOf(condition, rules, plan.meanTrials - plan.trialsError));
     if (!condition.stimulus.differences.empty() && condition.stimulus.differences.back() < 0.7 * best.spacing * sigmaOf(observer))
         plan.warnings.push_back({WarningKind::differencesTooSmall});
     if (plan.withoutEstimate > 0)
@@ -127,6 +144,20 @@ int participantsFor(PowerQuestion question, double wantedPower) {
         if (power(question) >= wantedPower)
             return question.participants;
     return -1;
+}
+
+double detectableRatio(PowerQuestion question, double wantedPower) {
+    const auto found = [&](double differenceLog10) {
+        question.differenceLog10 = differenceLog10;
+        return power(question) >= wantedPower;
+    };
+    double low = 0.0, high = 1.0;
+    if (question.participants < 2 || !std::isfinite(question.runSdLog10) || !found(high))
+        return std::numeric_limits<double>::quiet_NaN();
+    constexpr int kHalvings = 20;
+    for (int i = 0; i < kHalvings; ++i)
+        (found(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+    return std::pow(10.0, high);
 }
 
 } // namespace chiron::psychophysics

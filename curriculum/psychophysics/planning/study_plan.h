@@ -20,6 +20,13 @@ struct ConditionPlan {
     double sdLog10 = std::numeric_limits<double>::quiet_NaN();   ///< its sd from run to run
     double coverage = std::numeric_limits<double>::quiet_NaN();  ///< share of 95 % intervals that hold the true Weber fraction
     double meanTrials = 0.0; ///< scored ones, a run
+    /// Standard errors of the five figures above and below, as so few simulated runs know them (Monte Carlo): of the coverage after Agresti & Coull 1998.
+    double biasError = std::numeric_limits<double>::quiet_NaN(), sdError = std::numeric_limits<double>::quiet_NaN();
+    double coverageError = std::numeric_limits<double>::quiet_NaN(), trialsError = std::numeric_limits<double>::quiet_NaN();
+    double minutesError = std::numeric_limits<double>::quiet_NaN();
+    /// Quantiles of the estimated Weber fractions: a tenth, half and nine tenths of the runs say less.
+    double weber10 = std::numeric_limits<double>::quiet_NaN(), weber50 = std::numeric_limits<double>::quiet_NaN();
+    double weber90 = std::numeric_limits<double>::quiet_NaN();
     double minutes = 0.0;    ///< a run, with practice and breaks, at 4 s an object (25 s an apex) and 2 s an answer
     double fisherPerTrial = 0.0; ///< information about ln σ at the best spacing
     double bestSpacing = 0.0;    ///< D/σ with most information
@@ -27,7 +34,7 @@ struct ConditionPlan {
     std::vector<Warning> warnings;
 };
 
-/// `runs`: 0 for the analytic part only. Never fails: what cannot be simulated is told in `warnings`.
+/// `runs`: 0 for the analytic part only. Each condition has random numbers of its own, by its id and the seed. Never fails: what cannot be simulated is told in `warnings`.
 ConditionPlan planCondition(const Condition& condition, const TrialRules& rules, const ObserverSpec& observer, int runs, std::uint64_t seed);
 
 /// A comparison of JNDs between two conditions (each participant does both) or two groups.
@@ -45,5 +52,7 @@ struct PowerQuestion {
 double power(const PowerQuestion& question);
 /// The fewest participants (in each group) for that power; -1: more than 1,000.
 int participantsFor(PowerQuestion question, double wantedPower);
+/// The smallest ratio of JNDs (above 1) found with that power; not a number: none up to 10.
+double detectableRatio(PowerQuestion question, double wantedPower);
 
 } // namespace chiron::psychophysics

@@ -163,7 +163,10 @@ NamedEstimate PosteriorGrid::estimate(std::size_t k) const {
     for (std::size_t i = 0; i < p.size(); ++i)
         bars.emplace_back(values[i], p[i]);
     std::sort(bars.begin(), bars.end());
-    return {m_parameters[k].name, mean, std::sqrt(variance), quantile(bars, 0.025), quantile(bars, 0.975), value(k, mode())};
+    const double least = kAtGridEdge * std::max_element(bars.begin(), bars.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->second;
+    const bool low = bars.size() > 2 && bars.front().second >= least, high = bars.size() > 2 && bars.back().second >= least;
+    const int edge = low && high ? (bars.front().second > bars.back().second ? -1 : 1) : low ? -1 : high ? 1 : 0;
+    return {m_parameters[k].name, mean, std::sqrt(variance), quantile(bars, 0.025), quantile(bars, 0.975), value(k, mode()), edge};
 }
 
 double PosteriorGrid::entropy() const {

@@ -29,6 +29,7 @@ struct NamedEstimate {
     double low = 0.0;     ///< of the central 95 % interval; NaN where there is none
     double high = 0.0;
     double mode = std::numeric_limits<double>::quiet_NaN(); ///< of the joint posterior, where there is one
+    int edge = 0; ///< −1, +1: the posterior is cut off by the lower, upper end of its grid (density there at least 0.147 of the largest)
 };
 
 /// What a procedure makes of its trials so far.
@@ -36,7 +37,15 @@ struct ProcedureEstimate {
     bool known = false;                    ///< false before there is anything to estimate from
     std::vector<NamedEstimate> parameters; ///< the threshold (or log10_sigma) first
     std::string method;                    ///< "mean of the last 6 reversals", "posterior mean", ...
+    std::vector<std::string> warnings;     ///< "token: words": grid_edge, slope_assumed
 };
+
+/// Density at an end of a grid, as a share of the largest, from which on the answers do not tell where beyond it the value lies: what the 95 %
+/// likelihood region of one parameter begins with, exp(−3.84/2).
+inline constexpr double kAtGridEdge = 0.147;
+
+/// Adds grid_edge for those of the first `most` parameters that lie at the end of their grid.
+void warnOfGridEdges(ProcedureEstimate& estimate, std::size_t most);
 
 /// One adaptive (or fixed) procedure: chooses a stimulus, takes an outcome, and again. Deterministic: the same specification, seed and
 /// outcomes give the same choices. Sums over parameters run in a fixed blocked order. Not for the haptic thread. Any one thread.

@@ -182,6 +182,50 @@ double Quest::quantile(double order) const {
     return m_spec.priorMean + lastX;
 }
 
+std::pair<double, double> Quest::intervalWithOpenSlope() const {
+    constexpr int kSlopes = 13;
+    constexpr double kReach = 4.0;
+    constexpr double kMostWork = 1e8; // grids of a million points are for lookups, not for this
+    if (static_cast<double>(m_pdf.size()) * kSlopes * std::max(1, trials()) > kMostWork)
+        return {quantile(0.025), quantile(0.975)};
+    const double range = (1.0 - m_spec.lapse) * (1.0 - m_spec.guess);
+    std::vector<double> logs(m_pdf.size() * kSlopes);
+    std::vector<double> right(m_right.size()), wrong(m_right.size());
+    for (int k = 0; k < kSlopes; ++k) {
+        const double slope = m_spec.slope * std::pow(kReach, 2.0 * k / (kSlopes - 1) - 1.0);
+        const double epsilon = questEpsilon(m_spec.target, slope, m_spec.guess, m_spec.lapse);
+        for (std::size_t i = 0; i < right.size(); ++i) {
+            const double hazard = std::pow(10.0, slope * ((static_cast<double>(i) - 2.0 * m_half) * m_spec.grain + (std::isfinite(epsilon) ? epsilon : 0.0)));
+            right[i] = std::log(std::max(m_spec.guess - range * std::expm1(-hazard), 1e-300));
+            wrong[i] = std::log(std::max(m_spec.lapse * (1.0 - m_spec.guess) + range * std::exp(-hazard), 1e-300));
+        }
+        double* row = logs.data() + static_cast<std::size_t>(k) * m_pdf.size();
+        for (std::size_t i = 0; i < m_pdf.size(); ++i)
+            row[i] = -0.5 * std::pow(x(i) / m_spec.priorSd, 2);
+        for (const RecordedTrial& trial : log()) {
+            const double offset = std::clamp(std::nearbyint((trial.presented[0] - m_spec.priorMean) / m_spec.grain), -m_half, m_half);
+            const std::vector<double>& table = trial.outcome == 1 ? right : wrong;
+            for (std::size_t i = 0; i < m_pdf.size(); ++i)
+                row[i] += table[static_cast<std::size_t>(offset + 3.0 * m_half - static_cast<double>(i))];
+        }
+    }
+    const double most = *std::max_element(logs.begin(), logs.end());
+    std::vector<double> marginal(m_pdf.size(), 0.0);
+    for (std::size_t at = 0; at < logs.size(); ++at)
+        marginal[at % m_pdf.size()] += std::exp(logs[at] - most);
+    const double total = std::accumulate(marginal.begin(), marginal.end(), 0.0);
+    const auto below = [&](double share) { // each point stands for the grain around it
+        double sum = 0.0;
+        for (std::size_t i = 0; i < marginal.size(); ++i) {
+            if (sum + marginal[i] >= share * total)
+                return m_spec.priorMean + x(i) + m_spec.grain * ((share * total - sum) / marginal[i] - 0.5);
+            sum += marginal[i];
+        }
+        return m_spec.priorMean + x(marginal.size() - 1);
+    };
+    return {below(0.025), below(0.975)};
+}
+
 bool Quest::done() const noexcept {
     return stopped(m_spec.stop, trials(), 0, m_spec.stop.sd > 0.0 ? std::optional<double>(sd()) : std::nullopt);
 }
@@ -190,7 +234,15 @@ ProcedureEstimate Quest::estimate() const {
     ProcedureEstimate estimate;
     estimate.known = trials() > 0;
     estimate.method = "posterior mean (QUEST)";
-    estimate.parameters = {{"threshold", mean(), sd(), quantile(0.025), quantile(0.975), mode()}};
+    const auto [low, high] = estimate.known ? intervalWithOpenSlope() : std::pair(quantile(0.025), quantile(0.975));
+    const double least = kAtGridEdge * *std::max_element(m_pdf.begin(), m_pdf.end());
+    const int edge = m_pdf.front() >= least ? -1 : m_pdf.back() >= least ? 1 : 0;
+    estimate.parameters = {{"threshold", mean(), sd(), low, high, mode(), edge}};
+    if (!estimate.known)
+        return estimate;
+    warnOfGridEdges(estimate, 1);
+    if (high - low > 1.1 * (quantile(0.975) - quantile(0.025)))
+        estimate.warnings.push_back("slope_assumed: mean and sd take the slope for known; the interval leaves it open and is wider");
     return estimate;
 }
 

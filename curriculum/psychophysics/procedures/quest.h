@@ -3,6 +3,8 @@
 
 #include "psychophysics/procedures/trial_log.h"
 
+#include <utility>
+
 namespace chiron::psychophysics {
 
 /// The ε for which p(x = T) is the target: δγ + (1-δ)(1-(1-γ) exp(-10^(βε))), solved. Not a number where the target is out of reach.
@@ -27,6 +29,9 @@ public:
     double mean() const;
     double mode() const;
     double sd() const;
+    /// The central 95 % interval of the threshold (where the target is reached) with the slope left open: alike from a quarter of the assumed one
+    /// to four times it, on a logarithmic axis. QUEST's own sd takes the slope for known and is too small where it is not.
+    std::pair<double, double> intervalWithOpenSlope() const;
     /// Failure of a flat stretch aside, monotone in `order` (0..1).
     double quantile(double order) const;
     double quantileOrder() const noexcept { return m_order; }

@@ -139,6 +139,9 @@ ProcedureEstimate QuestPlus::estimate() const {
     estimate.method = "posterior mean";
     for (std::size_t k = 0; k < m_posterior.parameters(); ++k)
         estimate.parameters.push_back(m_posterior.estimate(k));
+    constexpr std::size_t kThresholdAndSlope = 2; // shares of lapses and guesses lie at an end by their nature
+    if (estimate.known)
+        warnOfGridEdges(estimate, kThresholdAndSlope);
     return estimate;
 }
 

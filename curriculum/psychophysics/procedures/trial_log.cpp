@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/procedures/trial_log.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace chiron::psychophysics {
 
@@ -43,6 +45,13 @@ bool stopped(const StopRule& rule, int trials, int reversals, std::optional<doub
     if (rule.reversalsAndTrials)
         return (rule.trials <= 0 || enoughTrials) && (rule.reversals <= 0 || enoughReversals) && (rule.trials > 0 || rule.reversals > 0);
     return enoughTrials || enoughReversals || (rule.sd > 0.0 && sd && trials > 0 && *sd <= rule.sd);
+}
+
+void warnOfGridEdges(ProcedureEstimate& estimate, std::size_t most) {
+    for (std::size_t k = 0; k < std::min(most, estimate.parameters.size()); ++k)
+        if (const NamedEstimate& each = estimate.parameters[k]; each.edge != 0)
+            estimate.warnings.push_back("grid_edge: answers do not tell how " + std::string(each.edge < 0 ? "small" : "large") + " " + each.name +
+                                        " is: its estimate and interval end with the procedure's grid");
 }
 
 } // namespace chiron::psychophysics

@@ -184,8 +184,7 @@ ApexPlan planApex(const ApexObserver& observer, int participants, int trialsEach
     ApexPlan plan;
     if (participants < 2 || trialsEach < 1 || studies < 1)
         return plan;
-    double mean = 0.0;
-    double half = 0.0;
+    std::vector<double> ofMeans, halves;
     int found = 0;
     for (int study = 0; study < studies; ++study) {
         ByParticipant people;
@@ -197,13 +196,18 @@ ApexPlan planApex(const ApexObserver& observer, int participants, int trialsEach
         for (const auto& [participant, own] : people)
             means.push_back(meanOfAbsolutes(own));
         const Interval interval = overMeans(means);
-        mean += momentsOf(means).mean / studies;
-        half += 0.5 * (interval.high - interval.low) / studies;
+        ofMeans.push_back(momentsOf(means).mean);
+        halves.push_back(0.5 * (interval.high - interval.low));
         found += interval.low > otherMeanPercent || interval.high < otherMeanPercent ? 1 : 0;
     }
-    plan.meanAbsolutePercent = mean;
-    plan.halfWidthPercent = half;
+    const SampleMoments mean = momentsOf(ofMeans), half = momentsOf(halves);
+    plan.meanAbsolutePercent = mean.mean;
+    plan.halfWidthPercent = half.mean;
     plan.power = static_cast<double>(found) / studies;
+    plan.meanError = mean.sd / std::sqrt(static_cast<double>(studies));
+    plan.halfWidthError = half.sd / std::sqrt(static_cast<double>(studies));
+    const double share = (found + 2.0) / (studies + 4.0);
+    plan.powerError = std::sqrt(share * (1.0 - share) / (studies + 4.0));
     return plan;
 }
 

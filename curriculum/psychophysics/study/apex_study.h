@@ -89,6 +89,9 @@ struct ApexPlan {
     double meanAbsolutePercent = std::numeric_limits<double>::quiet_NaN();
     double halfWidthPercent = std::numeric_limits<double>::quiet_NaN(); ///< mean half width of the 95 % interval
     double power = std::numeric_limits<double>::quiet_NaN();            ///< share of studies whose interval leaves the other mean out
+    /// Standard errors of the three, as so few simulated studies know them (Monte Carlo).
+    double meanError = std::numeric_limits<double>::quiet_NaN(), halfWidthError = std::numeric_limits<double>::quiet_NaN();
+    double powerError = std::numeric_limits<double>::quiet_NaN(); ///< after Agresti & Coull 1998
 };
 ApexPlan planApex(const ApexObserver& observer, int participants, int trialsEach, double otherMeanPercent, int studies, std::uint64_t seed);
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/study/group_estimate.h"
 
+#include "psychophysics/fits/chi_square.h"
+#include "psychophysics/fits/model_comparison.h"
 #include "psychophysics/measures/exact_tests.h"
 #include "psychophysics/measures/random_effects.h"
+#include "psychophysics/measures/run_fit.h"
 #include "psychophysics/measures/sample_moments.h"
 
 #include <algorithm>
@@ -163,7 +166,7 @@ ConditionComparison compareConditions(const std::vector<RunEstimate>& first, con
         if (a.usable && b.usable)
             differences.push_back({true, b.value - a.value, a.variance + b.variance});
     }
-    result.participants = static_cast<int>(differences.size());
+    result.participants = result.first = result.second = static_cast<int>(differences.size());
     warnOfNumber(result.warnings, result.participants, static_cast<int>(std::max(first.size(), second.size())) - result.participants);
     if (differences.empty())
         return result;
@@ -175,6 +178,74 @@ ConditionComparison compareConditions(const std::vector<RunEstimate>& first, con
     const BootstrapInterval bootstrap =
         bootstrapSubjects(result.participants, [&](const std::vector<int>& drawn) { return meanOf(differences, drawn); }, seed);
     result.bootstrap95 = powerOfTen(bootstrap.low, bootstrap.high);
+    return result;
+}
+
+ConditionComparison compareGroups(const std::vector<RunEstimate>& first, const std::vector<RunEstimate>& second) {
+    ConditionComparison result;
+    result.paired = false;
+    const auto usable = [](const std::vector<RunEstimate>& runs) {
+        std::vector<LogWeber> logs;
+        for (const RunEstimate& run : runs)
+            if (const LogWeber log = logWeberOf(run); log.usable)
+                logs.push_back(log);
+        return logs;
+    };
+    const std::vector<LogWeber> a = usable(first), b = usable(second);
+    result.first = static_cast<int>(a.size());
+    result.second = static_cast<int>(b.size());
+    result.participants = result.first + result.second;
+    warnOfNumber(result.warnings, std::min(result.first, result.second), static_cast<int>(first.size() + second.size()) - result.participants);
+    if (a.empty() || b.empty())
+        return result;
+    const RandomEffects x = effectsOf(a), y = effectsOf(b);
+    const double difference = y.mean - x.mean;
+    result.ratio = std::pow(10.0, difference);
+    if (result.first < 2 || result.second < 2)
+        return result;
+    const double vx = x.standardError * x.standardError, vy = y.standardError * y.standardError;
+    const double error = std::sqrt(vx + vy);
+    const double freedom = (vx + vy) * (vx + vy) / (vx * vx / (result.first - 1) + vy * vy / (result.second - 1));
+    const double half = studentQuantile(0.975, freedom) * error;
+    result.ratio95 = powerOfTen(difference - half, difference + half);
+    result.pValue = 2.0 * studentUpperTail(std::abs(difference) / error, freedom);
+    return result;
+}
+
+void adjustHolm(const std::vector<ConditionComparison*>& comparisons) {
+    std::vector<ConditionComparison*> tested;
+    for (ConditionComparison* each : comparisons)
+        if (std::isfinite(each->pValue))
+            tested.push_back(each);
+    std::stable_sort(tested.begin(), tested.end(), [](const auto* a, const auto* b) { return a->pValue < b->pValue; });
+    double largest = 0.0;
+    for (std::size_t i = 0; i < tested.size(); ++i) {
+        largest = std::max(largest, std::min(1.0, tested[i]->pValue * static_cast<double>(tested.size() - i)));
+        tested[i]->pHolm = largest;
+    }
+}
+
+ThresholdModels compareThresholdModels(Task first, const std::vector<RunEstimate>& firstRuns, Task second, const std::vector<RunEstimate>& secondRuns) {
+    ThresholdModels result;
+    if (first != second || first == Task::adjustment || first == Task::magnitude)
+        return result;
+    double ratio = 0.0;
+    for (std::size_t i = 0; i < std::min(firstRuns.size(), secondRuns.size()); ++i) {
+        const std::vector<CurvePoint>&a = firstRuns[i].points, &b = secondRuns[i].points;
+        const bool positive = isPositive(first, a) && isPositive(first, b);
+        const ModelComparison models = compareConditions({curveData(a, positive), curveData(b, positive)}, freeCurveOptions(first, positive),
+                                                         SharedParameters{.width = true, .lapse = true, .guess = true}, SharedParameters{.threshold = true});
+        if (!std::isfinite(models.likelihoodRatio))
+            continue;
+        ratio += models.likelihoodRatio;
+        result.freedom += models.freedom;
+        ++result.participants;
+    }
+    if (result.participants == 0)
+        return result;
+    result.likelihoodRatio = ratio;
+    result.pValue = chiSquareTail(ratio, result.freedom);
+    result.aicDifference = ratio - 2.0 * result.freedom;
     return result;
 }
 

@@ -42,16 +42,37 @@ struct GroupEstimate {
 /// One estimate a participant. `seed`: of the bootstrap. Never fails.
 GroupEstimate estimateGroup(const std::vector<RunEstimate>& runs, std::uint64_t seed);
 
-/// Two conditions done by the same participants: runs[i] of both is participant i's.
+/// The Weber fractions of two conditions (or of two groups of people at one).
 struct ConditionComparison {
     double ratio = std::numeric_limits<double>::quiet_NaN(); ///< W of the second over the first
-    Interval ratio95;      ///< Hartung–Knapp on differences of log10 W
-    Interval bootstrap95;  ///< BCa over participants
+    Interval ratio95;      ///< paired: Hartung–Knapp on differences of log10 W; else Welch's t on the two groups' means
+    Interval bootstrap95;  ///< BCa over participants; paired only
     double pValue = std::numeric_limits<double>::quiet_NaN(); ///< two-sided, of ratio 1
-    double sdBetweenLog10 = std::numeric_limits<double>::quiet_NaN();
-    int participants = 0;  ///< with both
+    double pHolm = std::numeric_limits<double>::quiet_NaN();  ///< the same, adjusted for all comparisons of the study (Holm 1979); see adjustHolm
+    double sdBetweenLog10 = std::numeric_limits<double>::quiet_NaN(); ///< paired: of the difference from person to person
+    bool paired = true;
+    int participants = 0;  ///< paired: with both; else of both together
+    int first = 0, second = 0; ///< of each
     std::vector<Warning> warnings;
 };
+/// Done by the same participants: runs[i] of both is participant i's.
 ConditionComparison compareConditions(const std::vector<RunEstimate>& first, const std::vector<RunEstimate>& second, std::uint64_t seed);
+/// Done by different participants: random effects of each, their difference with Welch's degrees of freedom (Welch 1947).
+ConditionComparison compareGroups(const std::vector<RunEstimate>& first, const std::vector<RunEstimate>& second);
+/// Fills pHolm of comparisons that have a p.
+void adjustHolm(const std::vector<ConditionComparison*>& comparisons);
+
+/// Whether a threshold of its own for each of two conditions describes each participant's answers better than one for both; slope, lapse and guess
+/// are shared by a participant's two curves. Likelihood ratios of participants, who are independent, add up (Wilks 1938): it is of these people,
+/// while the ratio above is of the population they come from.
+struct ThresholdModels {
+    double likelihoodRatio = std::numeric_limits<double>::quiet_NaN();
+    int freedom = 0;       ///< one a participant
+    double pValue = std::numeric_limits<double>::quiet_NaN();
+    double aicDifference = std::numeric_limits<double>::quiet_NaN(); ///< one threshold less two: above 0 two describe the answers better
+    int participants = 0;  ///< whose answers could be fitted
+};
+/// Of the same participants, as in compareConditions. Of none where the tasks differ, or nothing is right or wrong in them.
+ThresholdModels compareThresholdModels(Task first, const std::vector<RunEstimate>& firstRuns, Task second, const std::vector<RunEstimate>& secondRuns);
 
 } // namespace chiron::psychophysics

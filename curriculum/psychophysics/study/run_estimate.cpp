@@ -19,7 +19,8 @@ constexpr double kJndPerSigma = 0.9538725524089398; ///< √2 z(0.75): the 75 % 
 
 constexpr double kMostTie = 3.0; ///< σ: whoever calls more than that equal says "equal" nearly always
 
-/// The procedure's own range of log10 σ, else from a tenth of the smallest to ten times the largest difference.
+/// From a tenth of the smallest to ten times the largest difference, and wherever the procedure looks: an observer of three times the σ that a
+/// procedure's grid ends with is still held.
 ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers) {
     ThurstonePrior prior;
     if (answers.smallestDifference > 0.0) {
@@ -32,7 +33,8 @@ ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers)
             continue;
         const auto [low, high] = std::minmax_element(rank3->log10Sigma.begin(), rank3->log10Sigma.end());
         if (std::isfinite(*low) && std::isfinite(*high) && *low < *high)
-            prior.lowLog10Sigma = *low, prior.highLog10Sigma = *high;
+            prior.lowLog10Sigma = std::min(answers.smallestDifference > 0.0 ? prior.lowLog10Sigma : *low, *low),
+            prior.highLog10Sigma = std::max(answers.smallestDifference > 0.0 ? prior.highLog10Sigma : *high, *high);
     }
     if (condition.task == Task::sameDifferent)
         prior.highCriterion = 6.0;
@@ -70,6 +72,7 @@ void fromAnswers(RunEstimate& result, const Condition& condition, const std::vec
     const ThurstonePosterior posterior =
         answers.levels > 0 ? thurstonePosterior(condition.task, answers.counts, prior) : ThurstonePosterior{};
     if (posterior.known) {
+        result.priorInfluence = posterior.sdLog10Sigma * std::sqrt(12.0) / (prior.highLog10Sigma - prior.lowLog10Sigma); // of a uniform prior
         takeSigma(result, posterior, condition.stimulus.reference);
         if (condition.task == Task::yesNo)
             takeCriterion(result, posterior, condition.stimulus.reference);

@@ -55,6 +55,7 @@ struct RunEstimate {
     double sigma_log10 = std::numeric_limits<double>::quiet_NaN();///< internal noise, log10(1+W)/0.954
     Interval weber95;
     Interval sigma95;
+    double priorInfluence = std::numeric_limits<double>::quiet_NaN(); ///< the posterior's sd of log10 σ over the prior's: near 0 the answers decide, near 1 what was assumed
     double pse = std::numeric_limits<double>::quiet_NaN();        ///< SI, where the task has one
     Interval pse95;
     double criterion = 0.75;

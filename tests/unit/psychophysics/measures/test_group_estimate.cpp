@@ -6,6 +6,7 @@
 #include "psychophysics/study/group_estimate.h"
 #include "tests/unit/psychophysics/measures/published_line.h"
 
+#include "core/normal_distribution.h"
 #include "core/random.h"
 
 using namespace chiron::psychophysics;
@@ -38,6 +39,9 @@ private slots:
     void balancedClosedForm();
     void populationsRecovered();
     void pairedConditions();
+    void unpairedConditions();
+    void adjustedByHolm();
+    void thresholdModels();
     void degenerate();
     void modulusEqualised();
 };
@@ -114,6 +118,78 @@ void TestGroupEstimate::pairedConditions() {
     second.pop_back();
     QVERIFY(compareConditions(first, second, 1).participants == 10);
     QVERIFY(std::isnan(compareConditions({}, {}, 1).ratio) && warns(compareConditions(first, {}, 1).warnings, "no_participants"));
+}
+
+/// Two groups of people: the interval holds the true ratio in about 95 of 100 studies, and a ratio of 1 is found in about 5.
+void TestGroupEstimate::unpairedConditions() {
+    int held = 0, found = 0;
+    constexpr int kStudies = 400;
+    for (int study = 0; study < kStudies; ++study) {
+        auto random = chiron::core::Random::stream(static_cast<std::uint64_t>(study) + 1, "two groups");
+        std::vector<RunEstimate> first, second;
+        for (int i = 0; i < 8; ++i)
+            first.push_back(runOf(-0.9 + 0.15 * random.normal() + 0.06 * random.normal(), 0.06));
+        for (int i = 0; i < 14; ++i)
+            second.push_back(runOf(-0.9 + std::log10(1.4) + 0.25 * random.normal() + 0.06 * random.normal(), 0.06));
+        const ConditionComparison compared = compareGroups(first, second);
+        held += compared.ratio95.low <= 1.4 && 1.4 <= compared.ratio95.high ? 1 : 0;
+        for (RunEstimate& run : second)
+            run.weber /= 1.4, run.weber95.low /= 1.4, run.weber95.high /= 1.4;
+        found += compareGroups(first, second).pValue < 0.05 ? 1 : 0;
+        QVERIFY(!compared.paired && compared.first == 8 && compared.second == 14 && compared.participants == 22);
+    }
+    qInfo("unpaired: interval holds %.3f, false alarms %.3f", static_cast<double>(held) / kStudies, static_cast<double>(found) / kStudies);
+    QVERIFY(held >= 367 && found <= 33); // 95 and 5 %, three standard errors
+    const ConditionComparison one = compareGroups({runOf(-1.0, 0.1)}, {runOf(-0.7, 0.1), runOf(-0.8, 0.1)});
+    QVERIFY(std::abs(one.ratio - std::pow(10.0, 0.25)) < 1e-6 && std::isnan(one.pValue) && std::isnan(compareGroups({}, {}).ratio));
+}
+
+/// Holm 1979: 0.01, 0.02, 0.03 and 0.04 of four become 0.04, 0.06, 0.06, 0.06; what has no p is not counted.
+void TestGroupEstimate::adjustedByHolm() {
+    std::vector<ConditionComparison> all(5);
+    const double p[] = {0.03, 0.01, std::nan(""), 0.04, 0.02};
+    const double expected[] = {0.06, 0.04, std::nan(""), 0.06, 0.06};
+    std::vector<ConditionComparison*> each;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].pValue = p[i];
+        each.push_back(&all[i]);
+    }
+    adjustHolm(each);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        QVERIFY(std::isnan(expected[i]) ? std::isnan(all[i].pHolm) : std::abs(all[i].pHolm - expected[i]) < 1e-12);
+}
+
+/// Thresholds alike: p below 0.05 in about 1 of 20 studies of six people; apart by a factor of 1.67: nearly always.
+void TestGroupEstimate::thresholdModels() {
+    int falsely = 0, found = 0;
+    constexpr int kStudies = 150;
+    const auto runAt = [](double threshold, chiron::core::Random& random) {
+        RunEstimate run;
+        for (const double d : {0.02, 0.03, 0.045, 0.07, 0.1, 0.15, 0.22}) {
+            int right = 0;
+            for (int trial = 0; trial < 20; ++trial)
+                right += random.uniform() < 0.5 + 0.49 * chiron::core::normalCumulative(std::log10(d / threshold) / 0.3) ? 1 : 0;
+            run.points.push_back({d, right, 20});
+        }
+        return run;
+    };
+    for (int study = 0; study < kStudies; ++study) {
+        auto random = chiron::core::Random::stream(static_cast<std::uint64_t>(study) + 1, "threshold models");
+        std::vector<RunEstimate> first, alike, apart;
+        for (int i = 0; i < 6; ++i) {
+            first.push_back(runAt(0.06, random));
+            alike.push_back(runAt(0.06, random));
+            apart.push_back(runAt(0.1, random));
+        }
+        const ThresholdModels none = compareThresholdModels(Task::twoAfc, first, Task::twoAfc, alike);
+        QVERIFY(none.participants == 6 && none.freedom == 6 && std::abs(none.aicDifference - (none.likelihoodRatio - 12.0)) < 1e-9);
+        falsely += none.pValue < 0.05 ? 1 : 0;
+        found += compareThresholdModels(Task::twoAfc, first, Task::twoAfc, apart).pValue < 0.05 ? 1 : 0;
+    }
+    qInfo("threshold models: found falsely %d, truly %d of %d", falsely, found, kStudies);
+    QVERIFY(falsely <= 17 && found >= 135); // 5 %, three standard errors
+    QVERIFY(compareThresholdModels(Task::twoAfc, {}, Task::twoAfc, {}).participants == 0);
+    QVERIFY(compareThresholdModels(Task::twoAfc, {RunEstimate{}}, Task::threeAfc, {RunEstimate{}}).participants == 0);
 }
 
 void TestGroupEstimate::degenerate() {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "psychophysics/study/group_estimate.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace chiron::session {
+
+struct StudyAnalysis;
+
+/// Two conditions of a study beside each other.
+struct ComparedConditions {
+    std::size_t first = 0, second = 0; ///< places in StudyAnalysis::conditions
+    psychophysics::ConditionComparison weber;
+    psychophysics::ThresholdModels models; ///< of none where the same people did not do both, or tasks differ
+};
+
+/// Every two conditions whose groups give a Weber fraction, of those people whom the groups are of: paired by participant where at least two have done
+/// both, else as two groups. A participant with several runs of a condition counts once: the geometric mean of what they say. None while the
+/// study is blinded: a difference that is watched as it grows is not a test any more.
+std::vector<ComparedConditions> compareAll(const StudyAnalysis& study, std::uint64_t seed);
+
+} // namespace chiron::session
