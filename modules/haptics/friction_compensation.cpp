@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/friction_compensation.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +9,36 @@ namespace chiron::haptics {
 namespace {
 
 using Columns = Eigen::Matrix<double, core::kMaxCoordinates, 6>;
+using Square = Eigen::Matrix<double, 6, 6>;
+using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kLever_m = 0.1; ///< makes torques comparable with forces, for the solver alone
 constexpr double kRidge = 1e-9;  ///< of the largest entry: what no axis drives stays zero
+
+/// x of M x = y for a symmetric positive definite M, by Cholesky (Eigen's own may allocate). Not finite where M is not.
+Vec6 solve(Square M, Vec6 y) noexcept {
+    for (Eigen::Index j = 0; j < 6; ++j) {
+        for (Eigen::Index k = 0; k < j; ++k)
+            M(j, j) -= M(j, k) * M(j, k);
+        M(j, j) = std::sqrt(M(j, j));
+        for (Eigen::Index i = j + 1; i < 6; ++i) {
+            for (Eigen::Index k = 0; k < j; ++k)
+                M(i, j) -= M(i, k) * M(j, k);
+            M(i, j) /= M(j, j);
+        }
+    }
+    for (Eigen::Index i = 0; i < 6; ++i) {
+        for (Eigen::Index k = 0; k < i; ++k)
+            y[i] -= M(i, k) * y[k];
+        y[i] /= M(i, i);
+    }
+    for (Eigen::Index i = 5; i >= 0; --i) {
+        for (Eigen::Index k = i + 1; k < 6; ++k)
+            y[i] -= M(k, i) * y[k];
+        y[i] /= M(i, i);
+    }
+    return y;
+}
 
 core::Wrench unitWrench(Eigen::Index component) noexcept {
     core::Wrench wrench;
@@ -74,12 +99,20 @@ core::Wrench FrictionCompensation::wrench_D(const devices::IToolKinematics& kine
     }
     for (Eigen::Index row = 0; row < tau.rows(); ++row)
         tau[row] = wanted[static_cast<std::size_t>(row)];
-    Eigen::Matrix<double, 6, 6> square = A.transpose() * A;
+    Square square = Square::Zero();
+    Vec6 right = Vec6::Zero();
+    for (Eigen::Index i = 0; i < 6; ++i) {
+        for (Eigen::Index row = 0; row < A.rows(); ++row)
+            right[i] += A(row, i) * tau[row];
+        for (Eigen::Index j = 0; j < 6; ++j)
+            for (Eigen::Index row = 0; row < A.rows(); ++row)
+                square(i, j) += A(row, i) * A(row, j);
+    }
     const double ridge = kRidge * square.diagonal().maxCoeff();
     if (!(ridge > 0.0) || !std::isfinite(ridge))
         return wrench;
     square.diagonal().array() += ridge;
-    const Eigen::Matrix<double, 6, 1> f = square.ldlt().solve(Eigen::Matrix<double, 6, 1>(A.transpose() * tau));
+    const Vec6 f = solve(square, right);
     if (!f.allFinite())
         return wrench;
     wrench.force = f.head<3>();
