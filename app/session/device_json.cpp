@@ -15,7 +15,9 @@ QJsonObject axisToJson(const devices::AxisDescriptor& axis) {
             {"resolution", axis.resolution},
             {"minimum", axis.minimum},
             {"maximum", axis.maximum},
-            {"continuous_rating", axis.continuousRating}};
+            {"continuous_rating", axis.continuousRating},
+            {"coulomb_friction", axis.coulombFriction},
+            {"viscous_friction", axis.viscousFriction}};
 }
 
 core::Result<devices::AxisDescriptor> axisFromJson(const QJsonObject& json) {
@@ -27,6 +29,8 @@ core::Result<devices::AxisDescriptor> axisFromJson(const QJsonObject& json) {
     axis.minimum = in.number("minimum");
     axis.maximum = in.number("maximum");
     axis.continuousRating = in.number("continuous_rating");
+    axis.coulombFriction = in.number("coulomb_friction", 0.0);
+    axis.viscousFriction = in.number("viscous_friction", 0.0);
     if (!in.ok())
         return tl::unexpected(in.error());
     return axis;
@@ -53,7 +57,8 @@ QJsonObject toJson(const devices::DeviceDescriptor& d) {
             {"period_us", static_cast<double>(d.period_us)},
             {"maximum_force_N", d.maximumForce_N},
             {"maximum_torque_Nm", d.maximumTorque_Nm},
-            {"maximum_damping_Ns_per_m", d.maximumDamping_Ns_per_m}};
+            {"maximum_damping_Ns_per_m", d.maximumDamping_Ns_per_m},
+            {"friction_compensation", d.frictionCompensation}};
 }
 
 core::Result<devices::DeviceDescriptor> descriptorFromJson(const QJsonObject& json) {
@@ -77,6 +82,7 @@ core::Result<devices::DeviceDescriptor> descriptorFromJson(const QJsonObject& js
     d.maximumForce_N = in.number("maximum_force_N");
     d.maximumTorque_Nm = in.number("maximum_torque_Nm");
     d.maximumDamping_Ns_per_m = in.number("maximum_damping_Ns_per_m");
+    d.frictionCompensation = in.number("friction_compensation", 0.0);
     if (!in.ok())
         return tl::unexpected(in.error());
     if (d.axes.empty() || d.axes.size() > core::kMaxCoordinates)

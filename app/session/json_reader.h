@@ -18,6 +18,8 @@ class JsonReader {
 public:
     JsonReader(const QJsonObject& object, QString place) : m_object(object), m_place(std::move(place)) {}
 
+    /// Of a key that earlier versions did not write: `otherwise` where it is not there.
+    double number(const char* key, double otherwise) { return m_object.contains(QLatin1String(key)) ? number(key) : otherwise; }
     double number(const char* key) { return value(key, QJsonValue::Double, "a number").toDouble(); }
     bool boolean(const char* key) { return value(key, QJsonValue::Bool, "true or false").toBool(); }
     QString string(const char* key) { return value(key, QJsonValue::String, "a text").toString(); }

@@ -6,6 +6,7 @@
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
 #include "devices/drivers/simulated/simulated_fingertip_device.h"
 #include "devices/drivers/simulated/simulated_second_finger.h"
+#include "haptics/friction_compensation.h"
 #include "simulation/exercises/urethra_insertion/procedure_plan.h"
 
 #include <algorithm>
@@ -235,6 +236,7 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
     if (chosen == devices::GimbalHprdKinematics::kId) {
         devices::SimulatedDevice::Configuration configuration;
         configuration.map = map;
+        configuration.frictionCompensation = haptics::FrictionCompensation::kMost;
         if (kind.pointerTool() == PointerTool::grasper)
             configuration.jaw = mechanisms::JawParameters{};
         return withDevices<devices::SimulatedDevice>(std::move(station), configuration, std::move(*trainee), handSeed, *places);

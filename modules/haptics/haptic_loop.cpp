@@ -108,6 +108,8 @@ void HapticLoop::admitTool(const realtime::HapticTick& now, std::size_t i) noexc
     state.jaw_rad = pose_D.jaw_rad;
     state.buttons = in.sample.buttons;
     tool.hasPose = true;
+    if (tool.friction.active())
+        tool.compensation_W = tool.map.wrenchToW(tool.friction.wrench_D(kinematics, in.sample, rates));
 }
 
 void HapticLoop::respond(const realtime::HapticTick& now) noexcept {
@@ -118,6 +120,8 @@ void HapticLoop::respond(const realtime::HapticTick& now) noexcept {
     for (std::size_t i = 0; i < m_count; ++i)
         if (!m_tools[i].hasPose)
             in.tools.count = 0; // a tool nobody has heard of yet touches nothing
+    for (std::size_t i = 0; i < m_count; ++i)
+        in.dampingBudget_Ns_per_m[i] = m_supervisor.dampingBudget_Ns_per_m(static_cast<int>(i));
     in.started = m_started;
     in.paused = m_paused;
     in.forceReady = m_safe.forceReady;
@@ -136,13 +140,17 @@ void HapticLoop::respond(const realtime::HapticTick& now) noexcept {
 }
 
 void HapticLoop::limit(const realtime::HapticTick& now) noexcept {
-    m_supervisor.limit(now, {m_states, m_out, m_in.commands, m_in.heartbeatAge_ms}, m_safe);
+    SafetyInput in{m_states, m_out, m_in.commands, m_in.heartbeatAge_ms, {}};
+    for (std::size_t i = 0; i < m_count; ++i)
+        in.compensation_W[i] = m_tools[i].compensation_W;
+    m_supervisor.limit(now, in, m_safe);
     m_shown.ended = m_endWanted || m_out.phase == core::TrialPhase::finished;
     if (!m_shown.ended)
         return;
     for (SafeTool& tool : m_safe.tools) { // the last tick leaves every motor off
         tool.wrench_W = {};
         tool.wrench_D = {};
+        tool.compensation_D = {};
         tool.display = {};
         tool.display_D = {};
         tool.enabled = false;
@@ -154,6 +162,7 @@ void HapticLoop::commandDevices(const realtime::HapticTick& now) noexcept {
         const SafeTool& safe = m_safe.tools[i];
         devices::ForceCommand command;
         command.wrench_D = safe.wrench_D;
+        command.compensation_D = safe.compensation_D;
         command.enabled = safe.enabled;
         command.display = safe.display_D;
         m_devices[i]->command(now, command);

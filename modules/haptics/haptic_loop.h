@@ -6,6 +6,7 @@
 #include "devices/api/device.h"
 #include "devices/api/workspace_map.h"
 #include "haptics/display_state.h"
+#include "haptics/friction_compensation.h"
 #include "haptics/loop_statistics.h"
 #include "haptics/safety_supervisor.h"
 #include "haptics/scene_exchange.h"
@@ -84,6 +85,8 @@ private:
     struct Tool {
         devices::WorkspaceMap map;
         simulation::VelocityEstimator velocity;
+        FrictionCompensation friction;
+        core::Wrench compensation_W; ///< of the last good sample
         bool hasPose = false; ///< a good packet has come
         bool refused = false; ///< the packet that is there now was refused
     };

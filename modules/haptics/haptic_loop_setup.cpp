@@ -28,6 +28,7 @@ HapticLoop::HapticLoop(const HapticLoopParts& parts)
         const LoopTool& tool = parts.tools[i];
         m_devices[i] = &tool.device;
         m_tools[i].map = devices::WorkspaceMap(tool.mapping);
+        m_tools[i].friction = FrictionCompensation(tool.device.descriptor());
         m_tools[i].velocity = simulation::VelocityEstimator(static_cast<int>(tool.device.descriptor().axes.size()));
     }
 }

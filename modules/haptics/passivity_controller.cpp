@@ -37,6 +37,7 @@ void PassivityController::reset(const SafetySettings& settings) noexcept {
     m_accounts = {};
     m_bodyOf = {};
     m_used = {};
+    m_smoothed = {};
 }
 
 double PassivityController::supplied_J() const noexcept {
@@ -79,6 +80,7 @@ double PassivityController::renderedEnergy_J(const PassivityContact& contact, do
 
 bool PassivityController::apply(const Limits& limits, int count, const core::ToolStates& states,
                                 const PassivityBodies& bodies, Wrenches& wrenches) noexcept {
+    smooth(states);
     for (std::size_t body = 0; body < m_accounts.size(); ++body) {
         if (m_used[body]) {
             m_accounts[body].observer.addWork(states);
@@ -94,6 +96,19 @@ bool PassivityController::apply(const Limits& limits, int count, const core::Too
         }
     }
     return injected;
+}
+
+void PassivityController::smooth(const core::ToolStates& states) noexcept {
+    constexpr double kShare = core::kTickSeconds / (kFilter_s + core::kTickSeconds);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(std::clamp(states.count, 0, core::kMaxTools)); ++i) {
+        const core::ToolState& state = states.tools[i];
+        if (!state.v_WT.allFinite() || !state.w_WT.allFinite()) {
+            m_smoothed[i] = Smoothed{};
+            continue;
+        }
+        m_smoothed[i].v += kShare * (state.v_WT - m_smoothed[i].v);
+        m_smoothed[i].w += kShare * (state.w_WT - m_smoothed[i].w);
+    }
 }
 
 void PassivityController::regroup(int count, const PassivityBodies& bodies) noexcept {
@@ -197,7 +212,8 @@ void PassivityController::Account::recover(double most) noexcept {
 
 bool PassivityController::inject(double excess_J, const Limits& limits, int count, const core::ToolStates& states,
                                  const PassivityContact& contact, Wrenches& wrenches) const noexcept {
-    double rate2 = 0.0;  // Σ(v² + r²ω²) of the tools that touch
+    double taken = 0.0;  // Σ(u·v + r² w·ω) of the tools that touch: what damping of 1 N·s/m takes, W
+    double rate2 = 0.0;  // Σ(u² + r² w²) of the same
     double speed2 = 0.0; // Σv² of the same
     double scale = std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
@@ -208,9 +224,11 @@ bool PassivityController::inject(double excess_J, const Limits& limits, int coun
         }
         const double v2 = states.tools[i].v_WT.squaredNorm();
         speed2 += v2;
-        rate2 += v2 + lever2(limits[i]) * states.tools[i].w_WT.squaredNorm();
+        const Smoothed& slow = m_smoothed[i];
+        rate2 += slow.v.squaredNorm() + lever2(limits[i]) * slow.w.squaredNorm();
+        taken += slow.v.dot(states.tools[i].v_WT) + lever2(limits[i]) * slow.w.dot(states.tools[i].w_WT);
         scale = std::min(scale, limits[i].scale);
-        most = std::min(most, limits[i].damping_Ns_per_m / limits[i].scale);
+        most = std::min(most, std::max(0.0, limits[i].damping_Ns_per_m / limits[i].scale - contact.damping_Ns_per_m[i]));
     }
     constexpr double kT = core::kTickSeconds;
     const double leak = 0.5 * contact.gain * contact.stiffness_N_per_m * speed2 * kT * kT;
@@ -219,14 +237,14 @@ bool PassivityController::inject(double excess_J, const Limits& limits, int coun
     if (!(excess > m_settings.passivityExcess_J * scale) || !(rate2 > slowest * slowest * scale * scale)) {
         return false;
     }
-    const double alpha = std::min(excess / (kT * rate2), contact.gain * most);
+    const double alpha = std::min(excess / (kT * std::max(taken, rate2)), contact.gain * most);
     for (int tool = 0; tool < count; ++tool) {
         const auto i = static_cast<std::size_t>(tool);
         if (!limits[i].renders || contact.share[i] <= 0.0) {
             continue;
         }
-        addDamping(wrenches[i].force, states.tools[i].v_WT, alpha);
-        addDamping(wrenches[i].torque, states.tools[i].w_WT, alpha * lever2(limits[i]));
+        addDamping(wrenches[i].force, m_smoothed[i].v, alpha);
+        addDamping(wrenches[i].torque, m_smoothed[i].w, alpha * lever2(limits[i]));
     }
     return true;
 }

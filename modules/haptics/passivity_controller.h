@@ -21,6 +21,7 @@ struct PassivityContact {
     std::array<bool, core::kMaxTools> members{};    ///< the tools at this body
     std::array<double, core::kMaxTools> capRatio{}; ///< of the requested wrench at full gain; see capRatio()
     std::array<double, core::kMaxTools> share{};    ///< of U, summing to 1 over the members (by ‖f‖²)
+    std::array<double, core::kMaxTools> damping_Ns_per_m{}; ///< that the scene's laws use of the tool's budget already, in W
 };
 
 /// All bodies of one tick: `bodyOf[i]` is the body of tool i, 0..kMaxTools-1; a body without members has no book.
@@ -39,9 +40,11 @@ struct PassivityBodies {
 ///
 /// Damping acts during the coming tick, so the excess is taken as it will be at its end: U - W + ½ g k
 /// (‖v‖T)², the energy that a sampled spring leaks in one tick. When it passes 1 mJ (of the device: W-energy
-/// over workspace scale) f = -α v and τ = -α r² ω are added, α = excess / (T Σ(v² + r²ω²)), at most g·b_max;
-/// a force that pushes along the motion is at most cancelled, never reversed: contact does not pull. r =
-/// torque cap / force cap.
+/// over workspace scale) f = -α u and τ = -α r² w are added, where u and w are v and ω through a low-pass of first order
+/// (kFilter_s): the estimate of a few encoder counts jumps every few ticks, and damping made of it shakes a mechanism as
+/// much as it calms it. α = excess / (T max(Σ(u·v + r² w·ω), Σ(u² + r² w²))), which takes the excess in this tick where v has
+/// caught up; at most g·(b_max - b), b what the scene's laws damp already: one budget for everything that damps (models.md §8). A
+/// force that pushes along the motion is at most cancelled, never reversed: contact does not pull. r = torque cap / force cap.
 ///
 /// One book a body (P2, "Control Algorithm for Multiple Instruments"): tools at one body can pass energy to each other
 /// through it and share its book; tools at different bodies cannot borrow from each other. When a tool changes its body
@@ -62,6 +65,7 @@ struct PassivityBodies {
 /// and the worse book counts; the late one is forgiven kForgivenLate_W, without end. Thread: haptic.
 class PassivityController {
 public:
+    static constexpr double kFilter_s = 0.002; ///< 80 Hz: a sixth of what shakes at 450 Hz, and 13° late on the hardest wall (18 Hz)
     static constexpr double kForgiven_W = 0.001; ///< assumption: a tremor of 0.1 mm on 500 N/m at 3 ms of delay makes 0.2 mW
     static constexpr double kSurplus_J = 0.020;  ///< assumption: an ovary of 10 g lifted by 0.2 m; only what is allowed while c < 1
     static constexpr double kForgiven_J = 0.001; ///< assumption: in one contact, as much as is allowed anyhow
@@ -110,6 +114,12 @@ private:
         void recover(double most) noexcept;
     };
 
+    /// u and w of one tool.
+    struct Smoothed {
+        core::Vec3 v = core::Vec3::Zero();
+        core::Vec3 w = core::Vec3::Zero();
+    };
+    void smooth(const core::ToolStates& states) noexcept;
     void regroup(int count, const PassivityBodies& bodies) noexcept;
     bool applyTo(Account& account, const Limits& limits, int count, const core::ToolStates& states,
                  const PassivityContact& contact, Wrenches& wrenches) noexcept;
@@ -121,6 +131,7 @@ private:
     std::array<Account, core::kMaxTools> m_accounts{};
     std::array<std::uint8_t, core::kMaxTools> m_bodyOf{};
     std::array<bool, core::kMaxTools> m_used{}; ///< bodies with members
+    std::array<Smoothed, core::kMaxTools> m_smoothed{};
 };
 
 } // namespace chiron::haptics

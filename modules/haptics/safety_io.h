@@ -39,12 +39,14 @@ struct SafetyInput {
     const simulation::SceneOutput& scene; ///< of this tick: wrenches, energy, events
     std::array<core::Command, core::kMaxCommandsPerTick> commands{};
     std::uint16_t heartbeatAge_ms = 0; ///< age of the newest GUI heartbeat, saturated
+    std::array<core::Wrench, core::kMaxTools> compensation_W{}; ///< feed-forward of the mechanism's own friction (friction_compensation.h)
 };
 
 /// What one tool may do.
 struct SafeTool {
     core::Wrench wrench_W;   ///< "commanded": on the tool, in W, about the tip. Record this one
-    core::Wrench wrench_D;   ///< the same in D (Hᵀ; unscaled). Hand this one to the device
+    core::Wrench wrench_D;   ///< the same in D (Hᵀ; unscaled), with compensation_D. Hand this one to the device
+    core::Wrench compensation_D; ///< what is let through of the friction's compensation: not felt as tissue, so it is not "commanded"
     core::DisplayPose display; ///< of a fingertip platform, scaled with what was let through of the wrench; level where none was. For
                                ///< the tool in W: show this one
     core::DisplayPose display_D; ///< the same for the tool in D, mirrored where the workspace is. Hand this one to the device

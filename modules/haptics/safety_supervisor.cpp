@@ -37,6 +37,13 @@ bool SafetySupervisor::anyRendersForce() const noexcept {
                        [](const SafetyToolLimits& limits) { return limits.renders; });
 }
 
+double SafetySupervisor::dampingBudget_Ns_per_m(int tool) const noexcept {
+    if (!rendersForce(tool))
+        return simulation::kUnboundedDamping;
+    const SafetyToolLimits& limits = m_limits[static_cast<std::size_t>(tool)];
+    return limits.damping_Ns_per_m / limits.scale;
+}
+
 Admission SafetySupervisor::admit(const realtime::HapticTick& now, int tool, const core::DeviceSample& sample,
                                   const core::ToolState& pose_D, std::uint32_t age_us) noexcept {
     if (tool < 0 || tool >= m_count) {
@@ -69,7 +76,7 @@ void SafetySupervisor::limit(const realtime::HapticTick&, const SafetyInput& in,
     applyOverVelocityDamping(in, wrenches);
     applyCapsAndSlew(wrenches);
     applyFiniteCheck(wrenches);
-    publish(in, wrenches, out);
+    publish(in, wrenches, withCompensation(in, wrenches), out);
     m_lastGain = gain;
 }
 

@@ -53,6 +53,8 @@ public:
     const SafetySettings& settings() const noexcept { return m_settings; }
     bool rendersForce(int tool) const noexcept; ///< whether this tool may ever get force
     bool anyRendersForce() const noexcept;
+    /// What may damp this tool altogether, in W: b_max of its device over the workspace's scale; unbounded where it renders no force.
+    double dampingBudget_Ns_per_m(int tool) const noexcept;
 
     /// Tests only: switches rows of the table off. Call before configure().
     void setGuardMaskForTests(GuardMask mask) noexcept { m_mask = mask; }
@@ -72,9 +74,10 @@ private:
     void applyOverVelocityDamping(const SafetyInput& in, Wrenches& wrenches) const noexcept;
     void applyCapsAndSlew(Wrenches& wrenches) noexcept;
     void applyFiniteCheck(Wrenches& wrenches) noexcept;
+    Wrenches withCompensation(const SafetyInput& in, const Wrenches& wrenches) noexcept;
     void forgetReferences(bool inputOnly) noexcept;
     core::DisplayPose displayOf(const SafetyInput& in, std::size_t tool, const SafeTool& safe) noexcept;
-    void publish(const SafetyInput& in, const Wrenches& wrenches, SafetyOutput& out) noexcept;
+    void publish(const SafetyInput& in, const Wrenches& wrenches, const Wrenches& whole, SafetyOutput& out) noexcept;
 
     SafetySettings m_settings;
     GuardMask m_mask;

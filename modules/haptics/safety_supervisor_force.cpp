@@ -18,6 +18,10 @@ double usable(double value) noexcept {
     return std::isfinite(value) && value > 0.0 ? value : 0.0;
 }
 
+bool isFinite(const core::Wrench& w) noexcept {
+    return w.force.allFinite() && w.torque.allFinite();
+}
+
 } // namespace
 
 PassivityBodies SafetySupervisor::bodiesOf(const SafetyInput& in, const Wrenches& requested) const noexcept {
@@ -59,6 +63,7 @@ void SafetySupervisor::fillContact(const SafetyInput& in, const Wrenches& reques
         ++members;
         const core::Wrench& w = requested[i];
         contact.capRatio[i] = 1.0;
+        contact.damping_Ns_per_m[i] = usable(in.scene.damping_Ns_per_m[i]);
         contact.share[i] = w.force.squaredNorm();
         sum += contact.share[i];
         contact.touching = contact.touching || w.force != core::Vec3::Zero() || w.torque != core::Vec3::Zero();
@@ -133,14 +138,39 @@ void SafetySupervisor::applyFiniteCheck(Wrenches& wrenches) noexcept {
     if (!m_mask.has(GuardMask::kFinite)) {
         return;
     }
-    const bool finite = std::all_of(wrenches.begin(), wrenches.end(), [](const core::Wrench& w) {
-        return w.force.allFinite() && w.torque.allFinite();
-    });
-    if (!finite) {
+    if (!std::all_of(wrenches.begin(), wrenches.end(), isFinite)) {
         m_answerFinite = false;
         m_guards |= guard_bits::kNotFinite;
         wrenches = Wrenches{};
     }
+}
+
+/// What the device is handed: with the feed-forward of its friction, as large as the gain and at most a tenth of the tool's cap, and all of it
+/// within the caps of this pose. The books of energy know nothing of it: it is less than what friction takes (friction_compensation.h).
+SafetySupervisor::Wrenches SafetySupervisor::withCompensation(const SafetyInput& in, const Wrenches& wrenches) noexcept {
+    constexpr double kMostOfCap = 0.1;
+    Wrenches whole = wrenches;
+    const double gain = m_machine.gain();
+    if (gain <= 0.0 || !m_answerFinite)
+        return whole;
+    for (int tool = 0; tool < m_count; ++tool) {
+        const auto i = static_cast<std::size_t>(tool);
+        core::Wrench help = in.compensation_W[i];
+        if (!m_limits[i].renders || !isFinite(help) || (help.force == core::Vec3::Zero() && help.torque == core::Vec3::Zero()))
+            continue;
+        const double force = help.force.norm(), torque = help.torque.norm();
+        double share = gain;
+        if (force > kMostOfCap * m_limits[i].forceCap_N)
+            share = std::min(share, gain * kMostOfCap * m_limits[i].forceCap_N / force);
+        if (torque > kMostOfCap * m_limits[i].torqueCap_Nm)
+            share = m_limits[i].torqueCap_Nm > 0.0 ? std::min(share, gain * kMostOfCap * m_limits[i].torqueCap_Nm / torque) : share;
+        whole[i].force += share * help.force;
+        if (m_limits[i].torqueCap_Nm > 0.0)
+            whole[i].torque += share * help.torque;
+        if (m_mask.has(GuardMask::kCaps))
+            (void)applyCaps(m_limits[i], m_sanity[i].good(), whole[i]);
+    }
+    return whole;
 }
 
 core::DisplayPose SafetySupervisor::displayOf(const SafetyInput& in, std::size_t tool, const SafeTool& safe) noexcept {
@@ -158,7 +188,7 @@ core::DisplayPose SafetySupervisor::displayOf(const SafetyInput& in, std::size_t
     return display;
 }
 
-void SafetySupervisor::publish(const SafetyInput& in, const Wrenches& wrenches, SafetyOutput& out) noexcept {
+void SafetySupervisor::publish(const SafetyInput& in, const Wrenches& wrenches, const Wrenches& whole, SafetyOutput& out) noexcept {
     const bool live = m_answerFinite && (m_machine.gain() > 0.0 || m_machine.dampingGain() > 0.0);
     core::ToolWrenches commanded;
     commanded.count = m_count;
@@ -169,7 +199,8 @@ void SafetySupervisor::publish(const SafetyInput& in, const Wrenches& wrenches, 
         SafeTool& safe = out.tools[i];
         safe.enabled = live && m_limits[i].renders;
         safe.wrench_W = wrenches[i];
-        safe.wrench_D = m_limits[i].map.wrenchToD(wrenches[i]);
+        safe.wrench_D = m_limits[i].map.wrenchToD(whole[i]);
+        safe.compensation_D = m_limits[i].map.wrenchToD({whole[i].force - wrenches[i].force, whole[i].torque - wrenches[i].torque});
         safe.display = displayOf(in, i, safe);
         safe.display_D = m_limits[i].map.displayToD(safe.display);
         safe.noMovement = !m_limits[i].renders && m_sanity[i].age_us() >= m_settings.noMovement_us;

@@ -8,6 +8,7 @@
 #include "core/tool_state.h"
 #include "core/visible_cues.h"
 #include "realtime/haptic_tick.h"
+#include "simulation/attributes/damping_budget.h"
 #include "simulation/slow_model.h"
 
 #include <cstdint>
@@ -29,6 +30,8 @@ struct SceneInput {
     std::uint16_t answered = 0;  ///< the outcome it names
     core::ForceState force = core::ForceState::off; ///< of the previous tick, for the cues
     SlowUpdate slow = SlowUpdate::asDue; ///< when the slow model's answer takes effect
+    /// What may damp each tool altogether, in W: b_max of its device over the workspace's scale. No law goes beyond it.
+    std::array<double, core::kMaxTools> dampingBudget_Ns_per_m{kUnboundedDamping, kUnboundedDamping, kUnboundedDamping, kUnboundedDamping};
 };
 
 /// What the scene answers.
@@ -41,6 +44,8 @@ struct SceneOutput {
     double storedEnergy_J = 0.0; ///< elastic energy U held by the contacts of tool 0..n, summed
     double contactStiffness_N_per_m =
         0.0; ///< largest active contact stiffness, for the passivity credit ½Δk x²
+    /// What of each tool's damping budget its laws use in this tick; the passivity controller may inject the rest.
+    std::array<double, core::kMaxTools> damping_Ns_per_m{};
     /// Surface point to draw the tool at (pseudo-haptics). Written out, because an Eigen vector is not zeroed
     /// by {}.
     std::array<core::Vec3, core::kMaxTools> p_WProxy{core::Vec3::Zero(), core::Vec3::Zero(),

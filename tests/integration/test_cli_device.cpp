@@ -69,6 +69,17 @@ void TestCliDevice::theGimbalsFriction() {
     const CliRun run = runCli({"device", "check", "--mechanism", "gimbal_hprd", "--json"});
     QCOMPARE(run.exitCode, 0);
     QCOMPARE(object(run)["friction"].toArray().size(), 3);
+    // What is felt of it: all of it where it breaks away, little in motion, and never less than nothing.
+    const QJsonObject felt = object(run)["friction_felt"].toObject();
+    QCOMPARE(felt["rows"].toArray().size(), 12);
+    for (const QJsonValue& row : felt["rows"].toArray()) {
+        const double before = row["before_N"].toDouble(), after = row["after_N"].toDouble(), speed = row["speed_m_per_s"].toDouble();
+        QVERIFY(after > 0.0 && after <= before + 1e-3);
+        QVERIFY(speed > 0.002 || before - after < 1e-3);
+        QVERIFY(speed < 0.045 || after < before - 0.06);
+    }
+    QVERIFY(felt["work_after_J"].toDouble() > 0.0 && felt["work_after_J"].toDouble() < 0.8 * felt["work_before_J"].toDouble());
+    QVERIFY(felt["held_after_N"].toDouble() < 0.001);
 }
 
 /// Measured as on any device, and what follows for a wall (devices.md §6).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ladder/ladder.h"
 
+#include "damping/with_budget.h"
 #include "ladder/fast_force.h"
 #include "scoring/metric_catalogue.h"
 #include "session/replayer.h"
@@ -49,12 +50,16 @@ bool same(const scoring::ScoreCard& a, const scoring::ScoreCard& b) {
     return true;
 }
 
-LadderSession runOne(SessionFixture& site, const catalogue::ExerciseLevel& level, const std::string& name, std::uint64_t seed, bool check) {
+LadderSession runOne(SessionFixture& site, const catalogue::ExerciseLevel& level, const std::string& name, std::uint64_t seed, bool check,
+                     double budget_Ns_per_m) {
     LadderSession session;
     session.seed = seed;
     Witness witness;
     session::TrainingRequest request = site.request(level, name, seed);
     request.witness = &witness;
+    if (budget_Ns_per_m > 0.0)
+        for (auto& device : request.station.devices)
+            device = std::make_unique<WithBudget>(std::move(device), budget_Ns_per_m);
     auto result = site.run(std::move(request));
     if (!result)
         qFatal("%s", result.error().message.c_str());
@@ -161,7 +166,7 @@ LadderLevel climb(const catalogue::ExerciseLevel& level, const LadderSettings& s
         SessionFixture site; // one a hand, so that the file stays small
         for (int i = 0; i < settings.seeds; ++i)
             climbed.byOperator[name].push_back(runOne(site, level, name, settings.first + static_cast<std::uint64_t>(i),
-                                                      settings.checkEvery > 0 && i % settings.checkEvery == 0));
+                                                      settings.checkEvery > 0 && i % settings.checkEvery == 0, settings.budget_Ns_per_m));
     }
     return climbed;
 }

@@ -27,6 +27,7 @@ struct LadderSettings {
     int seeds = 20;
     std::uint64_t first = 1;
     int checkEvery = 1; ///< of the seeds, replayed and scored again; 0: none
+    double budget_Ns_per_m = 0.0; ///< of damping, instead of what the devices say they carry; 0: theirs
 };
 
 /// All sessions of the operators novice, intermediate, expert and unsafe (as many of them as the exercise has) on one level.

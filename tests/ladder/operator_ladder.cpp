@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Prints how every scripted operator fares on every level, through recording and scoring: operator_ladder [EXERCISE|all] [LEVEL|0] [SEEDS]
-// [FIRST] [CHECK_EVERY]. Not a test: it asserts nothing.
+// [FIRST] [CHECK_EVERY] [BUDGET]. BUDGET: of damping, N·s/m, instead of what the devices say they carry (0: theirs). Not a test: it asserts nothing.
 #include "ladder/ladder.h"
 
 #include <QCoreApplication>
@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     settings.seeds = argc > 3 ? std::atoi(argv[3]) : 20;
     settings.first = argc > 4 ? std::strtoull(argv[4], nullptr, 10) : 1;
     settings.checkEvery = argc > 5 ? std::atoi(argv[5]) : 0;
+    settings.budget_Ns_per_m = argc > 6 ? std::atof(argv[6]) : 0.0;
     const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
     if (!catalogue) {
         std::fprintf(stderr, "%s\n", catalogue.error().message.c_str());

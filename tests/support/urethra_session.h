@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/units.h"
+#include "damping/with_budget.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
@@ -210,6 +211,7 @@ struct UrethraSession {
     std::uint64_t seed = 1;
     simulation::UrethraInsertionParameters level = standardInsertion();
     UrethraDeception deception;
+    double budget_Ns_per_m = 0.0; ///< of damping, instead of what the device says it carries; 0: the device's
 };
 
 /// Not begun when something could not be made. `story`: what happened, tick by tick.
@@ -226,7 +228,10 @@ inline UrethraOutcome runUrethraSession(const UrethraSession& session, std::vect
     auto device = devices::SimulatedEndoscopeDevice::create(configuration, std::move(*mind));
     if (!device || !(*device)->open())
         return {};
-    UrethraRecorder recorder((*device)->kinematics(), session.level);
+    std::unique_ptr<devices::IDevice> held = std::move(*device);
+    if (session.budget_Ns_per_m > 0.0)
+        held = std::make_unique<tests::WithBudget>(std::move(held), session.budget_Ns_per_m);
+    UrethraRecorder recorder(held->kinematics(), session.level);
     haptics::SceneExchange scenes;
     std::unique_ptr<simulation::IScene> scene = std::make_unique<DeceivedUrethraScene>(session.level, session.deception);
     scenes.offer(scene);
@@ -235,7 +240,7 @@ inline UrethraOutcome runUrethraSession(const UrethraSession& session, std::vect
     haptics::SafetySettings safety;
     safety.exerciseForce_N = session.level.maximumForce_N;
     safety.exerciseTorque_Nm = session.level.maximumTorque_Nm;
-    const std::array<haptics::LoopTool, 1> tools{haptics::LoopTool{**device, {}}};
+    const std::array<haptics::LoopTool, 1> tools{haptics::LoopTool{*held, {}}};
     auto loop = haptics::HapticLoop::create({tools, inputs, supervisor, safety, scenes, recorder});
     if (!loop)
         return {};

@@ -9,6 +9,7 @@
 #include "mechanisms/friction_identification.h"
 #include "mechanisms/scripted_motion.h"
 #include "session/delay_measurement.h"
+#include "session/friction_felt.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -92,6 +93,41 @@ core::Result<haptics::DelayEstimate> delayOf(const mechanisms::GimbalPlantParame
     return device ? session::measureDelay(**device, configuration.mapping) : tl::unexpected(device.error());
 }
 
+constexpr double kCompensation = 0.8; ///< haptics::FrictionCompensation::kMost
+constexpr double kMoving_m_per_s = 0.045; ///< from here on the compensation has to take most of the dry friction away ...
+constexpr double kTaken = 0.6;            ///< ... so much of what is felt as it breaks away
+
+/// What is felt of the friction at rest and in motion, before and after its compensation; `holds` is false where it helps too little, pushes
+/// by itself or makes energy.
+QJsonObject frictionFeltJson(const session::FrictionFelt& felt, bool& holds, QString& text) {
+    TextTable table({QStringLiteral("direction"), QStringLiteral(">speed (mm/s)"), QStringLiteral(">felt before (N)"), QStringLiteral(">after (N)")});
+    QJsonArray rows;
+    double breaking_N = 0.0;
+    for (const session::FrictionFeltRow& row : felt.rows) {
+        if (row.speed_m_per_s <= 0.001) // the slowest of each direction
+            breaking_N = row.before_N;
+        holds = holds && row.after_N > 0.0 && (row.speed_m_per_s < kMoving_m_per_s || row.after_N < row.before_N - kTaken * breaking_N);
+        rows.append(QJsonObject{{"direction", QString::fromStdString(row.direction)},
+                                {"speed_m_per_s", row.speed_m_per_s},
+                                {"before_N", row.before_N},
+                                {"after_N", row.after_N}});
+        table.add({QString::fromStdString(row.direction), shortNumber(1e3 * row.speed_m_per_s), QString::number(row.before_N, 'f', 3),
+                   QString::number(row.after_N, 'f', 3)});
+    }
+    holds = holds && felt.workAfter_J > 0.0 && felt.heldAfter_N <= felt.heldBefore_N + 0.001;
+    text = QStringLiteral("\nFriction that a hand feels with nothing touched, before and after %1 % of the Coulomb friction is fed forward\n")
+               .arg(100.0 * felt.compensation, 0, 'f', 0) +
+           table.toText() + QLatin1Char('\n') +
+           alignedPairs({{QStringLiteral("held still, change felt"), QStringLiteral("%1 N before, %2 N after").arg(felt.heldBefore_N, 0, 'f', 3).arg(felt.heldAfter_N, 0, 'f', 3)},
+                         {QStringLiteral("work of the hand"), QStringLiteral("%1 mJ before, %2 mJ after").arg(1e3 * felt.workBefore_J, 0, 'f', 1).arg(1e3 * felt.workAfter_J, 0, 'f', 1)}});
+    return {{"compensation", felt.compensation},
+            {"rows", rows},
+            {"held_before_N", felt.heldBefore_N},
+            {"held_after_N", felt.heldAfter_N},
+            {"work_before_J", felt.workBefore_J},
+            {"work_after_J", felt.workAfter_J}};
+}
+
 /// P2's gimbal: friction of its motor axes by Tholey's method, beside what the plant was given; holds within a twentieth. And its delay, beside
 /// the age of its samples and the lag of its motors.
 core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
@@ -107,6 +143,9 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
         return tl::unexpected(delay.error());
     const double latency_s = delay->delay_s;
     const double cap = mechanisms::stiffnessCap_N_per_m(damping, core::kTickSeconds, latency_s);
+    const auto felt = session::feelFriction(parameters, kCompensation);
+    if (!felt)
+        return tl::unexpected(felt.error());
     TextTable table({QStringLiteral("axis"), QStringLiteral(">Coulomb"), QStringLiteral(">given"), QStringLiteral(">viscous"), QStringLiteral(">given")});
     QJsonArray axes;
     bool holds = std::abs(latency_s - given_s) <= kDelayTolerance_s;
@@ -121,13 +160,16 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
         axes.append(QJsonObject{{"axis", names[i]}, {"coulomb", axis->coulomb}, {"viscous", axis->viscous}});
         table.add({names[i], shortNumber(axis->coulomb), shortNumber(given.coulomb), shortNumber(axis->viscous), shortNumber(given.viscous)});
     }
+    QString feltText;
+    const QJsonObject feltJson = frictionFeltJson(*felt, holds, feltText);
     const QString text = QStringLiteral("Gimbal, simulated; N·m and N·m·s/rad, depth N and N·s/m.\n\n") + table.toText() + QLatin1Char('\n') +
                          alignedPairs({{QStringLiteral("latency, measured"), QStringLiteral("%1 ± %2 ms").arg(shortNumber(1e3 * latency_s), shortNumber(1e3 * delay->standardError_s))},
                                        {QStringLiteral("latency, given"), shortNumber(1e3 * given_s) + QStringLiteral(" ms")},
-                                       {QStringLiteral("stiffest wall"), shortNumber(cap) + QStringLiteral(" N/m")}});
+                                       {QStringLiteral("stiffest wall"), shortNumber(cap) + QStringLiteral(" N/m")}}) + feltText;
     return CommandOutput{QJsonDocument(QJsonObject{{"mechanism", "gimbal_hprd"},
                                                    {"holds", holds},
                                                    {"friction", axes},
+                                                   {"friction_felt", feltJson},
                                                    {"latency_us", 1e6 * latency_s},
                                                    {"latency_error_us", 1e6 * delay->standardError_s},
                                                    {"latency_given_us", 1e6 * given_s},
@@ -165,7 +207,7 @@ CommandSpec checkCommand() {
     command.verb = QStringLiteral("check");
     command.summary = QStringLiteral("verify a mechanism: force and angle beside P3's figures, friction, latency, stiffness cap");
     command.options = {
-        {QStringLiteral("mechanism"), QStringLiteral("ID"), QStringLiteral("fingertip_arm (default) or gimbal_hprd (friction and latency)")},
+        {QStringLiteral("mechanism"), QStringLiteral("ID"), QStringLiteral("fingertip_arm (default) or gimbal_hprd (friction, what is felt of it, and latency)")},
         {QStringLiteral("driver"), QStringLiteral("ID"), QStringLiteral("the device's driver (default: simulated)")},
         {QStringLiteral("seed"), QStringLiteral("S"), QStringLiteral("of sensor noise and poses (default 1)")},
         {QStringLiteral("frequency"), QStringLiteral("HZ"), QStringLiteral("of the 1 N sine, 0.05 to 5 (default 0.5; P3 does not print it)")},

@@ -2,6 +2,7 @@
 #include "session/study/study_limits.h"
 
 #include "core/units.h"
+#include "simulation/attributes/object_attributes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,12 @@ constexpr double kArmDamping_Ns_per_m = 2.0; ///< b of devices.md §6's example
 constexpr double kSiteForce_N = 4.0;         ///< models.md §5
 constexpr double kWeightShare = 0.75;        ///< of the force limit, for a lifted object: the rest is left for lifting it
 
+/// What the objects damp beside the attribute, N·s/m.
+double contactDamping(const psychophysics::StimulusDesign& stimulus) {
+    const auto fixed = stimulus.fixed.find("damping_Ns_per_m");
+    return fixed != stimulus.fixed.end() ? fixed->second : simulation::ObjectAttributes{}.damping_Ns_per_m;
+}
+
 /// The largest value of the attribute, SI; infinite where nothing limits it.
 double largestValue(const psychophysics::StimulusDesign& stimulus, const RenderingLimits& limits, std::string& why) {
     using psychophysics::Attribute;
@@ -27,7 +34,7 @@ double largestValue(const psychophysics::StimulusDesign& stimulus, const Renderi
         return kWeightShare * limits.largestForce_N / core::kStandardGravity;
     case Attribute::viscosity:
         why = "viscosity";
-        return limits.largestViscosity_Ns_per_m;
+        return std::max(0.0, limits.largestViscosity_Ns_per_m - contactDamping(stimulus)); // both act on one velocity
     case Attribute::deformation:
     case Attribute::roughness:
     case Attribute::friction:

@@ -12,7 +12,8 @@ namespace chiron::devices {
 
 /// What the supervisor lets through to one tool. Only the loop makes it, from the supervisor's answer.
 struct ForceCommand {
-    core::Wrench wrench_D;     ///< on the tool, in D, about the tip
+    core::Wrench wrench_D;     ///< on the tool, in D, about the tip; all of it
+    core::Wrench compensation_D; ///< what of it overcomes the mechanism's own friction: no tissue force, left out of what is measured
     core::DisplayPose display; ///< fingertip platforms
     bool enabled = false;      ///< false: motors off, the wrench is zero
 };

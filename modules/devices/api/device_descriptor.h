@@ -20,6 +20,8 @@ struct AxisDescriptor {
     double minimum = 0.0;         ///< m or rad
     double maximum = 0.0;
     double continuousRating = 0.0; ///< N or N·m that the axis gives for ever; 0 = not actuated
+    double coulombFriction = 0.0;  ///< of the axis as identified, N or N·m; 0 = not known, and not compensated
+    double viscousFriction = 0.0;  ///< the same, N·s/m or N·m·s/rad
 };
 
 /// How scores of a device are grouped: what can be felt is never compared with what is only shown.
@@ -39,7 +41,10 @@ struct DeviceDescriptor {
     std::uint32_t period_us = 1000; ///< P: declared time between packets
     double maximumForce_N = 0.0;   ///< continuous, any direction; 0 = none
     double maximumTorque_Nm = 0.0;
-    double maximumDamping_Ns_per_m = 50.0; ///< b_max (models.md §0)
+    /// b_max (models.md §0, §8): what may damp this mechanism altogether, friction's slope, viscosity, contact damping and injected
+    /// damping added up. Measured, with margin (tests/damping/README.md).
+    double maximumDamping_Ns_per_m = 50.0;
+    double frictionCompensation = 0.0; ///< share of its axes' Coulomb friction that is fed forward, 0..1; 0 = off (haptics/friction_compensation.h)
     DeviceClass deviceClass() const { return rendersForce ? DeviceClass::felt : DeviceClass::shown; }
 };
 

@@ -33,9 +33,11 @@ ObjectContactResponse ObjectContact::respond(const ContactPlace& place, double d
     out.stiffness_N_per_m = pressed.stiffness_N_per_m;
     const double leaving = place.velocity.dot(out.normal);
     if (pressed.force_N > 0.0) { // a surface that has not come back yet neither pushes nor rubs
-        out.normalForce_N = ContactDamping::normalForce(pressed.force_N * slant, m_damping_Ns_per_m + m_viscosity_Ns_per_m,
-                                                        depth, leaving);
-        out.viscous = Viscosity::force(m_viscosity_Ns_per_m, depth, place.velocity - leaving * out.normal);
+        const double both = m_damping_Ns_per_m + m_viscosity_Ns_per_m;
+        const double fits = DampingBudget::share(both, place.mostDamping_Ns_per_m);
+        out.normalForce_N = ContactDamping::normalForce(pressed.force_N * slant, fits * both, depth, leaving);
+        out.viscous = Viscosity::force(fits * m_viscosity_Ns_per_m, depth, place.velocity - leaving * out.normal);
+        out.damping_Ns_per_m = fits * both * Viscosity::weight(depth);
     }
     if (m_friction > 0.0)
         out.friction = state.bristle.update(place.position, out.normal, out.normalForce_N, m_friction,

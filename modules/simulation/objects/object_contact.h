@@ -3,6 +3,7 @@
 
 #include "core/geometry.h"
 #include "simulation/attributes/bristle_friction.h"
+#include "simulation/attributes/damping_budget.h"
 #include "simulation/attributes/deformation.h"
 #include "simulation/attributes/object_attributes.h"
 #include "simulation/attributes/roughness.h"
@@ -20,6 +21,7 @@ struct ContactPlace {
     double footScale = 1.0;
     core::Vec3 position = core::Vec3::Zero(); ///< of the tool, for friction
     core::Vec3 velocity = core::Vec3::Zero(); ///< of the tool
+    double mostDamping_Ns_per_m = kUnboundedDamping; ///< what of the tool's budget this contact may use
 };
 
 /// What one tool has done to one object so far: its bristle and its dent.
@@ -42,6 +44,7 @@ struct ObjectContactResponse {
     double normalForce_N = 0.0;               ///< ≥ 0
     double energy_J = 0.0;                    ///< stored in the springs, also while the surface still recovers
     double stiffness_N_per_m = 0.0;           ///< along m; 0 out of contact
+    double damping_Ns_per_m = 0.0;            ///< what damping and viscosity use of the tool's budget
     double surface_m = 0.0;                   ///< how deep the surface lies below its rest place (to draw it)
     bool inContact = false;
 };
@@ -56,12 +59,14 @@ inline void scale(ObjectContactResponse& response, double factor) noexcept {
     response.normalForce_N *= factor;
     response.energy_J *= factor;
     response.stiffness_N_per_m *= factor;
+    response.damping_Ns_per_m *= factor;
 }
 
 /// An object's attributes on a given surface, one law each, combined:
 ///   d' = d + h(C),  m = (−∇d − s(I − nnᵀ)∇h)/‖·‖,  (F, U) = Deformation(d')            elasticity, deformation, roughness
 ///   f_n = max(0, F ‖−∇d − s(I − nnᵀ)∇h‖ − (c + b) w v·m),  w = min(1, d'/0.5 mm)       damping, viscosity: never pulls
 ///   f = f_n m − b w (v − (v·m) m) + friction(μ, σ₀, f_n)
+/// c and b together are never more than the place's damping budget: both shrink alike where they are.
 /// With elasticity and roughness alone f = −∇U exactly where ∇d is a distance's and s is C's own (sphere, plane): conservative.
 /// The rest only takes energy. The weight is not here: it acts while the object is lifted (attributes/mass.h).
 /// Immutable after construction (which allocates nothing); all state is the caller's, one a tool. Thread: haptic.

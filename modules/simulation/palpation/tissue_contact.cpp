@@ -211,7 +211,7 @@ void TissueContact::addBalls(const core::Vec3& p_W, Elastic& elastic) const noex
     out.leanSaturated = lean.saturated;
 }
 
-TissueResponse TissueContact::respond(const core::ToolState& tool, TissueTouch& touch) const noexcept {
+TissueResponse TissueContact::respond(const core::ToolState& tool, TissueTouch& touch, double mostDamping_Ns_per_m) const noexcept {
     TissueResponse out;
     out.surfacePoint = tool.p_WT;
     if (!tool.p_WT.allFinite() || !tool.v_WT.allFinite()) {
@@ -240,7 +240,9 @@ TissueResponse TissueContact::respond(const core::ToolState& tool, TissueTouch& 
 
     // F = K d + B v (eq. 1); the normal part never pulls, and a finger that leaves faster than the tissue follows drags nothing along.
     const core::Vec3& damping = m_parameters.damping_Ns_per_m;
-    const double weight = smoothstep(foot.depth_m * m_perDampingDepth);
+    const double largest = damping.maxCoeff();
+    const double weight = smoothstep(foot.depth_m * m_perDampingDepth) * DampingBudget::share(largest, mostDamping_Ns_per_m);
+    out.damping_Ns_per_m = weight * largest;
     const double pressed = elastic.force.dot(frame.z);
     const double normal = std::max(0.0, pressed - weight * damping.z() * tool.v_WT.dot(frame.z));
     const double dragging = normal < pressed ? weight * normal / pressed : weight;

@@ -3,6 +3,7 @@
 
 #include "core/geometry.h"
 #include "core/tool_state.h"
+#include "simulation/attributes/damping_budget.h"
 #include "simulation/palpation/contact_frame.h"
 #include "simulation/palpation/lump_law.h"
 #include "simulation/palpation/smooth_patch.h"
@@ -37,6 +38,7 @@ struct TissueResponse {
     bool leanSaturated = false;
     double energy_J = 0.0;                        ///< U + ½ zᵀK z
     double stiffness_N_per_m = 0.0;               ///< largest of the contact, for the passivity credit
+    double damping_Ns_per_m = 0.0;                ///< what its damping uses of the tool's budget
     bool inContact = false;
     bool beyondChecked = false;                   ///< deeper than the lump's law, or nearer to the surface's centre of curvature, than is checked
 };
@@ -54,8 +56,8 @@ public:
     int lumps() const noexcept { return m_lumpCount; }
     core::Vec3 lumpCentre_W(int lump) const noexcept;
 
-    /// `touch` is the tool's own. Not finite: releases it and answers nothing.
-    TissueResponse respond(const core::ToolState& tool, TissueTouch& touch) const noexcept;
+    /// `touch` is the tool's own, `mostDamping_Ns_per_m` of its budget: B shrinks to it. Not finite: releases it and answers nothing.
+    TissueResponse respond(const core::ToolState& tool, TissueTouch& touch, double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
 
     const TissueSurface& surface() const noexcept { return m_surface; }
     double normalStiffness_N_per_m() const noexcept { return m_normalStiffness; } ///< k, from layers where not given

@@ -103,6 +103,7 @@ void TestDeviceFriction::aScaledWorkspaceScalesBoth() {
 
 void TestDeviceFriction::theSceneHasItsDevicesFriction() {
     session::SessionSetup setup = onMechanism();
+    setup.devices[0].maximumDamping_Ns_per_m = 50.0;
     const Vec3 usual = forceAtTheNeck(setup);
     setup.devices[0].maximumDamping_Ns_per_m = 10.0;
     const Vec3 weak = forceAtTheNeck(setup);

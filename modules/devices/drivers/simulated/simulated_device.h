@@ -21,6 +21,9 @@ public:
         core::Vec3 start_D{0.0, 0.0, 0.05}; ///< where the hand holds the tip at open(), m
         std::uint64_t seed = 1;             ///< of the hand's tremor
         std::optional<mechanisms::JawParameters> jaw = std::nullopt; ///< a grasper's; nothing: a plain probe
+        /// Share of the Coulomb friction that is fed forward (P2), 0..0.8. Above 0 the friction is identified when the device is
+        /// made (mechanisms/friction_identification.h), as a lab does it, not taken from `plant`.
+        double frictionCompensation = 0.0;
     };
 
     /// Fails (badInput) when the start lies outside the gimbal's travel, a jaw's number is out of range, or there is no strategy.
@@ -32,7 +35,7 @@ public:
     const mechanisms::GimbalPlant& plant() const noexcept { return m_plant; } ///< the truth, for tests
 
 private:
-    SimulatedDevice(const Configuration& configuration, const mechanisms::GimbalCoordinates& start,
+    SimulatedDevice(const Configuration& configuration, DeviceDescriptor descriptor, const mechanisms::GimbalCoordinates& start,
                     std::unique_ptr<mechanisms::HandStrategy> strategy);
     mechanisms::Plant& movedPlant() noexcept override { return m_plant; }
     void resetPlant() noexcept override { m_plant.reset(m_start); }

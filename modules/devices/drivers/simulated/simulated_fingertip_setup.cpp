@@ -68,6 +68,7 @@ DeviceDescriptor describeFingertip(const SimulatedFingertipDevice::Configuration
     d.inProcess = true;
     d.period_us = 1000;
     d.maximumForce_N = 4.0; // P3 §2.1, on the pad
+    d.maximumDamping_Ns_per_m = 30.0; // counts are felt from 50 on: three fifths of it (tests/damping/README.md)
     return d;
 }
 

@@ -19,6 +19,7 @@ core::Result<void> SimulatedMechanism::open() {
     m_cues = {};
     m_sample = {};
     m_onHand_D = {};
+    m_compensation_D = {};
     m_ticks = 0;
     return {};
 }
@@ -44,7 +45,10 @@ core::DeviceSample SimulatedMechanism::read(const realtime::HapticTick& now) noe
     m_sample.arrival_ns = now.now_ns();
     m_sample.status = core::sample_status::kMeasuredForce | core::sample_status::kHomed |
                       (plant.saturated() ? core::sample_status::kSaturated : 0u);
-    m_sample.measured = core::toArray(m_map.wrenchToW(plant.measured_D()));
+    Wrench measured_D = plant.measured_D();
+    measured_D.force -= m_compensation_D.force;
+    measured_D.torque -= m_compensation_D.torque;
+    m_sample.measured = core::toArray(m_map.wrenchToW(measured_D));
     addToSample(m_sample);
     return m_sample;
 }
@@ -74,6 +78,7 @@ Wrench SimulatedMechanism::gripOnTool(const mechanisms::ToolMotion& tool) const 
 
 void SimulatedMechanism::command(const realtime::HapticTick&, const ForceCommand& command) noexcept {
     mechanisms::Plant& plant = movedPlant();
+    m_compensation_D = command.enabled ? command.compensation_D : Wrench{};
     mechanisms::AxisEfforts efforts{};
     if (command.enabled)
         efforts = kinematics().efforts(m_sample, command.wrench_D);

@@ -73,6 +73,7 @@ private:
     core::VisibleCues m_cues;
     core::DeviceSample m_sample;
     core::Wrench m_onHand_D; ///< mean over the last tick
+    core::Wrench m_compensation_D; ///< of the last command
     bool m_turns = false;
     std::uint64_t m_ticks = 0;
 };

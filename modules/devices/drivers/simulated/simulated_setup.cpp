@@ -3,9 +3,12 @@
 #include "devices/drivers/simulated/simulated_device.h"
 
 #include "devices/axis_resolutions_setup.h"
+#include "mechanisms/friction_identification.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace chiron::devices {
@@ -46,6 +49,28 @@ DeviceDescriptor describe(const SimulatedDevice::Configuration& configuration) {
     d.inProcess = true;
     d.period_us = 1000;
     d.maximumForce_N = d.axes[3].continuousRating; // P2: about 3 N in each direction
+    d.maximumDamping_Ns_per_m = 35.0; // counts are felt from 60 on: three fifths of it (tests/damping/README.md)
+    return d;
+}
+
+/// As a lab would: the axes are moved slowly and their motors' efforts read, then the descriptor states what was found.
+core::Result<DeviceDescriptor> describeIdentified(const SimulatedDevice::Configuration& configuration) {
+    DeviceDescriptor d = describe(configuration);
+    if (configuration.frictionCompensation == 0.0)
+        return d;
+    if (!(configuration.frictionCompensation > 0.0 && configuration.frictionCompensation <= 1.0))
+        return core::fail(core::ErrorCode::badInput, "simulated device: a friction compensation of " +
+                                                         std::to_string(configuration.frictionCompensation) + "; expected a share of 0 to 1");
+    mechanisms::GimbalPlant plant(configuration.plant);
+    const auto found = mechanisms::identifyFriction(plant, {});
+    if (!found)
+        return tl::unexpected(found.error());
+    for (std::size_t axis = 0; axis < d.axes.size(); ++axis)
+        if (const auto& friction = (*found)[axis]) {
+            d.axes[axis].coulombFriction = std::max(0.0, friction->coulomb);
+            d.axes[axis].viscousFriction = std::max(0.0, friction->viscous);
+        }
+    d.frictionCompensation = configuration.frictionCompensation;
     return d;
 }
 
@@ -72,16 +97,19 @@ SimulatedDevice::create(const Configuration& configuration,
                  jaw->fingerSpeed_rad_per_s > 0.0))
         return core::fail(core::ErrorCode::badInput, "simulated device: a jaw that opens by more than 0 and at most half a turn, "
                                                      "in at least one step, with a lag and a speed above 0, is expected");
-    return std::unique_ptr<SimulatedDevice>(new SimulatedDevice(configuration, *start, std::move(strategy)));
+    auto descriptor = describeIdentified(configuration);
+    if (!descriptor)
+        return tl::unexpected(descriptor.error());
+    return std::unique_ptr<SimulatedDevice>(new SimulatedDevice(configuration, std::move(*descriptor), *start, std::move(strategy)));
 }
 
-SimulatedDevice::SimulatedDevice(const Configuration& configuration,
+SimulatedDevice::SimulatedDevice(const Configuration& configuration, DeviceDescriptor descriptor,
                                  const mechanisms::GimbalCoordinates& start,
                                  std::unique_ptr<mechanisms::HandStrategy> strategy)
     : SimulatedMechanism({configuration.hand, configuration.mapping, configuration.seed,
                           configuration.plant.instrumentMass_kg + configuration.plant.axisInertia[3], 0.0, configuration.jaw,
                           configuration.plant.sampleDelay_ticks},
-                         describe(configuration), std::move(strategy)),
+                         std::move(descriptor), std::move(strategy)),
       m_kinematics(configuration.plant.resolution, configuration.jaw ? configuration.jaw->resolution_rad() : 0.0, configuration.plant.pivotHeight_m, configuration.map),
       m_start(start), m_plant(configuration.plant) {}
 

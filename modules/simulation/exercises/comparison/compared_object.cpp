@@ -15,19 +15,21 @@ void ComparedObject::release() noexcept {
     m_state.reset();
 }
 
-ComparedResponse ComparedObject::respond(const core::Vec3& p, const core::Vec3& v) noexcept {
+ComparedResponse ComparedObject::respond(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept {
     ComparedResponse out;
     if (!m_present) {
         out.surfacePoint = p;
         return out;
     }
-    out = m_attribute == ComparedAttribute::stiffness ? pull(p, v) : m_attribute == ComparedAttribute::mass ? lift(p, v) : press(p, v);
+    out = m_attribute == ComparedAttribute::stiffness ? pull(p, v, mostDamping_Ns_per_m)
+          : m_attribute == ComparedAttribute::mass    ? lift(p, v, mostDamping_Ns_per_m)
+                                                       : press(p, v, mostDamping_Ns_per_m);
     m_touching = out.touching;
     out.held = m_held;
     return out;
 }
 
-ComparedResponse ComparedObject::pull(const core::Vec3& p, const core::Vec3& v) noexcept {
+ComparedResponse ComparedObject::pull(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept {
     ComparedResponse out;
     out.surfacePoint = p;
     const bool slack = (p - m_foot).norm() <= m_height_m;
@@ -38,16 +40,17 @@ ComparedResponse ComparedObject::pull(const core::Vec3& p, const core::Vec3& v) 
         m_held = false;
     if (!m_held)
         return out;
-    const SegmentPull pull = pullOf(m_tube, m_height_m, m_height_m, m_foot, p, v);
+    const SegmentPull pull = pullOf(m_tube, m_height_m, m_height_m, m_foot, p, v, mostDamping_Ns_per_m);
     out.force = -pull.onFirst;
     out.energy_J = pull.energy_J;
     out.stiffness_N_per_m = pull.stiffness_N_per_m;
+    out.damping_Ns_per_m = pull.damping_Ns_per_m;
     out.displacement_m = pull.stretch_m;
     out.touching = pull.stretch_m > 0.0;
     return out;
 }
 
-ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v) noexcept {
+ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept {
     ComparedResponse out;
     out.surfacePoint = p;
     const double away_m = (p - ring()).norm();
@@ -72,7 +75,9 @@ ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v) 
         return out;
     }
     const double below_m = std::max(0.0, -lift_m); // damping fades in from where it lies: none there, none in the air
-    const double support_N = ContactDamping::normalForce(bed_N, m_bedDamping_Ns_per_m, below_m, v.z());
+    const double damping = std::min(m_bedDamping_Ns_per_m, mostDamping_Ns_per_m);
+    const double support_N = ContactDamping::normalForce(bed_N, damping, below_m, v.z());
+    out.damping_Ns_per_m = damping * std::min(1.0, below_m / ContactDamping::kFullDepth_m);
     out.force = core::Vec3(0.0, 0.0, support_N - weight_N);
     out.energy_J = weight_N * lift_m + 0.5 * m_bed_N_per_m * (depth_m * depth_m - atRest_m * atRest_m);
     out.stiffness_N_per_m = depth_m > 0.0 ? m_bed_N_per_m : 0.0;
@@ -81,7 +86,7 @@ ComparedResponse ComparedObject::lift(const core::Vec3& p, const core::Vec3& v) 
     return out;
 }
 
-ComparedResponse ComparedObject::press(const core::Vec3& p, const core::Vec3& v) noexcept {
+ComparedResponse ComparedObject::press(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept {
     ComparedResponse out;
     ContactPlace place;
     const core::Vec3 across(p.x() - m_foot.x(), p.y() - m_foot.y(), 0.0);
@@ -96,9 +101,11 @@ ComparedResponse ComparedObject::press(const core::Vec3& p, const core::Vec3& v)
     place.foot = core::Vec3(p.x(), p.y(), top_m);
     place.position = p;
     place.velocity = v;
+    place.mostDamping_Ns_per_m = mostDamping_Ns_per_m;
     const ObjectContactResponse contact = m_pad.respond(place, core::kTickSeconds, m_state);
     out.force = contact.force;
     out.energy_J = contact.energy_J;
+    out.damping_Ns_per_m = contact.damping_Ns_per_m;
     out.stiffness_N_per_m = contact.stiffness_N_per_m;
     out.displacement_m = contact.depth_m;
     out.depth_m = place.depth_m;

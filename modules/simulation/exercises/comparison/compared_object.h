@@ -16,6 +16,7 @@ struct ComparedResponse {
     core::Vec3 surfacePoint = core::Vec3::Zero(); ///< where to draw the tool
     double energy_J = 0.0;
     double stiffness_N_per_m = 0.0;
+    double damping_Ns_per_m = 0.0; ///< what it uses of the tool's budget
     double displacement_m = 0.0; ///< stretch of the tube, lift of the object (negative: pressed into its bed), depth in the pad
     double depth_m = 0.0;        ///< below the pad's smooth surface, roughness left out; signed
     bool touching = false;       ///< force may flow
@@ -42,15 +43,15 @@ public:
     bool present() const noexcept { return m_present; }
     bool free() const noexcept { return !m_touching && !m_held; } ///< out of contact: can be changed unfelt
 
-    /// One tick with the tool at `p`, moving with `v` (W, finite).
-    ComparedResponse respond(const core::Vec3& p, const core::Vec3& v) noexcept;
+    /// One tick with the tool at `p`, moving with `v` (W, finite); `mostDamping_Ns_per_m`: of its budget.
+    ComparedResponse respond(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m = kUnboundedDamping) noexcept;
     /// One tick without a tool.
     void release() noexcept;
 
 private:
-    ComparedResponse pull(const core::Vec3& p, const core::Vec3& v) noexcept;
-    ComparedResponse lift(const core::Vec3& p, const core::Vec3& v) noexcept;
-    ComparedResponse press(const core::Vec3& p, const core::Vec3& v) noexcept;
+    ComparedResponse pull(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
+    ComparedResponse lift(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
+    ComparedResponse press(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
     core::Vec3 ring() const noexcept { return m_foot + core::Vec3(0.0, 0.0, m_height_m); }
 
     ComparedAttribute m_attribute = ComparedAttribute::stiffness;

@@ -175,7 +175,7 @@ void ComparisonScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
     ComparedResponse felt;
     m_place = -1;
     if (usable && exploring())
-        felt = respondAll(tool, out);
+        felt = respondAll(tool, in.dampingBudget_Ns_per_m[0], out);
     else
         for (ComparedObject& object : m_objects)
             object.release();
@@ -188,11 +188,13 @@ void ComparisonScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
 }
 
 /// All places, their forces summed; the answer is that of the one felt most.
-ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, SceneOutput& out) noexcept {
+ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m, SceneOutput& out) noexcept {
+    DampingBudget budget(mostDamping_Ns_per_m);
     ComparedResponse felt;
     double most_N = -1.0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_parameters.places); ++i) {
-        const ComparedResponse response = m_objects[i].respond(tool.p_WT, tool.v_WT);
+        const ComparedResponse response = m_objects[i].respond(tool.p_WT, tool.v_WT, budget.left_Ns_per_m());
+        budget.spend(response.damping_Ns_per_m);
         out.tissue.tools[0].force += response.force;
         out.storedEnergy_J += response.energy_J;
         out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
@@ -206,6 +208,7 @@ ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, SceneO
         if (response.touching && m_phase == TrialPhase::running)
             m_touched |= 1u << i;
     }
+    out.damping_Ns_per_m[0] = budget.used_Ns_per_m();
     return felt;
 }
 

@@ -61,7 +61,7 @@ private:
     bool exploring() const noexcept;
     int buttonAnswer(const SceneInput& in) noexcept;
     void touch(const SceneInput& in, SceneOutput& out) noexcept;
-    ComparedResponse respondAll(const core::ToolState& tool, SceneOutput& out) noexcept;
+    ComparedResponse respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m, SceneOutput& out) noexcept;
     void fillQuantities(const ComparedResponse& felt, const core::ToolState& tool, SceneOutput& out) const noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
 

@@ -26,7 +26,7 @@ double fallen(double x) noexcept {
 void ElasticTubeScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
     out = SceneOutput{};
     advance(in, out);
-    pull(in.tools, out);
+    pull(in, out);
     if (m_phase == TrialPhase::running && !in.paused)
         runTask(out);
     feel(in.tools, out);
@@ -134,14 +134,18 @@ bool ElasticTubeScene::tubePresent() const noexcept {
     return m_phase == TrialPhase::ready || m_phase == TrialPhase::running || fade() > 0.0;
 }
 
-void ElasticTubeScene::pull(const core::ToolStates& tools, SceneOutput& out) noexcept {
+void ElasticTubeScene::pull(const SceneInput& in, SceneOutput& out) noexcept {
     m_answer = TubeAnswer{};
     if (!tubePresent())
         return;
-    const TubeGrips::Change change = m_grips.update(tools, m_tube);
+    const TubeGrips::Change change = m_grips.update(in.tools, m_tube);
     out.events |= change.grasped ? bits::kGrasped : 0;
     out.events |= change.released ? bits::kReleased : 0;
-    m_answer = m_tube.step(m_grips.holds());
+    TubeChain::Holds holds = m_grips.holds();
+    for (std::size_t i = 0; i < in.dampingBudget_Ns_per_m.size(); ++i)
+        if (const int node = m_grips.nodeOf(i); node != TubeGrips::kNobody)
+            holds[static_cast<std::size_t>(node)].mostDamping_Ns_per_m = in.dampingBudget_Ns_per_m[i];
+    m_answer = m_tube.step(holds);
 }
 
 TubeTaskSample ElasticTubeScene::sample() const noexcept {
@@ -200,6 +204,7 @@ void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noe
         if (holds) {
             out.contactStiffness_N_per_m =
                 std::max(out.contactStiffness_N_per_m, share * m_answer.stiffness_N_per_m[static_cast<std::size_t>(node)]);
+            out.damping_Ns_per_m[i] = share * m_answer.damping_Ns_per_m[static_cast<std::size_t>(node)];
         }
         const bool touching = out.tissue.tools[i].force != core::Vec3::Zero();
         if (touching != m_touching[i])

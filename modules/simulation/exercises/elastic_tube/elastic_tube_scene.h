@@ -49,7 +49,7 @@ private:
     void enterReady(SceneOutput& out) noexcept;
     void runTask(SceneOutput& out) noexcept;
     void leaveTrial(SceneOutput& out) noexcept;
-    void pull(const core::ToolStates& tools, SceneOutput& out) noexcept;
+    void pull(const SceneInput& in, SceneOutput& out) noexcept;
     void feel(const core::ToolStates& tools, SceneOutput& out) noexcept;
     double tornShare() const noexcept;
     core::Vec3 slipping(std::size_t tool, const core::Vec3& pull, bool holds) noexcept;

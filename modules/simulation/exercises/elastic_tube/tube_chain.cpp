@@ -51,6 +51,15 @@ std::size_t TubeChain::neighbour(std::size_t node, int step) const noexcept {
     return i;
 }
 
+/// What the hands at both ends can bear of it: a place between two segments gives half its budget to each, and two hands that move
+/// against each other meet twice the damping.
+double TubeChain::mostDampingOf(std::size_t a, std::size_t b) const noexcept {
+    const auto budget = [this](std::size_t node) {
+        return m_holds[node].held ? m_holds[node].mostDamping_Ns_per_m * (between(node) ? 0.5 : 1.0) : kUnboundedDamping;
+    };
+    return std::min(budget(a), budget(b)) * (m_holds[a].held && m_holds[b].held ? 0.5 : 1.0);
+}
+
 core::Vec3 TubeChain::restingPlace(std::size_t end, std::size_t at) const noexcept {
     if (!m_shape.fixed)
         return {m_p[end].x(), m_p[end].y(), m_shape.radius_m};
@@ -156,7 +165,10 @@ TubeAnswer TubeChain::step(const Holds& holds) noexcept {
         if (pulls(a) && pulls(b)) {
             const bool damped = attached(a) && attached(b); // what recoils has a velocity of no hand
             const core::Vec3 rate = damped ? core::Vec3(m_holds[b].v_W - m_holds[a].v_W) : core::Vec3(core::Vec3::Zero());
-            const SegmentPull pull = pullOf(m_shape.law, m_shape.length_m, rest_m(a, b), m_p[a], m_p[b], rate);
+            const SegmentPull pull = pullOf(m_shape.law, m_shape.length_m, rest_m(a, b), m_p[a], m_p[b], rate, mostDampingOf(a, b));
+            const double felt = (damped ? pull.damping_Ns_per_m : 0.0) * (m_holds[a].held && m_holds[b].held ? 2.0 : 1.0);
+            answer.damping_Ns_per_m[a] += felt;
+            answer.damping_Ns_per_m[b] += felt;
             answer.force[a] += pull.onFirst;
             answer.force[b] -= pull.onFirst;
             answer.stiffness_N_per_m[a] += pull.stiffness_N_per_m;

@@ -3,6 +3,7 @@
 
 #include "core/geometry.h"
 #include "core/laparoscopy_cues.h"
+#include "simulation/attributes/damping_budget.h"
 #include "simulation/exercises/elastic_tube/tube_law.h"
 
 #include <array>
@@ -28,12 +29,14 @@ struct NodeHold {
     bool held = false;
     core::Vec3 p_W = core::Vec3::Zero(); ///< m
     core::Vec3 v_W = core::Vec3::Zero(); ///< m/s
+    double mostDamping_Ns_per_m = kUnboundedDamping; ///< its tool's budget
 };
 
 /// What the tube answers.
 struct TubeAnswer {
     std::array<core::Vec3, TubeShape::kMaxNodes> force{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()}; ///< N, on what holds the node
     std::array<double, TubeShape::kMaxNodes> stiffness_N_per_m{};                                                   ///< that it feels
+    std::array<double, TubeShape::kMaxNodes> damping_Ns_per_m{};                                                    ///< that it uses
     double tension_N = 0.0; ///< largest along the tube
     double stretch_m = 0.0; ///< largest, as of the whole tube
     double energy_J = 0.0;  ///< elastic
@@ -73,6 +76,7 @@ private:
     bool counts(std::size_t node) const noexcept { return !between(node) || m_holds[node].held || m_lag_m[node] > 0.0; }
     double rest_m(std::size_t a, std::size_t b) const noexcept;
     std::size_t attachmentOf(std::size_t end) const noexcept;
+    double mostDampingOf(std::size_t a, std::size_t b) const noexcept;
     std::size_t neighbour(std::size_t node, int step) const noexcept;
     core::Vec3 restingPlace(std::size_t end, std::size_t at) const noexcept;
     core::Vec3 placeBetween(std::size_t node) const noexcept;

@@ -25,7 +25,7 @@ core::Vec3 bulgeDirection(const core::Vec3& chord, double length_m) noexcept {
 } // namespace
 
 SegmentPull pullOf(const TubeLaw& law, double tubeLength_m, double restLength_m, const core::Vec3& a, const core::Vec3& b,
-                   const core::Vec3& rate) noexcept {
+                   const core::Vec3& rate, double mostDamping_Ns_per_m) noexcept {
     SegmentPull pull;
     const core::Vec3 chord = b - a;
     const double length_m = chord.norm();
@@ -37,7 +37,9 @@ SegmentPull pullOf(const TubeLaw& law, double tubeLength_m, double restLength_m,
     const double stretching = u.dot(rate) * whole;
     const double fade = std::min(1.0, stretch_m / kTubeDampingFull_m);
     pull.stretch_m = stretch_m;
-    pull.tension_N = std::max(0.0, law.tension_N(stretch_m) + law.viscosity_Ns_per_m * fade * stretching);
+    const double viscosity = law.viscosity_Ns_per_m * DampingBudget::share(law.viscosity_Ns_per_m * whole, mostDamping_Ns_per_m);
+    pull.tension_N = std::max(0.0, law.tension_N(stretch_m) + viscosity * fade * stretching);
+    pull.damping_Ns_per_m = viscosity * whole * fade;
     pull.onFirst = pull.tension_N * u;
     pull.energy_J = law.energy_J(stretch_m) / whole;
     pull.stiffness_N_per_m = law.slope_N_per_m(stretch_m) * whole;

@@ -63,6 +63,7 @@ void HandlingWorld::clear() noexcept {
 HandlingAnswer HandlingWorld::step(const HandlingTool& tool) noexcept {
     HandlingAnswer answer;
     answer.surfacePoint = tool.p_W;
+    m_budget = DampingBudget(tool.mostDamping_Ns_per_m);
     if (m_held != kNone && tool.present) {
         LooseBody& body = m_bodies[static_cast<std::size_t>(m_held)].it;
         body.p_W = tool.p_W + m_grip_m + m_slide.offset();
@@ -86,6 +87,7 @@ HandlingAnswer HandlingWorld::step(const HandlingTool& tool) noexcept {
     carry(answer);
     countEnergy(answer);
     moveBodies(answer);
+    answer.damping_Ns_per_m = m_budget.used_Ns_per_m();
     return answer;
 }
 
@@ -116,6 +118,7 @@ void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnsw
     place.footScale = radius / std::max(distance, kInnermost * radius);
     place.position = away;
     place.velocity = tool.v_W - body.it.v_W;
+    place.mostDamping_Ns_per_m = m_budget.left_Ns_per_m();
     ObjectContactResponse touch = m_object.respond(place, kT, body.tip);
     const bool pierced = body.yield.everYields() && place.depth_m > kPiercedShare * radius;
     const double holds = body.yield.step(touch.force.norm(), !touch.inContact, pierced, kT);
@@ -125,6 +128,7 @@ void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnsw
     if (!touch.inContact || holds == 0.0)
         return;
     body.touched = true;
+    m_budget.spend(touch.damping_Ns_per_m);
     body.load -= touch.force;
     answer.force += touch.force;
     answer.stiffness_N_per_m = std::max(answer.stiffness_N_per_m, touch.stiffness_N_per_m);
@@ -146,8 +150,12 @@ ContactPlace HandlingWorld::bedPlace(std::size_t who, const Vec3& p, const Vec3&
 void HandlingWorld::layOnBed(std::size_t i) noexcept {
     LooseBody& body = m_bodies[i].it;
     const std::size_t who = SoftBed::kFirstBody + i;
-    const ContactPlace place = bedPlace(who, body.p_W, body.v_W, body.radius_m(), 0.0);
+    ContactPlace place = bedPlace(who, body.p_W, body.v_W, body.radius_m(), 0.0);
+    if (isHeld(i)) // moves with the tool
+        place.mostDamping_Ns_per_m = m_budget.left_Ns_per_m();
     const ObjectContactResponse& felt = body.pressBed(m_bodyBed, place);
+    if (isHeld(i))
+        m_budget.spend(felt.damping_Ns_per_m);
     if (m_soft != nullptr)
         m_soft->touched(who, body.p_W, body.radius_m(), place, felt);
 }
@@ -160,7 +168,8 @@ void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) n
         if (m_soft != nullptr)
             m_soft->release(SoftBed::kTip);
     }
-    const ContactPlace place = bedPlace(SoftBed::kTip, tool.p_W, tool.v_W, 0.0, m_bed.reach_m());
+    ContactPlace place = bedPlace(SoftBed::kTip, tool.p_W, tool.v_W, 0.0, m_bed.reach_m());
+    place.mostDamping_Ns_per_m = m_budget.left_Ns_per_m();
     ObjectContactResponse touch = m_bed.respond(place, kT, m_tipOnBed);
     const bool out = m_soft != nullptr && touch.inContact && m_soft->isOutElsewhere(SoftBed::kTip, tool.p_W, place);
     const double holds = m_bedYield.step(touch.force.norm(), !touch.inContact && !m_bedYield.through(), out, kT);
@@ -173,6 +182,7 @@ void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) n
     if (!touch.inContact)
         return;
     const double depth = std::max(0.0, place.depth_m);
+    m_budget.spend(touch.damping_Ns_per_m);
     answer.force += touch.force;
     answer.stiffness_N_per_m = std::max(answer.stiffness_N_per_m, touch.stiffness_N_per_m);
     answer.bedDepth_m = depth;
@@ -205,6 +215,7 @@ void HandlingWorld::carry(HandlingAnswer& answer) noexcept {
         return;
     Body& body = m_bodies[static_cast<std::size_t>(m_held)];
     const Vec3 load = body.load + body.it.heldForce();
+    m_budget.spend(body.it.rolling_Ns_per_m());
     answer.force -= m_slide.step(load, gripLimit_N(m_object.friction(), m_squeeze.force_N), body.it.mass_kg(), kT);
     answer.stiffness_N_per_m = std::max(answer.stiffness_N_per_m, body.it.bedStiffness_N_per_m());
     answer.touching = true;

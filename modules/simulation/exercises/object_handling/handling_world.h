@@ -20,6 +20,7 @@ struct HandlingTool {
     core::Vec3 p_W = core::Vec3::Zero();
     core::Vec3 v_W = core::Vec3::Zero();
     double opening_m = 0.0; ///< between the tips of its jaws
+    double mostDamping_Ns_per_m = kUnboundedDamping; ///< its budget
 };
 
 /// What the world answers to it.
@@ -28,6 +29,7 @@ struct HandlingAnswer {
     core::Vec3 surfacePoint = core::Vec3::Zero(); ///< where a tool that stays at the surface is drawn
     double energy_J = 0.0;                        ///< held by what the tool touches, above its rest; ≥ 0
     double stiffness_N_per_m = 0.0;               ///< largest of the active contacts
+    double damping_Ns_per_m = 0.0;                ///< what all of them use of the tool's budget
     double bedDepth_m = 0.0;                      ///< deepest that the tool or an object presses the bed
     bool touching = false;
     std::uint8_t contact = 0; ///< core::contact_bits
@@ -106,6 +108,7 @@ private:
     core::Vec3 m_grip_m = core::Vec3::Zero(); ///< the held body's middle from the tip when it was grasped, kept in W
     int m_held = kNone;
     Squeeze m_squeeze;
+    DampingBudget m_budget; ///< of the tick in hand
     bool m_damageArmed = true;
 };
 

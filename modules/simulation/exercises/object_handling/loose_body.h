@@ -33,6 +33,7 @@ public:
     bool onBed() const noexcept { return m_onBed.inContact; }
     double bedDepth_m() const noexcept { return m_depth_m; } ///< at the last pressBed(); ≤ 0: it does not touch
     double restDepth_m() const noexcept { return m_restDepth_m; } ///< d_0
+    double rolling_Ns_per_m() const noexcept; ///< that resists it across the bed now
     double bedStiffness_N_per_m() const noexcept { return m_onBed.stiffness_N_per_m; }
     double radius_m() const noexcept { return m_radius_m; }
     double mass_kg() const noexcept { return m_mass_kg; }
@@ -47,7 +48,6 @@ public:
     core::Quat q_W = core::Quat::Identity();
 
 private:
-    double rolling_Ns_per_m() const noexcept;
     void roll(const core::Vec3& step_m) noexcept;
 
     double m_radius_m = 0.011;

@@ -111,6 +111,7 @@ void ObjectHandlingScene::touch(const SceneInput& in, SceneOutput& out) noexcept
         if (!in.paused)
             m_opening_m = JawGeometry{m_parameters.jawLength_m}.opening_m(tool.jaw_rad);
         grasper.opening_m = m_opening_m;
+        grasper.mostDamping_Ns_per_m = in.dampingBudget_Ns_per_m[0];
     }
     HandlingAnswer answer;
     if (objectsPresent()) {
@@ -127,6 +128,7 @@ void ObjectHandlingScene::touch(const SceneInput& in, SceneOutput& out) noexcept
     }
     out.tissue.tools[0].force = answer.force;
     out.contact[0] = answer.contact;
+    out.damping_Ns_per_m[0] = answer.damping_Ns_per_m;
     out.storedEnergy_J = out.bodyEnergy_J[0] = answer.energy_J;
     out.contactStiffness_N_per_m = out.bodyStiffness_N_per_m[0] = answer.stiffness_N_per_m;
     out.energyByBody = true;

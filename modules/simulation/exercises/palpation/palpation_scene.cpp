@@ -23,7 +23,7 @@ void PalpationScene::respond(const realtime::HapticTick&, const SceneInput& in, 
     const int count = std::clamp(in.tools.count, 0, core::kMaxTools);
     m_buttons.follow(in.tools, count);
     advance(in, out);
-    touch(in.tools, count, out);
+    touch(in, count, out);
     if (m_phase == TrialPhase::running && !in.paused && !m_trialOver) {
         follow(in);
         endTrial(out);
@@ -132,11 +132,12 @@ void PalpationScene::giveWay(Finger& finger, double dt_s) const noexcept {
     response.display.normalForce_N *= factor;
     response.energy_J *= factor;
     response.stiffness_N_per_m *= factor;
+    response.damping_Ns_per_m *= factor;
     response.inContact = factor > 0.0;
 }
 
-void PalpationScene::touchWith(Finger& finger, const core::ToolState& tool) const noexcept {
-    finger.response = m_tissue.respond(tool, finger.touch);
+void PalpationScene::touchWith(Finger& finger, const core::ToolState& tool, double mostDamping_Ns_per_m) const noexcept {
+    finger.response = m_tissue.respond(tool, finger.touch, mostDamping_Ns_per_m);
     if (!m_parameters.control.forceOff)
         giveWay(finger, core::kTickSeconds);
     finger.above_m = finger.response.depth_m > 0.0 ? 0.0 : (tool.p_WT - finger.response.surfacePoint).norm();
@@ -149,7 +150,8 @@ void PalpationScene::touchWith(Finger& finger, const core::ToolState& tool) cons
     finger.response = nothing;
 }
 
-void PalpationScene::touch(const core::ToolStates& tools, int count, SceneOutput& out) noexcept {
+void PalpationScene::touch(const SceneInput& in, int count, SceneOutput& out) noexcept {
+    const core::ToolStates& tools = in.tools;
     out.tissue.count = count;
     for (std::size_t i = 0; i < m_fingers.size(); ++i) {
         Finger& finger = m_fingers[i];
@@ -158,7 +160,7 @@ void PalpationScene::touch(const core::ToolStates& tools, int count, SceneOutput
         // A pose that is not a number touches nothing; the supervisor deals with the sample.
         finger.used = there && tissuePresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite() && tool.q_WT.coeffs().allFinite();
         if (finger.used) {
-            touchWith(finger, tool);
+            touchWith(finger, tool, in.dampingBudget_Ns_per_m[i]);
         } else {
             finger.touch.release();
             finger.response = TissueResponse{};
@@ -170,6 +172,7 @@ void PalpationScene::touch(const core::ToolStates& tools, int count, SceneOutput
             out.p_WProxy[i] = finger.used && response.inContact ? response.surfacePoint : tool.p_WT;
         out.tissue.tools[i].force = response.force;
         out.display[i] = response.display;
+        out.damping_Ns_per_m[i] = response.damping_Ns_per_m;
         out.storedEnergy_J += response.energy_J;
         out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
         if (response.inContact != finger.touching)

@@ -70,8 +70,8 @@ private:
     bool tissuePresent() const noexcept;
     void moveLumps() noexcept;
 
-    void touch(const core::ToolStates& tools, int count, SceneOutput& out) noexcept;
-    void touchWith(Finger& finger, const core::ToolState& tool) const noexcept;
+    void touch(const SceneInput& in, int count, SceneOutput& out) noexcept;
+    void touchWith(Finger& finger, const core::ToolState& tool, double mostDamping_Ns_per_m) const noexcept;
     void giveWay(Finger& finger, double dt_s) const noexcept;
     void follow(const SceneInput& in) noexcept;
     void search() noexcept;

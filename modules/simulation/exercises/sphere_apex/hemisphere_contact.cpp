@@ -4,11 +4,12 @@
 #include "simulation/attributes/contact_damping.h"
 #include "simulation/attributes/elasticity.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::simulation {
 
-ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT) const noexcept {
+ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT, double mostDamping_Ns_per_m) const noexcept {
     ContactResponse response;
     response.surfacePoint = p_WT;
     const SurfaceDistance surface = m_parameters.surface.distance(p_WT);
@@ -31,8 +32,9 @@ ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::V
     const StiffnessSample k = m_parameters.stiffness.sample(p_WT.x(), p_WT.y());
     const core::Vec3 elastic = Elasticity::force(k.value_N_per_m, k.gradient_N_per_m2, depth, -outward);
     const double elasticNormal = elastic.dot(response.normal);
-    response.normalForce_N = ContactDamping::normalForce(elasticNormal, m_parameters.damping_Ns_per_m, depth,
-                                                         v_WT.dot(response.normal));
+    const double damping = std::min(m_parameters.damping_Ns_per_m, mostDamping_Ns_per_m);
+    response.normalForce_N = ContactDamping::normalForce(elasticNormal, damping, depth, v_WT.dot(response.normal));
+    response.damping_Ns_per_m = damping * std::min(1.0, depth * (1.0 / ContactDamping::kFullDepth_m));
     response.force = elastic + (response.normalForce_N - elasticNormal) * response.normal;
     response.surfacePoint = p_WT + depth * surface.normal;
     response.depth_m = depth;
@@ -42,9 +44,9 @@ ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::V
     return response;
 }
 
-ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT,
-                                           BristleFriction& bristle) const noexcept {
-    ContactResponse response = respond(p_WT, v_WT);
+ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT, BristleFriction& bristle,
+                                           double mostDamping_Ns_per_m) const noexcept {
+    ContactResponse response = respond(p_WT, v_WT, mostDamping_Ns_per_m);
     if (!response.inContact || m_parameters.friction == 0.0)
         bristle.release();
     else

@@ -3,6 +3,7 @@
 
 #include "core/geometry.h"
 #include "simulation/attributes/bristle_friction.h"
+#include "simulation/attributes/damping_budget.h"
 #include "simulation/attributes/dimple.h"
 #include "simulation/attributes/stiffness_field.h"
 #include "simulation/geometry/hemisphere_on_plane.h"
@@ -21,6 +22,7 @@ struct ContactResponse {
     double normalForce_N = 0.0; ///< ≥ 0
     double energy_J = 0.0;      ///< elastic U = ½ k (d+h)²; the bristle's energy is not counted
     double stiffness_N_per_m = 0.0; ///< k at this place; 0 when not in contact
+    double damping_Ns_per_m = 0.0;  ///< what its damping uses of the tool's budget
     bool inContact = false;
     std::uint8_t bits = 0;          ///< core::contact_bits
 };
@@ -49,10 +51,11 @@ public:
 
     /// `p_WT` m, `v_WT` m/s; `bristle` is advanced by one tick (and released out of contact or without
     /// friction).
-    ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT,
-                            BristleFriction& bristle) const noexcept;
+    /// `mostDamping_Ns_per_m`: of the tool's budget.
+    ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT, BristleFriction& bristle,
+                            double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
     /// The same without friction: a pure function of position and velocity.
-    ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT) const noexcept;
+    ContactResponse respond(const core::Vec3& p_WT, const core::Vec3& v_WT, double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
 
     const Parameters& parameters() const noexcept { return m_parameters; }
 
@@ -68,6 +71,7 @@ inline void scale(ContactResponse& response, double factor) noexcept {
     response.normalForce_N *= factor;
     response.energy_J *= factor;
     response.stiffness_N_per_m *= factor;
+    response.damping_Ns_per_m *= factor;
 }
 
 } // namespace chiron::simulation

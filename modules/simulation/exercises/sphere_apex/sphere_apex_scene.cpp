@@ -16,7 +16,7 @@ void SphereApexScene::respond(const realtime::HapticTick& now, const SceneInput&
     advance(now.index(), in, out);
     if (m_dome && m_dome->update(now.index(), in.slow))
         out.events |= bits::kSlowApplied;
-    touch(in.tools, out);
+    touch(in, out);
     if (m_dome && objectPresent())
         m_dome->ask(now.index());
     out.trial = static_cast<std::uint16_t>(m_trial);
@@ -103,8 +103,8 @@ bool SphereApexScene::objectPresent() const noexcept {
     return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
 }
 
-ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolState& state) noexcept {
-    ContactResponse response = m_contact.respond(state.p_WT, state.v_WT, m_bristles[tool]);
+ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept {
+    ContactResponse response = m_contact.respond(state.p_WT, state.v_WT, m_bristles[tool], mostDamping_Ns_per_m);
     ContactYield& yield = m_yields[tool];
     const bool breached = yield.everYields() && response.depth_m > kDeepestShare * m_parameters.radius_m;
     scale(response, yield.step(response.force.norm(), !response.inContact, breached, core::kTickSeconds));
@@ -112,17 +112,18 @@ ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolSt
     return response;
 }
 
-ContactResponse SphereApexScene::touchWith(std::size_t tool, const core::ToolState& state) noexcept {
+ContactResponse SphereApexScene::touchWith(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept {
     if (m_dome)
-        return m_dome->respond(tool, state.p_WT, state.v_WT);
+        return m_dome->respond(tool, state.p_WT, state.v_WT, mostDamping_Ns_per_m);
     if (m_parameters.surface == ApexSurface::exact)
-        return touchExact(tool, state);
+        return touchExact(tool, state, mostDamping_Ns_per_m);
     ContactResponse nothing; // the dome could not be made: another surface would be another exercise, so the trials run out
     nothing.surfacePoint = state.p_WT;
     return nothing;
 }
 
-void SphereApexScene::touch(const core::ToolStates& tools, SceneOutput& out) noexcept {
+void SphereApexScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
+    const core::ToolStates& tools = in.tools;
     const int count = std::clamp(tools.count, 0, core::kMaxTools);
     out.tissue.count = count;
     for (std::size_t i = 0; i < static_cast<std::size_t>(core::kMaxTools); ++i) {
@@ -131,7 +132,7 @@ void SphereApexScene::touch(const core::ToolStates& tools, SceneOutput& out) noe
         const core::ToolState& tool = tools.tools[i];
         // A pose that is not a number must not stay in the bristle; the supervisor deals with the sample.
         if (used && objectPresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite()) {
-            response = touchWith(i, tool);
+            response = touchWith(i, tool, in.dampingBudget_Ns_per_m[i]);
             out.p_WProxy[i] = response.surfacePoint;
         } else {
             m_bristles[i].release();
@@ -143,6 +144,7 @@ void SphereApexScene::touch(const core::ToolStates& tools, SceneOutput& out) noe
         }
         out.tissue.tools[i].force = response.force;
         out.contact[i] = response.bits;
+        out.damping_Ns_per_m[i] = response.damping_Ns_per_m;
         out.storedEnergy_J += response.energy_J;
         out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
         if (response.inContact != m_touching[i])

@@ -68,9 +68,9 @@ private:
     void leaveTrial(SceneOutput& out) noexcept;
     bool markPressed(const SceneInput& in) noexcept;
     bool objectPresent() const noexcept;
-    ContactResponse touchWith(std::size_t tool, const core::ToolState& state) noexcept;
-    ContactResponse touchExact(std::size_t tool, const core::ToolState& state) noexcept;
-    void touch(const core::ToolStates& tools, SceneOutput& out) noexcept;
+    ContactResponse touchWith(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept;
+    ContactResponse touchExact(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept;
+    void touch(const SceneInput& in, SceneOutput& out) noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
 
     SphereApexParameters m_parameters;

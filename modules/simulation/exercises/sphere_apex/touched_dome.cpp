@@ -114,7 +114,8 @@ bool TouchedDome::isBreached(const Tool& tool, const ContactPlace& place, const 
     return elsewhere && isClear(p);
 }
 
-ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, const core::Vec3& v_WT) noexcept {
+ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, const core::Vec3& v_WT,
+                                     double mostDamping_Ns_per_m) noexcept {
     const Place& at = m_places[m_trial];
     Tool& state = m_tools[tool];
     state.used = true;
@@ -126,8 +127,9 @@ ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, c
         state.used = true;
         state.yield = ContactYield(m_yield);
     }
-    const ContactPlace place =
+    ContactPlace place =
         m_organ ? placeOn(*m_organ, state, p, v, reach) : placeOn(m_mesh, state, p, v, reach);
+    place.mostDamping_Ns_per_m = mostDamping_Ns_per_m;
     const ObjectContactResponse felt = at.contact.respond(place, core::kTickSeconds, state.object);
 
     const bool outside = !felt.inContact && !state.yield.through();
@@ -153,6 +155,7 @@ ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, c
     response.depth_m = felt.depth_m;
     response.normalForce_N = felt.normalForce_N;
     response.energy_J = felt.energy_J;
+    response.damping_Ns_per_m = felt.damping_Ns_per_m;
     // The force turns with the ball's nearest place, by 1/(R − d) a way; between facets by up to twice that.
     response.stiffness_N_per_m = felt.stiffness_N_per_m + 2.0 * felt.force.norm() / std::max(m_deepest_m / kDeepestShare - felt.depth_m, m_deepest_m / kDeepestShare - m_deepest_m);
     if (holds > 0.0)

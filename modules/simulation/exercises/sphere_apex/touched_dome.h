@@ -46,7 +46,9 @@ public:
     /// Once a tick before respond(); true when an answer of the slow model took effect.
     bool update(std::uint64_t tick, SlowUpdate when) noexcept;
     /// What tool `tool` (0..kMaxTools-1) feels, on the tool, W. Once a tick for each that touches; release() for the others.
-    ContactResponse respond(std::size_t tool, const core::Vec3& p_WT, const core::Vec3& v_WT) noexcept;
+    /// `mostDamping_Ns_per_m`: of its budget.
+    ContactResponse respond(std::size_t tool, const core::Vec3& p_WT, const core::Vec3& v_WT,
+                            double mostDamping_Ns_per_m = kUnboundedDamping) noexcept;
     void release(std::size_t tool) noexcept;
     /// Once a tick after respond(), while the dome is there: asks the slow model when it is time.
     void ask(std::uint64_t tick) noexcept;

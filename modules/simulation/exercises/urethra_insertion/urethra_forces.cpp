@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chiron::simulation {
 
@@ -128,9 +129,12 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
     const double along = motion.v_A.dot(a);
     const double spin = motion.w_A.dot(a);
     const double around = spin * tables.scopeRadius_m;
-    const double v0 = std::max(tables.leastSpeed_m_per_s, sums.friction_N / tables.maximumDamping_Ns_per_m);
+    // Viscosity and friction's slope share the tool's budget; friction keeps half of it at least.
+    const double viscous = std::min(tables.viscosity_Ns_per_m2 * sums.opened_m, 0.5 * motion.mostDamping_Ns_per_m);
+    const double steepest = std::min(tables.maximumDamping_Ns_per_m, motion.mostDamping_Ns_per_m - viscous);
+    const double v0 = steepest > 0.0 ? std::max(tables.leastSpeed_m_per_s, sums.friction_N / steepest) : std::numeric_limits<double>::infinity();
     const double coulomb = sums.friction_N / std::sqrt(along * along + around * around + v0 * v0);
-    const double viscous = tables.viscosity_Ns_per_m2 * sums.opened_m;
+    r.damping_Ns_per_m = coulomb + viscous;
     r.friction_N = -coulomb * along;
     r.viscous_N = -viscous * along;
     r.torqueZ_Nm = -(coulomb + viscous) * around * tables.scopeRadius_m;

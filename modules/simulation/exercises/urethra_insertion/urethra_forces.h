@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "simulation/attributes/damping_budget.h"
 #include "simulation/geometry/urethra/urethra_centreline.h"
 #include "simulation/geometry/urethra/urethra_wall.h"
 
@@ -19,7 +20,7 @@ struct UrethraForceSettings {
     double maximumStep_m = 0.00125;   ///< of fine: Δs = L/⌈L/this⌉, this no more than the narrowest edge of a local change / 3.2
     int basicSections = 26;           ///< of p1Basic, equidistant along z; ≥ 2
     double count_m = 25e-6; ///< one count at the tip, V₀ ≥ count/15 ms (models.md §0): a session puts its device's here
-    double maximumDamping_Ns_per_m = 50.0; ///< b_max, V₀ ≥ μN/b_max: a session takes its device's where that is smaller
+    double maximumDamping_Ns_per_m = 50.0; ///< of friction's slope, V₀ ≥ μN/b_max: a session takes its device's where that is smaller
 };
 
 /// The endoscope in A. `axis_A`: unit, the way it looks (forward); `spin`: about that axis.
@@ -28,6 +29,7 @@ struct EndoscopeMotion {
     core::Vec3 axis_A = core::Vec3::UnitZ();
     core::Vec3 v_A = core::Vec3::Zero(); ///< m/s, of the tip
     core::Vec3 w_A = core::Vec3::Zero(); ///< rad/s
+    double mostDamping_Ns_per_m = kUnboundedDamping; ///< the tool's budget: friction's slope and viscosity together keep to it
 };
 
 /// Everything that P1's Info window shows, and more. On the tool, A, SI.
@@ -47,6 +49,7 @@ struct UrethraResponse {
     double torqueZ_Nm = 0.0;  ///< T_z, about the axis
     double energy_J = 0.0;    ///< U
     double stiffness_N_per_m = 0.0; ///< an upper bound of the stiffness of elastic forces now, across and along, for the passivity credit
+    double damping_Ns_per_m = 0.0; ///< what friction, at this speed, and viscosity use of the tool's budget
     bool touching = false;    ///< the beak is in, or the bladder's wall is touched
 };
 

@@ -30,7 +30,7 @@ std::array<double, 3> arrayOf(const core::Vec3& v) noexcept { return {v.x(), v.y
 
 void UrethraInsertionScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
     out = SceneOutput{};
-    sense(in.tools);
+    sense(in.tools, in.dampingBudget_Ns_per_m[0]);
     advance(in, out);
     answer(in.tools, out);
     out.phase = m_phase;
@@ -38,7 +38,7 @@ void UrethraInsertionScene::respond(const realtime::HapticTick&, const SceneInpu
 }
 
 /// A pose that is not a number is not the wall's concern; the supervisor deals with the sample.
-void UrethraInsertionScene::sense(const core::ToolStates& tools) noexcept {
+void UrethraInsertionScene::sense(const core::ToolStates& tools, double mostDamping_Ns_per_m) noexcept {
     m_sensed = tools.count > 0 && isPose(tools.tools[0]);
     if (!m_sensed) {
         m_response = UrethraResponse{};
@@ -49,6 +49,7 @@ void UrethraInsertionScene::sense(const core::ToolStates& tools) noexcept {
     m_motion.axis_A = m_pose.vectorToA(endoscopeAxis_W(tool.q_WT.normalized()));
     m_motion.v_A = m_pose.vectorToA(tool.v_WT);
     m_motion.w_A = m_pose.vectorToA(tool.w_WT);
+    m_motion.mostDamping_Ns_per_m = mostDamping_Ns_per_m;
     m_response = m_forces.respond(m_motion);
     if (m_phase != TrialPhase::running) // nothing is felt before the force's ramp: the canal is where the tip is brought in
         m_gate.forget();
@@ -136,6 +137,7 @@ void UrethraInsertionScene::answer(const core::ToolStates& tools, SceneOutput& o
     out.tissue.tools[0].torque = whole * m_pose.vectorToW(m_response.wrench_A.torque);
     out.storedEnergy_J = whole * m_response.energy_J;
     out.contactStiffness_N_per_m = whole * m_response.stiffness_N_per_m;
+    out.damping_Ns_per_m[0] = whole * m_response.damping_Ns_per_m;
     if (m_yield.through())
         return; // drawn where it is: out of the canal
     const core::Vec3 drawn_A = m_drawn.at(m_motion.p_A, m_response.foot);

@@ -45,7 +45,7 @@ public:
     const ProcedureTracker& procedure() const noexcept { return m_tracker; }
 
 private:
-    void sense(const core::ToolStates& tools) noexcept;
+    void sense(const core::ToolStates& tools, double mostDamping_Ns_per_m) noexcept;
     bool beyondChecked() const noexcept;
     void advance(const SceneInput& in, SceneOutput& out) noexcept;
     void runTrial(SceneOutput& out) noexcept;

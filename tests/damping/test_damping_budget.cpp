@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a descriptor states as b_max its mechanism carries with margin, in every hand and under every load, and far beyond it the same
+// mechanism shakes: so the bench can tell.
+#include "damping/damping_bench.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <cstdio>
+#include <random>
+
+using namespace chiron::tests;
+
+namespace {
+
+constexpr double kQuiet_N = 0.1; ///< above 20 Hz, root mean square of half a second
+constexpr double kMargin = 1.25;
+
+std::string named(const BenchCase& c) {
+    return c.mechanism + ", " + c.hand + " hand, " + nameOf(c.load) + ", pose " + std::to_string(c.pose) + ", " + std::to_string(c.damping_Ns_per_m) +
+           " N·s/m, seed " + std::to_string(c.seed);
+}
+
+} // namespace
+
+class TestDampingBudget : public QObject {
+    Q_OBJECT
+private slots:
+    void theBudgetIsCarriedWithMargin_data();
+    void theBudgetIsCarriedWithMargin();
+    void lawsThatWantMoreAreHeldToIt_data();
+    void lawsThatWantMoreAreHeldToIt();
+};
+
+void TestDampingBudget::theBudgetIsCarriedWithMargin_data() {
+    QTest::addColumn<QString>("mechanism");
+    for (const std::string& mechanism : benchMechanisms())
+        QTest::newRow(mechanism.c_str()) << QString::fromStdString(mechanism);
+}
+
+void TestDampingBudget::theBudgetIsCarriedWithMargin() {
+    QFETCH(QString, mechanism);
+    const double budget = budgetOf(mechanism.toStdString());
+    QVERIFY(budget > 0.0);
+#ifdef CHIRON_LONG_DAMPING
+    const int seeds = 4 * std::max(1, qEnvironmentVariableIntValue("CHIRON_SOAK"));
+    const std::uint64_t first = 1 + std::random_device{}() % 1000000;
+    const double seconds = 20.0;
+#else
+    const int seeds = 1;
+    const std::uint64_t first = 1;
+    const double seconds = 7.0;
+#endif
+    std::printf("%s: b_max %g N·s/m, seeds from %llu\n", qPrintable(mechanism), budget, static_cast<unsigned long long>(first));
+    for (const std::string& hand : benchHands())
+        for (const BenchLoad load : benchLoads()) {
+            double worst = 0.0;
+            for (int seed = 0; seed < seeds; ++seed)
+                for (int pose = 0; pose < kBenchPoses; ++pose) {
+                    const double b = kMargin * budget;
+                    const BenchCase one{mechanism.toStdString(), hand, load, pose, b, b, first + static_cast<std::uint64_t>(seed), seconds};
+                    const BenchResult result = runBench(one);
+                    QVERIFY(result.windows > 0);
+                    QVERIFY2(result.fast_N <= kQuiet_N, (named(one) + ": " + std::to_string(result.fast_N) + " N").c_str());
+                    worst = std::max(worst, result.fast_N);
+                }
+            std::printf("  %-8s %-9s %.3f N rms above 20 Hz at %g times as much\n", hand.c_str(), nameOf(load).c_str(), worst, kMargin);
+        }
+}
+
+void TestDampingBudget::lawsThatWantMoreAreHeldToIt_data() {
+    QTest::addColumn<QString>("mechanism");
+    QTest::newRow("five-bar") << QStringLiteral("five_bar_spherical");
+    QTest::newRow("gimbal") << QStringLiteral("gimbal_hprd");
+}
+
+/// A load that wants 100 N·s/m: quiet on the device's own budget, and shaking without that bound.
+void TestDampingBudget::lawsThatWantMoreAreHeldToIt() {
+    QFETCH(QString, mechanism);
+    double shaken = 0.0;
+    for (int pose = 0; pose < kBenchPoses; ++pose) {
+        BenchCase wanted{mechanism.toStdString(), "light", BenchLoad::both, pose, 100.0, 0.0, 1, 7.0};
+        QVERIFY2(runBench(wanted).fast_N <= kQuiet_N, named(wanted).c_str());
+        wanted.budget_Ns_per_m = 1000.0;
+        shaken = std::max(shaken, runBench(wanted).fast_N);
+    }
+    QVERIFY2(shaken > 2.0 * kQuiet_N, std::to_string(shaken).c_str());
+}
+
+QTEST_APPLESS_MAIN(TestDampingBudget)
+#include "test_damping_budget.moc"
