@@ -153,6 +153,8 @@ QString metricName(const std::string& id) {
         {"placement_error", "Placement error"},
         {"weighing_correct", "Heaviest found"},
         {"weighing_correct_by_chance", "Heaviest found by chance"},
+        {"prediction_error_rms", "Prediction error at 30 Hz"},
+        {"held_error_rms", "Error without prediction"},
         {"palpation_hits", "Lumps found"},
         {"palpation_misses", "Lumps missed"},
         {"palpation_false_alarms", "False alarms"},
