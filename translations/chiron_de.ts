@@ -1270,6 +1270,22 @@ Einzelheiten: %2</translation>
         <translation>Das obere Ende des 95-%-Intervalls der Empfindlichkeit.</translation>
     </message>
     <message>
+        <source>Prediction error at 30 Hz</source>
+        <translation>Vorhersagefehler bei 30 Hz</translation>
+    </message>
+    <message>
+        <source>How far the soft surface under the tool was from what the slow model then said; this is about the simulation, not about you.</source>
+        <translation>Wie weit die weiche Oberfläche unter dem Instrument von dem entfernt war, was das langsame Modell dann ergab; das betrifft die Simulation, nicht Sie.</translation>
+    </message>
+    <message>
+        <source>Error without prediction</source>
+        <translation>Fehler ohne Vorhersage</translation>
+    </message>
+    <message>
+        <source>The same if the last update had been held: what the prediction is worth.</source>
+        <translation>Dasselbe, wenn der letzte Stand gehalten worden wäre: was die Vorhersage wert ist.</translation>
+    </message>
+    <message>
         <source>Heaviest found by chance</source>
         <translation>Schwerstes durch Raten gefunden</translation>
     </message>
@@ -11272,6 +11288,22 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>Left hand</source>
         <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>Turn of the device&apos;s base to the left</source>
+        <translation>Drehung der Gerätebasis nach links</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Tilt of the base away from you</source>
+        <translation>Neigung der Basis von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>Tilt of the base to the right</source>
+        <translation>Neigung der Basis nach rechts</translation>
     </message>
 </context>
 <context>

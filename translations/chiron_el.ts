@@ -1270,6 +1270,22 @@ Details: %2</source>
         <translation>Το άνω άκρο του διαστήματος 95 % της ευαισθησίας.</translation>
     </message>
     <message>
+        <source>Prediction error at 30 Hz</source>
+        <translation>Σφάλμα πρόβλεψης στα 30 Hz</translation>
+    </message>
+    <message>
+        <source>How far the soft surface under the tool was from what the slow model then said; this is about the simulation, not about you.</source>
+        <translation>Πόσο απείχε η μαλακή επιφάνεια κάτω από το εργαλείο από αυτό που έδωσε έπειτα το αργό μοντέλο· αφορά την προσομοίωση, όχι εσάς.</translation>
+    </message>
+    <message>
+        <source>Error without prediction</source>
+        <translation>Σφάλμα χωρίς πρόβλεψη</translation>
+    </message>
+    <message>
+        <source>The same if the last update had been held: what the prediction is worth.</source>
+        <translation>Το ίδιο αν είχε διατηρηθεί η τελευταία ενημέρωση: πόσο αξίζει η πρόβλεψη.</translation>
+    </message>
+    <message>
         <source>Heaviest found by chance</source>
         <translation>Εύρεση του βαρύτερου στην τύχη</translation>
     </message>
@@ -11272,6 +11288,22 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     <message>
         <source>Left hand</source>
         <translation>Αριστερό χέρι</translation>
+    </message>
+    <message>
+        <source>Turn of the device&apos;s base to the left</source>
+        <translation>Στροφή της βάσης της συσκευής προς τα αριστερά</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Tilt of the base away from you</source>
+        <translation>Κλίση της βάσης μακριά από εσάς</translation>
+    </message>
+    <message>
+        <source>Tilt of the base to the right</source>
+        <translation>Κλίση της βάσης προς τα δεξιά</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,7 @@ QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnd
             trial[QStringLiteral("timed_out")] = ending.timedOut;
             trial[QStringLiteral("failed")] = ending.failed;
             trial[QStringLiteral("flag")] = ending.marked   ? QJsonValue()
+                                            : ending.unfinished ? QJsonValue(QStringLiteral("unfinished"))
                                             : ending.failed ? QJsonValue(QStringLiteral("failed"))
                                                             : QJsonValue(QStringLiteral("no_mark"));
         }
@@ -39,8 +40,11 @@ QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnd
 QString flaggedText(const std::vector<TrialEnding>& endings) {
     QStringList numbers;
     QStringList failed;
+    QStringList unfinished;
     for (std::size_t i = 0; i < endings.size(); ++i) {
-        if (endings[i].failed)
+        if (endings[i].unfinished)
+            unfinished << QString::number(i + 1);
+        else if (endings[i].failed)
             failed << QString::number(i + 1);
         else if (!endings[i].marked)
             numbers << QString::number(i + 1);
@@ -49,7 +53,8 @@ QString flaggedText(const std::vector<TrialEnding>& endings) {
         return trials.isEmpty() ? QString() : words.arg(trials.join(QStringLiteral(", ")));
     };
     return line(QStringLiteral("\nnot marked, so the last position is scored: trial %1\n"), numbers) +
-           line(QStringLiteral("\ncould not be done to its end: trial %1\n"), failed);
+           line(QStringLiteral("\ncould not be done to its end: trial %1\n"), failed) +
+           line(QStringLiteral("\nnot finished, so in no score: trial %1\n"), unfinished);
 }
 
 QJsonObject scoreJson(const ScoreView& view) {

@@ -16,6 +16,7 @@ struct TrialEnding {
     bool marked = false; ///< or its procedure completed; else its last position is scored, and it is flagged
     bool timedOut = false;
     bool failed = false; ///< it could not be done any more (torn)
+    bool unfinished = false; ///< it had no end and is in no score
 };
 
 /// What `train`, `session show` and `score` print about one session.
@@ -30,7 +31,7 @@ struct ScoreView {
 
 using session::metricsJson;
 
-/// [{trial, metrics, marked, timed_out, failed, state, flag}]; flag is "failed" where the trial could not be done to its end, "no_mark" where the last position stands for a
+/// [{trial, metrics, marked, timed_out, failed, state, flag}]; flag is "unfinished" where the trial had no end and is in no score, "failed" where the trial could not be done to its end, "no_mark" where the last position stands for a
 /// mark, else null. Trials whose ending is not known have no more than their metrics.
 QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnding>& endings);
 /// One line on flagged trials for people; empty where there is none.

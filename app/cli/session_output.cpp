@@ -24,10 +24,13 @@ QJsonArray devicesJson(const database::SessionRecord& record) {
     const auto setup = session::setupFromStored(record.setup);
     if (!setup)
         return list; // a set-up of another version: the rest is shown all the same
-    for (const devices::DeviceDescriptor& device : setup->devices) {
+    for (std::size_t tool = 0; tool < setup->devices.size(); ++tool) {
+        const devices::DeviceDescriptor& device = setup->devices[tool];
         QJsonObject entry{{"driver", text(device.driver)}, {"model", text(device.model)}, {"kinematics", text(device.kinematics)}};
         if (device.kinematics == devices::GimbalHprdKinematics::kId && device.kinematicsParameters.size() == 2)
             entry.insert("force_map", device.kinematicsParameters[1] == 0.0 ? "exact" : "as-published");
+        if (const devices::WorkspaceMapping& mapping = setup->mappings[tool]; mapping.turned())
+            entry.insert("base_turn", QJsonArray{mapping.q_WD[0], mapping.q_WD[1], mapping.q_WD[2], mapping.q_WD[3]}); // w, x, y, z
         list.append(entry);
     }
     return list;
@@ -56,10 +59,13 @@ core::Result<ScoreView> viewOf(database::Connection& connection, const database:
     auto trials = database::SessionReader(connection, actor).trials(session);
     if (!trials)
         return tl::unexpected(trials.error());
+    const auto setup = session::setupFromStored(record->setup);
+    const bool leavesOut = setup && setup->scoring == session::ScoringRule::finishedTrials;
     for (const database::TrialRecord& trial : *trials) {
         const std::string_view ended = database::token(trial.state);
         view.trials.push_back({QString::fromUtf8(ended.data(), qsizetype(ended.size())), trial.marked, trial.timedOut,
-                               parsed(trial.sceneJson)["failed"].toBool()});
+                               parsed(trial.sceneJson)["failed"].toBool(),
+                               leavesOut && trial.state != database::SessionState::completed});
     }
     return view;
 }

@@ -91,9 +91,12 @@ core::Result<devices::DeviceDescriptor> descriptorFromJson(const QJsonObject& js
 }
 
 QJsonObject toJson(const devices::WorkspaceMapping& m) {
-    return {{"origin_m", QJsonArray{m.origin_m[0], m.origin_m[1], m.origin_m[2]}},
-            {"scale", m.scale},
-            {"left_handed", m.leftHanded}};
+    QJsonObject json{{"origin_m", QJsonArray{m.origin_m[0], m.origin_m[1], m.origin_m[2]}},
+                     {"scale", m.scale},
+                     {"left_handed", m.leftHanded}};
+    if (m.turned()) // without it the base is not turned, as in sessions from before there was such a thing
+        json.insert("base_turn", QJsonArray{m.q_WD[0], m.q_WD[1], m.q_WD[2], m.q_WD[3]});
+    return json;
 }
 
 core::Result<devices::WorkspaceMapping> mappingFromJson(const QJsonObject& json) {
@@ -102,8 +105,13 @@ core::Result<devices::WorkspaceMapping> mappingFromJson(const QJsonObject& json)
     const std::vector<double> origin = in.numbers("origin_m");
     m.scale = in.number("scale");
     m.leftHanded = in.boolean("left_handed");
+    const bool turned = json.contains(QLatin1String("base_turn"));
+    const std::vector<double> turn = turned ? in.numbers("base_turn") : std::vector<double>{1.0, 0.0, 0.0, 0.0};
     if (!in.ok())
         return tl::unexpected(in.error());
+    if (turn.size() != 4 || !(std::abs(std::hypot(turn[0], turn[1], std::hypot(turn[2], turn[3])) - 1.0) < 1e-6))
+        return core::fail(core::ErrorCode::badInput, "mapping.base_turn: expected the four parts w, x, y, z of a unit quaternion");
+    std::copy(turn.begin(), turn.end(), m.q_WD.begin());
     if (origin.size() != 3 || !(m.scale > 0.0))
         return core::fail(core::ErrorCode::badInput, "mapping: expected three origin coordinates and a positive scale");
     std::copy(origin.begin(), origin.end(), m.origin_m.begin());

@@ -63,6 +63,12 @@ std::unique_ptr<simulation::IScene> ElasticTubeKind::makeScene(const SessionSetu
 
 core::Result<ScriptedTrainee> ElasticTubeKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                             std::uint64_t seed) const {
+    return makeOperatorAt(usualPlaces(*this, level), mechanism(), level, name, seed);
+}
+
+core::Result<ScriptedTrainee> ElasticTubeKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view,
+                                                             const catalogue::ExerciseLevel& level, const std::string& name,
+                                                             std::uint64_t seed) const {
     auto settings = operators::elasticTubeOperatorSettings(name);
     if (!settings)
         return tl::unexpected(settings.error());
@@ -73,9 +79,7 @@ core::Result<ScriptedTrainee> ElasticTubeKind::makeOperator(const catalogue::Exe
                                                    : operators::TubeGoal::tension;
     briefing.markRatio = p.markRatio;
     briefing.markTolerance = p.markTolerance;
-    briefing.places.clear();
-    for (int tool = 0; tool < p.tools(); ++tool)
-        briefing.places.push_back(toolPlace(level, tool));
+    briefing.places.assign(places.begin(), places.end());
     auto strategies = operators::makeElasticTubeOperator(*settings, briefing, seed);
     if (!strategies)
         return tl::unexpected(strategies.error());

@@ -12,6 +12,13 @@
 
 namespace chiron::session {
 
+std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level) {
+    std::vector<devices::WorkspaceMapping> places;
+    for (int tool = 0; tool < kind.toolCount(level); ++tool)
+        places.push_back(kind.toolPlace(level, tool));
+    return places;
+}
+
 core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
     static const SphereApexKind sphereApex;
     static const UrethraInsertionKind urethraInsertion;

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -85,6 +86,14 @@ public:
                                                          const std::string& name, std::uint64_t seed) const {
         return makeOperator(level, name, seed);
     }
+    /// The same with device bases that stand elsewhere than toolPlace() says, one a tool: only where operatorsKnowTheirPlace().
+    virtual core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping>, std::string_view mechanism,
+                                                         const catalogue::ExerciseLevel& level, const std::string& name,
+                                                         std::uint64_t seed) const {
+        return makeOperatorOn(mechanism, level, name, seed);
+    }
+    /// Whether its scripted hands look at W and reach in D, so that a device's base can be mounted as one likes. Others take D for W.
+    virtual bool operatorsKnowTheirPlace() const noexcept { return false; }
     virtual std::vector<std::string> operatorNames() const = 0;
     virtual int trialCount(const catalogue::ExerciseLevel& level) const = 0;
     virtual double forceLimit_N(const catalogue::ExerciseLevel& level) const = 0;
@@ -99,6 +108,9 @@ public:
     virtual std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
                                                         std::uint64_t seed) const = 0;
 };
+
+/// Where the bases of a level's tools stand when nobody mounts them elsewhere.
+std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level);
 
 /// The kind with this id. Failure: notFound naming the kinds that exist.
 core::Result<const ExerciseKind*> exerciseKind(std::string_view id);

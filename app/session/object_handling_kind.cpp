@@ -45,12 +45,16 @@ private:
 
 } // namespace
 
-std::vector<core::QuantityDescription> ObjectHandlingKind::quantities(const catalogue::ExerciseLevel&) const {
+std::vector<core::QuantityDescription> ObjectHandlingKind::quantities(const catalogue::ExerciseLevel& level) const {
     std::vector<core::QuantityDescription> out{{"step", "1", 1.0}, {"dwell", "1", 0.001}, {"squeeze_N", "N", 0.001}, {"held", "1", 1.0}};
     for (std::size_t i = 0; i < simulation::ObjectHandlingTrial::kMaxObjects; ++i)
         for (const char* axis : {"x", "y", "z"})
             out.push_back({"body_" + std::to_string(i) + "_" + axis + "_m", "m", 1e-6});
     out.push_back({"bed_depth_m", "m", 1e-6});
+    if (parametersOf(level).organBed) {
+        out.push_back({"prediction_error_m", "m", 1e-7});
+        out.push_back({"held_error_m", "m", 1e-7});
+    }
     return out;
 }
 
@@ -62,6 +66,12 @@ std::unique_ptr<simulation::IScene> ObjectHandlingKind::makeScene(const SessionS
 
 core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                               std::uint64_t seed) const {
+    return makeOperatorAt(usualPlaces(*this, level), mechanism(), level, name, seed);
+}
+
+core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view,
+                                                                const catalogue::ExerciseLevel& level, const std::string& name,
+                                                                std::uint64_t seed) const {
     auto settings = operators::objectHandlingOperatorSettings(name);
     if (!settings)
         return tl::unexpected(settings.error());
@@ -70,7 +80,7 @@ core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperator(const catalogue::
     briefing.weigh = p.task == simulation::HandlingTask::weigh;
     briefing.liftHeight_m = p.liftHeight_m;
     briefing.jawLength_m = p.jawLength_m;
-    briefing.place = toolPlace(level, 0);
+    briefing.place = places.front();
     auto strategies = operators::makeObjectHandlingOperator(*settings, briefing, seed);
     if (!strategies)
         return tl::unexpected(strategies.error());

@@ -52,7 +52,8 @@ private:
     std::vector<TrialObject> m_trials;
 };
 
-operators::PalpationBriefing briefingOf(const PalpationKind& kind, std::string_view mechanism, const catalogue::ExerciseLevel& level) {
+operators::PalpationBriefing briefingOf(const PalpationKind& kind, std::string_view mechanism, const catalogue::ExerciseLevel& level,
+                                        std::span<const devices::WorkspaceMapping> places) {
     const auto& p = parametersOf(level);
     operators::PalpationBriefing briefing;
     briefing.surface = p.tissue.shape;
@@ -68,7 +69,7 @@ operators::PalpationBriefing briefingOf(const PalpationKind& kind, std::string_v
     briefing.asksConfidence = p.asksConfidence;
     const bool oneArm = mechanism == kind.mechanism(); // of each hand, on which all its fingers are
     for (int tool = 0; tool < p.tools(); ++tool)
-        briefing.places.push_back(kind.toolPlace(level, oneArm ? tool - tool % std::max(1, p.fingers) : tool));
+        briefing.places.push_back(places[static_cast<std::size_t>(oneArm ? tool - tool % std::max(1, p.fingers) : tool)]);
     return briefing;
 }
 
@@ -134,10 +135,16 @@ core::Result<ScriptedTrainee> PalpationKind::makeOperator(const catalogue::Exerc
 
 core::Result<ScriptedTrainee> PalpationKind::makeOperatorOn(std::string_view mechanism, const catalogue::ExerciseLevel& level,
                                                             const std::string& name, std::uint64_t seed) const {
+    return makeOperatorAt(usualPlaces(*this, level), mechanism, level, name, seed);
+}
+
+core::Result<ScriptedTrainee> PalpationKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view mechanism,
+                                                           const catalogue::ExerciseLevel& level, const std::string& name,
+                                                           std::uint64_t seed) const {
     auto settings = operators::palpationOperatorSettings(name);
     if (!settings)
         return tl::unexpected(settings.error());
-    auto strategies = operators::makePalpationOperator(*settings, briefingOf(*this, mechanism, level), seed);
+    auto strategies = operators::makePalpationOperator(*settings, briefingOf(*this, mechanism, level, places), seed);
     if (!strategies)
         return tl::unexpected(strategies.error());
     return ScriptedTrainee{std::move(*strategies), settings->hand};

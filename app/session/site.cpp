@@ -41,7 +41,7 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
         if (session.map != mechanisms::PolarMap::exact && mechanism != devices::GimbalHprdKinematics::kId)
             return core::fail(core::ErrorCode::wrongUse, "force map as-published: exercise " + session.exercise +
                                                              " is not done on the gimbal whose map it is; expected exact");
-        return scriptedStation(kind, level, session.operatorName, session.seed, session.map, mechanism);
+        return scriptedStation(kind, level, session.operatorName, session.seed, session.map, mechanism, session.mounting);
     }
     std::error_code ignored;
     if (!std::filesystem::exists(session.operatorName, ignored)) {
@@ -58,6 +58,8 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
         return core::fail(core::ErrorCode::wrongUse, "mechanism " + session.mechanism + ": a trace is held by none; expected an operator");
     if (session.map != mechanisms::PolarMap::exact)
         return core::fail(core::ErrorCode::wrongUse, "force map as-published: a trace feels nothing; expected exact");
+    if (session.mounting.turned())
+        return core::fail(core::ErrorCode::wrongUse, "base turn: a trace is held by no device; expected an operator");
     return traceStation(*rows, kind.pointerTool(), kind.toolCount(level));
 }
 

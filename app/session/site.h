@@ -32,6 +32,7 @@ struct ScriptedSession {
     bool familiarisation = false;
     mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< of the simulated gimbal
     std::string mechanism{}; ///< kinematics id of the simulated mechanism; "": the exercise's usual one
+    WorkspaceChoice mounting{}; ///< how the bases of the simulated mechanisms stand
 };
 
 /// Whether its operator, or trace, can be had at all: asked before a database is made for it. Failure: notFound (exercise,

@@ -92,6 +92,12 @@ std::uint64_t SphereApexKind::tickLimit(const catalogue::ExerciseLevel& level) c
         std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
 }
 
+std::vector<core::QuantityDescription> SphereApexKind::quantities(const catalogue::ExerciseLevel& level) const {
+    if (parametersOf(level).surface != simulation::ApexSurface::organ)
+        return {};
+    return {{"prediction_error_m", "m", 1e-7}, {"held_error_m", "m", 1e-7}};
+}
+
 bool SphereApexKind::recordsEnergy(const catalogue::ExerciseLevel& level) const { return meshed(parametersOf(level)); }
 
 void SphereApexKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,

@@ -16,6 +16,7 @@ public:
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
+    std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override; ///< of an organ at two rates
     bool recordsEnergy(const catalogue::ExerciseLevel& level) const override; ///< on meshes: their law is not conservative
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                   scoring::TrialTrace& trial) const override;

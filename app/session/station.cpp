@@ -83,12 +83,43 @@ core::Result<Station> withFingers(Station station, const FingersOfHand& fingers,
     return station;
 }
 
+tl::unexpected<core::Error> differingHands(const ExerciseKind& kind, std::size_t hands, std::size_t tools) {
+    return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) + ": " + std::to_string(hands) + " hands for " +
+                                                     std::to_string(tools) + " instruments");
+}
+
+/// A pointer has no base that could be turned.
+WorkspaceChoice ofPointer(WorkspaceChoice choice) {
+    choice.turn_rad = {};
+    return choice;
+}
+
+/// Each place with the base mounted as chosen, about that place.
+core::Result<void> mount(std::vector<devices::WorkspaceMapping>& places, const ExerciseKind& kind, const WorkspaceChoice& mounting) {
+    const auto chosen = mappingOf(mounting);
+    if (!chosen)
+        return tl::unexpected(chosen.error());
+    const bool any = mounting.turned() || mounting.leftHanded || mounting.scale != 1.0 || mounting.origin_m != std::array<double, 3>{};
+    if (any && !kind.operatorsKnowTheirPlace())
+        return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) +
+                                                         ": its scripted hands hold a device that stands as it is built; only those of "
+                                                         "elastic_tube, object_handling and palpation can be mounted otherwise");
+    for (devices::WorkspaceMapping& place : places) {
+        for (std::size_t i = 0; i < 3; ++i)
+            place.origin_m[i] += chosen->origin_m[i];
+        place.scale *= chosen->scale;
+        place.leftHanded = place.leftHanded != chosen->leftHanded;
+        if (chosen->turned())
+            place.q_WD = chosen->q_WD;
+    }
+    return {};
+}
+
 core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                                               std::size_t hands) {
     const int tools = kind.toolCount(level);
     if (tools < 1 || tools > core::kMaxTools || hands != static_cast<std::size_t>(tools))
-        return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) + ": " + std::to_string(hands) +
-                                                         " hands for " + std::to_string(tools) + " instruments");
+        return differingHands(kind, hands, static_cast<std::size_t>(std::max(tools, 0)));
     std::vector<devices::WorkspaceMapping> places;
     for (int tool = 0; tool < tools; ++tool)
         places.push_back(kind.toolPlace(level, tool));
@@ -155,10 +186,23 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
             return core::fail(core::ErrorCode::badInput, "workspace: a shift of " + std::to_string(shift_m) +
                                                              " m; expected at most 0.03 m either way");
     }
-    return devices::WorkspaceMapping{choice.origin_m, choice.scale, choice.leftHanded};
+    for (const double turn_rad : choice.turn_rad) {
+        if (!(std::abs(turn_rad) <= W::kLargestTurn_rad + 1e-12))
+            return core::fail(core::ErrorCode::badInput, "workspace: a turn of the base of " + std::to_string(turn_rad) +
+                                                             " rad; expected at most 45 degrees either way");
+    }
+    devices::WorkspaceMapping mapping{choice.origin_m, choice.scale, choice.leftHanded, {1.0, 0.0, 0.0, 0.0}};
+    if (choice.turned()) {
+        const core::Quat turn = Eigen::AngleAxisd(choice.turn_rad[0], core::Vec3::UnitZ()) *
+                                Eigen::AngleAxisd(-choice.turn_rad[1], core::Vec3::UnitX()) *
+                                Eigen::AngleAxisd(choice.turn_rad[2], core::Vec3::UnitY());
+        mapping.q_WD = {turn.w(), turn.x(), turn.y(), turn.z()};
+    }
+    return mapping;
 }
 
-core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, PointerTool tool) {
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, PointerTool tool) {
+    const WorkspaceChoice choice = ofPointer(given);
     auto mapping = mappingOf(choice);
     if (!mapping)
         return tl::unexpected(mapping.error());
@@ -183,8 +227,9 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, Pointe
     return station;
 }
 
-core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const ExerciseKind& kind,
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, const ExerciseKind& kind,
                                            const catalogue::ExerciseLevel& level) {
+    const WorkspaceChoice choice = ofPointer(given);
     const bool fingers = kind.pointerTool() == PointerTool::point && kind.toolCount(level) > 1;
     if (kind.pointerTool() != PointerTool::grasper && !fingers)
         return keyboardMouseStation(choice, kind.pointerTool());
@@ -211,19 +256,25 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const 
 }
 
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level, const std::string& operatorName,
-                                      std::uint64_t seed, mechanisms::PolarMap map, std::string_view mechanism) {
+                                      std::uint64_t seed, mechanisms::PolarMap map, std::string_view mechanism,
+                                      const WorkspaceChoice& mounting) {
     const std::vector<std::string_view> known = kind.mechanisms();
     const std::string_view chosen = mechanism.empty() ? kind.mechanism() : mechanism;
     if (std::find(known.begin(), known.end(), chosen) == known.end())
         return core::fail(core::ErrorCode::wrongUse, "mechanism \"" + std::string(chosen) + "\": exercise " + std::string(kind.id()) +
                                                          " is not done on it");
     // Hand and mind have streams of their own: the same person in another field trembles alike.
-    auto trainee = kind.makeOperatorOn(chosen, level, operatorName, core::Random::mix(seed, "operator"));
-    if (!trainee)
-        return tl::unexpected(trainee.error());
-    const auto places = placesOf(kind, level, trainee->strategies.size());
+    const auto hands = static_cast<std::size_t>(std::max(kind.toolCount(level), 0));
+    auto places = placesOf(kind, level, hands);
     if (!places)
         return tl::unexpected(places.error());
+    if (auto mounted = mount(*places, kind, mounting); !mounted)
+        return tl::unexpected(mounted.error());
+    auto trainee = kind.makeOperatorAt(*places, chosen, level, operatorName, core::Random::mix(seed, "operator"));
+    if (!trainee)
+        return tl::unexpected(trainee.error());
+    if (trainee->strategies.size() != hands)
+        return differingHands(kind, trainee->strategies.size(), hands);
     Station station;
     station.operatorName = operatorName;
     const std::uint64_t handSeed = core::Random::mix(seed, "hand");

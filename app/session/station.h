@@ -37,10 +37,16 @@ struct WorkspaceChoice {
     double scale = 1.0;                  ///< tool movement per hand movement, kSmallestScale..kLargestScale
     std::array<double, 3> origin_m{};    ///< shift of the workspace in W, at most kLargestShift_m an axis
     bool leftHanded = false;             ///< mirrored left to right
+    /// How the device's base is mounted (P2, "Flexible Mounting Options"): turned to the left about the vertical, then tilted away
+    /// from the person, then rolled to the right; at most kLargestTurn_rad each. Not for a pointer, which has no base.
+    std::array<double, 3> turn_rad{};
 
     static constexpr double kSmallestScale = 0.25;
     static constexpr double kLargestScale = 4.0;
     static constexpr double kLargestShift_m = 0.030;
+    static constexpr double kLargestTurn_rad = 0.7853981633974483; ///< 45°: beyond it a gimbal no longer reaches the field
+
+    bool turned() const noexcept { return turn_rad != std::array<double, 3>{}; }
 };
 
 /// The mapping of a choice. Failure: badInput naming the value and its range.
@@ -60,10 +66,12 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const 
 
 /// A simulated mechanism of the kind's (`mechanism`: its kinematics id; "": the usual one), one for each instrument of the level, with a scripted operator on it. Failure: that of the kind's makeOperator();
 /// wrongUse for a mechanism that does not exist, or that the kind is not done on.
-/// `map`: how a force becomes motor torques on P2's gimbal (models.md §2.1).
+/// `map`: how a force becomes motor torques on P2's gimbal (models.md §2.1). `mounting`: how every base stands, beside the kind's
+/// places; badInput as mappingOf(), wrongUse where the kind's scripted hands take D for W.
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                       const std::string& operatorName, std::uint64_t seed,
-                                      mechanisms::PolarMap map = mechanisms::PolarMap::exact, std::string_view mechanism = {});
+                                      mechanisms::PolarMap map = mechanisms::PolarMap::exact, std::string_view mechanism = {},
+                                      const WorkspaceChoice& mounting = {});
 
 /// A recorded trace as input devices (class "shown": nobody feels anything), one for each of the `tools` that the level needs;
 /// rows of other tools are left out. All begin with the file's earliest row and end with its last: a tool waits where its own

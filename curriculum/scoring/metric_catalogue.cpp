@@ -49,6 +49,8 @@ namespace chiron::scoring {
     METRIC(placementErrorMetric)                                                                             \
     METRIC(weighingCorrectMetric)                                                                            \
     METRIC(weighingCorrectByChanceMetric)                                                                    \
+    METRIC(predictionErrorRmsMetric)                                                                         \
+    METRIC(heldErrorRmsMetric)                                                                               \
     METRIC(criticalErrorsMetric)                                                                             \
     METRIC(palpationHitsMetric)                                                                              \
     METRIC(palpationHitsMetric2)                                                                             \

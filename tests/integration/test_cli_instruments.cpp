@@ -18,6 +18,7 @@ private slots:
     void aTraceThatLacksAHandIsRefused();
     void theForceMapIsChosenAndKept();
     void theForceMapIsRefusedWhereItMeansNothing();
+    void theBaseIsMountedAsOneLikes();
 
 private:
     CliRun cli(const QStringList& arguments) { return runCli(arguments + QStringList{"--database", m_database, "--json"}); }
@@ -162,6 +163,30 @@ void TestCliInstruments::theForceMapIsRefusedWhereItMeansNothing() {
     const CliRun word = cli({"train", "sphere_apex", "--operator", "novice", "--force-map", "polar"});
     QVERIFY(word.exitCode == 2 || word.exitCode == 3);
     QVERIFY2(word.err.contains("as-published"), word.err.constData());
+}
+
+/// P2's flexible mounting: the same hands reach the same tube with bases that stand askew; stored, replayed and scored alike.
+void TestCliInstruments::theBaseIsMountedAsOneLikes() {
+    const QJsonObject turned = object(cli({"train", "elastic_tube", "--level", QString::number(kTwoHanded), "--operator", "expert", "--seed", "3",
+                                           "--base-turn", "15,10,-5"}));
+    QCOMPARE(turned["state"].toString(), QStringLiteral("completed"));
+    QCOMPARE(turned["passed"].toBool(), true);
+    for (const QJsonValue& device : devicesOf(turned))
+        QCOMPARE(device.toObject()["base_turn"].toArray().size(), 4);
+    const QString id = QString::number(turned["session_id"].toInt());
+    QCOMPARE(object(cli({"replay", id}))["identical"].toBool(), true);
+    QCOMPARE(object(cli({"score", id}))["same"].toBool(), true);
+    QCOMPARE(cli({"session", "export", id, "--format", "csv", "--folder", m_folder.path()}).exitCode, 0);
+    const QJsonObject again = object(runCli({"metrics", m_folder.filePath("session_" + id + ".csv"), "--metric", idsOf(turned), "--json"}));
+    QCOMPARE(valuesOf(again["metrics"].toArray()), valuesOf(turned["metrics"].toArray())); // poses in W, forces alike
+    for (const char* bad : {"15", "15,10", "60,0,0", "a,b,c", "0,0,0,0"}) {
+        const CliRun refused = cli({"train", "elastic_tube", "--operator", "expert", "--base-turn", bad});
+        QCOMPARE(refused.exitCode, 3);
+        QVERIFY2(refused.err.contains("--base-turn") && refused.err.contains("three angles"), refused.err.constData());
+    }
+    const CliRun point = cli({"train", "sphere_apex", "--operator", "expert", "--base-turn", "5,0,0"});
+    QCOMPARE(point.exitCode, 2);
+    QVERIFY2(point.err.contains("stands as it is built"), point.err.constData());
 }
 
 QTEST_GUILESS_MAIN(TestCliInstruments)

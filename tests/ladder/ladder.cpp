@@ -144,6 +144,12 @@ std::string print(const char* format, auto... values) {
 double Rate::low() const { return wilson(*this, -1.0); }
 double Rate::high() const { return wilson(*this, 1.0); }
 
+double riseAtLeast(const Rate& before, const Rate& after) {
+    if (before.n == 0 || after.n == 0)
+        return -1.0;
+    return after.share() - before.share() - std::hypot(after.share() - after.low(), before.high() - before.share());
+}
+
 Rate passRate(const std::vector<LadderSession>& sessions) {
     Rate rate;
     rate.n = static_cast<int>(sessions.size());
@@ -236,6 +242,8 @@ std::string metricLines(const LadderLevel& level) {
             const Spread s = spreadOf(level.byOperator.at(name), metric.id);
             const Rate gate = gateRate(level.byOperator.at(name), metric.id);
             text += s.n > 0 ? print("  %9.4g ±%8.3g", s.mean, std::sqrt(s.variance)) : print("  %19s", "–");
+            if (s.n > 0 && s.n < static_cast<int>(level.byOperator.at(name).size())) // undefined in some sessions
+                text += print(" (n = %d)", s.n);
             text += gate.n > 0 ? print(" [%2d/%2d]", gate.of, gate.n) : print("        ");
         }
         text += "\n";

@@ -47,6 +47,8 @@ struct Rate {
     double high() const;
 };
 Rate passRate(const std::vector<LadderSession>& sessions);
+/// Lower end of the 95 % interval of how much higher `after` is than `before` (Newcombe 1998, hybrid score interval of independent rates).
+double riseAtLeast(const Rate& before, const Rate& after);
 
 /// "metric: expert m ± s, unsafe m ± s" for each metric of safety or accuracy (all but speed, path and smoothness) on which the unsafe
 /// hand is better with 95 % confidence (Welch), and for each gate that it passes more often (Fisher's exact test, one-sided 2.5 %).

@@ -63,7 +63,7 @@ void TestOperatorLadder::everyExercise() {
         if (const auto novice = rateOf("novice")) {
             if (!before && (novice->high() < 0.2 || novice->low() > 0.8))
                 wrong << where + ": the first level does not suit a novice";
-            if (before && novice->low() > before->high())
+            if (before && tests::riseAtLeast(*before, *novice) > 0.0)
                 wrong << where + ": easier than the level before";
             before = novice;
         }

@@ -62,7 +62,7 @@ core::Result<CommandOutput> metrics(const Arguments& arguments) {
         return tl::unexpected(card.error());
     std::vector<TrialEnding> endings;
     for (const scoring::TrialTrace& trial : trace->trials)
-        endings.push_back({{}, trial.marked || trial.completed, trial.timedOut, trial.failed});
+        endings.push_back({{}, trial.marked || trial.completed, trial.timedOut, trial.failed, trial.unfinished});
     const QJsonObject json{{QStringLiteral("trace"), arguments.operand(0)},
                            {QStringLiteral("metrics"), metricsJson(card->metrics)},
                            {QStringLiteral("trials"), trialsJson(*card, endings)}};

@@ -4,10 +4,13 @@
 #include "cli/session_output.h"
 #include "cli/site_access.h"
 #include "database/accounts/account_service.h"
+#include "core/units.h"
 #include "session/site.h"
 
 #include <QJsonArray>
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <csignal>
 
 namespace chiron::cli {
@@ -23,6 +26,24 @@ core::Result<database::Actor> actorFor(const Arguments& arguments, database::Dat
     if (!arguments.has(QStringLiteral("as")))
         return database::Actor::simulated(); // may create and read simulated sessions, nothing else
     return database::AccountService(database).login(arguments.value(QStringLiteral("as")).toStdString(), secrets[0]);
+}
+
+/// --base-turn H,T,R in degrees.
+core::Result<std::array<double, 3>> baseTurnOf(const Arguments& arguments) {
+    std::array<double, 3> turn_rad{};
+    if (!arguments.has(QStringLiteral("base-turn")))
+        return turn_rad;
+    const QString given = arguments.value(QStringLiteral("base-turn"));
+    const QStringList parts = given.split(QLatin1Char(','));
+    bool right = parts.size() == 3;
+    for (int i = 0; right && i < 3; ++i) {
+        const double degrees = parts[i].toDouble(&right);
+        right = right && std::abs(degrees) <= 45.0;
+        turn_rad[static_cast<std::size_t>(i)] = core::radFromDeg(degrees);
+    }
+    if (!right)
+        return badInput(QStringLiteral("--base-turn %1: expected three angles in degrees, -45 to 45, as 10,0,-5: to the left, away, to the right").arg(quoted(given)));
+    return turn_rad;
 }
 
 core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& arguments,
@@ -46,6 +67,10 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
     if (*map == QLatin1String("as-published"))
         asked.map = mechanisms::PolarMap::asPublished;
     asked.mechanism = arguments.value(QStringLiteral("mechanism")).toStdString();
+    auto turn = baseTurnOf(arguments);
+    if (!turn)
+        return tl::unexpected(turn.error());
+    asked.mounting.turn_rad = *turn;
     std::vector<session::ScriptedSession> sessions;
     const int levels = static_cast<int>(exercise->levels.size());
     const bool all = arguments.value(QStringLiteral("level")) == QLatin1String("all");
@@ -144,6 +169,9 @@ std::vector<CommandSpec> trainCommands() {
         {QStringLiteral("familiarisation"), {}, QStringLiteral("recorded and marked, never counted")},
         {QStringLiteral("force-map"), QStringLiteral("WORD"),
          QStringLiteral("how the simulated gimbal makes torques of a force: exact (power is conserved) or as-published; default: exact")},
+        {QStringLiteral("base-turn"), QStringLiteral("H,T,R"),
+         QStringLiteral("how the device's base is mounted, in degrees: turned to the left, tilted away, rolled to the right (elastic_tube, "
+                        "object_handling, palpation); default: 0,0,0")},
         {QStringLiteral("mechanism"), QStringLiteral("ID"),
          QStringLiteral("what the scripted hand holds: fingertip_arm or gimbal_hprd (palpation); default: the exercise's usual one")}};
     command.example = QStringLiteral("chiron-cli train sphere_apex --level 2 --operator expert --seed 7 --json");

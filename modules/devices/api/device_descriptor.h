@@ -48,12 +48,15 @@ struct DeviceDescriptor {
     DeviceClass deviceClass() const { return rendersForce ? DeviceClass::felt : DeviceClass::shown; }
 };
 
-/// From D to W: p_WT = origin + scale · H · p_DT, H = diag(-1,1,1) for a left-handed workspace, else 1. Forces go
-/// back through Hᵀ unscaled. Stored with each session.
+/// From D to W: p_WT = origin + scale · R · H · p_DT, H = diag(-1,1,1) for a left-handed workspace, else 1, and R how the device's
+/// base is mounted (P2, "Flexible Mounting Options"). Forces go back through (R H)ᵀ unscaled. Stored with each session.
 struct WorkspaceMapping {
     std::array<double, 3> origin_m{};
     double scale = 1.0;
     bool leftHanded = false;
+    std::array<double, 4> q_WD{1.0, 0.0, 0.0, 0.0}; ///< R as a unit quaternion w, x, y, z, about D's origin
+
+    bool turned() const noexcept { return q_WD != std::array<double, 4>{1.0, 0.0, 0.0, 0.0}; }
 };
 
 } // namespace chiron::devices

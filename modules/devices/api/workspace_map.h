@@ -8,33 +8,39 @@
 
 namespace chiron::devices {
 
-/// The mapping between D and W in use: p_WT = o + s·H·p_DT with H = diag(-1,1,1) for a left-handed workspace, else 1.
-/// Velocities are scaled as positions. What turns (angular velocity, torque, the axis of a rotation) is an axial vector:
-/// under the reflection H it maps with det(H)·H, and an orientation with R_W = H R_D H, which stays a rotation.
-/// Forces go back through Hᵀ unscaled. Under H a tool's x_W = −H x_D while its normal is H n_D, so of a fingertip platform's lean
-/// roll = l·x changes sign and pitch = −l·(n × x) does not (models.md §3). Pure; any thread.
+/// The mapping between D and W in use: p_WT = o + s·R·H·p_DT with H = diag(-1,1,1) for a left-handed workspace, else 1, and R the
+/// turn of the device's base. Velocities are scaled as positions. What turns (angular velocity, torque, the axis of a rotation) is
+/// an axial vector: under the reflection H it maps with det(H)·H, and an orientation with R_W = R H R_D H, which stays a rotation.
+/// Forces go back through (R H)ᵀ unscaled. Under H a tool's x_W = −H x_D while its normal is H n_D, so of a fingertip platform's lean
+/// roll = l·x changes sign and pitch = −l·(n × x) does not (models.md §3); R turns tool and normal alike and changes neither. A base
+/// that is not turned maps to the same bits as if there were no R. Pure; any thread.
 class WorkspaceMap {
 public:
     explicit WorkspaceMap(const WorkspaceMapping& mapping = {}) noexcept
         : m_origin(mapping.origin_m[0], mapping.origin_m[1], mapping.origin_m[2]), m_scale(mapping.scale),
           m_polar(mapping.leftHanded ? -1.0 : 1.0, 1.0, 1.0),
-          m_axial(mapping.leftHanded ? core::Vec3(1.0, -1.0, -1.0) : core::Vec3(1.0, 1.0, 1.0)) {}
+          m_axial(mapping.leftHanded ? core::Vec3(1.0, -1.0, -1.0) : core::Vec3(1.0, 1.0, 1.0)), m_turned(mapping.turned()),
+          m_turn(core::Quat(mapping.q_WD[0], mapping.q_WD[1], mapping.q_WD[2], mapping.q_WD[3]).normalized()),
+          m_R(m_turn.toRotationMatrix()) {}
 
     core::Vec3 pointToW(const core::Vec3& p_DT) const noexcept {
-        return m_origin + m_scale * m_polar.cwiseProduct(p_DT);
+        return m_origin + m_scale * turned(m_polar.cwiseProduct(p_DT));
     }
     core::Vec3 pointToD(const core::Vec3& p_WT) const noexcept {
-        return m_polar.cwiseProduct(p_WT - m_origin) / m_scale;
+        return m_polar.cwiseProduct(turnedBack(p_WT - m_origin)) / m_scale;
     }
-    core::Vec3 velocityToW(const core::Vec3& v_DT) const noexcept { return m_scale * m_polar.cwiseProduct(v_DT); }
-    core::Vec3 angularToW(const core::Vec3& w_DT) const noexcept { return m_axial.cwiseProduct(w_DT); }
-    core::Quat orientationToW(const core::Quat& q) const noexcept {
-        return {q.w(), m_axial.x() * q.x(), m_axial.y() * q.y(), m_axial.z() * q.z()};
+    core::Vec3 velocityToW(const core::Vec3& v_DT) const noexcept { return m_scale * turned(m_polar.cwiseProduct(v_DT)); }
+    core::Vec3 angularToW(const core::Vec3& w_DT) const noexcept { return turned(m_axial.cwiseProduct(w_DT)); }
+    core::Quat orientationToW(const core::Quat& q) const noexcept { return m_turned ? core::Quat(m_turn * reflected(q)) : reflected(q); }
+    core::Quat orientationToD(const core::Quat& q) const noexcept {
+        return m_turned ? reflected(core::Quat(m_turn.conjugate() * q)) : reflected(q);
     }
     core::Wrench wrenchToD(const core::Wrench& w_W) const noexcept {
-        return {m_polar.cwiseProduct(w_W.force), m_axial.cwiseProduct(w_W.torque)};
+        return {m_polar.cwiseProduct(turnedBack(w_W.force)), m_axial.cwiseProduct(turnedBack(w_W.torque))};
     }
-    core::Wrench wrenchToW(const core::Wrench& w_D) const noexcept { return wrenchToD(w_D); } // H is its own inverse
+    core::Wrench wrenchToW(const core::Wrench& w_D) const noexcept {
+        return {turned(m_polar.cwiseProduct(w_D.force)), turned(m_axial.cwiseProduct(w_D.torque))};
+    }
     core::DisplayPose displayToD(const core::DisplayPose& pose) const noexcept {
         return {pose.normalForce_N, pose.pitch_rad, m_polar.x() * pose.roll_rad};
     }
@@ -50,10 +56,19 @@ public:
     }
 
 private:
+    core::Vec3 turned(const core::Vec3& v) const noexcept { return m_turned ? core::Vec3(m_R * v) : v; }
+    core::Vec3 turnedBack(const core::Vec3& v) const noexcept { return m_turned ? core::Vec3(m_R.transpose() * v) : v; }
+    core::Quat reflected(const core::Quat& q) const noexcept {
+        return {q.w(), m_axial.x() * q.x(), m_axial.y() * q.y(), m_axial.z() * q.z()};
+    }
+
     core::Vec3 m_origin;
     double m_scale;
     core::Vec3 m_polar; ///< diagonal of H
     core::Vec3 m_axial; ///< diagonal of det(H)·H
+    bool m_turned;
+    core::Quat m_turn; ///< q_WD
+    core::Mat3 m_R;
 };
 
 } // namespace chiron::devices

@@ -19,7 +19,7 @@ mechanisms::HandIntention PalpatingFinger::decide(const mechanisms::HandPercepti
     m_mind->hear(m_tool, seen.time_s, seen.cues, m_map.pointToW(m_reach.place()));
     const FingerOrder& order = m_mind->order(m_tool);
     mechanisms::HandIntention wanted = m_reach.advance(m_map.pointToD(order.goal_W), order.speed_m_per_s);
-    m_turn = m_turn.slerp(kTurning, m_map.orientationToW(order.turn_W)); // the mapping is its own inverse
+    m_turn = m_turn.slerp(kTurning, m_map.orientationToD(order.turn_W));
     wanted.q_DDesired = m_turn;
     wanted.buttons = order.buttons;
     return wanted;

@@ -17,6 +17,7 @@ core::Vec3 vec(const std::array<double, 3>& a) noexcept { return {a[0], a[1], a[
 void DeformableOrgan::restart(std::uint64_t tick) noexcept {
     ++m_epoch;
     m_blend.reset(tick);
+    m_error = PredictionError();
     setWeights(tick);
 }
 
@@ -24,6 +25,7 @@ bool DeformableOrgan::update(std::uint64_t tick, SlowUpdate when) noexcept {
     const bool applied = m_link.take(tick, when, *this);
     if (applied && m_link.answer().epoch == m_epoch) {
         m_answers[Link::slotOf(m_link.number())] = m_link.answer();
+        compare(m_link.number());
         m_blend.apply(tick, m_link.postedAt_ticks(), m_link.number());
     }
     setWeights(tick);
@@ -31,8 +33,42 @@ bool DeformableOrgan::update(std::uint64_t tick, SlowUpdate when) noexcept {
 }
 
 void DeformableOrgan::ask(std::uint64_t tick, const OrganTouches& touches) noexcept {
-    if (m_link.mayPost(tick))
-        m_link.post(tick, {m_epoch, touches});
+    if (!m_link.mayPost(tick))
+        return;
+    m_link.post(tick, {m_epoch, touches});
+    m_asked = touches;
+    const BlendWeights held = m_blend.heldWeights(tick);
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+        m_shown[i] = m_held[i] = core::Vec3::Zero();
+        if (!touches[i].touching)
+            continue;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t vertex = m_mesh.triangle(touches[i].triangle).vertex[corner];
+            m_shown[i] += touches[i].weights[corner] * (position(vertex) - m_mesh.position(vertex));
+        }
+        m_held[i] = held.newest * displacementOf(m_blend.numbers()[0], touches[i]) + held.previous * displacementOf(m_blend.numbers()[1], touches[i]);
+    }
+}
+
+core::Vec3 DeformableOrgan::displacementOf(std::uint64_t number, const OrganTouch& touch) const noexcept {
+    core::Vec3 sum = core::Vec3::Zero();
+    if (number == 0) // at rest
+        return sum;
+    const std::vector<Moved>& slot = m_slots[Link::slotOf(number)];
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        sum += touch.weights[corner] * slot[m_mesh.triangle(touch.triangle).vertex[corner]].displacement;
+    return sum;
+}
+
+void DeformableOrgan::compare(std::uint64_t number) noexcept {
+    m_error = PredictionError();
+    for (std::size_t i = 0; i < m_asked.size(); ++i) {
+        if (!m_asked[i].touching)
+            continue;
+        const core::Vec3 came = displacementOf(number, m_asked[i]);
+        m_error.predicted_m = std::max(m_error.predicted_m, (m_shown[i] - came).norm());
+        m_error.held_m = std::max(m_error.held_m, (m_held[i] - came).norm());
+    }
 }
 
 void DeformableOrgan::setWeights(std::uint64_t tick) noexcept {

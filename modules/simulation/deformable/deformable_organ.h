@@ -28,6 +28,13 @@ struct OrganTouch {
 
 using OrganTouches = std::array<OrganTouch, core::kMaxTools>;
 
+/// How far the surface under the tools, as it was shown at the tick of a request, lay from the slow model's answer to it (P2: "after a
+/// visual loop update, the haptic loop compares predicted values"): the largest of all tools that touched. m; 0 where none did.
+struct PredictionError {
+    double predicted_m = 0.0; ///< of what was shown: predicted and blended
+    double held_m = 0.0;      ///< had the last answers been held and blended, without prediction
+};
+
 /// A deformable organ at two rates (P2, "Haptic-Visual Graphic Integration"): a SpringNetwork that is asked at 30 Hz beside the
 /// loop, and the moving surface that the loop renders from, predicted and blended between its answers.
 ///
@@ -74,6 +81,7 @@ public:
     const MeshTree& tree() const noexcept { return m_mesh.tree(); }
     double largestDisplacement_m() const noexcept { return m_largest_m; } ///< bound for this tick
     double elasticEnergy_J() const noexcept { return m_energy_J; }        ///< of the organ, as blended, ≥ 0
+    const PredictionError& predictionError() const noexcept { return m_error; } ///< of the last answer that took effect
 
     const TriangleMesh& restMesh() const noexcept { return m_mesh; }
     const SpringNetwork& network() const noexcept { return *m_network; } ///< while no step runs
@@ -99,6 +107,8 @@ private:
     DeformableOrgan(const TriangleMesh& mesh, std::unique_ptr<SpringNetwork> network, const Settings& settings);
     Answer solve(std::uint64_t number, const Request& request) noexcept;
     void setWeights(std::uint64_t tick) noexcept;
+    void compare(std::uint64_t number) noexcept; ///< the answer with what was shown when it was asked for
+    core::Vec3 displacementOf(std::uint64_t number, const OrganTouch& touch) const noexcept; ///< as an answer has it
 
     /// One answer's share of the shown surface.
     struct Share {
@@ -115,6 +125,10 @@ private:
     std::array<Answer, Link::kSlots> m_answers{};
     double m_largest_m = 0.0;
     double m_energy_J = 0.0;
+    OrganTouches m_asked{}; ///< of the last request
+    std::array<core::Vec3, core::kMaxTools> m_shown{}; ///< displacements under those touches, as they were shown then
+    std::array<core::Vec3, core::kMaxTools> m_held{};  ///< the same without prediction
+    PredictionError m_error;
     bool m_moves = false; ///< any share has moved
     bool m_blends = true;
     Link m_link;

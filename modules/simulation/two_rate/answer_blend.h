@@ -54,14 +54,27 @@ public:
     BlendWeights weights(std::uint64_t tick) const noexcept {
         if (m_settled)
             return {};
-        const double w = std::min(1.0, static_cast<double>(tick - m_appliedAt) / static_cast<double>(m_blend_ticks));
-        const double s = w * w * (3.0 - 2.0 * w);
+        const double s = blended(tick);
         const double newer = reach(tick, m_asked[0], m_asked[1]);
         const double older = reach(tick, m_asked[1], m_asked[2]);
         return {s * (1.0 + newer), (1.0 - s) * (1.0 + older) - s * newer, -(1.0 - s) * older};
     }
 
+    /// The same without any prediction (γ = 0): the last answers held, and blended alike.
+    BlendWeights heldWeights(std::uint64_t tick) const noexcept {
+        if (m_settled)
+            return {};
+        const double s = blended(tick);
+        return {s, 1.0 - s, 0.0};
+    }
+
 private:
+    /// s(w)
+    double blended(std::uint64_t tick) const noexcept {
+        const double w = std::min(1.0, static_cast<double>(tick - m_appliedAt) / static_cast<double>(m_blend_ticks));
+        return w * w * (3.0 - 2.0 * w);
+    }
+
     /// γ e(t); 0 where two answers are of one tick (after reset()).
     double reach(std::uint64_t tick, std::uint64_t asked, std::uint64_t askedBefore) const noexcept {
         if (asked <= askedBefore || tick <= asked)

@@ -16,7 +16,16 @@ Vec3 randomVector(core::Random& random) {
 }
 bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-12; }
 devices::WorkspaceMapping mapping(bool leftHanded, double scale) {
-    return {.origin_m = {0.01, -0.02, 0.03}, .scale = scale, .leftHanded = leftHanded};
+    devices::WorkspaceMapping made;
+    made.origin_m = {0.01, -0.02, 0.03};
+    made.scale = scale;
+    made.leftHanded = leftHanded;
+    return made;
+}
+devices::WorkspaceMapping turned(bool leftHanded, double scale, const Quat& q) {
+    devices::WorkspaceMapping made = mapping(leftHanded, scale);
+    made.q_WD = {q.w(), q.x(), q.y(), q.z()};
+    return made;
 }
 } // namespace
 
@@ -75,6 +84,31 @@ private slots:
                 QVERIFY(std::abs(inW - d.force.dot(v) - d.torque.dot(w)) < 1e-12);
             }
         }
+    }
+
+    /// A base mounted otherwise, plain and mirrored: there and back, power, levers and orientation; and by hand for a quarter turn.
+    void aTurnedBaseTurnsEverything() {
+        const devices::WorkspaceMap quarter(turned(false, 2.0, Quat(Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitZ()))));
+        QVERIFY(near(quarter.pointToW({0.1, 0.2, 0.3}), {0.01 - 0.4, -0.02 + 0.2, 0.03 + 0.6}));
+        QVERIFY(near(quarter.wrenchToD({Vec3::UnitX(), Vec3::UnitY()}).force, -Vec3::UnitY())); // W's x is D's -y
+        core::Random random(4);
+        for (const bool leftHanded : {false, true})
+            for (int n = 0; n < 100; ++n) {
+                const Quat turn = Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
+                const devices::WorkspaceMap map(turned(leftHanded, 1.5, turn));
+                const Vec3 p = randomVector(random), v = randomVector(random), w = randomVector(random), f = randomVector(random);
+                QVERIFY(near(map.pointToD(map.pointToW(p)), p));
+                const core::Wrench tissue{randomVector(random), randomVector(random)};
+                const core::Wrench d = map.wrenchToD(tissue);
+                QVERIFY(near(map.wrenchToW(d).force, tissue.force) && near(map.wrenchToW(d).torque, tissue.torque));
+                QVERIFY(std::abs(tissue.force.dot(map.velocityToW(v)) - 1.5 * d.force.dot(v)) < 1e-12);
+                QVERIFY(std::abs(tissue.torque.dot(map.angularToW(w)) - d.torque.dot(w)) < 1e-12);
+                QVERIFY(near(map.wrenchToW({f, v.cross(f)}).torque, (map.velocityToW(v) / 1.5).cross(map.wrenchToW({f, v}).force)));
+                const Quat q = Quat(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
+                QVERIFY(map.orientationToD(map.orientationToW(q)).angularDistance(q) < 1e-7);
+                const Mat3 h = Vec3(leftHanded ? -1.0 : 1.0, 1.0, 1.0).asDiagonal();
+                QVERIFY((map.orientationToW(q).toRotationMatrix() - turn.toRotationMatrix() * h * q.toRotationMatrix() * h).norm() < 1e-12);
+            }
     }
 
     void orientationIsConjugatedByTheReflection() {

@@ -2,6 +2,8 @@
 // The books of bodies alone (passivity_controller.h), without devices: who owes what, what is softened and what comes back.
 #include "haptics/passivity_controller.h"
 
+#include "support/passive_object.h"
+
 #include <QtTest>
 #include <algorithm>
 
@@ -66,6 +68,8 @@ private slots:
     void booksGoWithTheirTools();
     void whereNothingIsLoadedNothingIsSoftened();
     void aSoftenedBodyRecoversOnWorkAlone();
+    void bookOfABodyIsThatOfP2();
+    void onlyTheBookOfWhatWasShownIsRight();
     void capsAreBookedAtTheShare();
 };
 
@@ -147,6 +151,72 @@ void TestPassivityBooks::aSoftenedBodyRecoversOnWorkAlone() {
     QVERIFY(most > 0.0 && most <= haptics::PassivityController::kRise * 1.001);
     books.tick({0, 1}, {0.0, 0.0}, {0.0, 0.0}, {}); // let go of: a new book
     QCOMPARE(books.controller.work_J(), 0.0);
+}
+
+namespace {
+
+/// P2's passive object and the supervisor's book of one body, with the same motion and the same force of two tools.
+struct SideBySide {
+    void tick(const std::array<core::Vec3, 2>& p, const std::array<core::Vec3, 2>& asked, const std::array<core::Vec3, 2>& shown,
+              const std::array<bool, 2>& touching, double stored_J) {
+        core::ToolStates states;
+        core::ToolWrenches held;
+        states.count = held.count = 2;
+        std::array<bool, core::kMaxTools> members{};
+        for (std::size_t i = 0; i < 2; ++i) {
+            states.tools[i].p_WT = p[i];
+            held.tools[i].force = shown[i];
+            members[i] = touching[i];
+            published.update(i, touching[i], p[i], asked[i], 0.5 * stored_J);
+        }
+        book.addWork(states);
+        book.hold(states, held, members);
+    }
+    tests::PassiveObject published;
+    haptics::PassivityObserver book;
+};
+
+} // namespace
+
+// The object is passive or not by both, to rounding: for a spring, for a stiffness that is told too late, and through two tools.
+void TestPassivityBooks::bookOfABodyIsThatOfP2() {
+    const core::Vec3 z = core::Vec3::UnitZ(), x = core::Vec3::UnitX(), none = core::Vec3::Zero();
+    for (const double kOut : {500.0, 1200.0}) {
+        SideBySide both;
+        for (int n = 0; n < 2000; ++n) {
+            const double d = 0.003 * (n <= 1000 ? n : 2000 - n) / 1000.0, k = n <= 1000 ? 500.0 : kOut;
+            const core::Vec3 f = k * d * z;
+            both.tick({-d * z, none}, {f, none}, {f, none}, {true, false}, k * d * d);
+            QVERIFY(std::abs(both.published.displayed_J() + both.book.supplied_J()) < 1e-12);
+        }
+        QCOMPARE(both.book.supplied_J() < -1e-3, kOut > 500.0); // 3.2 mJ came from nowhere
+    }
+    SideBySide both; // a spring between two tools: stretched by the first, let in by the second
+    for (int n = 0; n < 2000; ++n) {
+        const double a = 0.01 * std::min(n, 1000) / 1000.0, b = 0.01 * std::max(0, n - 1000) / 1000.0;
+        const core::Vec3 f = -100.0 * (a - b) * x;
+        both.tick({a * x, b * x}, {f, -f}, {f, -f}, {true, true}, 50.0 * (a - b) * (a - b));
+        QVERIFY(std::abs(both.published.displayed_J() + both.book.supplied_J()) < 1e-12);
+    }
+    QVERIFY(std::abs(both.book.supplied_J()) < 2e-5); // neither alone: the first gave 5 mJ, the second got them
+}
+
+// Why the scene keeps no such object: it knows the force it asked for. Capped to 1 N on the way in and felt whole on the way out, the spring
+// gives more than it took, and a book of what was asked for says that nothing happened.
+void TestPassivityBooks::onlyTheBookOfWhatWasShownIsRight() {
+    const core::Vec3 z = core::Vec3::UnitZ(), none = core::Vec3::Zero();
+    SideBySide both;
+    double work_J = 0.0, before = 0.0, force = 0.0;
+    for (int n = 0; n < 2000; ++n) {
+        const double d = 0.004 * (n <= 1000 ? n : 2000 - n) / 1000.0;
+        work_J += force * (d - before); // of the hand on the spring, as shown
+        before = d;
+        force = n <= 1000 ? std::min(1.0, 500.0 * d) : 500.0 * d;
+        both.tick({-d * z, none}, {500.0 * d * z, none}, {force * z, none}, {true, false}, 500.0 * d * d);
+    }
+    QVERIFY2(work_J < -0.9e-3, qPrintable(QString::number(work_J)));
+    QVERIFY(std::abs(both.book.supplied_J() - work_J) < 1e-9);
+    QVERIFY(std::abs(both.published.displayed_J()) < 1e-5);
 }
 
 void TestPassivityBooks::capsAreBookedAtTheShare() {

@@ -74,6 +74,8 @@ void TestScoreCalculator::catalogueIsComplete() {
                                               "placement_error",
                                               "weighing_correct",
                                               "weighing_correct_by_chance",
+                                              "prediction_error_rms",
+                                              "held_error_rms",
                                               "critical_errors",
                                               "palpation_hits",
                                               "palpation_misses",

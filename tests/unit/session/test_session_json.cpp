@@ -190,7 +190,19 @@ void TestSessionJson::mappingComesBack() {
         QVERIFY(same(after->origin_m[i], before.origin_m[i]));
     QVERIFY(same(after->scale, before.scale));
     QCOMPARE(after->leftHanded, true);
-    QCOMPARE(std::size_t(session::toJson(before).size()), std::size_t{3});
+    QCOMPARE(std::size_t(session::toJson(before).size()), std::size_t{3}); // a base that is not turned is not told, as before
+    QVERIFY(!after->turned());
+    before.q_WD = {0.5, -0.5, 0.5, -0.5};
+    const auto turned = session::mappingFromJson(stored(session::toJson(before)));
+    QVERIFY2(turned, turned ? "" : turned.error().message.c_str());
+    QVERIFY(turned->q_WD == before.q_WD);
+    for (const QJsonArray& bad : {QJsonArray{1, 0, 0}, QJsonArray{2, 0, 0, 0}, QJsonArray{0, 0, 0, 0}, QJsonArray{1, 0, 0, "0"}}) {
+        QJsonObject damaged = session::toJson(before);
+        damaged["base_turn"] = bad;
+        const auto refused = session::mappingFromJson(damaged);
+        QVERIFY(!refused);
+        QVERIFY(refused.error().message.find("base_turn") != std::string::npos);
+    }
 }
 
 void TestSessionJson::mappingDamageIsNamed() {

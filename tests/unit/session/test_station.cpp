@@ -116,6 +116,28 @@ private slots:
         QVERIFY(!session::keyboardMouseStation({.scale = 9.0, .origin_m = {}}, PointerTool::endoscope));
     }
 
+    /// P2's flexible mounting: the base stands turned, and what the device reads there is where it was in W.
+    void basesCanBeMountedOtherwise() {
+        const auto mapping = session::mappingOf({.turn_rad = {0.3, -0.2, 0.1}});
+        QVERIFY(mapping && mapping->turned());
+        const devices::WorkspaceMap map(*mapping);
+        QVERIFY(map.pointToW(Vec3::UnitX()).y() > 0.2); // to the left: the right side goes away from the person
+        const auto tilted = session::mappingOf({.turn_rad = {0.0, 0.2, 0.0}});
+        QVERIFY(devices::WorkspaceMap(*tilted).pointToW(Vec3::UnitZ()).y() > 0.15); // away from the person
+        const auto rolled = session::mappingOf({.turn_rad = {0.0, 0.0, 0.2}});
+        QVERIFY(devices::WorkspaceMap(*rolled).pointToW(Vec3::UnitZ()).x() > 0.15); // to the right
+        const auto far = session::mappingOf({.turn_rad = {0.0, 1.0, 0.0}});
+        QVERIFY(!far);
+        QVERIFY(far.error().message.find("45 degrees") != std::string::npos);
+        QVERIFY(!session::mappingOf({.turn_rad = {std::nan(""), 0.0, 0.0}}));
+        const session::WorkspaceChoice turned{.turn_rad = {0.3, 0.0, 0.0}};
+        const auto refused = session::scriptedStation(AnyKind("gimbal_hprd"), {}, "stayer", 5, mechanisms::PolarMap::exact, {}, turned);
+        QVERIFY(!refused); // a hand that takes D for W would grope beside its work
+        QCOMPARE(refused.error().code, core::ErrorCode::wrongUse);
+        const auto pointer = session::keyboardMouseStation(turned);
+        QVERIFY(pointer && !pointer->mappings.front().turned()); // a mouse has no base
+    }
+
     void theScriptedOperatorHoldsTheMechanismOfTheExercise() {
         auto endoscope = session::scriptedStation(AnyKind("five_bar_spherical"), {}, "stayer", 5);
         QVERIFY(endoscope.has_value());

@@ -3,7 +3,7 @@
 #include "core/units.h"
 #include "simulation/objects/free_body.h"
 #include "simulation/objects/object_contact.h"
-#include "simulation/objects/passive_object.h"
+#include "support/passive_object.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -161,7 +161,7 @@ void TestLooseObjects::lyingBodyKeepsStill() {
 }
 
 void TestLooseObjects::passiveBooksOfASpring() {
-    PassiveObject books;
+    tests::PassiveObject books;
     // pressed 2 mm into 500 N/m and back, slowly: displayed −1 mJ, then 0, never made more than the sampling does
     for (int n = 0; n <= 2000; ++n) {
         const double d = 0.002 * (n <= 1000 ? n : 2000 - n) / 1000.0;
@@ -179,7 +179,7 @@ void TestLooseObjects::passiveBooksOfASpring() {
 
 // P2's interpolated normals in one line: pressed along one direction, let out along another, energy comes from nowhere.
 void TestLooseObjects::passiveBooksFindAnActiveObject() {
-    PassiveObject books;
+    tests::PassiveObject books;
     for (int n = 0; n <= 2000; ++n) {
         const double d = 0.004 * (n <= 1000 ? n : 2000 - n) / 1000.0;
         const double k = n <= 1000 ? 400.0 : 1200.0; // stiffness told too late
@@ -193,7 +193,7 @@ void TestLooseObjects::passiveBooksFindAnActiveObject() {
 
 // What one tool puts into an object the other may take out: the object's books say so, the contacts' alone would not.
 void TestLooseObjects::passiveBooksOverTwoTools() {
-    PassiveObject books;
+    tests::PassiveObject books;
     for (int n = 0; n <= 1000; ++n) { // a spring between two tools: the first stretches it, then the second lets it in
         const double x = 0.01 * n / 1000.0;
         books.update(0, true, Vec3(x, 0, 0), Vec3(-100.0 * x, 0, 0), 0.5 * 0.5 * 100.0 * x * x);
@@ -210,7 +210,7 @@ void TestLooseObjects::passiveBooksOverTwoTools() {
 
 // ½ k Δx² a tick, for a sampled spring that is let out: what the supervisor's controller is there for.
 void TestLooseObjects::sampledSpringMakesWhatIsSaid() {
-    PassiveObject books;
+    tests::PassiveObject books;
     const double step = 1e-4; // 0.1 m/s
     for (int n = 0; n <= 20; ++n)
         books.update(0, true, Vec3(0, 0, -n * step), Vec3(0, 0, 1000.0 * n * step), 500.0 * n * n * step * step);

@@ -5,7 +5,9 @@
 
 #include <QtTest>
 #include <algorithm>
+#include <cstdio>
 #include <deque>
+#include <numeric>
 
 using namespace chiron;
 using namespace chiron::simulation;
@@ -93,6 +95,7 @@ private slots:
     void noStepIsFelt();
     void aQuickPressIsLocalALastingOneTheSeries();
     void anotherTrialBeginsAtRest();
+    void thePredictionIsComparedWithWhatCame();
 };
 
 void TestTwoRates::asDueAppliesExactlyAtNPlusL() {
@@ -253,6 +256,38 @@ void TestTwoRates::anotherTrialBeginsAtRest() {
     QVERIFY(std::abs(second.back() - first.back()) < 1e-3 * first.back());
     for (std::size_t n = 0; n < 33; ++n)
         QCOMPARE(second[n], first.front()); // nothing of the old dent
+}
+
+// P2: "after a visual loop update, the haptic loop compares predicted values". Untouched there is nothing to compare; a tool that
+// rests is predicted ever better; one that presses is predicted worse than one that rests.
+void TestTwoRates::thePredictionIsComparedWithWhatCame() {
+    const SphereApexParameters p = softDome();
+    auto dome = std::move(*TouchedDome::make(p, planSphereApexTrials(p, 1)));
+    dome->begin(0, 0);
+    std::vector<double> pressing, held, resting;
+    for (std::uint64_t n = 0; n < 4000; ++n) {
+        const double depth = n < 200 ? -0.01 : n < 1500 ? 0.004 * static_cast<double>(n - 200) / 1300.0 : 0.004;
+        const bool applied = dome->update(n, SlowUpdate::asDue);
+        const PredictionError error = dome->organ()->predictionError();
+        if (n < 200)
+            QVERIFY(error.predicted_m == 0.0 && error.held_m == 0.0);
+        if (applied && n > 400 && n < 1500) {
+            pressing.push_back(error.predicted_m);
+            held.push_back(error.held_m);
+        }
+        if (applied && n > 3500)
+            resting.push_back(error.predicted_m);
+        dome->respond(0, Vec3(0.0, 0.0, 0.020 - depth), Vec3::Zero());
+        dome->ask(n);
+    }
+    const auto mean = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size()); };
+    QVERIFY(pressing.size() > 10 && resting.size() > 5);
+    QVERIFY2(mean(pressing) > 1e-6 && mean(pressing) < 1e-3, qPrintable(QString::number(mean(pressing))));
+    QVERIFY2(mean(resting) < 0.05 * mean(pressing), qPrintable(QString::number(mean(resting))));
+    QVERIFY2(mean(pressing) < mean(held), qPrintable(QStringLiteral("%1 of %2").arg(mean(pressing)).arg(mean(held)))); // what prediction is for
+    std::printf("pressing: predicted %.1f µm, held %.1f µm; resting %.2f µm\n", 1e6 * mean(pressing), 1e6 * mean(held), 1e6 * mean(resting));
+    dome->begin(0, 4000);
+    QCOMPARE(dome->organ()->predictionError().predicted_m, 0.0);
 }
 
 QTEST_APPLESS_MAIN(TestTwoRates)

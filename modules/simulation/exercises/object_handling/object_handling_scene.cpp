@@ -148,6 +148,9 @@ void ObjectHandlingScene::fillQuantities(double bedDepth_m, SceneOutput& out) co
         for (int axis = 0; axis < 3; ++axis)
             out.quantities[q::kBodies + 3 * i + static_cast<std::size_t>(axis)] = m_world.body(i).p_W[axis];
     out.quantities[q::kBedDepth] = bedDepth_m;
+    const PredictionError error = m_softBed ? m_softBed->organ().predictionError() : PredictionError();
+    out.quantities[q::kPredictionError] = error.predicted_m;
+    out.quantities[q::kHeldError] = error.held_m;
 }
 
 void ObjectHandlingScene::showObjects(core::LaparoscopyCues& cues) const noexcept {

@@ -20,7 +20,9 @@ inline constexpr std::size_t kSqueeze = 2;   ///< N
 inline constexpr std::size_t kHeld = 3;      ///< object number + 1; 0: none
 inline constexpr std::size_t kBodies = 4;    ///< x, y, z of each of three objects, m; zero where there is none
 inline constexpr std::size_t kBedDepth = 13; ///< m
-inline constexpr std::size_t kCount = 14;
+inline constexpr std::size_t kPredictionError = 14; ///< m, PredictionError::predicted_m; zero without a soft bed
+inline constexpr std::size_t kHeldError = 15;       ///< m, held_m
+inline constexpr std::size_t kCount = 16;
 } // namespace handling_quantity
 
 /// Object handling running (P2; models.md §2.2). Task state, one trial after the other:

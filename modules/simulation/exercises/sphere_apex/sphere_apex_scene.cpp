@@ -19,6 +19,10 @@ void SphereApexScene::respond(const realtime::HapticTick& now, const SceneInput&
     touch(in, out);
     if (m_dome && objectPresent())
         m_dome->ask(now.index());
+    if (const DeformableOrgan* organ = m_dome ? m_dome->organ() : nullptr; organ != nullptr && objectPresent()) {
+        out.quantities[apex_quantity::kPredictionError] = organ->predictionError().predicted_m;
+        out.quantities[apex_quantity::kHeldError] = organ->predictionError().held_m;
+    }
     out.trial = static_cast<std::uint16_t>(m_trial);
     out.phase = m_phase;
     fillCues(in, out);

@@ -15,6 +15,12 @@
 
 namespace chiron::simulation {
 
+/// Where each of `SceneOutput::quantities` stands (sphere apex, on an organ alone): PredictionError, m.
+namespace apex_quantity {
+inline constexpr std::size_t kPredictionError = 0;
+inline constexpr std::size_t kHeldError = 1;
+} // namespace apex_quantity
+
 /// The sphere-apex exercise running (models.md §2.3). Task state, one trial after the other:
 ///
 ///   idle --started--> ready --forceReady--> running --mark or limit--> between --betweenTrials_s--> ready
