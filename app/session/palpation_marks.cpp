@@ -20,13 +20,14 @@ PlaybackMark markAt(const PlaybackTrack& track, int trial, double t_s, PlaybackM
 }
 
 /// Whether the report begins a finding that stayed until the end and found nothing.
-bool isFalseAlarm(const PalpationTrialRecord& record, std::size_t report) {
-    const auto& reports = record.answer.reports;
-    const int finding = reports[report].finding;
-    for (std::size_t later = report + 1; later < reports.size(); ++later)
-        if (reports[later].finding == finding && reports[later].field == core::ReportField::found)
+bool isFalseAlarm(const scoring::PalpationAnswer& answer, std::size_t report) {
+    const int finding = answer.reports[report].finding;
+    if (answer.reports[report].field != core::ReportField::found)
+        return false;
+    for (std::size_t later = report + 1; later < answer.reports.size(); ++later)
+        if (answer.reports[later].finding == finding && answer.reports[later].field == core::ReportField::found)
             return false; // taken back, and the number used again
-    return std::any_of(record.answer.matches.begin(), record.answer.matches.end(),
+    return std::any_of(answer.matches.begin(), answer.matches.end(),
                        [finding](const scoring::FindingMatch& match) { return match.finding == finding && !match.hit(); });
 }
 
@@ -36,7 +37,7 @@ void addReports(PlaybackTrack& track, const PalpationTrialRecord& record) {
         if (report.field != core::ReportField::found && report.field != core::ReportField::remove)
             continue;
         const PlaybackMarkKind kind = report.field == core::ReportField::remove ? PlaybackMarkKind::takenBack
-                                      : isFalseAlarm(record, i)                 ? PlaybackMarkKind::falseAlarm
+                                      : isFalseAlarm(record.answer, i)          ? PlaybackMarkKind::falseAlarm
                                                                                 : PlaybackMarkKind::found;
         track.marks.push_back(markAt(track, record.trial, report.t_s, kind));
         track.marks.back().value = report.finding + 1;
@@ -44,6 +45,14 @@ void addReports(PlaybackTrack& track, const PalpationTrialRecord& record) {
 }
 
 } // namespace
+
+std::vector<std::size_t> falseAlarmReports(const scoring::PalpationAnswer& answer) {
+    std::vector<std::size_t> reports;
+    for (std::size_t i = 0; i < answer.reports.size(); ++i)
+        if (isFalseAlarm(answer, i))
+            reports.push_back(i);
+    return reports;
+}
 
 void addPalpationMarks(PlaybackTrack& track, std::span<const PalpationTrialRecord> records) {
     for (const PalpationTrialRecord& record : records) {

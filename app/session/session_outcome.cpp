@@ -3,13 +3,16 @@
 
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_repository.h"
+#include "session/answer_events.h"
 #include "session/event_extractor.h"
 #include "session/stored_session.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace chiron::session {
 
@@ -81,6 +84,7 @@ struct Conclusion {
     SessionState state = SessionState::completed;
     scoring::SessionTrace trace; ///< the truth of each trial goes with its row
     core::Result<scoring::ScoreCard> card;
+    std::vector<database::EventRecord> answers; ///< what the answers were worth
 };
 
 core::Result<Conclusion> conclude(StoredSession& stored, const EventExtractor& seen, const RunEnding& ending) {
@@ -89,7 +93,10 @@ core::Result<Conclusion> conclude(StoredSession& stored, const EventExtractor& s
         return tl::unexpected(trace.error());
     const SessionState state = stateOf(seen, ending);
     auto card = stored.scoresOf(*trace, state == SessionState::completed);
-    return Conclusion{state, std::move(*trace), std::move(card)};
+    auto answers = answerEvents(stored, *trace, seen.trials());
+    if (!answers)
+        return tl::unexpected(answers.error());
+    return Conclusion{state, std::move(*trace), std::move(card), std::move(*answers)};
 }
 
 core::Result<void> storeEnd(database::WriteContext& context, const database::Actor& actor, database::SessionId id,
@@ -102,7 +109,10 @@ core::Result<void> storeEnd(database::WriteContext& context, const database::Act
         if (auto done = sessions.storeTrial(id, trial); !done)
             return done;
     }
-    if (auto done = sessions.storeEvents(id, seen.events()); !done)
+    std::vector<database::EventRecord> events = seen.events();
+    events.insert(events.end(), conclusion.answers.begin(), conclusion.answers.end());
+    std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) { return a.tick < b.tick; });
+    if (auto done = sessions.storeEvents(id, events); !done)
         return done;
     database::SessionEnd end;
     end.state = conclusion.state;

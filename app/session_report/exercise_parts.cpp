@@ -3,9 +3,8 @@
 
 #include "session_report/grasp_report_of.h"
 #include "session_report/insertion_profile.h"
+#include "scoring/metrics/apex_answer.h"
 #include "session_report/palpation_report.h"
-
-#include <cmath>
 
 namespace chiron::session_report {
 
@@ -17,15 +16,18 @@ std::vector<report::ApexError> apexErrorsOf(const scoring::SessionTrace& trace) 
     for (const scoring::TrialTrace& trial : trace.trials) {
         if (trial.unfinished || !trial.apex || trial.tools.empty() || trial.tools[0].p_WT_m.empty())
             continue;
+        scoring::PreparedTrial prepared; // of which the answer reads position and truth alone
+        prepared.trial = &trial;
+        prepared.tool = &trial.tools.front();
+        const auto answer = scoring::apexAnswer(prepared);
+        if (!answer)
+            continue;
         report::ApexError error;
         error.trial = trial.trial;
         error.timedOut = !trial.marked;
-        const core::Vec3& p = trial.marked ? trial.p_WMark_m : trial.tools[0].p_WT_m.back();
-        const double dx = p.x() - trial.apex->x_m;
-        const double dy = p.y() - trial.apex->y_m;
-        error.x_percent = 100.0 * dx / trial.apex->radius_m;
-        error.y_percent = 100.0 * dy / trial.apex->radius_m;
-        error.miss = trial.marked && (!trial.markInContact || std::hypot(dx, dy) > trial.apex->radius_m);
+        error.x_percent = answer->errorX_percent;
+        error.y_percent = answer->errorY_percent;
+        error.miss = trial.marked && answer->miss;
         errors.push_back(error);
     }
     return errors;

@@ -181,6 +181,8 @@ void TestPlaybackTrack::trialsAndMarks() {
     }
     QCOMPARE(count(track, PlaybackMarkKind::trialStarted), eventsOf(*m_site.database, m_unsafe, "trial_started"));
     QCOMPARE(count(track, PlaybackMarkKind::marked), eventsOf(*m_site.database, m_unsafe, "marked"));
+    QVERIFY(count(track, PlaybackMarkKind::missed) > 0); // a hand that marks beside the sphere
+    QCOMPARE(count(track, PlaybackMarkKind::missed), eventsOf(*m_site.database, m_unsafe, "missed"));
     QCOMPARE(count(track, PlaybackMarkKind::overLimit), eventsOf(*m_site.database, m_unsafe, "force_over_limit"));
     QVERIFY(count(track, PlaybackMarkKind::overLimit) > 0);
     QVERIFY(count(track, PlaybackMarkKind::contact) > 0);

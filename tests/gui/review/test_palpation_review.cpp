@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A palpation looked back at: playback, debrief and the curve over sessions, by real controls.
+#include "database/repositories/score_repository.h"
+#include "database/repositories/session_reader.h"
 #include "desktop/debrief/palpation_box.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
@@ -112,6 +114,36 @@ private slots:
                 }
         QVERIFY(jumped);
         QVERIFY(m_desktop->find<QLabel>(QStringLiteral("playback.readout"))->text().contains(QStringLiteral("findings")));
+    }
+
+    void missesAndFalseAlarmsAreEventsAsScored() {
+        auto connection = m_desktop->database().openReader();
+        const database::Actor tina = m_desktop->actor("tina");
+        const auto card = database::ScoreRepository(**connection, tina).scores(m_session);
+        const auto events = database::SessionReader(**connection, tina).events(m_session);
+        QVERIFY(card && events);
+        const auto data = load();
+        const auto scored = [&](const char* id) {
+            for (const scoring::MetricValue& metric : card->metrics)
+                if (metric.id == id)
+                    return static_cast<long>(metric.value.value_or(-1.0));
+            return -1L;
+        };
+        const auto stored = [&](const char* kind) {
+            return std::count_if(events->begin(), events->end(), [kind](const auto& event) { return event.kind == kind; });
+        };
+        const auto marked = [&](session::PlaybackMarkKind kind) {
+            return std::count_if(data.track.marks.begin(), data.track.marks.end(), [kind](const auto& mark) { return mark.kind == kind; });
+        };
+        QVERIFY(scored("palpation_misses") > 0 && scored("palpation_false_alarms") > 0);
+        QCOMPARE(stored("lump_missed"), scored("palpation_misses"));
+        QCOMPARE(stored("false_alarm"), scored("palpation_false_alarms"));
+        QCOMPARE(marked(session::PlaybackMarkKind::lumpMissed), scored("palpation_misses"));
+        QCOMPARE(marked(session::PlaybackMarkKind::falseAlarm), scored("palpation_false_alarms"));
+        QVERIFY(std::is_sorted(events->begin(), events->end(), [](const auto& a, const auto& b) { return a.tick < b.tick; }));
+        for (const database::EventRecord& event : *events)
+            if (event.kind == "false_alarm" || event.kind == "lump_missed")
+                QVERIFY(std::abs(data.track.timeOfTick(event.tick) - event.time_s) < 0.005);
     }
 
     void theDebriefTellsEachTrial() {

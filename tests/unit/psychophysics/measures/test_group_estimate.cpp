@@ -44,6 +44,7 @@ private slots:
     void thresholdModels();
     void degenerate();
     void modulusEqualised();
+    void sealedAnswersAreNoAnswersWithoutAValue();
 };
 
 /// BCG vaccine trials (Colditz et al. 1994; the metafor package's dat.bcg): log risk ratios and variances, REML: mu -0.7145, tau2 0.3132,
@@ -225,6 +226,21 @@ void TestGroupEstimate::modulusEqualised() {
     const AdjustmentSummary settings = summariseSettings(10.0, {10.0, 11.0, 9.0, std::nan(""), -3.0});
     QVERIFY(settings.settings == 3 && settings.pseLow < 10.0 && settings.pseHigh > 10.0 && settings.sdLow < settings.sdLog10);
     QVERIFY(std::isnan(summariseSettings(0.0, {1.0}).pse) && std::isnan(summariseSettings(1.0, {}).pse));
+}
+
+void TestGroupEstimate::sealedAnswersAreNoAnswersWithoutAValue() {
+    RunEstimate sealed;
+    sealed.warnings.push_back({WarningKind::sealed});
+    const GroupEstimate all = estimateGroup({sealed, sealed, sealed, sealed}, 1);
+    QVERIFY(warns(all.warnings, "sealed"));
+    QVERIFY(!warns(all.warnings, "left_out"));
+    QCOMPARE(all.leftOut, 0);
+    QCOMPARE(static_cast<int>(all.members.size()), 4);
+    RunEstimate useless; // told, and of no value: another thing
+    const GroupEstimate open = estimateGroup({useless, runOf(-0.9, 0.05), runOf(-0.8, 0.05)}, 1);
+    QVERIFY(!warns(open.warnings, "sealed"));
+    QVERIFY(warns(open.warnings, "left_out"));
+    QCOMPARE(open.leftOut, 1);
 }
 
 QTEST_APPLESS_MAIN(TestGroupEstimate)
