@@ -19,7 +19,7 @@ struct MetricWords {
 };
 
 // clang-format off
-constexpr std::array<MetricWords, 55> kMetrics{{
+constexpr std::array<MetricWords, 61> kMetrics{{
     {"time", QT_TRANSLATE_NOOP("Metrics", "Time"),
      QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count.")},
     {"path_length", QT_TRANSLATE_NOOP("Metrics", "Path length"),
