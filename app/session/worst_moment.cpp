@@ -114,7 +114,7 @@ std::optional<WorstMoment> ofGate(const PlaybackTrack& track, const scoring::Sco
         return largestForce(track);
     if (startsWith(gate.metric, "apex_"))
         return farthestAnswer(track);
-    if (gate.metric == "trauma_events")
+    if (startsWith(gate.metric, "trauma_") || gate.metric == "lateral_max")
         return largestMark(track, PlaybackMarkKind::trauma, 1.0, "N");
     if (gate.metric == "reversals")
         return largestMark(track, PlaybackMarkKind::reversal, 1e3, "mm");
