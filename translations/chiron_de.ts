@@ -782,8 +782,8 @@ Einzelheiten: %2</translation>
         <translation>Wegüberschuss</translation>
     </message>
     <message>
-        <source>How much longer the path was than the straight line between its ends; the mean over the trials.</source>
-        <translation>Wie viel länger der Weg war als die Gerade zwischen seinen Enden; Mittelwert über die Durchgänge.</translation>
+        <source>How much longer the path was than the straight line between its ends, or in a canal than the canal itself on the way in and out; the mean over the trials.</source>
+        <translation>Wie viel länger der Weg war als die Gerade zwischen seinen Enden, in einem Kanal als der Kanal selbst auf dem Hin- und Rückweg; Mittelwert über die Durchgänge.</translation>
     </message>
     <message>
         <source>Smoothness (SPARC)</source>
@@ -986,12 +986,52 @@ Einzelheiten: %2</translation>
         <translation>Derselbe Winkel auf dem Weg hinein, bis 10 mm vor und nach der Biegung, wo das Endoskop gedreht werden muss.</translation>
     </message>
     <message>
+        <source>Alignment round the bend</source>
+        <translation>Ausrichtung in der Biegung</translation>
+    </message>
+    <message>
+        <source>The same angle on the way in, from the bend to 30 mm past it, where the urethra is curved most.</source>
+        <translation>Derselbe Winkel auf dem Weg hinein, von der Biegung bis 30 mm dahinter, wo die Harnröhre am stärksten gekrümmt ist.</translation>
+    </message>
+    <message>
         <source>Trauma events</source>
         <translation>Verletzungsereignisse</translation>
     </message>
     <message>
         <source>How often the endoscope pressed sideways on the wall over the limit of this level for 20 ms or longer.</source>
         <translation>Wie oft das Endoskop 20 ms oder länger seitlich stärker gegen die Wand drückte, als die Grenze dieser Stufe erlaubt.</translation>
+    </message>
+    <message>
+        <source>Time of trauma</source>
+        <translation>Verletzungszeit</translation>
+    </message>
+    <message>
+        <source>How long those events lasted together.</source>
+        <translation>Wie lange diese Ereignisse zusammen dauerten.</translation>
+    </message>
+    <message>
+        <source>Impulse of trauma</source>
+        <translation>Verletzungsimpuls</translation>
+    </message>
+    <message>
+        <source>Sideways force times time while that force was over the limit of this level.</source>
+        <translation>Seitenkraft mal Zeit, solange diese Kraft über der Grenze dieser Stufe lag.</translation>
+    </message>
+    <message>
+        <source>Largest sideways force</source>
+        <translation>Größte Seitenkraft</translation>
+    </message>
+    <message>
+        <source>The largest force with which the endoscope pressed sideways on the wall at any moment.</source>
+        <translation>Die größte Kraft, mit der das Endoskop in irgendeinem Augenblick seitlich gegen die Wand drückte.</translation>
+    </message>
+    <message>
+        <source>Advance while turning</source>
+        <translation>Vorschub beim Drehen</translation>
+    </message>
+    <message>
+        <source>How far the endoscope was pushed on in the bend while it was being turned: stop, turn, and only then go on.</source>
+        <translation>Wie weit das Endoskop in der Biegung vorgeschoben wurde, während es gedreht wurde: anhalten, drehen und erst dann weitergehen.</translation>
     </message>
     <message>
         <source>Largest torque</source>
@@ -1106,8 +1146,8 @@ Einzelheiten: %2</translation>
         <translation>Kritische Fehler</translation>
     </message>
     <message>
-        <source>How often the tissue gave way because it was pushed too hard.</source>
-        <translation>Wie oft das Gewebe nachgab, weil zu stark gedrückt wurde.</translation>
+        <source>How often the tissue gave way because it was pushed too hard, or a canal was pressed sideways for more than 1 s or with more than 4 N.</source>
+        <translation>Wie oft das Gewebe nachgab, weil zu stark gedrückt wurde, oder ein Kanal länger als 1 s oder mit mehr als 4 N zur Seite gedrückt wurde.</translation>
     </message>
     <message>
         <source>Over-stretches</source>
@@ -4109,6 +4149,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Novice</source>
         <translation>Unerfahren</translation>
+    </message>
+    <message>
+        <source>Hesitant (draws back)</source>
+        <translation>Zögerlich (zieht zurück)</translation>
     </message>
     <message>
         <source>Unsafe (presses too hard)</source>

@@ -782,8 +782,8 @@ Details: %2</source>
         <translation>Πλεονάζουσα διαδρομή</translation>
     </message>
     <message>
-        <source>How much longer the path was than the straight line between its ends; the mean over the trials.</source>
-        <translation>Πόσο μεγαλύτερη ήταν η διαδρομή από την ευθεία ανάμεσα στα άκρα της· μέσος όρος των δοκιμών.</translation>
+        <source>How much longer the path was than the straight line between its ends, or in a canal than the canal itself on the way in and out; the mean over the trials.</source>
+        <translation>Πόσο μεγαλύτερη ήταν η διαδρομή από την ευθεία ανάμεσα στα άκρα της ή, μέσα σε πόρο, από τον ίδιο τον πόρο κατά την είσοδο και την έξοδο· μέσος όρος των δοκιμών.</translation>
     </message>
     <message>
         <source>Smoothness (SPARC)</source>
@@ -986,12 +986,52 @@ Details: %2</source>
         <translation>Η ίδια γωνία κατά την εισαγωγή, ως 10 mm από την καμπή, όπου το ενδοσκόπιο πρέπει να στραφεί.</translation>
     </message>
     <message>
+        <source>Alignment round the bend</source>
+        <translation>Ευθυγράμμιση μέσα στην καμπή</translation>
+    </message>
+    <message>
+        <source>The same angle on the way in, from the bend to 30 mm past it, where the urethra is curved most.</source>
+        <translation>Η ίδια γωνία κατά την εισαγωγή, από την καμπή ως 30 mm μετά από αυτήν, όπου η ουρήθρα είναι πιο καμπύλη.</translation>
+    </message>
+    <message>
         <source>Trauma events</source>
         <translation>Συμβάντα τραυματισμού</translation>
     </message>
     <message>
         <source>How often the endoscope pressed sideways on the wall over the limit of this level for 20 ms or longer.</source>
         <translation>Πόσες φορές το ενδοσκόπιο πίεσε πλάγια το τοίχωμα πάνω από το όριο αυτού του επιπέδου για 20 ms ή περισσότερο.</translation>
+    </message>
+    <message>
+        <source>Time of trauma</source>
+        <translation>Διάρκεια τραυματισμού</translation>
+    </message>
+    <message>
+        <source>How long those events lasted together.</source>
+        <translation>Πόσο διήρκεσαν συνολικά αυτά τα συμβάντα.</translation>
+    </message>
+    <message>
+        <source>Impulse of trauma</source>
+        <translation>Ώθηση τραυματισμού</translation>
+    </message>
+    <message>
+        <source>Sideways force times time while that force was over the limit of this level.</source>
+        <translation>Πλάγια δύναμη επί χρόνο όσο η δύναμη αυτή ήταν πάνω από το όριο αυτού του επιπέδου.</translation>
+    </message>
+    <message>
+        <source>Largest sideways force</source>
+        <translation>Μέγιστη πλάγια δύναμη</translation>
+    </message>
+    <message>
+        <source>The largest force with which the endoscope pressed sideways on the wall at any moment.</source>
+        <translation>Η μεγαλύτερη δύναμη με την οποία το ενδοσκόπιο πίεσε πλάγια το τοίχωμα σε οποιαδήποτε στιγμή.</translation>
+    </message>
+    <message>
+        <source>Advance while turning</source>
+        <translation>Προώθηση κατά τη στροφή</translation>
+    </message>
+    <message>
+        <source>How far the endoscope was pushed on in the bend while it was being turned: stop, turn, and only then go on.</source>
+        <translation>Πόσο προωθήθηκε το ενδοσκόπιο στην καμπή ενώ στρεφόταν: σταματήστε, στρέψτε και μόνο τότε συνεχίστε.</translation>
     </message>
     <message>
         <source>Largest torque</source>
@@ -1106,8 +1146,8 @@ Details: %2</source>
         <translation>Κρίσιμα σφάλματα</translation>
     </message>
     <message>
-        <source>How often the tissue gave way because it was pushed too hard.</source>
-        <translation>Πόσες φορές ο ιστός υποχώρησε επειδή πιέστηκε υπερβολικά.</translation>
+        <source>How often the tissue gave way because it was pushed too hard, or a canal was pressed sideways for more than 1 s or with more than 4 N.</source>
+        <translation>Πόσες φορές ο ιστός υποχώρησε επειδή πιέστηκε υπερβολικά, ή ένας πόρος πιέστηκε πλάγια για περισσότερο από 1 s ή με περισσότερα από 4 N.</translation>
     </message>
     <message>
         <source>Over-stretches</source>
@@ -4109,6 +4149,10 @@ Do you want to replace it?</source>
     <message>
         <source>Novice</source>
         <translation>Χωρίς εμπειρία</translation>
+    </message>
+    <message>
+        <source>Hesitant (draws back)</source>
+        <translation>Διστακτικός (οπισθοχωρεί)</translation>
     </message>
     <message>
         <source>Unsafe (presses too hard)</source>

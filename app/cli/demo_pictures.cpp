@@ -54,8 +54,8 @@ report::ComparisonData apexErrors(const std::vector<session::DemoResult>& result
 /// One point a level that has a bend.
 report::ComparisonData bendAlignment(const std::vector<session::DemoResult>& results) {
     report::ComparisonData data;
-    data.title = QStringLiteral("Urethra insertion: alignment at the bend by operator");
-    data.metricName = QStringLiteral("Alignment at the bend");
+    data.title = QStringLiteral("Urethra insertion: alignment round the bend by operator");
+    data.metricName = QStringLiteral("Alignment round the bend");
     data.unit = QStringLiteral("°");
     data.pointLabel = QStringLiteral("level");
     data.reference = kBendMark_deg;
@@ -68,7 +68,7 @@ report::ComparisonData bendAlignment(const std::vector<session::DemoResult>& res
         if (group == data.groups.end())
             group = data.groups.insert(data.groups.end(), {name, {}});
         for (const scoring::MetricValue& metric : result.result.scores.metrics) {
-            if (metric.id == "bend_alignment" && metric.value)
+            if (metric.id == "curve_alignment" && metric.value)
                 group->values.push_back(*metric.value);
         }
     }

@@ -85,7 +85,7 @@ void addStretches(PlaybackTrack& track, const scoring::TrialTrace& trial, std::s
 void addPeaks(PlaybackTrack& track, const scoring::TrialTrace& trial) {
     using scoring::InsertionQuantity;
     for (const InsertionQuantity quantity : {InsertionQuantity::offset, InsertionQuantity::alignment,
-                                             InsertionQuantity::bendAlignment, InsertionQuantity::torque})
+                                             InsertionQuantity::bendAlignment, InsertionQuantity::curveAlignment, InsertionQuantity::torque})
         if (const auto largest = scoring::largestOf(trial, quantity))
             track.peaks.push_back({quantity, trial.trial, largest->begin_s, largest->value});
 }

@@ -18,10 +18,10 @@ constexpr std::uint64_t kTick_us = 1000; // the scene's
 class SeriesBuilder {
 public:
     SeriesBuilder(const simulation::UrethraInsertionParameters& p, const scoring::ToolTrace& tool)
-        : m_p(p), m_tool(tool), m_line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m), m_tracker(simulation::procedurePlan(p)) {
+        : m_p(p), m_tool(tool), m_line(p.anatomy), m_tracker(simulation::procedurePlan(p)) {
         const simulation::ProcedurePlan& plan = m_tracker.plan();
         m_series.length_m = plan.neck_m;
-        m_series.bend_m = p.anatomy.freeLength_m;
+        m_series.bend_m = p.anatomy.straight_m > 0.0 ? p.anatomy.straight_m : p.anatomy.freeLength_m;
         m_series.goal_m = plan.goal_m;
         m_series.lateralLimit_N = p.lateralLimit_N;
         m_series.landmarkSeen_s.assign(plan.landmarks, std::numeric_limits<double>::quiet_NaN());

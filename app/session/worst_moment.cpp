@@ -153,13 +153,15 @@ std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::Me
         return largestForce(track);
     if (startsWith(id, "apex_"))
         return farthestAnswer(track);
-    if (id == "trauma_events")
+    if (startsWith(id, "trauma_") || id == "lateral_max")
         return largestMark(track, trauma, 1.0, "N");
     if (id == "reversals")
         return largestMark(track, reversal, 1e3, "mm");
     if (id == "critical_errors") {
-        auto broken = largestMark(track, yielded, 1.0, "N");
-        return broken ? broken : firstOf(track, {failed, damaged}, metric);
+        if (auto broken = largestMark(track, yielded, 1.0, "N"))
+            return broken;
+        auto spoiled = firstOf(track, {failed, damaged}, metric);
+        return spoiled ? spoiled : largestMark(track, trauma, 1.0, "N"); // too long or too hard against a wall that held
     }
     if (id == "over_stretches")
         return firstOf(track, {damaged, failed}, metric);

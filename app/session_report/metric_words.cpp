@@ -19,13 +19,13 @@ struct MetricWords {
 };
 
 // clang-format off
-constexpr std::array<MetricWords, 61> kMetrics{{
+constexpr std::array<MetricWords, 66> kMetrics{{
     {"time", QT_TRANSLATE_NOOP("Metrics", "Time"),
      QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count.")},
     {"path_length", QT_TRANSLATE_NOOP("Metrics", "Path length"),
      QT_TRANSLATE_NOOP("Metrics", "How far the tip of the tool travelled in all trials together.")},
     {"path_inefficiency", QT_TRANSLATE_NOOP("Metrics", "Path inefficiency"),
-     QT_TRANSLATE_NOOP("Metrics", "How much longer the path was than the straight line between its ends; the mean over the trials.")},
+     QT_TRANSLATE_NOOP("Metrics", "How much longer the path was than the straight line between its ends, or in a canal than the canal itself on the way in and out; the mean over the trials.")},
     {"sparc", QT_TRANSLATE_NOOP("Metrics", "Smoothness (SPARC)"),
      QT_TRANSLATE_NOOP("Metrics", "How even the speed of each movement was, from its spectrum. Nearer to zero is smoother.")},
     {"ldlj", QT_TRANSLATE_NOOP("Metrics", "Smoothness (LDLJ)"),
@@ -52,8 +52,18 @@ constexpr std::array<MetricWords, 61> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more.")},
     {"bend_alignment", QT_TRANSLATE_NOOP("Metrics", "Alignment at the bend"),
      QT_TRANSLATE_NOOP("Metrics", "The same angle on the way in, within 10 mm of the bend, where the endoscope has to be turned.")},
+    {"curve_alignment", QT_TRANSLATE_NOOP("Metrics", "Alignment round the bend"),
+     QT_TRANSLATE_NOOP("Metrics", "The same angle on the way in, from the bend to 30 mm past it, where the urethra is curved most.")},
     {"trauma_events", QT_TRANSLATE_NOOP("Metrics", "Trauma events"),
      QT_TRANSLATE_NOOP("Metrics", "How often the endoscope pressed sideways on the wall over the limit of this level for 20 ms or longer.")},
+    {"trauma_time", QT_TRANSLATE_NOOP("Metrics", "Time of trauma"),
+     QT_TRANSLATE_NOOP("Metrics", "How long those events lasted together.")},
+    {"trauma_impulse", QT_TRANSLATE_NOOP("Metrics", "Impulse of trauma"),
+     QT_TRANSLATE_NOOP("Metrics", "Sideways force times time while that force was over the limit of this level.")},
+    {"lateral_max", QT_TRANSLATE_NOOP("Metrics", "Largest sideways force"),
+     QT_TRANSLATE_NOOP("Metrics", "The largest force with which the endoscope pressed sideways on the wall at any moment.")},
+    {"advance_while_turning", QT_TRANSLATE_NOOP("Metrics", "Advance while turning"),
+     QT_TRANSLATE_NOOP("Metrics", "How far the endoscope was pushed on in the bend while it was being turned: stop, turn, and only then go on.")},
     {"torque_max", QT_TRANSLATE_NOOP("Metrics", "Largest torque"),
      QT_TRANSLATE_NOOP("Metrics", "The largest torque between endoscope and tissue at any moment.")},
     {"torque_rms", QT_TRANSLATE_NOOP("Metrics", "Torque, root mean square"),
@@ -77,7 +87,7 @@ constexpr std::array<MetricWords, 61> kMetrics{{
     {"over_stretches", QT_TRANSLATE_NOOP("Metrics", "Over-stretches"),
      QT_TRANSLATE_NOOP("Metrics", "How often the tube was stretched beyond the limit of this level.")},
     {"critical_errors", QT_TRANSLATE_NOOP("Metrics", "Critical errors"),
-     QT_TRANSLATE_NOOP("Metrics", "How often the tissue gave way because it was pushed too hard.")},
+     QT_TRANSLATE_NOOP("Metrics", "How often the tissue gave way because it was pushed too hard, or a canal was pressed sideways for more than 1 s or with more than 4 N.")},
     {"drops", QT_TRANSLATE_NOOP("Metrics", "Drops"),
      QT_TRANSLATE_NOOP("Metrics", "How often the tissue was let go of before the task was done.")},
     {"squeeze_max", QT_TRANSLATE_NOOP("Metrics", "Largest squeeze"),

@@ -42,6 +42,8 @@ QString contentKey(const QString& field) {
     static const std::pair<const char*, const char*> kNames[] = {
         {"curvature_per_m", "centreline_curvature_per_m"},
         {"zEnd_m", "bladder_neck_z_mm"},
+        {"straight_m", "straight_length_mm"},
+        {"pivotSpan_m", "pivot_span_mm"},
         {"endoscope.radius_m", "endoscope_size_Fr"},
         {"endoscope.beak_m", "beak_mm"},
         {"endoscope.behind_m", "behind_mm"},
@@ -102,9 +104,9 @@ public:
 
 private:
     static double lengthOf(const simulation::UrethraAnatomy& anatomy) {
-        if (!(anatomy.curvature_per_m > 0.0) || !(anatomy.zEnd_m > 0.0))
+        if (!(anatomy.curvature_per_m > 0.0) || !(anatomy.zEnd_m > anatomy.straight_m))
             return 0.0;
-        return simulation::UrethraCentreline(anatomy.curvature_per_m, anatomy.zEnd_m).length_m();
+        return simulation::UrethraCentreline(anatomy).length_m();
     }
 
     void add(const char* key, const QString& found, const QString& expected) {
@@ -139,7 +141,7 @@ private:
 
     /// The way from the start to the bladder's middle, which is as deep as a goal may lie, has to be one that P1's mechanism can go.
     void workspace() {
-        const simulation::UrethraCentreline line(m_p.anatomy.curvature_per_m, m_p.anatomy.zEnd_m);
+        const simulation::UrethraCentreline line(m_p.anatomy);
         const double deepest_m = m_length_m + m_p.anatomy.bladderRadius_m;
         for (double s_m = -simulation::kStartBeforeEntrance_m; s_m <= deepest_m + 1e-9; s_m += kWayStep_m) {
             simulation::CentrelinePoint at = line.at(std::min(s_m, m_length_m));

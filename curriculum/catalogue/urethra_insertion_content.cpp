@@ -35,6 +35,8 @@ struct Flag {
 
 constexpr Number kNumbers[] = {
     {"centreline_curvature_per_m", [](Parameters& p) -> double& { return p.anatomy.curvature_per_m; }, 1.0},
+    {"straight_length_mm", [](Parameters& p) -> double& { return p.anatomy.straight_m; }, kMm},
+    {"pivot_span_mm", [](Parameters& p) -> double& { return p.anatomy.pivotSpan_m; }, kMm},
     {"bladder_neck_z_mm", [](Parameters& p) -> double& { return p.anatomy.zEnd_m; }, kMm},
     {"rest_radius_mm", [](Parameters& p) -> double& { return p.anatomy.radius_m; }, kMm},
     {"wall_stiffness_N_per_m3", [](Parameters& p) -> double& { return p.anatomy.wallStiffness_N_per_m3; }, 1.0},

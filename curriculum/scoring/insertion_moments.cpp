@@ -25,6 +25,9 @@ std::optional<double> valueAt(const TrialTrace& trial, InsertionQuantity quantit
         return isStage(series, i, core::ProcedureStage::insertion) && isAtBend(series, i)
                    ? std::optional(series.alignment_rad[i])
                    : std::nullopt;
+    case InsertionQuantity::curveAlignment:
+        return isStage(series, i, core::ProcedureStage::insertion) && isInCurve(series, i) ? std::optional(series.alignment_rad[i])
+                                                                                           : std::nullopt;
     case InsertionQuantity::torque:
         return i < tool.tissueTorque_Nm.size() ? std::optional(tool.tissueTorque_Nm[i].norm()) : std::nullopt;
     }
@@ -44,6 +47,8 @@ std::optional<InsertionQuantity> insertionQuantityOf(std::string_view metric) no
         return InsertionQuantity::alignment;
     if (metric == "bend_alignment")
         return InsertionQuantity::bendAlignment;
+    if (metric == "curve_alignment")
+        return InsertionQuantity::curveAlignment;
     if (metric == "torque_max" || metric == "torque_rms")
         return InsertionQuantity::torque;
     return std::nullopt;
@@ -53,7 +58,8 @@ double inMetricUnit(InsertionQuantity quantity, double value) noexcept {
     switch (quantity) {
     case InsertionQuantity::offset: return core::mmFromM(value);
     case InsertionQuantity::alignment:
-    case InsertionQuantity::bendAlignment: return core::degFromRad(value);
+    case InsertionQuantity::bendAlignment:
+    case InsertionQuantity::curveAlignment: return core::degFromRad(value);
     case InsertionQuantity::torque: return 1e3 * value;
     }
     return value;
@@ -63,7 +69,8 @@ const char* metricUnitOf(InsertionQuantity quantity) noexcept {
     switch (quantity) {
     case InsertionQuantity::offset: return "mm";
     case InsertionQuantity::alignment:
-    case InsertionQuantity::bendAlignment: return "°";
+    case InsertionQuantity::bendAlignment:
+    case InsertionQuantity::curveAlignment: return "°";
     case InsertionQuantity::torque: return "mN·m";
     }
     return "";

@@ -15,6 +15,7 @@ enum class InsertionQuantity : std::uint8_t {
     offset,        ///< m, in the urethra: offset_rms, offset_max
     alignment,     ///< rad, in the urethra: alignment_rms
     bendAlignment, ///< rad, at the bend during the insertion: bend_alignment
+    curveAlignment, ///< rad, from the bend to 30 mm past it during the insertion: curve_alignment
     torque,        ///< N·m, everywhere: torque_max, torque_rms
 };
 

@@ -11,6 +11,7 @@ namespace chiron::scoring {
     METRIC(timeMetric)                                                                                       \
     METRIC(pathLengthMetric)                                                                                 \
     METRIC(pathInefficiencyMetric)                                                                           \
+    METRIC(pathInefficiencyMetric2)                                                                          \
     METRIC(sparcMetric)                                                                                      \
     METRIC(ldljMetric)                                                                                       \
     METRIC(forceMaxMetric)                                                                                   \
@@ -30,7 +31,12 @@ namespace chiron::scoring {
     METRIC(offsetMaxMetric)                                                                                  \
     METRIC(alignmentRmsMetric)                                                                               \
     METRIC(bendAlignmentMetric)                                                                              \
+    METRIC(curveAlignmentMetric)                                                                             \
+    METRIC(advanceWhileTurningMetric)                                                                        \
     METRIC(traumaEventsMetric)                                                                               \
+    METRIC(traumaTimeMetric)                                                                                 \
+    METRIC(traumaImpulseMetric)                                                                              \
+    METRIC(lateralMaxMetric)                                                                                 \
     METRIC(torqueMaxMetric)                                                                                  \
     METRIC(torqueRmsMetric)                                                                                  \
     METRIC(reversalsMetric)                                                                                  \
@@ -52,6 +58,7 @@ namespace chiron::scoring {
     METRIC(predictionErrorRmsMetric)                                                                         \
     METRIC(heldErrorRmsMetric)                                                                               \
     METRIC(criticalErrorsMetric)                                                                             \
+    METRIC(criticalErrorsMetric2)                                                                            \
     METRIC(palpationHitsMetric)                                                                              \
     METRIC(palpationHitsMetric2)                                                                             \
     METRIC(palpationMissesMetric)                                                                            \

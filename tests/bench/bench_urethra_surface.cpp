@@ -33,7 +33,7 @@ class Whole {
 public:
     Whole() : m_kernel(kColumns, kPerPatch), m_out(6 * kVertices) {
         const simulation::UrethraAnatomy anatomy;
-        const simulation::UrethraCentreline line(anatomy.curvature_per_m, anatomy.zEnd_m);
+        const simulation::UrethraCentreline line(anatomy);
         for (int i = 0; i < kSections; ++i) {
             m_at.push_back(line.atZ(anatomy.zEnd_m * i / (kSections - 1)));
             m_sections.push_back({m_at.back().s_m, anatomy.radius_m, 0.0, 0.0, -1, 0.0});
@@ -91,7 +91,7 @@ private:
 /// Largest distance of points from the exact tube.
 template <class Point> double tubeError(std::size_t count, Point&& point) {
     const simulation::UrethraAnatomy anatomy;
-    const simulation::UrethraCentreline line(anatomy.curvature_per_m, anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(anatomy);
     double worst = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         const auto foot = line.foot(point(i));

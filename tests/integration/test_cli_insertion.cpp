@@ -41,7 +41,9 @@ private:
 /// A perfect hand through the first level, as a file.
 QString TestCliInsertion::write(const char* name, bool oriented) {
     simulation::UrethraInsertionParameters level;
-    level.goalDepth_m = 0.035;
+    level.goalDepth_m = 0.060;
+    level.anatomy.straight_m = 0.035;
+    level.anatomy.zEnd_m = 0.100;
     const scoring::TraceRows trace = tests::idealTrace(level, 0.030);
     QByteArray text = oriented ? "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n" : "t_s,x_mm,y_mm,z_mm\n";
     const auto put = [&](double value, char after) { text += QByteArray::number(value, 'g', 15) + after; };
@@ -69,10 +71,10 @@ void TestCliInsertion::trainedScoredReplayedExported() {
     const QJsonObject trained =
         object(cli({"train", "urethra_insertion", "--level", "1", "--operator", write("ideal.csv", true)}));
     const auto values = valuesOf(trained);
-    QCOMPARE(values.size(), 22);
+    QCOMPARE(values.size(), 24);
     QCOMPARE(values["critical_errors"].toDouble(-1.0), 0.0);
     QCOMPARE(values["procedure_completed"].toDouble(), 100.0);
-    QCOMPARE(values["insertion_depth"].toDouble(), 35.0);
+    QCOMPARE(values["insertion_depth"].toDouble(), 60.0);
     QCOMPARE(values["trauma_events"].toDouble(-1.0), 0.0);
     QVERIFY(values["offset_rms"].isDouble() && values["offset_rms"].toDouble() < 0.1);
     QCOMPARE(trained["passed"].toBool(), true);

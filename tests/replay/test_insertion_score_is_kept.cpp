@@ -31,10 +31,10 @@ double reach(double t, double begin_s, double end_s) {
     return x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
 }
 
-/// 2 s before the entrance, 25 mm in, 4 mm back, on to 37 mm, and out again.
+/// 2 s before the entrance, 50 mm in, 4 mm back, on to 62 mm, and out again.
 double arcAt(double t) {
-    return -0.020 + 0.045 * reach(t, 2.0, 5.0) - 0.004 * reach(t, 5.2, 5.8) + 0.016 * reach(t, 6.0, 8.0) -
-           0.060 * reach(t, 8.5, 12.5);
+    return -0.020 + 0.070 * reach(t, 2.0, 5.0) - 0.004 * reach(t, 5.2, 5.8) + 0.016 * reach(t, 6.0, 8.0) -
+           0.085 * reach(t, 8.5, 12.5);
 }
 
 const catalogue::ExerciseLevel& guided() {
@@ -47,7 +47,7 @@ const catalogue::ExerciseLevel& guided() {
 /// Beside the centre-line by kOffset_m and tilted by kTilt_rad about the normal of its plane.
 scoring::TraceRows path(double duration_s) {
     const auto& p = std::get<simulation::UrethraInsertionParameters>(guided().parameters);
-    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(p.anatomy);
     scoring::TraceRows rows;
     rows.source = "insertion.csv";
     rows.columns.orientation = true;
@@ -128,7 +128,7 @@ void TestInsertionScoreIsKept::scoresAreThoseOfThePath() {
     QVERIFY(std::abs(valueOf(card, "alignment_rms") - 6.0) < 0.01);
     QCOMPARE(valueOf(card, "reversals"), 1.0);
     QCOMPARE(valueOf(card, "trauma_events"), 0.0);
-    QCOMPARE(valueOf(card, "insertion_depth"), 35.0);
+    QCOMPARE(valueOf(card, "insertion_depth"), 60.0);
     QVERIFY(valueOf(card, "torque_max") >= valueOf(card, "torque_rms"));
     QVERIFY(valueOf(card, "force_max") > 0.1); // the canal really held on to it
 }
@@ -213,7 +213,7 @@ void TestInsertionScoreIsKept::unfinishedProcedure() {
     QVERIFY(as && as->trials.at(0).unfinished);
     as->trials.at(0).unfinished = false;
     const auto before = stored.session->scoresOf(*as, false);
-    QVERIFY(before && valueOf(*before, "insertion_depth") < 35.0);
+    QVERIFY(before && valueOf(*before, "insertion_depth") < 60.0);
     QVERIFY(std::abs(valueOf(*before, "offset_rms") - 1.2) < 0.002);
     const QString path = QString::fromStdString(m_site->folder() + "/cut.csv");
     QVERIFY(session::exportCsv(*stored.session, path));

@@ -12,7 +12,7 @@ namespace chiron::tests {
 inline scoring::TraceRows insertionRows(const simulation::UrethraInsertionParameters& p, double deep_m, double beside_m = 0.0) {
     constexpr double kSpeed_m_per_s = 0.015;
     constexpr double kStart_m = -0.025;
-    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(p.anatomy);
     const double way_s = (deep_m - kStart_m) / kSpeed_m_per_s;
     scoring::TraceRows rows;
     rows.source = "insertion.csv";

@@ -36,7 +36,7 @@ inline core::ToolState endoscopeAt(const simulation::AnatomyPose& pose, const co
 
 /// On the centre-line at s, aligned.
 inline core::ToolState onTheLine(const simulation::UrethraInsertionParameters& p, double s_m) {
-    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(p.anatomy);
     const simulation::CentrelinePoint at = line.at(s_m);
     return endoscopeAt(p.pose, at.p_A, at.t_A);
 }
@@ -52,7 +52,7 @@ public:
         using core::ProcedureStage;
         if (stage == ProcedureStage::inspection && landmark >= 0) {
             const auto& at = m_plan.landmark_A[static_cast<std::size_t>(landmark)];
-            const simulation::UrethraCentreline line(m_p.anatomy.curvature_per_m, m_p.anatomy.zEnd_m);
+            const simulation::UrethraCentreline line(m_p.anatomy);
             const core::Vec3 p_A = line.at(m_s_m).p_A;
             return endoscopeAt(m_p.pose, p_A, core::Vec3(at[0], at[1], at[2]) - p_A);
         }

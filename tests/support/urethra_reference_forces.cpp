@@ -68,8 +68,8 @@ UrethraReferenceForces::UrethraReferenceForces(const simulation::UrethraAnatomy&
 }
 
 double UrethraReferenceForces::arcLength(double z) const {
-    const double c = m_anatomy.curvature_per_m;
-    return z <= 0.0 ? z : 0.5 * z * std::sqrt(1.0 + 4.0 * c * c * z * z) + std::asinh(2.0 * c * z) / (4.0 * c);
+    const double c = m_anatomy.curvature_per_m, x = z - m_anatomy.straight_m;
+    return x <= 0.0 ? z : m_anatomy.straight_m + 0.5 * x * std::sqrt(1.0 + 4.0 * c * c * x * x) + std::asinh(2.0 * c * x) / (4.0 * c);
 }
 
 double UrethraReferenceForces::radius(double s) const {
@@ -87,14 +87,15 @@ double UrethraReferenceForces::changed(double base, double s,
     return base;
 }
 
-UrethraReferenceForces::Foot UrethraReferenceForces::foot(const Vec3& p) const {
-    const double c = m_anatomy.curvature_per_m;
+UrethraReferenceForces::Foot UrethraReferenceForces::foot(const Vec3& p_A) const {
+    const double c = m_anatomy.curvature_per_m, straight = m_anatomy.straight_m;
+    const Vec3 p = p_A - Vec3(0, 0, straight); // from the parabola's vertex
     Foot f;
     f.ex = p.x();
     if (p.z() <= 0.0) { // straight, with the arc length's lead-in over 10 mm
         const double u = 1.0 + p.z() / 0.010;
         const double q = 1.0 - 2.0 * c * p.y() * smooth(u);
-        f.s = p.z() / q;
+        f.s = straight + p.z() / q;
         f.en = p.y();
         f.t = Vec3(0, 0, 1);
         f.n = Vec3(0, 1, 0);
@@ -110,7 +111,7 @@ UrethraReferenceForces::Foot UrethraReferenceForces::foot(const Vec3& p) const {
             break;
         z = next;
     }
-    f.s = arcLength(z);
+    f.s = arcLength(straight + z);
     f.psi = std::atan(2.0 * c * z);
     f.t = Vec3(0, std::sin(f.psi), std::cos(f.psi));
     f.n = Vec3(0, std::cos(f.psi), -std::sin(f.psi));
@@ -178,9 +179,10 @@ void UrethraReferenceForces::springs(const Foot& f, ReferenceResponse& r, double
 }
 
 void UrethraReferenceForces::bladder(const Vec3& p, ReferenceResponse& r, Vec3& force) const {
-    const double psi = std::atan(2.0 * m_anatomy.curvature_per_m * m_anatomy.zEnd_m);
+    const double past = m_anatomy.zEnd_m - m_anatomy.straight_m;
+    const double psi = std::atan(2.0 * m_anatomy.curvature_per_m * past);
     const Vec3 t(0, std::sin(psi), std::cos(psi));
-    const Vec3 neck(0, m_anatomy.curvature_per_m * m_anatomy.zEnd_m * m_anatomy.zEnd_m, m_anatomy.zEnd_m);
+    const Vec3 neck(0, m_anatomy.curvature_per_m * past * past, m_anatomy.zEnd_m);
     const Vec3 x = p - (neck + m_anatomy.bladderRadius_m * t);
     const double d = std::max(0.0, x.norm() - (m_anatomy.bladderRadius_m - m_scope.radius_m));
     if (d == 0.0)
@@ -216,11 +218,20 @@ ReferenceResponse UrethraReferenceForces::respond(const simulation::EndoscopeMot
     r.phiY = std::asin(a.x());
     double k1 = 0.0;
     const double k = kPhi(f.s, k1);
-    const double tilt = r.phiX * r.phiX + r.phiY * r.phiY;
+    double c = 0.0, dc = 0.0; // the pelvic floor's lever: tilt that belongs to an offset of 1 m, and its derivative
+    if (const double span = m_anatomy.pivotSpan_m; span > 0.0) {
+        const double l = f.s - m_anatomy.freeLength_m, below = l * l + span * span;
+        c = l / below;
+        dc = 1.0 / below - 2.0 * l * l / (below * below);
+    }
+    const double turnX = r.phiX + c * f.en, turnY = r.phiY - c * f.ex;
+    const double tilt = turnX * turnX + turnY * turnY;
     r.U += 0.5 * k * tilt;
-    slope += 0.5 * k1 * tilt + k * r.phiX * f.kappa;
-    r.Tx = -k * r.phiX;
-    r.Ty = -k * r.phiY;
+    slope += 0.5 * k1 * tilt + k * turnX * (f.kappa + dc * f.en) - k * turnY * dc * f.ex;
+    gn += k * turnX * c;
+    gx -= k * turnY * c;
+    r.Tx = -k * turnX;
+    r.Ty = -k * turnY;
 
     const double off = std::sqrt(f.ex * f.ex + f.en * f.en) - 0.010; // what holds the free part
     if (off > 0.0 && m_anatomy.freeHold_N_per_m > 0.0) {

@@ -49,9 +49,11 @@ UrethraReferenceGeometry::UrethraReferenceGeometry(const simulation::UrethraAnat
 }
 
 double UrethraReferenceGeometry::arcLength(double z) const {
-    const double c = m_anatomy.curvature_per_m;
-    const double root = std::sqrt(1.0 + 4.0 * c * c * z * z);
-    return z * root / 2.0 + std::log(2.0 * c * z + root) / (4.0 * c);
+    const double c = m_anatomy.curvature_per_m, x = z - m_anatomy.straight_m;
+    if (x <= 0.0)
+        return z;
+    const double root = std::sqrt(1.0 + 4.0 * c * c * x * x);
+    return m_anatomy.straight_m + x * root / 2.0 + std::log(2.0 * c * x + root) / (4.0 * c);
 }
 
 UrethraReferenceGeometry::Frame UrethraReferenceGeometry::frame(double s) const {
@@ -61,9 +63,9 @@ UrethraReferenceGeometry::Frame UrethraReferenceGeometry::frame(double s) const 
         const double z = (low + high) / 2.0;
         (arcLength(z) < s ? low : high) = z;
     }
-    const double z = (low + high) / 2.0;
-    const double psi = std::atan(2.0 * m_anatomy.curvature_per_m * z);
-    return {Vec3(0.0, m_anatomy.curvature_per_m * z * z, z), Vec3(0.0, std::cos(psi), -std::sin(psi))};
+    const double z = (low + high) / 2.0, x = std::max(0.0, z - m_anatomy.straight_m);
+    const double psi = std::atan(2.0 * m_anatomy.curvature_per_m * x);
+    return {Vec3(0.0, m_anatomy.curvature_per_m * x * x, z), Vec3(0.0, std::cos(psi), -std::sin(psi))};
 }
 
 double UrethraReferenceGeometry::baseRadius(double s) const {

@@ -36,6 +36,10 @@ inline simulation::UrethraInsertionParameters standardInsertion() {
                    {"left_ureter", 58 * deg, -120 * deg},
                    {"dome", 20 * deg, -90 * deg}};
     p.trialLimit_s = 240.0;
+    p.forces.maximumDamping_Ns_per_m = 35.0; // where P1's mechanism was never seen to shake (models.md §8)
+    p.anatomy.straight_m = 0.035;
+    p.anatomy.zEnd_m = 0.100;
+    p.anatomy.pivotSpan_m = 0.020;
     p.meatus_m = 0.005;
     p.anatomy.freeHold_N_per_m = 600.0;
     p.yield = {8.0, 0.040};
@@ -122,14 +126,14 @@ public:
         outcome.trauma = events.trauma.size();
         outcome.reversals = events.reversals.size();
         outcome.landmarks = std::popcount(m_tracker.seen());
-        const double L = m_forces.centreline().length_m(), bend = m_level.anatomy.freeLength_m;
+        const double L = m_forces.centreline().length_m(), bend = m_level.anatomy.straight_m;
         double e2 = 0.0, a2 = 0.0, b2 = 0.0;
         std::size_t inside = 0, atBend = 0;
         for (std::size_t i = 0; i < series.s_m.size(); ++i) {
             outcome.depth_mm = std::max(outcome.depth_mm, 1e3 * series.s_m[i]);
             const double alignment2 = series.alignment_rad[i] * series.alignment_rad[i];
             if (series.stage[i] == static_cast<std::uint8_t>(core::ProcedureStage::insertion) &&
-                std::abs(series.s_m[i] - bend) <= 0.010) {
+                series.s_m[i] >= bend && series.s_m[i] <= bend + 0.030) { // curve_alignment
                 b2 += alignment2;
                 ++atBend;
             }

@@ -108,7 +108,7 @@ public:
 private:
     /// Nobody meets a meatus by chance: along the canal and out again.
     void wayInto(const simulation::UrethraInsertionParameters& p) {
-        const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+        const simulation::UrethraCentreline line(p.anatomy);
         for (const double s_m : {-0.012, -0.004, 0.010, 0.030, 0.050, 0.070, 0.090, 0.110, line.length_m(), line.length_m() + 0.015})
             m_wayIn.push_back(p.pose.pointToW(line.at(s_m).p_A));
     }

@@ -45,9 +45,9 @@ const std::vector<ExerciseColumns>& exerciseColumns() {
          "apex error: mean distance between mark and true highest point, in % of the sphere's radius; SD: its spread over the\n"
          "trials; misses: marked off the sphere, without touching, or not in time\n"},
         {"urethra_insertion",
-         {{">off mm", "offset_rms", 2}, {">bend °", "bend_alignment", 1}, {">trauma", "trauma_events", 0},
+         {{">off mm", "offset_rms", 2}, {">bend °", "curve_alignment", 1}, {">trauma", "trauma_events", 0},
           {">seen %", "landmarks_seen", 0}, {">max mN·m", "torque_max", 0}},
-         "off: RMS distance from the middle of the canal; bend: RMS angle between instrument and canal at the bend; trauma: pushes\n"
+         "off: RMS distance from the middle of the canal; bend: RMS angle between instrument and canal round the bend; trauma: pushes\n"
          "against the wall over the level's limit; seen: landmarks of the bladder inspected; max mN·m: the largest torque\n"}};
     return kColumns;
 }

@@ -69,7 +69,7 @@ void ExercisePicture::paintSphereApex(QPainter& painter) const {
 /// From the side, as in the overview: z of the anatomy to the right, y up. Three times as thick as it is, to be seen.
 void ExercisePicture::paintUrethra(QPainter& painter) const {
     const simulation::UrethraAnatomy& anatomy = m_urethra->anatomy;
-    const simulation::UrethraCentreline line(anatomy.curvature_per_m, anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(anatomy);
     const simulation::UrethraWall wall(anatomy, m_urethra->endoscope);
     const simulation::CentrelinePoint neck = line.atZ(anatomy.zEnd_m);
     const core::Vec3 bladder = neck.p_A + anatomy.bladderRadius_m * neck.t_A;

@@ -23,7 +23,7 @@ core::Vec3 torquesOf(const core::Vec3& torque_A, const core::Vec3& axis_A) {
 } // namespace
 
 InsertionGauge::InsertionGauge(const simulation::UrethraInsertionParameters& parameters)
-    : m_pose(parameters.pose), m_centreline(parameters.anatomy.curvature_per_m, parameters.anatomy.zEnd_m),
+    : m_pose(parameters.pose), m_centreline(parameters.anatomy),
       m_goal_m(parameters.goalDepth_m > 0.0 ? parameters.goalDepth_m : m_centreline.length_m() + kBeyondNeck_m) {}
 
 InsertionValues InsertionGauge::at(const core::Vec3& p_WT, const core::Quat& q_WT, const core::Wrench& wrench_W) const noexcept {

@@ -19,6 +19,8 @@ QString operatorTitle(const std::string& name) {
         return Words::tr("Intermediate");
     if (name == "novice")
         return Words::tr("Novice");
+    if (name == "hesitant")
+        return Words::tr("Hesitant (draws back)");
     if (name == "unsafe")
         return Words::tr("Unsafe (presses too hard)");
     return QString::fromStdString(name);

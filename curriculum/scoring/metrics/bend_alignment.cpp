@@ -19,6 +19,18 @@ Measurement measureBendAlignment(std::span<const PreparedTrial> trials) {
                              : Measurement::of(core::degFromRad(angle_rad.value()));
 }
 
+Measurement measureCurveAlignment(std::span<const PreparedTrial> trials) {
+    if (auto why = withoutCanal(trials))
+        return *why;
+    RootMeanSquare angle_rad;
+    forEachCanalSample(trials, [&](const InsertionSeries& series, std::size_t i) {
+        if (isStage(series, i, core::ProcedureStage::insertion) && isInCurve(series, i))
+            angle_rad.add(series.alignment_rad[i]);
+    });
+    return angle_rad.empty() ? Measurement::undefined("the tip was never at the bend")
+                             : Measurement::of(core::degFromRad(angle_rad.value()));
+}
+
 } // namespace
 
 MetricDefinition bendAlignmentMetric() {
@@ -34,6 +46,16 @@ MetricDefinition bendAlignmentMetric() {
                 "samples of the insertion within 10 mm of the bend (s_B), where the orientation has to change.",
             .source = "models.md §6, insertion; P1, point B",
             .measure = measureBendAlignment};
+}
+
+MetricDefinition curveAlignmentMetric() {
+    MetricDefinition metric = bendAlignmentMetric();
+    metric.id = "curve_alignment";
+    metric.definition = "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the samples of the "
+                        "insertion from the bend B to 30 mm past it, where the canal is curved most.";
+    metric.source = "models.md §6, insertion, and §8; P1, point B";
+    metric.measure = measureCurveAlignment;
+    return metric;
 }
 
 } // namespace chiron::scoring

@@ -40,6 +40,15 @@ inline bool isAtBend(const InsertionSeries& series, std::size_t i) {
     return std::abs(std::nearbyint(series.s_m[i] * 1e9) - std::nearbyint(series.bend_m * 1e9)) <= kBendHalf_nm;
 }
 
+/// Past the bend the curve is sharpest over this: with P1's parabola it turns there by 36° of 59°.
+inline constexpr double kCurve_m = 0.030;
+
+/// Whether the tip is within 30 mm past s_B; in whole nm, both ends included.
+inline bool isInCurve(const InsertionSeries& series, std::size_t i) {
+    const double past_nm = std::nearbyint(series.s_m[i] * 1e9) - std::nearbyint(series.bend_m * 1e9);
+    return past_nm >= 0.0 && past_nm <= kCurve_m * 1e9;
+}
+
 /// Calls visit(series, i) for each unpaused sample of tool 0. Only where withoutCanal() has nothing to say.
 template <class Visit> void forEachCanalSample(std::span<const PreparedTrial> trials, Visit&& visit) {
     for (const PreparedTrial& trial : trials)

@@ -11,6 +11,7 @@ namespace chiron::operators {
 /// How an endoscopist turns the instrument while it advances.
 enum class SteeringKind {
     followsCurve, ///< turns as it advances, along the arc that leads to where the lumen is seen (pure pursuit)
+    turnsInPlace, ///< stops to turn, and advances without turning (P1: "orientation changes without translation")
     centres,      ///< keeps turning until the lumen is in the picture's middle, which leads the bend
     centresLate,  ///< turns only once the lumen has wandered far off, and then too far
 };
@@ -22,7 +23,7 @@ struct UrethraInsertionOperatorSettings {
     EndoscopePerceptionSettings perception;
     mechanisms::HandParameters hand; ///< give it to SimulatedEndoscopeDevice::Configuration::hand
 
-    SteeringKind steering = SteeringKind::followsCurve;
+    SteeringKind steering = SteeringKind::turnsInPlace;
     double insertSpeed_m_per_s = 0.006;
     double withdrawSpeed_m_per_s = 0.008;
     double curveGain = 1.3;          ///< followsCurve: of the arc's curvature; over 1 for one who knows that the bend begins sharpest
@@ -30,7 +31,8 @@ struct UrethraInsertionOperatorSettings {
     double turnRate_rad_per_s = 0.3; ///< the fastest it turns while it advances
     double deadZone_rad = 0.0;       ///< centresLate: off the middle by less is left alone …
     double overshoot_rad = 0.0;      ///< … and it turns until it is this far off on the other side
-    double stopAngle_rad = 0.35;     ///< with the lumen further off it stops, turns, and then goes on
+    double stopAngle_rad = 0.30;     ///< with the lumen further off it stops, turns, and then goes on; aligned in P1's bend it is 0.23 off
+    double drawsBackAt_N = 0.0;      ///< felt force across at which it goes back a little and tries anew; 0: never
     bool stopsBlind = true;          ///< does not advance while the picture shows wall alone
 
     double pushLimit_N = 3.0;   ///< felt resistance at which it goes no further; half of that begins to slow it down

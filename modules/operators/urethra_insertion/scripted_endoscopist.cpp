@@ -59,6 +59,14 @@ void ScriptedEndoscopist::smooth(const EndoscopePercept& felt) noexcept {
     m_left_rad += kPictureSmoothing * (felt.lumen.left_rad - m_left_rad);
 }
 
+bool ScriptedEndoscopist::isStuck(const EndoscopePercept& felt) const noexcept {
+    return m_settings.stopsBlind && felt.time_s - m_progress_s > kStuck_s;
+}
+
+bool ScriptedEndoscopist::drawsBack(const EndoscopePercept& felt) const noexcept {
+    return m_settings.drawsBackAt_N > 0.0 && std::abs(m_across_N) > m_settings.drawsBackAt_N && since(felt) > kBack_s;
+}
+
 ScriptedEndoscopist::Doing ScriptedEndoscopist::next(const EndoscopePercept& felt) const noexcept {
     if (felt.cues.phase != core::TrialPhase::running || felt.cues.force != core::ForceState::on)
         return Doing::rest;
@@ -67,8 +75,7 @@ ScriptedEndoscopist::Doing ScriptedEndoscopist::next(const EndoscopePercept& fel
     case core::ProcedureStage::insertion:
         if (m_doing == Doing::back)
             return since(felt) < kBack_s ? Doing::back : Doing::insert;
-        return m_doing == Doing::insert && m_settings.stopsBlind && felt.time_s - m_progress_s > kStuck_s ? Doing::back
-                                                                                                         : Doing::insert;
+        return m_doing == Doing::insert && (isStuck(felt) || drawsBack(felt)) ? Doing::back : Doing::insert;
     case core::ProcedureStage::inspection:
         return Doing::inspect;
     case core::ProcedureStage::withdrawal: {
@@ -150,7 +157,8 @@ EndoscopeWish ScriptedEndoscopist::steer(const EndoscopePercept& felt) noexcept 
     if (!m_turns && m_settings.steering == SteeringKind::followsCurve)
         return followCurve(lumen);
     wish.along_m_per_s = m_turns ? 0.0 : m_settings.insertSpeed_m_per_s;
-    wish.pitch_rad_per_s = turning(lumen.up_rad);
+    if (m_turns || m_settings.steering == SteeringKind::centres)
+        wish.pitch_rad_per_s = turning(lumen.up_rad);
     wish.yaw_rad_per_s = turning(lumen.left_rad);
     return wish;
 }

@@ -29,6 +29,8 @@ private:
     void think(const EndoscopePercept& felt) noexcept;
     void smooth(const EndoscopePercept& felt) noexcept;
     Doing next(const EndoscopePercept& felt) const noexcept;
+    bool isStuck(const EndoscopePercept& felt) const noexcept;
+    bool drawsBack(const EndoscopePercept& felt) const noexcept;
     void begin(Doing doing, const EndoscopePercept& felt) noexcept;
     EndoscopeWish act(const EndoscopePercept& felt) noexcept;
     EndoscopeWish insert(const EndoscopePercept& felt) noexcept;

@@ -11,7 +11,7 @@ namespace chiron::operators {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"novice", "intermediate", "expert", "unsafe"};
+constexpr std::array<std::string_view, 5> kNames{"novice", "intermediate", "expert", "unsafe", "hesitant"};
 
 UrethraInsertionOperatorSettings novice() {
     UrethraInsertionOperatorSettings s;
@@ -78,12 +78,20 @@ UrethraInsertionOperatorSettings unsafe() {
     return s;
 }
 
+/// Draws back from what it feels and tries anew: somebody has to turn back, or nothing shows that turning back is counted.
+UrethraInsertionOperatorSettings hesitant() {
+    UrethraInsertionOperatorSettings s = intermediate();
+    s.name = "hesitant";
+    s.drawsBackAt_N = 0.4;
+    return s;
+}
+
 core::Result<void> check(const UrethraInsertionOperatorSettings& s) {
     struct Range {
         const char* name;
         double value, low, high;
     };
-    const std::array<Range, 18> ranges{{{"insertSpeed_m_per_s", s.insertSpeed_m_per_s, 0.001, 0.1},
+    const std::array<Range, 19> ranges{{{"insertSpeed_m_per_s", s.insertSpeed_m_per_s, 0.001, 0.1},
                                         {"withdrawSpeed_m_per_s", s.withdrawSpeed_m_per_s, 0.001, 0.1},
                                         {"curveGain", s.curveGain, 0.2, 3.0},
                                         {"turnGain_per_s", s.turnGain_per_s, 0.1, 5.0},
@@ -100,6 +108,7 @@ core::Result<void> check(const UrethraInsertionOperatorSettings& s) {
                                         {"searchAngle_rad", s.searchAngle_rad, 0.05, 0.6},
                                         {"anticipation_s", s.anticipation_s, 0.0, 2.0},
                                         {"centringGain_per_s", s.centringGain_per_s, 0.0, 3.0},
+                                        {"drawsBackAt_N", s.drawsBackAt_N, 0.0, 20.0},
                                         {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}}};
     for (const Range& range : ranges)
         if (!(range.value >= range.low && range.value <= range.high))
@@ -116,12 +125,12 @@ std::span<const std::string_view> urethraInsertionOperatorNames() noexcept {
 }
 
 core::Result<UrethraInsertionOperatorSettings> urethraInsertionOperatorSettings(std::string_view name) {
-    const std::array<UrethraInsertionOperatorSettings (*)(), 4> makers{&novice, &intermediate, &expert, &unsafe};
+    const std::array<UrethraInsertionOperatorSettings (*)(), 5> makers{&novice, &intermediate, &expert, &unsafe, &hesitant};
     for (std::size_t i = 0; i < kNames.size(); ++i)
         if (kNames[i] == name)
             return makers[i]();
     return core::fail(core::ErrorCode::notFound,
-                      "operator '" + std::string(name) + "' is unknown; expected novice, intermediate, expert or unsafe");
+                      "operator '" + std::string(name) + "' is unknown; expected novice, intermediate, expert, unsafe or hesitant");
 }
 
 core::Result<std::unique_ptr<mechanisms::HandStrategy>> makeUrethraInsertionOperator(std::string_view name, std::uint64_t seed) {

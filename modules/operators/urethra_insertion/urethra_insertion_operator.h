@@ -12,7 +12,7 @@
 
 namespace chiron::operators {
 
-/// The scripted endoscopists of urethra insertion: novice, intermediate, expert, unsafe. Static data; any thread.
+/// The scripted endoscopists of urethra insertion: novice, intermediate, expert, unsafe, hesitant. Static data; any thread.
 std::span<const std::string_view> urethraInsertionOperatorNames() noexcept;
 
 /// The settings a name stands for. Fails (notFound) for an unknown name, listing the known ones.

@@ -39,7 +39,7 @@ struct ScopePose {
 
 inline SceneState urethraState(const SceneSetup& setup, const ScopePose& pose) {
     const auto& p = std::get<simulation::UrethraInsertionParameters>(setup.parameters);
-    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(p.anatomy);
     const simulation::CentrelinePoint at = line.at(pose.s_m);
     SceneState state;
     state.objectShown = true;

@@ -17,7 +17,7 @@ struct Posed {
 
 inline Posed posedAt(const simulation::UrethraInsertionParameters& p, double s_m, const core::Vec3& off_A = core::Vec3::Zero(), double tiltX_rad = 0.0,
            double tiltY_rad = 0.0) {
-    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(p.anatomy);
     const simulation::CentrelinePoint at = line.at(s_m);
     const double pitch = at.psi_rad + tiltX_rad;
     const core::Vec3 z(0.0, std::sin(pitch), std::cos(pitch));

@@ -51,7 +51,7 @@ void TestInsertionValues::aPerfectPoseReadsZero() {
 
 void TestInsertionValues::distanceAndAngle() {
     const simulation::UrethraInsertionParameters p;
-    const simulation::CentrelinePoint at = simulation::UrethraCentreline(p.anatomy.curvature_per_m, p.anatomy.zEnd_m).at(0.05);
+    const simulation::CentrelinePoint at = simulation::UrethraCentreline(p.anatomy).at(0.05);
     const Posed posed = posedAt(p, 0.05, 0.002 * Vec3::UnitX() + 0.001 * at.n_A, 0.2, 0.0);
     const InsertionValues v = InsertionGauge(p).at(posed.p_W, posed.q_WT, {});
     QVERIFY(std::abs(v.offset_m - std::sqrt(5.0) * 1e-3) < 1e-9);
@@ -62,7 +62,7 @@ void TestInsertionValues::distanceAndAngle() {
 
 void TestInsertionValues::alongAndAcross() {
     const simulation::UrethraInsertionParameters p;
-    const simulation::CentrelinePoint at = simulation::UrethraCentreline(p.anatomy.curvature_per_m, p.anatomy.zEnd_m).at(0.08);
+    const simulation::CentrelinePoint at = simulation::UrethraCentreline(p.anatomy).at(0.08);
     const Posed posed = posedAt(p, 0.08);
     const Vec3 force_A = -2.0 * at.t_A + 1.5 * at.n_A - 2.0 * Vec3::UnitX();
     const InsertionValues v = InsertionGauge(p).at(posed.p_W, posed.q_WT, {p.pose.vectorToW(force_A), Vec3::Zero()});

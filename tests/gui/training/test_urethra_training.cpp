@@ -52,7 +52,7 @@ public:
         const haptics::ToolDisplay tool = m_bench.state().tool[0];
         const core::Quat q(tool.q_WT[0], tool.q_WT[1], tool.q_WT[2], tool.q_WT[3]);
         const core::Vec3 axis_A = m_p.pose.vectorToA(q * core::Vec3(0.0, 0.0, -1.0));
-        const simulation::UrethraCentreline line(m_p.anatomy.curvature_per_m, m_p.anatomy.zEnd_m);
+        const simulation::UrethraCentreline line(m_p.anatomy);
         const double wanted = line.foot(m_p.pose.pointToA({tool.p_WT_m[0], tool.p_WT_m[1], tool.p_WT_m[2]})).at.psi_rad;
         const double error = wanted - std::atan2(axis_A.y(), axis_A.z());
         hold(Qt::Key_Up, error > 0.02);

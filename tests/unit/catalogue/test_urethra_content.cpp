@@ -34,7 +34,7 @@ bool near(double a, double b) { return a == b || std::abs(a - b) <= 1e-12 * std:
 /// Every number of the struct, in one order.
 std::vector<double> numbers(const Parameters& p) {
     const auto& a = p.anatomy;
-    std::vector<double> n{a.curvature_per_m, a.zEnd_m, a.radius_m, a.wallStiffness_N_per_m3, a.wallStiffening_per_m, a.friction,
+    std::vector<double> n{a.curvature_per_m, a.straight_m, a.pivotSpan_m, a.zEnd_m, a.radius_m, a.wallStiffness_N_per_m3, a.wallStiffening_per_m, a.friction,
                           a.viscosity_Ns_per_m2, a.freeLength_m, a.freeBlend_m, a.freeHold_N_per_m, a.angularStiffness_Nm_per_rad, a.angularCorner_m,
                           a.bladderRadius_m, a.bladderStiffness_N_per_m, a.bladderOpening_rad, a.bladderOpeningEdge_rad,
                           p.endoscope.radius_m, p.endoscope.beak_m, p.endoscope.behind_m, p.endoscope.fieldOfView_rad,
@@ -88,8 +88,8 @@ void TestUrethraContent::fiveLevels() {
         QCOMPARE(parametersOf(levels[i]).depthOfFieldFixed, i == 4);
         QVERIFY(parametersOf(levels[i]).withdraws);
     }
-    QCOMPARE(parametersOf(levels[0]).goalDepth_m, 0.035);
-    QCOMPARE(parametersOf(levels[1]).goalDepth_m, 0.080);
+    QCOMPARE(parametersOf(levels[0]).goalDepth_m, 0.060);
+    QCOMPARE(parametersOf(levels[1]).goalDepth_m, 0.095);
     QVERIFY(parametersOf(levels[1]).goalDepth_m > parametersOf(levels[1]).anatomy.freeLength_m); // past the bend
     QVERIFY(parametersOf(levels[0]).landmarks.empty() && parametersOf(levels[1]).landmarks.empty());
     for (std::size_t i = 2; i < 5; ++i)
@@ -117,7 +117,7 @@ void TestUrethraContent::everyParameterKeyReachesTheStruct() {
     QJsonObject document = json(stored);
     QJsonObject level = document["level"].toObject();
     const QJsonObject parameters = level["parameters"].toObject();
-    QCOMPARE(parameters.size(), qsizetype{46});
+    QCOMPARE(parameters.size(), qsizetype{48});
     for (const QString& key : parameters.keys()) {
         QJsonObject changed = parameters;
         const QJsonValue value = parameters[key];
@@ -156,7 +156,7 @@ void TestUrethraContent::schemaDefaultsAreTheStructs() {
     for (std::size_t i = 0; i < read.size(); ++i)
         QVERIFY2(near(read[i], defaults[i]), qPrintable(QStringLiteral("%1: %2, %3").arg(i).arg(read[i]).arg(defaults[i])));
     const QJsonObject resolved = json(catalogue->find("urethra_insertion", 4)->resolvedJson)["level"].toObject();
-    QCOMPARE(resolved["parameters"].toObject().size(), qsizetype{46});
+    QCOMPARE(resolved["parameters"].toObject().size(), qsizetype{48});
 }
 
 void TestUrethraContent::levelOverridesItsPreset() {
@@ -206,9 +206,11 @@ void TestUrethraContent::faults_data() {
     row("a torque outside the body", "\"free_length_mm\": 4, \"free_blend_mm\": 4, \"angular_corner_mm\": 5",
         "$.parameters.angular_corner_mm: impossible: expected a urethra that can exist (in SI units: is 0.005: a torque outside");
     row("a hold outside the body", "\"free_length_mm\": 20, \"free_blend_mm\": 21", "$.parameters.free_blend_mm: impossible: expected");
-    row("the shortest free part", "\"free_length_mm\": 5, \"free_blend_mm\": 5, \"angular_corner_mm\": 5", "");
-    row("canal out of the mechanism's reach", "\"bladder_neck_z_mm\": 120",
-        "$.parameters.bladder_neck_z_mm: 120 mm: expected a canal within the mechanism's workspace; at a depth of ");
+    row("the shortest free part", "\"straight_length_mm\": 0, \"bladder_neck_z_mm\": 87.7, \"free_length_mm\": 5, \"free_blend_mm\": 5, \"angular_corner_mm\": 5", "");
+    row("the bend behind the free part", "\"straight_length_mm\": 36",
+        "$.parameters.straight_length_mm: impossible: expected a urethra that can exist (in SI units: is 0.036: the curvature begins");
+    row("canal out of the mechanism's reach", "\"bladder_neck_z_mm\": 145",
+        "$.parameters.bladder_neck_z_mm: 145 mm: expected a canal within the mechanism's workspace; at a depth of ");
     row("bladder out of the mechanism's reach", "\"bladder_radius_mm\": 80",
         "$.parameters.bladder_radius_mm: 80 mm: expected a bladder within the mechanism's workspace; at a depth of ");
     row("anatomy elsewhere", "\"anatomy_x_mm\": 5", "$.parameters.anatomy_x_mm: unknown key");
@@ -227,7 +229,7 @@ void TestUrethraContent::faults_data() {
     row("change without its radius",
         "\"local_changes\": [{\"centre_mm\": 70, \"length_mm\": 12, \"edge_mm\": 4, \"stiffness_factor\": 2, \"friction_factor\": 1}]",
         "$.parameters.local_changes[0].radius_mm: missing: expected a number");
-    row("free part longer than the canal", "\"bladder_neck_z_mm\": 25, \"free_length_mm\": 60",
+    row("free part longer than the canal", "\"bladder_neck_z_mm\": 60, \"free_length_mm\": 90",
         "$.parameters.free_length_mm: impossible: expected");
     row("neck too narrow", "\"bladder_opening_deg\": 3", "$.parameters.bladder_opening_deg: impossible: expected");
     row("bladder too small", "\"endoscope_size_Fr\": 30, \"bladder_radius_mm\": 15, \"bladder_opening_deg\": 40, \"friction\": 0.2",

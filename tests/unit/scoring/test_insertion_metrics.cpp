@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How an instrument went through its canal, against closed forms on made paths.
+#include "core/contact_bits.h"
 #include "insertion_traces.h"
 
 #include <QtTest>
@@ -24,8 +25,34 @@ bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= to
 
 const std::vector<std::string> kOfTheCanal{"offset_rms",    "offset_max", "alignment_rms",  "bend_alignment",
                                            "trauma_events", "reversals",  "landmarks_seen", "inspection_travel",
-                                           "procedure_completed",
+                                           "procedure_completed", "trauma_time", "trauma_impulse", "lateral_max",
+                                           "advance_while_turning", "curve_alignment",
                                            "insertion_depth"};
+
+/// Pressed aside with `lateral_N` from 1 s on for `time_s`.
+SessionTrace pressed(double time_s, double lateral_N) {
+    return canalSession(canalTrial(10.0, 0.001, [=](double t) {
+        CanalSample sample;
+        sample.s_m = 0.05;
+        sample.lateral_N = t > 0.9995 && t < 0.9995 + time_s ? lateral_N : 0.1;
+        return sample;
+    }));
+}
+
+/// Straight in at 10 mm/s to the bend at 40 mm; there turned by 30° within 2 s, standing still or going on at `while_m_per_s`, and then on.
+TrialTrace turnedAtBend(double while_m_per_s) {
+    const double from = 5.0, to = 7.0; // s
+    TrialTrace trial = canalTrial(14.0, 0.001, [=](double t) {
+        CanalSample sample;
+        sample.s_m = -0.010 + 0.010 * std::min(t, from) + while_m_per_s * std::clamp(t - from, 0.0, to - from) + 0.010 * std::max(0.0, t - to);
+        return sample;
+    });
+    ToolTrace& tool = trial.tools.front();
+    tool.tissueTorque_Nm.assign(tool.t_s.size(), Vec3::Zero());
+    for (const double t : tool.t_s)
+        tool.q_WT.emplace_back(Eigen::AngleAxisd(30.0 * kDegree * std::clamp((t - from) / (to - from), 0.0, 1.0), Vec3::UnitX()));
+    return trial;
+}
 
 } // namespace
 
@@ -38,8 +65,13 @@ private slots:
     void onlyInsideTheUrethra_data();
     void onlyInsideTheUrethra();
     void bendIsTenMillimetresEitherWay();
+    void curveIsThirtyMillimetresPastTheBend();
     void bendIsOfTheInsertionOnly();
     void traumaAndReversalsAreCounted();
+    void traumaHasTimeImpulseAndAWorstForce();
+    void longOrHardTraumaIsACriticalError();
+    void advanceWhileTurningIsOfTheBend();
+    void pathIsMeasuredAlongTheCanal();
     void undefinedWithItsReason();
     void aTrialWithoutCanalIsNotLeftOut();
     void sessionsPoolTheirTrials();
@@ -116,6 +148,22 @@ void TestInsertionMetrics::bendIsTenMillimetresEitherWay() {
     QVERIFY(valueOf(tilted(10'000'000), "alignment_rms") > 20.0);
 }
 
+void TestInsertionMetrics::curveIsThirtyMillimetresPastTheBend() {
+    // 10° there, 40° everywhere else; the ends at exactly 40 and 70 mm belong to it.
+    const auto tilted = [](std::int64_t from_nm, std::int64_t to_nm) {
+        return canalSession(canalTrial(0.6, 0.001, [=](double t) {
+            const std::int64_t s_nm = 20'000'000 + 100'000 * std::lround(t * 1e3); // 20 to 80 mm in steps of 0.1 mm
+            CanalSample sample;
+            sample.s_m = static_cast<double>(s_nm) * 1e-9;
+            sample.alignment_rad = (s_nm >= from_nm && s_nm <= to_nm ? 10.0 : 40.0) * kDegree;
+            return sample;
+        }));
+    };
+    QVERIFY(isNear(valueOf(tilted(40'000'000, 70'000'000), "curve_alignment"), 10.0, 1e-6));
+    QVERIFY(valueOf(tilted(40'100'000, 70'000'000), "curve_alignment") > 10.1);
+    QVERIFY(valueOf(tilted(40'000'000, 69'900'000), "curve_alignment") > 10.1);
+}
+
 void TestInsertionMetrics::bendIsOfTheInsertionOnly() {
     const auto trace = canalSession(canalTrial(1.0, 0.001, [](double) {
         CanalSample sample;
@@ -137,6 +185,71 @@ void TestInsertionMetrics::traumaAndReversalsAreCounted() {
     }));
     QCOMPARE(valueOf(trace, "trauma_events"), 3.0);
     QCOMPARE(valueOf(trace, "reversals"), 2.0);
+}
+
+void TestInsertionMetrics::traumaHasTimeImpulseAndAWorstForce() {
+    const auto once = pressed(6.0, 26.0); // counted once, as a touch would be
+    QCOMPARE(valueOf(once, "trauma_events"), 1.0);
+    QVERIFY(isNear(valueOf(once, "trauma_time"), 6.0, 0.0011));
+    QVERIFY(isNear(valueOf(once, "trauma_impulse"), 156.0, 0.027));
+    QCOMPARE(valueOf(once, "lateral_max"), 26.0);
+    const auto below = pressed(6.0, 1.9);
+    QVERIFY(valueOf(below, "trauma_time") == 0.0 && valueOf(below, "trauma_impulse") == 0.0 && valueOf(below, "lateral_max") == 1.9);
+    const auto twice = canalSession({pressed(0.5, 3.0).trials.front(), pressed(0.25, 2.5).trials.front()});
+    QVERIFY(isNear(valueOf(twice, "trauma_time"), 0.75, 0.0021));
+    QVERIFY(isNear(valueOf(twice, "trauma_impulse"), 1.5 + 0.625, 0.006));
+    QCOMPARE(valueOf(twice, "lateral_max"), 3.0);
+}
+
+void TestInsertionMetrics::longOrHardTraumaIsACriticalError() {
+    QCOMPARE(valueOf(pressed(6.0, 26.0), "critical_errors"), 1.0);
+    QCOMPARE(valueOf(pressed(0.98, 4.0), "critical_errors"), 0.0); // a slip
+    QCOMPARE(valueOf(pressed(1.02, 2.1), "critical_errors"), 1.0);
+    QCOMPARE(valueOf(pressed(0.1, 4.1), "critical_errors"), 1.0);
+    QCOMPARE(valueOf(pressed(0.01, 9.0), "critical_errors"), 0.0); // too short to be trauma
+    auto broken = pressed(0.5, 4.5);
+    auto& tool = broken.trials.front().tools.front();
+    tool.contact.assign(tool.t_s.size(), 0);
+    tool.contact[1200] = core::contact_bits::kThrough | core::contact_bits::kYielded; // within the trauma: the same error
+    QCOMPARE(valueOf(broken, "critical_errors"), 1.0);
+    tool.contact[5000] = core::contact_bits::kThrough | core::contact_bits::kYielded;
+    QCOMPARE(valueOf(broken, "critical_errors"), 2.0);
+    QCOMPARE(findMetric("critical_errors")->version, 2);
+    QVERIFY(findMetric("critical_errors", 1) != nullptr);
+}
+
+void TestInsertionMetrics::advanceWhileTurningIsOfTheBend() {
+    const auto turned = [](double speed) { return valueOf(canalSession(turnedAtBend(speed)), "advance_while_turning"); };
+    // A turn is seen 0.1 s before it begins and 0.1 s after it has ended, as far as it is half over there: at 5°/s of 15°/s a third.
+    QVERIFY2(isNear(turned(0.0), 0.0, 0.8), qPrintable(QString::number(turned(0.0))));
+    QVERIFY2(isNear(turned(0.010), 20.0, 1.5), qPrintable(QString::number(turned(0.010))));
+    QVERIFY(turned(0.005) > 9.0 && turned(0.005) < 12.0);
+    TrialTrace late = turnedAtBend(0.010);
+    late.insertion->bend_m = 0.005; // the same turn 35 mm behind it: no longer in the bend
+    QCOMPARE(valueOf(canalSession(late), "advance_while_turning"), 0.0);
+    TrialTrace out = turnedAtBend(0.010);
+    for (auto& stage : out.insertion->stage)
+        stage = static_cast<std::uint8_t>(ProcedureStage::withdrawal);
+    QCOMPARE(metricOf(canalSession(out), "advance_while_turning").reason, std::string("the tip was never at the bend"));
+}
+
+void TestInsertionMetrics::pathIsMeasuredAlongTheCanal() {
+    // In by 90 mm and out again, as an insertion goes: version 1 divides by next to nothing, version 2 by the canal.
+    const auto inAndOut = [](double aside_m) {
+        TrialTrace trial = canalTrial(20.0, 0.001, [](double t) {
+            CanalSample sample;
+            sample.s_m = t < 10.0 ? 0.009 * t : 0.09 - 0.0084 * (t - 10.0);
+            sample.stage = t < 10.0 ? ProcedureStage::insertion : ProcedureStage::withdrawal;
+            return sample;
+        });
+        for (std::size_t i = 0; i < trial.tools.front().t_s.size(); ++i)
+            trial.tools.front().p_WT_m[i].y() += aside_m * std::sin(2.0 * kPi * trial.tools.front().t_s[i]);
+        return canalSession(trial);
+    };
+    QVERIFY2(std::abs(valueOf(inAndOut(0.0), "path_inefficiency")) < 0.5, qPrintable(QString::number(valueOf(inAndOut(0.0), "path_inefficiency"))));
+    const double wavy = valueOf(inAndOut(0.001), "path_inefficiency");
+    QVERIFY2(wavy > 8.0 && wavy < 15.0, qPrintable(QString::number(wavy))); // 1 mm at 1 Hz on 9 mm/s: 11 %
+    QVERIFY(valueOf(inAndOut(0.0), "path_inefficiency", 1) > 1000.0);
 }
 
 void TestInsertionMetrics::undefinedWithItsReason() {

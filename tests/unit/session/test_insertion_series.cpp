@@ -64,7 +64,7 @@ void TestInsertionSeries::placeAndAlignment() {
     p.pose.p_WA = Vec3(0.03, -0.01, 0.02);
     p.pose.q_WA = core::Quat(Eigen::AngleAxisd(0.4, Vec3::UnitZ())) * p.pose.q_WA;
     scoring::TrialTrace trial = along(p, {-0.02, 0.05, 0.10});
-    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(p.anatomy);
     const simulation::CentrelinePoint at = line.at(0.10);
     const double tilt = 0.3;
     const core::ToolState aside = tests::endoscopeAt(p.pose, at.p_A + 0.003 * Vec3::UnitX() - 0.004 * at.n_A,
@@ -80,7 +80,7 @@ void TestInsertionSeries::placeAndAlignment() {
 void TestInsertionSeries::forceIsSplitAtTheTangent() {
     const UrethraInsertionParameters p = tests::wholeProcedure();
     scoring::TrialTrace trial = along(p, {0.06, 0.06});
-    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(p.anatomy);
     const simulation::CentrelinePoint at = line.at(0.06);
     trial.tools[0].tissue_N[1] = p.pose.vectorToW(-2.0 * at.t_A + 0.3 * at.n_A + 0.4 * Vec3::UnitX());
     const auto series = *session::insertionSeries(p, trial);
@@ -92,7 +92,7 @@ void TestInsertionSeries::forceIsSplitAtTheTangent() {
 void TestInsertionSeries::frictionOnATiltedShaftLiesPartlyAcross() {
     const UrethraInsertionParameters p = tests::wholeProcedure();
     scoring::TrialTrace trial = along(p, {0.06});
-    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(p.anatomy);
     const simulation::CentrelinePoint at = line.at(0.06);
     const Vec3 axis_A = std::cos(0.3) * at.t_A + std::sin(0.3) * at.n_A;
     trial.tools[0].q_WT[0] = tests::endoscopeAt(p.pose, at.p_A, axis_A).q_WT;
@@ -103,7 +103,7 @@ void TestInsertionSeries::frictionOnATiltedShaftLiesPartlyAcross() {
 void TestInsertionSeries::torqueIsTakenAboutTheAxis() {
     const UrethraInsertionParameters p = tests::wholeProcedure();
     scoring::TrialTrace trial = along(p, {0.06, 0.06});
-    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(p.anatomy);
     const simulation::CentrelinePoint at = line.at(0.06);
     trial.tools[0].tissueTorque_Nm[1] = p.pose.vectorToW(-0.004 * at.t_A + 0.1 * at.n_A);
     const auto series = *session::insertionSeries(p, trial);
@@ -190,9 +190,12 @@ void TestInsertionSeries::levelsNumbersGoAlong() {
     p.lateralLimit_N = 1.5;
     p.goalDepth_m = 0.145;
     const auto series = *session::insertionSeries(p, along(p, {0.0}));
-    const simulation::UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const simulation::UrethraCentreline line(p.anatomy);
     QCOMPARE(series.length_m, line.length_m());
-    QCOMPARE(series.bend_m, p.anatomy.freeLength_m);
+    p.anatomy.straight_m = 0.0; // content from before the straight part: the bend is where the free part ends
+    QCOMPARE(session::insertionSeries(p, along(p, {0.0}))->bend_m, p.anatomy.freeLength_m);
+    p.anatomy.straight_m = 0.030;
+    QCOMPARE(session::insertionSeries(p, along(p, {0.0}))->bend_m, 0.030);
     QCOMPARE(series.goal_m, 0.145);
     QCOMPARE(series.lateralLimit_N, 1.5);
 }

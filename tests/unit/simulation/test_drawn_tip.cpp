@@ -37,7 +37,7 @@ void TestDrawnTip::followsSmallSteps() {
     QFETCH(double, n);
     const UrethraInsertionParameters p = wholeProcedure();
     const DrawnTip tip(p);
-    const UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const UrethraCentreline line(p.anatomy);
     const auto drawnAt = [&](double s) {
         const CentrelinePoint at = line.at(s);
         const Vec3 p_A = at.p_A + x * Vec3::UnitX() + n * at.n_A;
@@ -63,7 +63,7 @@ void TestDrawnTip::isTheTipItselfWhereItMayBe() {
     p.pose.p_WA = Vec3(0.0123, -0.0456, 0.0789);
     p.pose.q_WA = core::Quat(Eigen::AngleAxisd(0.7, Vec3(0.3, -0.5, 0.8).normalized())) * p.pose.q_WA;
     const DrawnTip tip(p);
-    const UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const UrethraCentreline line(p.anatomy);
     const Vec3 centre = bladderCentre_A(p.anatomy, line);
     const double room_m = p.anatomy.bladderRadius_m - p.endoscope.radius_m;
     core::Random random(5);

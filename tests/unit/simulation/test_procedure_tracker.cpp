@@ -257,7 +257,7 @@ void TestProcedureTracker::planPutsLandmarksOnTheWall() {
     UrethraInsertionParameters p;
     p.landmarks = {{"ahead", 0.0, 0.0}, {"right", 1.0, 0.0}, {"front", 1.0, core::radFromDeg(90.0)}};
     const ProcedurePlan plan = procedurePlan(p);
-    const UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const UrethraCentreline line(p.anatomy);
     QCOMPARE(plan.landmarks, std::size_t{3});
     QVERIFY(std::abs(plan.goal_m - (line.length_m() + 0.010)) < 1e-12);
     const Vec3 centre = bladderCentre_A(p.anatomy, line);

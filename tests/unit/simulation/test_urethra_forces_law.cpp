@@ -72,7 +72,7 @@ void TestUrethraForcesLaw::rowsAreTheModel() {
 /// Turning any knob within its range changes some output of one of these poses: deep in the canal, in the bladder's wall, or with the
 /// free part pulled aside.
 void TestUrethraForcesLaw::everyParameterReachesTheModel() {
-    const UrethraCentreline line(UrethraAnatomy{}.curvature_per_m, UrethraAnatomy{}.zEnd_m);
+    const UrethraCentreline line{UrethraAnatomy{}};
     core::Random random(42);
     std::vector<EndoscopeMotion> poses;
     for (const double s : {0.043, 0.079, 0.136}) {
@@ -93,6 +93,8 @@ void TestUrethraForcesLaw::everyParameterReachesTheModel() {
                        : name == "step_m"                   ? 0.001
                        : name == "maximum_damping_Ns_per_m" ? 1.0
                        : name == "free_hold_N_per_m"        ? 600.0
+                       : name == "straight_m"               ? 0.030
+                       : name == "pivot_span_m"             ? 0.020
                                                             : from * 1.3;
         QVERIFY2(turned[name] <= parameter.maximum, name.c_str());
         const bool changed = std::any_of(poses.begin(), poses.end(), [&](const EndoscopeMotion& pose) {
@@ -123,6 +125,8 @@ void TestUrethraForcesLaw::impossibleUrethrasAreRefused() {
                                          {{"free_length_m", 0.004}, {"free_blend_m", 0.004}, {"angular_corner_m", 0.005}},
                                          {{"free_length_m", 0.030}, {"free_blend_m", 0.031}},
                                          {{"bladder_opening_rad", 0.02}},
+                                         {{"straight_m", 0.036}},
+                                         {{"straight_m", 0.095}, {"free_length_m", 0.1}},
                                          {{"radius_m", 0.006}, {"curvature_per_m", 100.0}}};
     for (const Values& values : impossible)
         for (const auto& [name, value] : rowOf(values, motion))

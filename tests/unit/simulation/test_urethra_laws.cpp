@@ -66,6 +66,7 @@ constexpr Other kOfTheProfile[] = {{"wall_stiffness_N_per_m3", 2e6},
                                    {"change_friction_factor", 3.0}};
 constexpr Other kOfTheSurface[] = {{"curvature_per_m", 12.0},
                                    {"z_end_m", 0.09},
+                                   {"straight_m", 0.02},
                                    {"inside", 0.0},
                                    {"ex_m", 0.0},
                                    {"en_m", 0.0},
@@ -100,6 +101,14 @@ void TestUrethraLaws::centrelineByHand() {
             row["curvature_per_m"] == 0.0);
     QVERIFY(near(evaluated(line, {0.0}, {{"curvature_per_m", 20.0}})["curvature_per_m"], 40.0, 1e-13));
     QVERIFY(evaluated(line, {0.0}, {{"z_end_m", 0.1}})["to_neck_m"] > 0.16);
+    const Values bent{{"straight_m", 0.035}, {"z_end_m", 0.1}};
+    row = evaluated(line, {0.0349}, bent); // straight up to B …
+    QVERIFY(row["z_m"] == 0.0349 && row["y_m"] == 0.0 && row["psi_rad"] == 0.0 && row["curvature_per_m"] == 0.0);
+    row = evaluated(line, {0.035}, bent); // … and sharpest there
+    QVERIFY(near(row["curvature_per_m"], 26.0, 1e-12) && row["psi_rad"] == 0.0);
+    row = evaluated(line, {0.035 + s}, bent);
+    QVERIFY(near(row["z_m"], 0.035 + z, 1e-15) && near(row["y_m"], 13.0 * z * z, 1e-15) && near(row["psi_rad"], std::atan(1.3), 1e-14));
+    QVERIFY(std::isnan(evaluated(line, {0.0}, {{"straight_m", 0.1}, {"z_end_m", 0.1}})["z_m"]));
 }
 
 void TestUrethraLaws::profileByHand() {

@@ -45,7 +45,7 @@ void TestUrethraPicture::tipIsDrawnInside() {
     QFETCH(double, drawn);
     Driver d(wholeProcedure());
     d.startRunning();
-    const UrethraCentreline line(d.p.anatomy.curvature_per_m, d.p.anatomy.zEnd_m);
+    const UrethraCentreline line(d.p.anatomy);
     const CentrelinePoint at = line.at(s);
     d.tool() = endoscopeAt(d.p.pose, at.p_A - offset * at.n_A, at.t_A);
     d.tick();
@@ -59,7 +59,7 @@ void TestUrethraPicture::tipIsDrawnInside() {
 void TestUrethraPicture::drawnTipMovesWithoutJumps() {
     const UrethraInsertionParameters p = wholeProcedure();
     const DrawnTip tip(p);
-    const UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const UrethraCentreline line(p.anatomy);
     const Vec3 centre = bladderCentre_A(p.anatomy, line);
     double farthest_m = 0.0;
     for (const double x : {0.0, 0.005, 0.012, 0.040}) {
@@ -98,7 +98,7 @@ void TestUrethraPicture::lumenIsSeenAhead() {
         QVERIFY(to.y() > -1e-9 || s < 0.0); // the canal bends to the front, which is up in the picture
         QVERIFY(cues.lumenDistance_m > 0.0024 && cues.lumenDistance_m <= 0.0626);
         const Vec3 seen_W = d.tool().p_WT + d.tool().q_WT * (cues.lumenDistance_m * to);
-        const UrethraCentreline line(d.p.anatomy.curvature_per_m, d.p.anatomy.zEnd_m);
+        const UrethraCentreline line(d.p.anatomy);
         const CentrelineFoot foot = line.foot(d.p.pose.pointToA(seen_W));
         QVERIFY(std::hypot(foot.ex_m, foot.en_m) < 1e-6);
     }
@@ -111,7 +111,7 @@ void TestUrethraPicture::lumenIsSeenAhead() {
 void TestUrethraPicture::lumenIsNotSeenThroughTheWall() {
     Driver d(wholeProcedure());
     d.startRunning();
-    const UrethraCentreline line(d.p.anatomy.curvature_per_m, d.p.anatomy.zEnd_m);
+    const UrethraCentreline line(d.p.anatomy);
     const CentrelinePoint at = line.at(0.060);
     d.tool() = endoscopeAt(d.p.pose, at.p_A, at.t_A + 1.2 * Vec3::UnitX()); // 50° aside, the picture is 35° wide
     d.ticks(9);

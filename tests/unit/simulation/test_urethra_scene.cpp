@@ -180,7 +180,7 @@ void TestUrethraScene::rotatedSceneIsTheSame() {
     int otherChoice = 0;
     for (int n = 0; n < 2000; ++n) {
         const double s = -0.015 + 0.0001 * n;
-        const UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+        const UrethraCentreline line(p.anatomy);
         const CentrelinePoint at = line.at(s);
         const Vec3 p_A = at.p_A + 0.002 * std::sin(0.01 * n) * Vec3::UnitX() + 0.0015 * std::cos(0.013 * n) * at.n_A;
         const Vec3 axis_A = at.t_A + 0.2 * std::sin(0.007 * n) * Vec3::UnitX() + 0.1 * std::cos(0.009 * n) * at.n_A;
@@ -210,7 +210,7 @@ void TestUrethraScene::mirroredSceneIsMirrored() {
     Driver right(p);
     left.startRunning();
     right.startRunning();
-    const UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const UrethraCentreline line(p.anatomy);
     const Vec3 mirror(-1.0, 1.0, 1.0);
     double largest_N = 0.0;
     for (int n = 0; n < 1500; ++n) {

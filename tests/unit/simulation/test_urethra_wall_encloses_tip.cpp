@@ -60,7 +60,7 @@ void TestUrethraWallEnclosesTip::atEveryDepthAndOffset() {
         p.anatomy.changes[1] = {0.080, 0.012, 0.004, 0.0015, 15.0, 1.0};
         p.anatomy.changeCount = 2;
     }
-    const UrethraCentreline line(p.anatomy.curvature_per_m, p.anatomy.zEnd_m);
+    const UrethraCentreline line(p.anatomy);
     const DrawnTip drawn(p);
     UrethraCurveNet net(p.anatomy, p.endoscope, {});
     double farthest_m = 0.0;

@@ -83,6 +83,15 @@ inline UrethraAnatomy held() {
     return anatomy;
 }
 
+/// As the shipped levels have it: straight up to B, a pelvic floor that the shaft pivots at.
+inline UrethraAnatomy bentAtB() {
+    UrethraAnatomy anatomy = held();
+    anatomy.straight_m = 0.035;
+    anatomy.zEnd_m = 0.100;
+    anatomy.pivotSpan_m = 0.020;
+    return anatomy;
+}
+
 /// The anatomies, endoscopes and grids over which the laws must hold.
 struct Variant {
     const char* name;
@@ -96,7 +105,8 @@ inline std::vector<Variant> variants() {
             {"stricture", strictured(), {}, {}},
             {"26 drawn sections", {}, {}, basic()},
             {"thin endoscope in a stricture", strictured(), thin(), {}},
-            {"held free part", held(), {}, {}}};
+            {"held free part", held(), {}, {}},
+            {"bent at B", bentAtB(), {}, {}}};
 }
 
 } // namespace chiron::simulation::testing

@@ -12,14 +12,14 @@ in float wallTurn; // turns round it
 uniform mat4 mvp;
 uniform mat4 modelView;
 uniform mat3 modelViewNormal;
-uniform vec2 bend; // x: 2c of the centre-line (1/m), y: mm of a picture of the wall along it
+uniform vec3 bend; // x: 2c of the centre-line (1/m), y: mm of a picture of the wall along it, z: its straight part (m)
 
 out vec2 spot;
 
 void main()
 {
     vec3 place = 1000.0 * vec3(wallX, wallY, wallZ);
-    vec3 axis = modelViewNormal * vec3(0.0, bend.x * max(0.0, wallZ), 1.0);
+    vec3 axis = modelViewNormal * vec3(0.0, bend.x * max(0.0, wallZ - bend.z), 1.0);
     lightUp((modelView * vec4(place, 1.0)).xyz, modelViewNormal * vec3(wallNormalX, wallNormalY, wallNormalZ), axis);
     spot = vec2(wallTurn, wallArc * 1000.0 / bend.y);
     gl_Position = mvp * vec4(place, 1.0);

@@ -13,7 +13,7 @@ in float wallTurn;
 uniform mat4 mvp;
 uniform mat4 modelView;
 uniform mat3 modelViewNormal;
-uniform vec2 bend;     // x: 2c of the centre-line (1/m), y: mm of a picture of the wall along it
+uniform vec3 bend;     // x: 2c of the centre-line (1/m), y: mm of a picture of the wall along it, z: its straight part (m)
 uniform vec4 tip;      // xyz: m, A; w: its arc length, far outside while the canal is at rest
 uniform vec4 ahead;    // xyz: the way the shaft points, A; w: m behind the tip over which the surface's own offset fades
 uniform vec4 anchored; // xy: the tip's offset along x̂ and n, m; z: arc length up to which the canal is free to move, w: of the neck
@@ -22,7 +22,8 @@ out vec3 eye;
 out vec3 normal;
 out vec2 spot;
 
-float zOf(float s)
+/// z beyond the straight part, at `s` beyond it.
+float pastOf(float s)
 {
     float z = s;
     for (int i = 0; i < 4; ++i) {
@@ -44,13 +45,14 @@ void main()
 {
     vec3 place = vec3(wallX, wallY, wallZ);
     vec3 turnedNormal = vec3(wallNormalX, wallNormalY, wallNormalZ);
-    float z = zOf(max(0.0, wallArc));
-    vec3 t = normalize(vec3(0.0, bend.x * z, 1.0));
+    float past = pastOf(max(0.0, wallArc - bend.z));
+    float z = clamp(wallArc, 0.0, bend.z) + past;
+    vec3 t = normalize(vec3(0.0, bend.x * past, 1.0));
     float behind = tip.w - wallArc;
     if (behind > 0.0) {
         vec3 n = vec3(0.0, t.z, -t.y);
         float own = 0.5 + 0.5 * cos(3.14159265 * min(1.0, behind / ahead.w));
-        vec3 middle = vec3(0.0, 0.5 * bend.x * z * z, z) + own * (anchored.x * vec3(1.0, 0.0, 0.0) + anchored.y * n);
+        vec3 middle = vec3(0.0, 0.5 * bend.x * past * past, z) + own * (anchored.x * vec3(1.0, 0.0, 0.0) + anchored.y * n);
         float free = 1.0 - smoothstep(anchored.z, anchored.w, wallArc);
         vec3 way = normalize(mix(t, ahead.xyz, free));
         place = mix(middle, tip.xyz - behind * ahead.xyz, free) + turned(place - middle, t, way);

@@ -65,10 +65,10 @@ Qt3DRender::QMaterial* Overview::shell(const char* look, const char* vertexShade
     const auto own = [&](const char* name, const QVariant& value) {
         return new Qt3DRender::QParameter(QLatin1String(name), value, m_root);
     };
-    const double bend = 2.0 * m_model.drawing().parameters().anatomy.curvature_per_m;
+    const simulation::UrethraAnatomy& anatomy = m_model.drawing().parameters().anatomy;
     return m_light.effects.materialWith(look, vertexShader, "outside.frag",
                                         {own("tint", tint), own("rule", rule), m_tip, m_ahead, m_anchored,
-                                         own("bend", QVector2D(float(bend), float(kCanalTile_mm)))},
+                                         own("bend", QVector3D(float(2.0 * anatomy.curvature_per_m), float(kCanalTile_mm), float(anatomy.straight_m)))},
                                         blend, m_root);
 }
 

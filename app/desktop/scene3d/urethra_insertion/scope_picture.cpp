@@ -71,13 +71,13 @@ Qt3DRender::QMaterial* ScopePicture::lining(const char* vertexShader, Qt3DRender
                                             const QVector3D& pale, const QVector3D& red, float rough,
                                             float wet, const core::Vec3& axis_A) {
     const auto own = [&](const char* name, const QVariant& value) { return parameter(name, value, m_root); };
-    const double bend = 2.0 * m_model.drawing().parameters().anatomy.curvature_per_m;
+    const simulation::UrethraAnatomy& anatomy = m_model.drawing().parameters().anatomy;
     return m_effects.materialWith("#define LAMP\n", vertexShader, "lining.frag",
                               {m_lamp, m_sharpness, m_blurred,
                                own("skin", QVariant::fromValue<Qt3DRender::QAbstractTexture*>(picture)),
                                own("pale", pale), own("red", red), own("blood", kBlood), own("rough", rough), own("wet", wet),
                                own("axis", toVector(axis_A)),
-                               own("bend", QVector2D(float(bend), float(kCanalTile_mm)))},
+                               own("bend", QVector3D(float(2.0 * anatomy.curvature_per_m), float(kCanalTile_mm), float(anatomy.straight_m)))},
                               Blend::opaque, m_root);
 }
 

@@ -9,7 +9,7 @@
 namespace chiron::scene3d {
 
 UrethraDrawing::UrethraDrawing(const simulation::UrethraInsertionParameters& parameters)
-    : m_parameters(parameters), m_centreline(parameters.anatomy.curvature_per_m, parameters.anatomy.zEnd_m),
+    : m_parameters(parameters), m_centreline(parameters.anatomy),
       m_neck(m_centreline.atZ(parameters.anatomy.zEnd_m)),
       m_bladderCentre_A(m_neck.p_A + parameters.anatomy.bladderRadius_m * m_neck.t_A) {}
 

@@ -19,7 +19,7 @@ core::Vec3 landmark_A(const UrethraAnatomy& anatomy, const UrethraCentreline& li
 }
 
 ProcedurePlan procedurePlan(const UrethraInsertionParameters& parameters) noexcept {
-    const UrethraCentreline line(parameters.anatomy.curvature_per_m, parameters.anatomy.zEnd_m);
+    const UrethraCentreline line(parameters.anatomy);
     ProcedurePlan plan;
     plan.beak_m = parameters.endoscope.beak_m;
     plan.meatus_m = parameters.meatus_m;

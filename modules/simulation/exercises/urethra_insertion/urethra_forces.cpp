@@ -27,20 +27,24 @@ double rampSlope(double x, double w) noexcept {
 
 /// The moving frame's part of the response: φ_x, φ_y and the torque vector that does the work of T_x, T_y:
 /// τ = T_x (x̂ − tan φ_y z″) + T_y y′, with y′ = (0, a_z, −a_y)/cos φ_y and z″ = (0, a_y, a_z)/cos φ_y.
-void orient(UrethraResponse& r, const core::Vec3& a, double k_phi) noexcept {
+/// Returned: the angles that the spring turns back, φ_x + c e_n and φ_y − c e_x: with the floor as its pivot, the shaft's tilt goes with
+/// the tip's offset. P1's second part of T_x, "off the parabolic CL (endoscope y-z translation)".
+core::Vec2 orient(UrethraResponse& r, const core::Vec3& a, double k_phi, double turn_per_m) noexcept {
     const core::Vec3& t = r.foot.at.t_A;
     r.phiX_rad = std::atan2(t.y() * a.z() - t.z() * a.y(), t.z() * a.z() + t.y() * a.y());
     r.phiY_rad = std::asin(std::clamp(a.x(), -1.0, 1.0));
-    r.torqueX_Nm = -k_phi * r.phiX_rad;
-    r.torqueY_Nm = -k_phi * r.phiY_rad;
+    const core::Vec2 twist(r.phiX_rad + turn_per_m * r.foot.en_m, r.phiY_rad - turn_per_m * r.foot.ex_m);
+    r.torqueX_Nm = -k_phi * twist.x();
+    r.torqueY_Nm = -k_phi * twist.y();
     const double square = std::max(a.y() * a.y() + a.z() * a.z(), kSidewaysSquare);
     const double tilt = r.torqueX_Nm * a.x() / square;
     const double turn = r.torqueY_Nm / std::sqrt(square);
     r.wrench_A.torque = core::Vec3(r.torqueX_Nm, turn * a.z() - tilt * a.y(), -turn * a.y() - tilt * a.z());
+    return twist;
 }
 
-/// Bounds the norm of a second derivative: its part across, along and mixed. U(s, e) gives along U_ss/h² − U_n κ/h + U_s κ′e_n/h³ and
-/// mixed U_se/h + U_s κ/h², h = 1 − κ e_n = 1/‖∇s‖.
+/// Bounds the norm of a second derivative with these parts across, along and mixed. Of U(s, e) they are U_ee, U_ss ‖∇s‖² − U_n κ ‖∇s‖ (n
+/// turns along the line) and U_se ‖∇s‖; U_s ∂²s comes on top.
 double largestStretch(double across, double along, double mixed) noexcept {
     return 0.5 * (across + along) + std::sqrt(0.25 * (across - along) * (across - along) + mixed * mixed);
 }
@@ -77,6 +81,13 @@ double UrethraAngularStiffness::value_Nm_per_rad(double s_m) const noexcept {
     return slope_Nm_per_rad_m * (roundedRamp(s_m - from_m, corner_m) - roundedRamp(s_m - to_m, corner_m));
 }
 
+UrethraPivot::Turn UrethraPivot::at(double s_m) const noexcept {
+    if (!(span_m > 0.0))
+        return {};
+    const double l = s_m - from_m, l2 = l * l, span2 = span_m * span_m, sum = l2 + span2;
+    return {l / sum, (span2 - l2) / (sum * sum), std::abs(2.0 * l * (l2 - 3.0 * span2)) / (sum * sum * sum)};
+}
+
 double UrethraAngularStiffness::slope(double s_m) const noexcept {
     return slope_Nm_per_rad_m * (rampSlope(s_m - from_m, corner_m) - rampSlope(s_m - to_m, corner_m));
 }
@@ -104,27 +115,30 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
     r.bladder_A = bladder.force_A;
     r.touching = at.s_m > -tables.ahead_m || bladder.energy_J > 0.0;
     const double k_phi = r.touching ? tables.angular.value_Nm_per_rad(at.s_m) : 0.0; // nothing outside the body
-    orient(r, a, k_phi);
+    const UrethraPivot::Turn pivot = tables.pivot.at(at.s_m);
+    const core::Vec2 twist = orient(r, a, k_phi, pivot.turn_per_m);
     if (!r.touching)
         return r;
     const UrethraSectionSums sums = sumUrethraSections(tables, at.s_m, r.foot.ex_m, r.foot.en_m);
-    const double tilt2 = r.phiX_rad * r.phiX_rad + r.phiY_rad * r.phiY_rad;
+    const double tilt2 = twist.squaredNorm(), tilt = std::sqrt(tilt2);
+    const double bent = std::abs(at.curvature_per_m), turned = std::abs(pivot.slope_per_m2);
     const FreeHold hold = holdFreePart(tables, r.foot);
     r.energy_J = sums.energy_J + hold.energy_J + 0.5 * k_phi * tilt2 + bladder.energy_J;
     const double slope = sums.slope_N + hold.slope_N + 0.5 * tables.angular.slope(at.s_m) * tilt2 +
-                         k_phi * r.phiX_rad * at.curvature_per_m; // ∂U/∂s_t: ψ turns by κ_c a metre
+                         k_phi * (twist.x() * (at.curvature_per_m + pivot.slope_per_m2 * r.foot.en_m) -
+                                  twist.y() * pivot.slope_per_m2 * r.foot.ex_m); // ∂U/∂s_t: ψ turns by κ_c a metre
     r.elastic_N = -slope * r.foot.gradientOfS_A.dot(at.t_A);
-    const core::Vec2 gradient = sums.gradient_N + hold.gradient_N;
+    const core::Vec2 gradient = sums.gradient_N + hold.gradient_N + k_phi * pivot.turn_per_m * core::Vec2(-twist.y(), twist.x());
     r.lateral_A = -gradient.x() * core::Vec3::UnitX() - gradient.y() * at.n_A + bladder.force_A;
     r.normal_N = sums.normal_N;
-    const double stretch = r.foot.gradientOfS_A.norm(), bent = std::abs(at.curvature_per_m), bends = std::abs(at.bending_per_m2);
-    const double axial_N_per_m = sums.axial_N_per_m + hold.axial_N_per_m + 0.5 * tilt2 * tables.angular.bend() +
-                                 2.0 * bent * std::abs(r.phiX_rad) * tables.angular.slope(at.s_m) +
-                                 (bent * bent + bends * std::abs(r.phiX_rad)) * k_phi;
-    const double turning = stretch * (stretch * stretch * bends * std::abs(r.foot.en_m * slope) + bent * std::abs(gradient.y()));
-    r.stiffness_N_per_m = bladder.stiffness_N_per_m +
-                          largestStretch(sums.stiffness_N_per_m + hold.stiffness_N_per_m, stretch * stretch * axial_N_per_m + turning,
-                                         stretch * (sums.cross_N_per_m + hold.cross_N_per_m) + stretch * stretch * bent * std::abs(slope));
+    const double stretch = r.foot.gradientOfS_A.norm(), offset = std::sqrt(r.foot.ex_m * r.foot.ex_m + r.foot.en_m * r.foot.en_m);
+    const double turning = bent + turned * offset, stiffening = std::abs(tables.angular.slope(at.s_m)), lever = std::abs(pivot.turn_per_m);
+    const double across = sums.stiffness_N_per_m + hold.stiffness_N_per_m + k_phi * lever * lever;
+    const double axial = sums.axial_N_per_m + hold.axial_N_per_m + 0.5 * tilt2 * tables.angular.bend() + 2.0 * stiffening * tilt * turning +
+                         k_phi * (turning * turning + tilt * (std::abs(at.bending_per_m2) + pivot.bend_per_m3 * offset));
+    const double mixed = sums.cross_N_per_m + hold.cross_N_per_m + tilt * (stiffening * lever + k_phi * turned) + k_phi * lever * turning;
+    r.stiffness_N_per_m = bladder.stiffness_N_per_m + std::abs(slope) * r.foot.bendOfS_per_m +
+                          largestStretch(across, stretch * (stretch * axial + bent * std::abs(gradient.y())), stretch * mixed);
 
     const double along = motion.v_A.dot(a);
     const double spin = motion.w_A.dot(a);

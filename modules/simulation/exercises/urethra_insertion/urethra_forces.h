@@ -44,8 +44,8 @@ struct UrethraResponse {
     double elastic_N = 0.0;   ///< −F3: elastic force along t (signed; negative pushes out), without the bladder's wall
     core::Vec3 lateral_A = core::Vec3::Zero(); ///< −∂U/∂e, in the tip's section, plus the bladder's wall
     core::Vec3 bladder_A = core::Vec3::Zero(); ///< the bladder's wall alone
-    double torqueX_Nm = 0.0;  ///< T_x = −k_φ φ_x
-    double torqueY_Nm = 0.0;  ///< T_y = −k_φ φ_y
+    double torqueX_Nm = 0.0;  ///< T_x = −k_φ (φ_x + c e_n), c: UrethraPivot
+    double torqueY_Nm = 0.0;  ///< T_y = −k_φ (φ_y − c e_x)
     double torqueZ_Nm = 0.0;  ///< T_z, about the axis
     double energy_J = 0.0;    ///< U
     double stiffness_N_per_m = 0.0; ///< an upper bound of the stiffness of elastic forces now, across and along, for the passivity credit

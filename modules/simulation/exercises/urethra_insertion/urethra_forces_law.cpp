@@ -62,7 +62,7 @@ template <class Owner> struct Field {
     double maximum;
 };
 
-constexpr std::array<Field<UrethraAnatomy>, 16> kAnatomy{{
+constexpr std::array<Field<UrethraAnatomy>, 18> kAnatomy{{
     {&UrethraAnatomy::curvature_per_m, "curvature_per_m", "1/m", 0.1, 100.0},
     {&UrethraAnatomy::zEnd_m, "z_end_m", "m", 0.03, 0.3},
     {&UrethraAnatomy::radius_m, "radius_m", "m", 0.0005, 0.01},
@@ -79,6 +79,8 @@ constexpr std::array<Field<UrethraAnatomy>, 16> kAnatomy{{
     {&UrethraAnatomy::bladderOpening_rad, "bladder_opening_rad", "rad", 0.01, 1.5},
     {&UrethraAnatomy::bladderOpeningEdge_rad, "bladder_opening_edge_rad", "rad", 0.001, 1.5},
     {&UrethraAnatomy::freeHold_N_per_m, "free_hold_N_per_m", "N/m", 0.0, 5000.0},
+    {&UrethraAnatomy::straight_m, "straight_m", "m", 0.0, 0.2},
+    {&UrethraAnatomy::pivotSpan_m, "pivot_span_m", "m", 0.0, 0.2},
 }};
 constexpr std::size_t kAnatomyCount = kAnatomy.size();
 
@@ -196,7 +198,7 @@ void evaluate(std::span<const double> p, std::span<const double> in, std::span<d
 
 constexpr core::LawDescription kLaw{"urethra-force",
                                     "urethra insertion: force and torque on the endoscope, with every term",
-                                    "P1 eq. 1-6; models.md §1.2",
+                                    "P1 eq. 1-6; models.md §1.2 and §8",
                                     kInputs,
                                     kOutputs,
                                     kParameters,

@@ -115,6 +115,7 @@ UrethraForces::Tables::Tables(const UrethraCentreline& centreline, const Urethra
     leastSpeed_m_per_s = std::max(kLeastSpeed_m_per_s, settings.count_m / kVelocityWindow_s);
     maximumDamping_Ns_per_m = settings.maximumDamping_Ns_per_m;
     angular = angularStiffness(anatomy, length_m);
+    pivot = {anatomy.freeLength_m, anatomy.pivotSpan_m};
     const std::vector<Place> places = settings.sections == ForceSections::fine
                                           ? finePlaces(length_m, fineStep_m(anatomy, settings.maximumStep_m))
                                           : basicPlaces(centreline, anatomy.zEnd_m, settings.basicSections);
@@ -137,7 +138,7 @@ UrethraForces::Tables::Tables(const UrethraCentreline& centreline, const Urethra
 }
 
 UrethraForces::UrethraForces(const UrethraAnatomy& anatomy, const Endoscope& endoscope, const UrethraForceSettings& settings)
-    : m_centreline(anatomy.curvature_per_m, anatomy.zEnd_m), m_wall(anatomy, endoscope), m_settings(settings),
+    : m_centreline(anatomy), m_wall(anatomy, endoscope), m_settings(settings),
       m_tables(std::make_unique<const Tables>(m_centreline, m_wall, settings)) {}
 
 UrethraForces::~UrethraForces() = default;

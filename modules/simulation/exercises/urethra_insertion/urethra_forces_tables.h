@@ -54,6 +54,18 @@ struct UrethraAngularStiffness {
     double bend() const noexcept { return slope_Nm_per_rad_m / (2.0 * corner_m); } ///< the most of d²k_φ/ds²
 };
 
+/// The pelvic floor at s_P holds the rigid shaft over a span ℓ₀: a tip that is e aside with the floor where it was has turned the shaft by
+/// c e, c = ℓ/(ℓ² + ℓ₀²), ℓ = s − s_P. A span of 0: nothing holds it, c = 0.
+struct UrethraPivot {
+    double from_m = 0.0; ///< s_P
+    double span_m = 0.0; ///< ℓ₀
+
+    struct Turn {
+        double turn_per_m = 0.0, slope_per_m2 = 0.0, bend_per_m3 = 0.0; ///< c, c′, |c″|
+    };
+    Turn at(double s_m) const noexcept;
+};
+
 /// Everything of UrethraForces that depends on anatomy, endoscope and settings alone. Immutable.
 struct UrethraForces::Tables {
     std::vector<UrethraForceSection> sections; ///< in the order of s
@@ -62,6 +74,7 @@ struct UrethraForces::Tables {
     double bucketsPerMetre = 0.0;
     int firstConstrained = 0; ///< first section with a > 0
     UrethraAngularStiffness angular;
+    UrethraPivot pivot;
     UrethraBladder bladder;
     double stiffening_per_m = 0.0;     ///< β
     double viscosity_Ns_per_m2 = 0.0;  ///< b′

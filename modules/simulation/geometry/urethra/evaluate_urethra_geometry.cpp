@@ -21,6 +21,7 @@ using core::LawParameter;
 constexpr LawColumn kArcLength{"s_m", "m"};
 constexpr LawParameter kCurvature{"curvature_per_m", "1/m", UrethraAnatomy{}.curvature_per_m, 0.1, 100.0};
 constexpr LawParameter kEnd{"z_end_m", "m", UrethraAnatomy{}.zEnd_m, 0.01, 0.3};
+constexpr LawParameter kStraight{"straight_m", "m", UrethraAnatomy{}.straight_m, 0.0, 0.2};
 
 void giveUp(std::span<double> out) noexcept {
     std::fill(out.begin(), out.end(), std::numeric_limits<double>::quiet_NaN());
@@ -30,10 +31,12 @@ void giveUp(std::span<double> out) noexcept {
 constexpr std::array<LawColumn, 1> kLineInputs{{kArcLength}};
 constexpr std::array<LawColumn, 5> kLineOutputs{
     {{"z_m", "m"}, {"y_m", "m"}, {"psi_rad", "rad"}, {"curvature_per_m", "1/m"}, {"to_neck_m", "m"}}};
-constexpr std::array<LawParameter, 2> kLineParameters{{kCurvature, kEnd}};
+constexpr std::array<LawParameter, 3> kLineParameters{{kCurvature, kEnd, kStraight}};
 
 void evaluateLine(std::span<const double> p, std::span<const double> in, std::span<double> out) noexcept {
-    const UrethraCentreline line(p[0], p[1]);
+    if (!(p[1] > p[2]))
+        return giveUp(out);
+    const UrethraCentreline line(p[0], p[1], p[2]);
     const CentrelinePoint at = line.at(in[0]);
     out[0] = at.z_m;
     out[1] = at.p_A.y();
@@ -44,7 +47,7 @@ void evaluateLine(std::span<const double> p, std::span<const double> in, std::sp
 
 // ---- what profile and surface share: wall, endoscope, one local change (none while its length is 0), the
 // tip ----
-constexpr std::size_t kWallCount = 16;
+constexpr std::size_t kWallCount = 17;
 constexpr std::array<LawParameter, kWallCount> kWallParameters{{
     kCurvature,
     kEnd,
@@ -62,6 +65,7 @@ constexpr std::array<LawParameter, kWallCount> kWallParameters{{
     {"change_radius_m", "m", 0.0015, 0.0005, 0.01},
     {"change_stiffness_factor", "1", 1.0, 0.0, 1000.0},
     {"change_friction_factor", "1", 1.0, 0.0, 100.0},
+    kStraight,
 }};
 
 UrethraAnatomy anatomyFrom(std::span<const double> p) noexcept {
@@ -76,6 +80,7 @@ UrethraAnatomy anatomyFrom(std::span<const double> p) noexcept {
     anatomy.angularCorner_m =
         std::min(1e-4, p[5]); // torques and bladder are not asked about: nothing is refused for their sake
     anatomy.bladderRadius_m = 1.0;
+    anatomy.straight_m = p[16];
     if (p[10] > 0.0) {
         anatomy.changeCount = 1;
         anatomy.changes[0] = {p[11], p[10], p[12], p[13], p[14], p[15]};
@@ -178,8 +183,8 @@ std::string surfaceProblem(std::span<const double> p, std::span<const double> in
 }
 
 constexpr core::LawDescription kLine{
-    "urethra-centreline", "centre-line of the urethra, y = c z^2, by arc length",
-    "P1; models.md §1.1", kLineInputs,
+    "urethra-centreline", "centre-line of the urethra, straight and then y = c (z - straight)^2, by arc length",
+    "P1; models.md §1.1 and §8", kLineInputs,
     kLineOutputs,         kLineParameters,
     &evaluateLine};
 constexpr core::LawDescription kProfile{

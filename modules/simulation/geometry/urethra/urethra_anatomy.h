@@ -19,13 +19,14 @@ struct UrethraLocalChange {
     double frictionFactor = 1.0;  ///< of μ at full weight
 };
 
-/// The male urethra of P1 in A: centre-line y = c z² in the plane of symmetry y–z (models.md §1.1), base values and
-/// local changes of its wall, and the bladder behind it. Lengths m. Plain data with fixed storage: the tick copies it.
+/// The male urethra of P1 in A: centre-line in the plane of symmetry y–z (models.md §1.1 and §8), straight from the entrance A to B,
+/// y = c (z − z_B)² from there to the bladder neck C; base values and local changes of its wall, and the bladder behind it. Lengths m. Plain data with fixed storage: the tick copies it.
 /// Sources and units of every default: models.md §1 (P1; assumptions are named there).
 struct UrethraAnatomy {
     static constexpr std::size_t kMaxChanges = 8;
 
-    double curvature_per_m = 13.0; ///< c of y = c z²; P1's 0.13 in cm
+    double curvature_per_m = 13.0; ///< c of y = c (z − z_B)²; P1's 0.13 in cm
+    double straight_m = 0.0;       ///< z_B: the straight part up to the parabola's vertex at B; 0: the vertex is at A
     double zEnd_m = 0.0877;        ///< z of the bladder neck C; the entrance A is at 0
     double radius_m = 0.0025;      ///< r_u at rest
     double wallStiffness_N_per_m3 = 3.0e6; ///< κ: radial pressure per radial displacement
@@ -37,6 +38,7 @@ struct UrethraAnatomy {
     double freeHold_N_per_m = 0.0;         ///< what holds the free part to the body, beyond core::kCanalReach_m; 0: nothing
     double angularStiffness_Nm_per_rad = 0.2; ///< k_φ at L
     double angularCorner_m = 0.005;           ///< corners of k_φ(s) are rounded over ± this
+    double pivotSpan_m = 0.0;                 ///< ℓ₀: the pelvic floor, at s_B, holds the shaft over so much; 0: tilt and offset are free of each other
     std::array<UrethraLocalChange, kMaxChanges> changes{};
     std::size_t changeCount = 0;
 

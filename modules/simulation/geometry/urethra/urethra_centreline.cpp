@@ -48,20 +48,22 @@ double cubicRoot(double q, double r) noexcept {
 
 } // namespace
 
-UrethraCentreline::UrethraCentreline(double curvature_per_m, double zEnd_m) noexcept
-    : m_c(curvature_per_m), m_zEnd_m(zEnd_m), m_length_m(arcLengthAt(zEnd_m)) {}
+UrethraCentreline::UrethraCentreline(double curvature_per_m, double zEnd_m, double straight_m) noexcept
+    : m_c(curvature_per_m), m_straight_m(straight_m), m_length_m(arcLengthAt(zEnd_m)) {}
 
 double UrethraCentreline::arcLengthAt(double z_m) const noexcept {
-    if (z_m <= 0.0)
+    const double past_m = z_m - m_straight_m;
+    if (past_m <= 0.0)
         return z_m;
-    const double u = 2.0 * m_c * z_m;
-    return 0.5 * z_m * std::sqrt(1.0 + u * u) + std::asinh(u) / (4.0 * m_c);
+    const double u = 2.0 * m_c * past_m;
+    return m_straight_m + (0.5 * past_m * std::sqrt(1.0 + u * u) + std::asinh(u) / (4.0 * m_c));
 }
 
 double UrethraCentreline::zAt(double s_m) const noexcept {
-    if (s_m <= 0.0)
+    const double past_m = s_m - m_straight_m;
+    if (past_m <= 0.0)
         return s_m;
-    return scaledRoot(4.0 * m_c * s_m) / (2.0 * m_c);
+    return m_straight_m + scaledRoot(4.0 * m_c * past_m) / (2.0 * m_c);
 }
 
 CentrelinePoint UrethraCentreline::at(double s_m) const noexcept {
@@ -74,13 +76,14 @@ CentrelinePoint UrethraCentreline::atZ(double z_m) const noexcept {
     CentrelinePoint point;
     point.z_m = z_m;
     point.s_m = arcLengthAt(z_m);
-    if (z_m < 0.0) {
+    const double past_m = z_m - m_straight_m;
+    if (past_m < 0.0) {
         point.p_A = Vec3(0.0, 0.0, z_m);
         return point;
     }
-    const double slope = 2.0 * m_c * z_m;
+    const double slope = 2.0 * m_c * past_m;
     const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
-    point.p_A = Vec3(0.0, m_c * z_m * z_m, z_m);
+    point.p_A = Vec3(0.0, m_c * past_m * past_m, z_m);
     point.t_A = Vec3(0.0, slope * cosine, cosine);
     point.n_A = Vec3(0.0, cosine, -slope * cosine);
     point.psi_rad = std::atan(slope);
@@ -90,38 +93,48 @@ CentrelinePoint UrethraCentreline::atZ(double z_m) const noexcept {
 }
 
 CentrelineFoot UrethraCentreline::foot(const Vec3& p_A) const noexcept {
-    return p_A.z() > 0.0 ? footOnParabola(p_A) : footBeforeEntrance(p_A);
+    return p_A.z() > m_straight_m ? footOnParabola(p_A) : footBeforeVertex(p_A);
 }
 
 CentrelineFoot UrethraCentreline::footOnParabola(const Vec3& p_A) const noexcept {
     const double scale = 1.0 / (2.0 * m_c * m_c);
     CentrelineFoot foot;
-    foot.at = atZ(cubicRoot((1.0 - 2.0 * m_c * p_A.y()) * scale, p_A.z() * scale));
+    foot.at = atZ(m_straight_m + cubicRoot((1.0 - 2.0 * m_c * p_A.y()) * scale, (p_A.z() - m_straight_m) * scale));
     const Vec3 offset = p_A - foot.at.p_A;
     foot.ex_m = offset.x();
     foot.en_m = foot.at.n_A.dot(offset);
-    foot.gradientOfS_A = foot.at.t_A / std::max(kLeastDenominator, 1.0 - foot.at.curvature_per_m * foot.en_m);
+    const double denominator = std::max(kLeastDenominator, 1.0 - foot.at.curvature_per_m * foot.en_m), along = 1.0 / denominator;
+    foot.gradientOfS_A = foot.at.t_A / denominator;
+    foot.bendOfS_per_m = along * along * (foot.at.curvature_per_m + along * std::abs(foot.at.bending_per_m2 * foot.en_m));
     return foot;
 }
 
-CentrelineFoot UrethraCentreline::footBeforeEntrance(const Vec3& p_A) const noexcept {
-    const double u = 1.0 + p_A.z() / kLeadIn_m;
-    const double bend = 2.0 * m_c * p_A.y(); // curvature at A times the offset
+CentrelineFoot UrethraCentreline::footBeforeVertex(const Vec3& p_A) const noexcept {
+    const double past_m = p_A.z() - m_straight_m; // ≤ 0
+    const double u = 1.0 + past_m / kLeadIn_m;
+    const double bend = 2.0 * m_c * p_A.y(); // curvature at B times the offset
     const double g = smoothstep(u);
     const double denominator = 1.0 - bend * g;
     CentrelineFoot foot;
     double alongZ = 1.0 / kLeastDenominator;
     double alongY = 0.0;
     if (denominator > kLeastDenominator) {
-        const double pull = p_A.z() / (denominator * denominator);
-        alongZ = 1.0 / denominator + pull * bend * smoothstepSlope(u) / kLeadIn_m;
+        const double rise_per_m = smoothstepSlope(u) / kLeadIn_m, along = 1.0 / denominator;
+        const double pull = past_m * along * along;
+        alongZ = along + pull * bend * rise_per_m;
         alongY = pull * 2.0 * m_c * g;
+        const double steepens_per_m2 = u > 0.0 && u < 1.0 ? 6.0 / (kLeadIn_m * kLeadIn_m) : 0.0;
+        const double across = 2.0 * m_c * g, turn = std::abs(bend) * rise_per_m, back_m = -past_m;
+        const double both = 2.0 * back_m * along; // of the squares of D's derivatives
+        foot.bendOfS_per_m = along * along * (across + back_m * 2.0 * m_c * rise_per_m + both * across * turn +  // ∂²s/∂y∂z
+                                              both * across * across +                                            // ∂²s/∂y²
+                                              2.0 * turn + back_m * std::abs(bend) * steepens_per_m2 + both * turn * turn); // ∂²s/∂z²
     }
-    const double s = p_A.z() / std::max(kLeastDenominator, denominator);
+    const double s = m_straight_m + past_m / std::max(kLeastDenominator, denominator);
     foot.at.s_m = s;
     foot.at.z_m = s;
     foot.at.p_A = Vec3(0.0, 0.0, s);
-    foot.at.curvature_per_m = s < 0.0 ? 0.0 : 2.0 * m_c;
+    foot.at.curvature_per_m = s < m_straight_m ? 0.0 : 2.0 * m_c;
     foot.ex_m = p_A.x();
     foot.en_m = p_A.y();
     foot.gradientOfS_A = Vec3(0.0, alongY, alongZ);

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "core/geometry.h"
+#include "simulation/geometry/urethra/urethra_anatomy.h"
 
 namespace chiron::simulation {
 
 /// A place on the centre-line with its frame in A. x̂ = (1,0,0) is normal to the plane of symmetry; n points to the concave
-/// side (n = (0, cos ψ, −sin ψ)), t = (0, sin ψ, cos ψ), ψ = atan(2cz): right-handed (x̂, n, t).
+/// side (n = (0, cos ψ, −sin ψ)), t = (0, sin ψ, cos ψ), ψ = atan(2c(z − z_B)), 0 before B: right-handed (x̂, n, t).
 struct CentrelinePoint {
     double s_m = 0.0;
     double z_m = 0.0;
@@ -14,7 +15,7 @@ struct CentrelinePoint {
     core::Vec3 n_A = core::Vec3::UnitY();
     core::Vec3 t_A = core::Vec3::UnitZ();
     double psi_rad = 0.0;
-    double curvature_per_m = 0.0; ///< κ_c = 2c cos³ψ; 0 before A
+    double curvature_per_m = 0.0; ///< κ_c = 2c cos³ψ; 0 before B
     double bending_per_m2 = 0.0;  ///< dκ_c/ds = −12c² cos⁵ψ sin ψ
 };
 
@@ -25,39 +26,42 @@ struct CentrelineFoot {
     double en_m = 0.0; ///< offset along n, positive to the concave side
     /// ∇s in A: ds = gradient · dp. On the parabola t/(1 − κ_c e_n).
     core::Vec3 gradientOfS_A = core::Vec3::UnitZ();
+    double bendOfS_per_m = 0.0; ///< bounds the norm of s's second derivative
 };
 
-/// Centre-line of the urethra, A (models.md §1.1): y = c z² for z ≥ 0 (beyond the bladder neck C the same parabola),
-/// straight on along −z before the entrance A. s(z) = ½ z √(1+4c²z²) + asinh(2cz)/(4c), s = z before A. Pure; haptic thread.
+/// Centre-line of the urethra, A (models.md §1.1 and §8): y = c ζ², ζ = z − z_B, from the vertex B on (beyond the bladder neck C the
+/// same parabola), straight before it: the canal from the entrance A, where s = z = 0, to B, and on along −z outside.
+/// s = z_B + ½ ζ √(1+4c²ζ²) + asinh(2cζ)/(4c), s = z before B. With z_B = 0 the vertex is at A. Pure; haptic thread.
 ///
-/// foot(): the nearest point of the parabola for p_z > 0 (its one root with z > 0 of 2c²z³ + (1−2c p_y) z − p_z = 0).
-/// Before A the curvature would jump from 0 to 2c, and with it every force along t of a tool beside the line; so over the
-/// last kLeadIn_m before A the arc length of an off-line point is blended, s = p_z/(1 − 2c e_n g), g = smoothstep(1 + p_z/kLeadIn),
-/// whose gradient is continuous at A (denominator held ≥ ¼). The line itself stays straight.
+/// foot(): the nearest point of the parabola for p_z > z_B (its one root with ζ > 0 of 2c²ζ³ + (1−2c p_y) ζ − (p_z − z_B) = 0).
+/// At B the curvature jumps from 0 to 2c, and with it every force along t of a tool beside the line would; so over the
+/// last kLeadIn_m before B the arc length of an off-line point is blended, s = z_B + ζ/(1 − 2c e_n g), g = smoothstep(1 + ζ/kLeadIn),
+/// whose gradient is continuous at B (denominator held ≥ ¼). The line itself stays straight.
 /// On the parabola the gradient's denominator is held ≥ ¼ too: further than ¾ of the radius of curvature from the line (28.8 mm
-/// with P1's c at A) it is bounded instead of exact. Beyond the centre of curvature at A, 1/(2c) above it, the nearest point jumps
-/// as p_z passes 0: nothing is drawn or felt there by any tool that came in through A.
+/// with P1's c at B) it is bounded instead of exact. Beyond the centre of curvature at B, 1/(2c) above it, the nearest point jumps
+/// as p_z passes z_B: nothing is drawn or felt there by any tool that came in through A.
 class UrethraCentreline {
 public:
     static constexpr double kLeadIn_m = 0.010;
 
-    /// c > 0, zEnd > 0.
-    UrethraCentreline(double curvature_per_m, double zEnd_m) noexcept;
+    /// c > 0, zEnd > straight ≥ 0.
+    UrethraCentreline(double curvature_per_m, double zEnd_m, double straight_m = 0.0) noexcept;
+    explicit UrethraCentreline(const UrethraAnatomy& anatomy) noexcept
+        : UrethraCentreline(anatomy.curvature_per_m, anatomy.zEnd_m, anatomy.straight_m) {}
 
     double length_m() const noexcept { return m_length_m; } ///< L = s(zEnd)
     double arcLengthAt(double z_m) const noexcept;
-    double zAt(double s_m) const noexcept; ///< inverse, to a few ulp (Newton); s itself before A
+    double zAt(double s_m) const noexcept; ///< inverse, to a few ulp (Newton); s itself before B
     CentrelinePoint at(double s_m) const noexcept;
     CentrelinePoint atZ(double z_m) const noexcept;
     CentrelineFoot foot(const core::Vec3& p_A) const noexcept;
-    double curvatureParameter_per_m() const noexcept { return m_c; }
 
 private:
     CentrelineFoot footOnParabola(const core::Vec3& p_A) const noexcept;
-    CentrelineFoot footBeforeEntrance(const core::Vec3& p_A) const noexcept;
+    CentrelineFoot footBeforeVertex(const core::Vec3& p_A) const noexcept;
 
     double m_c;
-    double m_zEnd_m;
+    double m_straight_m;
     double m_length_m;
 };
 

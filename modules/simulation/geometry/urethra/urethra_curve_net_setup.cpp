@@ -42,7 +42,7 @@ Vec3 meanNormal(const UrethraCurves& curves, int span, int column, double u, dou
 
 UrethraCurveNet::UrethraCurveNet(const UrethraAnatomy& anatomy, const Endoscope& endoscope,
                                  const UrethraMeshSettings& settings)
-    : m_centreline(anatomy.curvature_per_m, anatomy.zEnd_m), m_wall(anatomy, endoscope),
+    : m_centreline(anatomy), m_wall(anatomy, endoscope),
       m_basic_s_m(basicSections(m_centreline, anatomy.zEnd_m, settings.w)),
       m_plan(m_wall, m_basic_s_m, settings.movingSections), m_rest(settings.n - 1, settings.w),
       m_deformed(settings.n - 1, settings.w + settings.movingSections) {
