@@ -48,6 +48,7 @@ std::vector<devices::TracePoint> trace() {
 std::unique_ptr<devices::SimulatedDevice> gimbal(std::uint64_t seed) {
     devices::SimulatedDevice::Configuration configuration;
     configuration.seed = seed;
+    configuration.frictionCompensation = 0.8; // fed forward by the loop
     auto hand = std::make_unique<mechanisms::ScriptedMotion>(
         core::Vec3(0.0, 0.0, 0.030),
         std::vector<mechanisms::ScriptedMotion::Term>{{core::Vec3(0.003, 0.002, -0.018), 0.25, 0.0}});
