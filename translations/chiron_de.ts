@@ -1326,6 +1326,38 @@ Einzelheiten: %2</translation>
         <translation>Dasselbe, wenn der letzte Stand gehalten worden wäre: was die Vorhersage wert ist.</translation>
     </message>
     <message>
+        <source>no trial was finished</source>
+        <translation>kein Durchgang wurde beendet</translation>
+    </message>
+    <message>
+        <source>the trial was not finished</source>
+        <translation>der Durchgang wurde nicht beendet</translation>
+    </message>
+    <message>
+        <source>one trial alone has no chance level</source>
+        <translation>für einen einzelnen Durchgang gibt es kein Zufallsniveau</translation>
+    </message>
+    <message>
+        <source>no two lumps of different hardness were found and rated</source>
+        <translation>es wurden keine zwei verschieden harten Knoten gefunden und bewertet</translation>
+    </message>
+    <message>
+        <source>fewer than two lumps were found and their hardness said</source>
+        <translation>es wurden weniger als zwei Knoten gefunden und ihre Härte angegeben</translation>
+    </message>
+    <message>
+        <source>fewer than two lumps were there</source>
+        <translation>es gab weniger als zwei Knoten</translation>
+    </message>
+    <message>
+        <source>nothing was touched, so nothing was predicted</source>
+        <translation>es wurde nichts berührt, also auch nichts vorhergesagt</translation>
+    </message>
+    <message>
+        <source>the trace has no prediction</source>
+        <translation>die Aufzeichnung enthält keine Vorhersage</translation>
+    </message>
+    <message>
         <source>Heaviest found by chance</source>
         <translation>Schwerstes durch Raten gefunden</translation>
     </message>

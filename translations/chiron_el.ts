@@ -1326,6 +1326,38 @@ Details: %2</source>
         <translation>Το ίδιο αν είχε διατηρηθεί η τελευταία ενημέρωση: πόσο αξίζει η πρόβλεψη.</translation>
     </message>
     <message>
+        <source>no trial was finished</source>
+        <translation>καμία δοκιμή δεν ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>the trial was not finished</source>
+        <translation>η δοκιμή δεν ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>one trial alone has no chance level</source>
+        <translation>για μία μόνο δοκιμή δεν υπάρχει επίπεδο τύχης</translation>
+    </message>
+    <message>
+        <source>no two lumps of different hardness were found and rated</source>
+        <translation>δεν βρέθηκαν και δεν βαθμολογήθηκαν δύο ογκίδια διαφορετικής σκληρότητας</translation>
+    </message>
+    <message>
+        <source>fewer than two lumps were found and their hardness said</source>
+        <translation>βρέθηκαν και χαρακτηρίστηκαν ως προς τη σκληρότητα λιγότερα από δύο ογκίδια</translation>
+    </message>
+    <message>
+        <source>fewer than two lumps were there</source>
+        <translation>υπήρχαν λιγότερα από δύο ογκίδια</translation>
+    </message>
+    <message>
+        <source>nothing was touched, so nothing was predicted</source>
+        <translation>δεν αγγίχτηκε τίποτα, άρα δεν προβλέφθηκε τίποτα</translation>
+    </message>
+    <message>
+        <source>the trace has no prediction</source>
+        <translation>η καταγραφή δεν περιέχει πρόβλεψη</translation>
+    </message>
+    <message>
         <source>Heaviest found by chance</source>
         <translation>Εύρεση του βαρύτερου στην τύχη</translation>
     </message>

@@ -19,7 +19,7 @@ struct MetricWords {
 };
 
 // clang-format off
-constexpr std::array<MetricWords, 66> kMetrics{{
+constexpr auto kMetrics = std::to_array<MetricWords>({
     {"time", QT_TRANSLATE_NOOP("Metrics", "Time"),
      QT_TRANSLATE_NOOP("Metrics", "From the first movement or touch of each trial to its end, added up; pauses do not count.")},
     {"path_length", QT_TRANSLATE_NOOP("Metrics", "Path length"),
@@ -152,9 +152,9 @@ constexpr std::array<MetricWords, 66> kMetrics{{
      QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person.")},
     {"apex_misses", QT_TRANSLATE_NOOP("Metrics", "Misses"),
      QT_TRANSLATE_NOOP("Metrics", "Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same.")},
-}};
+});
 
-constexpr std::array<const char*, 42> kReasons{{
+constexpr auto kReasons = std::to_array<const char*>({
     QT_TRANSLATE_NOOP("Metrics", "the trace has no forces"),
     QT_TRANSLATE_NOOP("Metrics", "no trials"),
     QT_TRANSLATE_NOOP("Metrics", "start and end are less than 5 mm apart"),
@@ -197,7 +197,15 @@ constexpr std::array<const char*, 42> kReasons{{
     QT_TRANSLATE_NOOP("Metrics", "the trace has no coverage"),
     QT_TRANSLATE_NOOP("Metrics", "the trace has no force band"),
     QT_TRANSLATE_NOOP("Metrics", "nothing was pressed"),
-}};
+    QT_TRANSLATE_NOOP("Metrics", "no trial was finished"),
+    QT_TRANSLATE_NOOP("Metrics", "the trial was not finished"),
+    QT_TRANSLATE_NOOP("Metrics", "one trial alone has no chance level"),
+    QT_TRANSLATE_NOOP("Metrics", "no two lumps of different hardness were found and rated"),
+    QT_TRANSLATE_NOOP("Metrics", "fewer than two lumps were found and their hardness said"),
+    QT_TRANSLATE_NOOP("Metrics", "fewer than two lumps were there"),
+    QT_TRANSLATE_NOOP("Metrics", "nothing was touched, so nothing was predicted"),
+    QT_TRANSLATE_NOOP("Metrics", "the trace has no prediction"),
+});
 
 constexpr std::array<const char*, 1> kBandSources{{
     QT_TRANSLATE_NOOP("Metrics", "published, 5 subjects × 10"),

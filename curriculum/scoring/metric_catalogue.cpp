@@ -76,7 +76,9 @@ namespace chiron::scoring {
     METRIC(localisationErrorByChanceMetric)                                                                  \
     METRIC(sizeErrorMetric)                                                                                  \
     METRIC(sizeErrorByChanceMetric)                                                                          \
+    METRIC(sizeErrorByChanceMetric2)                                                                         \
     METRIC(hardnessOrderMetric)                                                                              \
+    METRIC(hardnessOrderMetric2)                                                                             \
     METRIC(hardnessOrderByChanceMetric)                                                                      \
     METRIC(coverageMetric)                                                                                   \
     METRIC(forceBandTimeMetric)                                                                              \

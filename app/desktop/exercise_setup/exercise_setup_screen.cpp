@@ -93,7 +93,10 @@ void ExerciseSetupScreen::takePlan() {
                     {QStringLiteral("left_handed"), remembered("left_handed", false)},
                     {QStringLiteral("origin_x_m"), remembered("workspace_x_m", 0.0)},
                     {QStringLiteral("origin_y_m"), remembered("workspace_y_m", 0.0)},
-                    {QStringLiteral("origin_z_m"), remembered("workspace_z_m", 0.0)}};
+                    {QStringLiteral("origin_z_m"), remembered("workspace_z_m", 0.0)},
+                    {QStringLiteral("base_turn_rad"), remembered("base_turn_rad", 0.0)},
+                    {QStringLiteral("base_tilt_rad"), remembered("base_tilt_rad", 0.0)},
+                    {QStringLiteral("base_roll_rad"), remembered("base_roll_rad", 0.0)}};
     map.insert(given);
     const TrainingPlan plan = TrainingPlan::fromMap(map);
     m_levelChosen = given.contains(QStringLiteral("level"));
@@ -174,7 +177,10 @@ void ExerciseSetupScreen::showLevel() {
 
 void ExerciseSetupScreen::showStart() {
     const TrainingPlan chosen = plan();
-    m_workspace->setVisible(chosen.ownHand());
+    const auto kind = session::exerciseKind(m_exercise->id);
+    const bool mountable = chosen.device == PlanDevice::demonstration && kind && (*kind)->operatorsKnowTheirPlace();
+    m_workspace->setHasBase(mountable);
+    m_workspace->setVisible(chosen.ownHand() || mountable);
     m_familiarisation->setVisible(chosen.ownHand());
     m_summary->setText(tr("Level %1. %2").arg(context().locale().toString(chosen.level), deviceTitle(chosen)));
     m_start->setText(chosen.ownHand() ? tr("Start") : tr("Watch"));
@@ -194,6 +200,9 @@ void ExerciseSetupScreen::start() {
     settings.setOfPerson(person, QStringLiteral("workspace_x_m"), chosen.workspace.origin_m[0]);
     settings.setOfPerson(person, QStringLiteral("workspace_y_m"), chosen.workspace.origin_m[1]);
     settings.setOfPerson(person, QStringLiteral("workspace_z_m"), chosen.workspace.origin_m[2]);
+    settings.setOfPerson(person, QStringLiteral("base_turn_rad"), chosen.workspace.turn_rad[0]);
+    settings.setOfPerson(person, QStringLiteral("base_tilt_rad"), chosen.workspace.turn_rad[1]);
+    settings.setOfPerson(person, QStringLiteral("base_roll_rad"), chosen.workspace.turn_rad[2]);
     context().navigator().go(QStringLiteral("training"), chosen.toMap());
 }
 

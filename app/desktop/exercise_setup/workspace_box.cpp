@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/exercise_setup/workspace_box.h"
 
+#include "core/units.h"
 #include "desktop/widgets/kit.h"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QRadioButton>
+#include <algorithm>
+#include <cmath>
 
 namespace chiron::desktop {
 
@@ -25,7 +28,11 @@ WorkspaceBox::WorkspaceBox(const Theme& theme, const QLocale& locale, QWidget* p
     auto* rows = new QVBoxLayout(inner);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(theme.px(8));
-    rows->addWidget(handRow());
+    m_handPart = new QWidget;
+    auto* handRows = new QVBoxLayout(m_handPart);
+    handRows->setContentsMargins(0, 0, 0, 0);
+    handRows->setSpacing(theme.px(8));
+    handRows->addWidget(handRow());
     auto* grid = new QGridLayout;
     grid->setColumnStretch(0, 1);
     constexpr double kShift_mm = WorkspaceChoice::kLargestShift_m * 1e3;
@@ -34,7 +41,18 @@ WorkspaceBox::WorkspaceBox(const Theme& theme, const QLocale& locale, QWidget* p
     m_origin[0] = spin(QStringLiteral("setup.origin_x"), tr("Shift to the right"), tr(" mm"), -kShift_mm, kShift_mm, 1.0, *grid);
     m_origin[1] = spin(QStringLiteral("setup.origin_y"), tr("Shift away from you"), tr(" mm"), -kShift_mm, kShift_mm, 1.0, *grid);
     m_origin[2] = spin(QStringLiteral("setup.origin_z"), tr("Shift up"), tr(" mm"), -kShift_mm, kShift_mm, 1.0, *grid);
-    rows->addLayout(grid);
+    handRows->addLayout(grid);
+    rows->addWidget(m_handPart);
+    m_basePart = new QWidget;
+    auto* base = new QGridLayout(m_basePart);
+    base->setContentsMargins(0, 0, 0, 0);
+    base->setColumnStretch(0, 1);
+    const double kTurn_deg = std::round(core::degFromRad(WorkspaceChoice::kLargestTurn_rad));
+    m_turn[0] = spin(QStringLiteral("setup.turn"), tr("Turn of the device's base to the left"), tr("°"), -kTurn_deg, kTurn_deg, 1.0, *base);
+    m_turn[1] = spin(QStringLiteral("setup.tilt"), tr("Tilt of the base away from you"), tr("°"), -kTurn_deg, kTurn_deg, 1.0, *base);
+    m_turn[2] = spin(QStringLiteral("setup.roll"), tr("Tilt of the base to the right"), tr("°"), -kTurn_deg, kTurn_deg, 1.0, *base);
+    rows->addWidget(m_basePart);
+    setHasBase(false);
     column->addWidget(inner);
     inner->hide();
     connect(fold, &QPushButton::toggled, inner, &QWidget::setVisible);
@@ -80,7 +98,14 @@ void WorkspaceBox::setChoice(const WorkspaceChoice& choice) {
     m_scale->setValue(choice.scale);
     for (std::size_t i = 0; i < m_origin.size(); ++i)
         m_origin[i]->setValue(choice.origin_m[i] * 1e3);
+    for (std::size_t i = 0; i < m_turn.size(); ++i)
+        m_turn[i]->setValue(core::degFromRad(choice.turn_rad[i]));
     (choice.leftHanded ? m_left : m_right)->setChecked(true);
+}
+
+void WorkspaceBox::setHasBase(bool has) {
+    m_handPart->setVisible(!has);
+    m_basePart->setVisible(has);
 }
 
 WorkspaceChoice WorkspaceBox::choice() const {
@@ -88,6 +113,8 @@ WorkspaceChoice WorkspaceBox::choice() const {
     choice.scale = m_scale->value();
     for (std::size_t i = 0; i < m_origin.size(); ++i)
         choice.origin_m[i] = m_origin[i]->value() * 1e-3;
+    for (std::size_t i = 0; i < m_turn.size(); ++i)
+        choice.turn_rad[i] = core::radFromDeg(m_turn[i]->value());
     choice.leftHanded = m_left->isChecked();
     return choice;
 }

@@ -13,7 +13,7 @@ class QRadioButton;
 
 namespace chiron::desktop {
 
-/// How the hand's workspace lies in the field: hand, scale, shift; folded away until somebody wants it. GUI thread.
+/// How the hand's workspace lies in the field: hand, scale, shift; how a device's base is mounted; folded away until somebody wants it. GUI thread.
 class WorkspaceBox final : public QFrame {
     Q_OBJECT
 public:
@@ -21,6 +21,8 @@ public:
 
     void setChoice(const session::WorkspaceChoice& choice);
     session::WorkspaceChoice choice() const;
+    /// A device with a base shows how that is mounted; a pointer, which has none, how the hand's workspace lies.
+    void setHasBase(bool has);
 
 signals:
     void changed();
@@ -36,6 +38,9 @@ private:
     QRadioButton* m_left = nullptr;
     QDoubleSpinBox* m_scale = nullptr;
     std::array<QDoubleSpinBox*, 3> m_origin{};
+    std::array<QDoubleSpinBox*, 3> m_turn{};
+    QWidget* m_handPart = nullptr;
+    QWidget* m_basePart = nullptr;
 };
 
 } // namespace chiron::desktop

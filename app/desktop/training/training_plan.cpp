@@ -17,8 +17,12 @@ core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalog
     switch (plan.device) {
     case PlanDevice::mouse:
         return session::keyboardMouseStation(plan.workspace, **kind, level);
-    case PlanDevice::demonstration:
-        return session::scriptedStation(**kind, level, plan.operatorName.toStdString(), seed, plan.forceMap);
+    case PlanDevice::demonstration: {
+        session::WorkspaceChoice mounting;
+        if ((*kind)->operatorsKnowTheirPlace())
+            mounting.turn_rad = plan.workspace.turn_rad;
+        return session::scriptedStation(**kind, level, plan.operatorName.toStdString(), seed, plan.forceMap, {}, mounting);
+    }
     case PlanDevice::trace:
         break;
     }
@@ -61,6 +65,9 @@ QVariantMap TrainingPlan::toMap() const {
                 {QStringLiteral("origin_y_m"), workspace.origin_m[1]},
                 {QStringLiteral("origin_z_m"), workspace.origin_m[2]},
                 {QStringLiteral("left_handed"), workspace.leftHanded},
+                {QStringLiteral("base_turn_rad"), workspace.turn_rad[0]},
+                {QStringLiteral("base_tilt_rad"), workspace.turn_rad[1]},
+                {QStringLiteral("base_roll_rad"), workspace.turn_rad[2]},
                 {QStringLiteral("familiarisation"), familiarisation}};
     if (depthOfField)
         map.insert(QStringLiteral("depth_of_field"), *depthOfField);
@@ -80,6 +87,8 @@ TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
     plan.workspace.origin_m = {map.value(QStringLiteral("origin_x_m")).toDouble(), map.value(QStringLiteral("origin_y_m")).toDouble(),
                                map.value(QStringLiteral("origin_z_m")).toDouble()};
     plan.workspace.leftHanded = map.value(QStringLiteral("left_handed")).toBool();
+    plan.workspace.turn_rad = {map.value(QStringLiteral("base_turn_rad")).toDouble(), map.value(QStringLiteral("base_tilt_rad")).toDouble(),
+                               map.value(QStringLiteral("base_roll_rad")).toDouble()};
     plan.familiarisation = map.value(QStringLiteral("familiarisation")).toBool();
     if (map.contains(QStringLiteral("depth_of_field")))
         plan.depthOfField = map.value(QStringLiteral("depth_of_field")).toBool();

@@ -48,12 +48,20 @@ std::vector<double> saidSizes(const PalpationTruth& truth, const core::FindingsB
     return radii_m;
 }
 
-HardnessPairs hardnessPairs(const PalpationTruth& truth, const core::FindingsBook& findings,
-                            const std::vector<FindingMatch>& matches) {
-    std::vector<std::pair<int, int>> rated; // true, said
+std::vector<std::pair<int, int>> ratedHits(const PalpationTruth& truth, const core::FindingsBook& findings,
+                                           const std::vector<FindingMatch>& matches) {
+    std::vector<std::pair<int, int>> rated;
     for (const FindingMatch& match : matches)
         if (match.hit() && findingOf(findings, match).hardness > 0)
             rated.emplace_back(lumpOf(truth, match).hardness, findingOf(findings, match).hardness);
+    return rated;
+}
+
+HardnessPairs hardnessPairs(const PalpationTruth& truth, const core::FindingsBook& findings, const std::vector<FindingMatch>& matches) {
+    return hardnessPairs(ratedHits(truth, findings, matches));
+}
+
+HardnessPairs hardnessPairs(const std::vector<std::pair<int, int>>& rated) {
     HardnessPairs out;
     out.rated = static_cast<int>(rated.size());
     int differently = 0, all = 0;

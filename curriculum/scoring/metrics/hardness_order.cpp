@@ -30,6 +30,26 @@ Measurement measureHardnessOrder(std::span<const PreparedTrial> trials) {
                                                 : "the lumps that were found are equally hard");
 }
 
+/// All rated hits of the session: they were rated on one scale.
+Measurement measureHardnessOrder2(std::span<const PreparedTrial> trials) {
+    const auto [answers, undefined] = judged(trials);
+    if (undefined)
+        return *undefined;
+    std::vector<std::pair<int, int>> rated;
+    bool asked = false;
+    for (const PalpationAnswer& answer : answers) {
+        const auto ofTrial = ratedHits(answer.truth, answer.findings, answer.matches);
+        rated.insert(rated.end(), ofTrial.begin(), ofTrial.end());
+        asked = asked || answer.truth.asksHardness;
+    }
+    const HardnessPairs all = hardnessPairs(rated);
+    if (all.pairs > 0)
+        return Measurement::of(100.0 * all.right / all.pairs);
+    if (!asked && all.rated == 0)
+        return Measurement::undefined("the level asks for no hardness");
+    return Measurement::undefined(all.rated < 2 ? "fewer than two lumps were found and their hardness said" : "the lumps that were found are equally hard");
+}
+
 } // namespace
 
 MetricDefinition hardnessOrderMetric() {
@@ -44,6 +64,16 @@ MetricDefinition hardnessOrderMetric() {
                           "are left out, called alike is not right; all trials pooled.",
             .source = "models.md §6 (hardness-rank correctness); our definition",
             .measure = measureHardnessOrder};
+}
+
+MetricDefinition hardnessOrderMetric2() {
+    MetricDefinition metric = hardnessOrderMetric();
+    metric.version = 2;
+    metric.definition = "Share of the pairs of lumps found in the session whose harder one was called harder, on one scale from 1 to 5; pairs truly "
+                        "alike are left out, called alike is not right.";
+    metric.source = "models.md §6 (hardness-rank correctness); probability of concordance; our definition";
+    metric.measure = measureHardnessOrder2;
+    return metric;
 }
 
 } // namespace chiron::scoring

@@ -11,14 +11,13 @@ Measurement measureHardnessOrderByChance(std::span<const PreparedTrial> trials) 
     const auto [answers, undefined] = judged(trials);
     if (undefined)
         return *undefined;
-    double right = 0.0;
-    int pairs = 0;
+    std::vector<std::pair<int, int>> rated;
     for (const PalpationAnswer& answer : answers) {
-        const HardnessPairs all = hardnessPairs(answer.truth, answer.findings, answer.matches);
-        right += all.pairs * all.rightByChance;
-        pairs += all.pairs;
+        const auto ofTrial = ratedHits(answer.truth, answer.findings, answer.matches);
+        rated.insert(rated.end(), ofTrial.begin(), ofTrial.end());
     }
-    return pairs > 0 ? Measurement::of(100.0 * right / pairs) : Measurement::undefined("no two lumps of different hardness were found and rated in one trial");
+    const HardnessPairs all = hardnessPairs(rated);
+    return all.pairs > 0 ? Measurement::of(100.0 * all.rightByChance) : Measurement::undefined("no two lumps of different hardness were found and rated");
 }
 
 } // namespace
@@ -31,7 +30,7 @@ MetricDefinition hardnessOrderByChanceMetric() {
             .wrench = MetricWrench::none,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
-            .definition = "hardness_order of the same words given to the lumps of each trial in random order: half of the pairs that were called "
+            .definition = "hardness_order of the same words given to the lumps that were found in random order: half of the pairs that were called "
                           "differently, none of those called alike.",
             .source = "expectation over all permutations of the answers; our definition",
             .measure = measureHardnessOrderByChance};

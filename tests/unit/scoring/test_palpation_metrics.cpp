@@ -32,8 +32,8 @@ Measurement metricOf(const SessionTrace& trace, const std::string& id, int versi
 double valueOf(const std::vector<TrialTrace>& trials, const std::string& id, int version = 0) {
     return metricOf(palpationSession(trials), id, version).value.value_or(std::nan(""));
 }
-QString reasonOf(const std::vector<TrialTrace>& trials, const std::string& id) {
-    return QString::fromStdString(metricOf(palpationSession(trials), id).reason);
+QString reasonOf(const std::vector<TrialTrace>& trials, const std::string& id, int version = 0) {
+    return QString::fromStdString(metricOf(palpationSession(trials), id, version).reason);
 }
 
 /// Three lumps of different hardness, two of them found 3 mm and 5 mm away, one finding beside.
@@ -100,18 +100,25 @@ private slots:
     }
 
     void hardness() {
-        QCOMPARE(valueOf({threeLumps()}, "hardness_order"), 100.0);
-        QCOMPARE(valueOf({threeLumps().say(ReportField::hardness, 0, 5)}, "hardness_order"), 0.0);
-        QCOMPARE(valueOf({threeLumps().say(ReportField::hardness, 0, 4)}, "hardness_order"), 0.0); // alike is not right
+        QCOMPARE(valueOf({threeLumps()}, "hardness_order", 1), 100.0);
+        QCOMPARE(valueOf({threeLumps().say(ReportField::hardness, 0, 5)}, "hardness_order", 1), 0.0);
+        QCOMPARE(valueOf({threeLumps().say(ReportField::hardness, 0, 4)}, "hardness_order", 1), 0.0); // alike is not right
         // the third one, 3, is called 3: right against 5 called 4, alike with 2 called 3
-        QVERIFY(isNear(valueOf({threeLumps().found(3, -0.02, 0.02, 0, 3)}, "hardness_order"), 200.0 / 3.0, 1e-9));
-        QVERIFY(isNear(valueOf({threeLumps(), threeLumps().say(ReportField::hardness, 0, 5)}, "hardness_order"), 50.0, 1e-9));
+        QVERIFY(isNear(valueOf({threeLumps().found(3, -0.02, 0.02, 0, 3)}, "hardness_order", 1), 200.0 / 3.0, 1e-9));
+        QVERIFY(isNear(valueOf({threeLumps(), threeLumps().say(ReportField::hardness, 0, 5)}, "hardness_order", 1), 50.0, 1e-9));
         const QString few("fewer than two lumps of a trial were found and their hardness said");
-        QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0, 0, 3)}, "hardness_order"), few);
+        QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0, 0, 3)}, "hardness_order", 1), few);
         const auto one = MadeTrial({{0.0, 0.0, 0.0075, 2}}).found(0, 0.0, 0.0, 0, 3);
-        QCOMPARE(reasonOf({one, one}, "hardness_order"), few); // trials are not compared with one another
-        const auto alike = MadeTrial({{-0.02, 0.0}, {0.02, 0.0}}).found(0, -0.02, 0.0, 0, 1).found(1, 0.02, 0.0, 0, 5);
+                const auto alike = MadeTrial({{-0.02, 0.0}, {0.02, 0.0}}).found(0, -0.02, 0.0, 0, 1).found(1, 0.02, 0.0, 0, 5);
         QCOMPARE(reasonOf({alike}, "hardness_order"), QString("the lumps that were found are equally hard"));
+        // version 2: lumps of all trials are on one scale
+        QCOMPARE(reasonOf({one}, "hardness_order"), QString("fewer than two lumps were found and their hardness said"));
+        QCOMPARE(reasonOf({one, one}, "hardness_order"), QString("the lumps that were found are equally hard"));
+        const auto harder = MadeTrial({{0.0, 0.0, 0.0075, 4}}).found(0, 0.0, 0.0, 0, 5);
+        QCOMPARE(valueOf({one, harder}, "hardness_order"), 100.0);
+        QCOMPARE(valueOf({one, MadeTrial({{0.0, 0.0, 0.0075, 4}}).found(0, 0.0, 0.0, 0, 2)}, "hardness_order"), 0.0);
+        QCOMPARE(valueOf({one, harder}, "hardness_order_by_chance"), 50.0);
+        QVERIFY(std::isnan(valueOf({one, harder}, "hardness_order", 1)));
     }
 
     /// What feeling nothing gives stands beside what was reached.
@@ -121,6 +128,8 @@ private slots:
         // 3, 4 and 3: two of three pairs differ, so a third is right in random order
         QVERIFY(isNear(valueOf({threeLumps().found(3, -0.02, 0.02, 0, 3)}, "hardness_order_by_chance"), 100.0 / 3.0, 1e-9));
         const auto one = MadeTrial({{0.0, 0.0}}).found(0, 0.010, 0.0);
+        QVERIFY(isNear(valueOf({threeLumps()}, "size_error_by_chance"), 2.5 / 3.0, 1e-9)); // 5, 6 and 7.5 mm about 6
+        QVERIFY(isNear(valueOf({threeLumps()}, "size_error_by_chance", 1), 1.25, 1e-9)); // of the two that were found
         const double radius_mm = 1e3 * palpationTruthOf(TrialTrace(one).truth)->hitRadius_m;
         QVERIFY(isNear(valueOf({one, one}, "localisation_error_by_chance"), radius_mm * 2.0 / 3.0, 1e-9));
         QCOMPARE(reasonOf({MadeTrial({{0.0, 0.0}})}, "localisation_error_by_chance"), QString("no lump was found"));
