@@ -229,10 +229,20 @@ private slots:
         for (const char* told : {"downy", "craggy", "437.5", "N/m"})
             QVERIFY2(open.contains(told), told);
     }
-    /// Forces tell hard from soft: while sealed no column of them has a number, of a rendered run neither.
+    /// Forces tell hard from soft: while sealed no column of them has a number, of a rendered run neither; also where both conditions have
+    /// the same stimulus, so that readers of the runs themselves may know.
+    void exportsTellNoForce_data() {
+        QTest::addColumn<bool>("alike");
+        QTest::newRow("unlike stimuli") << false;
+        QTest::newRow("one stimulus") << true;
+    }
     void exportsTellNoForce() {
+        QFETCH(bool, alike);
         Site site;
-        const auto study = site.add(twoConditions("sealed_forces", true));
+        auto design = twoConditions(alike ? "sealed_alike" : "sealed_forces", true);
+        if (alike)
+            design.conditions.back().stimulus = design.conditions.front().stimulus;
+        const auto study = site.add(design);
         site.enrol(study, "S01");
         for (const std::string& code : site.open(study, "S01").order)
             QVERIFY(site.run(study, "S01", code, false, 2).runs.front().session > 0);
