@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/training/training_bench.h"
 
+#include "core/units.h"
 #include "desktop/exercise_setup/exercise_setup_screen.h"
 
 #include <QComboBox>
@@ -42,6 +43,7 @@ private slots:
     void faultsOfATraceAreNamedByRow();
     void aGoodTraceCanBeReplayed();
     void theWorkspaceIsRemembered();
+    void aDemonstrationCanBeMountedOtherwise();
     void choicesSurviveANewLook();
     void anUnknownExerciseIsSaid();
 };
@@ -161,6 +163,33 @@ void TestExerciseSetup::theWorkspaceIsRemembered() {
     open(bench);
     QCOMPARE(screen(bench)->plan().workspace.scale, 1.5);
     QVERIFY(screen(bench)->plan().workspace.leftHanded);
+}
+
+// P2's flexible mounting: of a device that has a base, where its scripted hands know how it stands.
+void TestExerciseSetup::aDemonstrationCanBeMountedOtherwise() {
+    {
+        TrainingBench bench;
+        open(bench);
+        auto* box = tile(bench, QStringLiteral("setup.workspace"))->parentWidget();
+        tile(bench, QStringLiteral("setup.workspace"))->click();
+        QVERIFY(!bench.desktop.find<QDoubleSpinBox>(QStringLiteral("setup.turn"))->isVisibleTo(screen(bench))); // a mouse has no base
+        tile(bench, QStringLiteral("setup.device.1"))->click();
+        QVERIFY(!box->isVisibleTo(screen(bench))); // the apex's hands take D for W
+    }
+    TrainingBench bench;
+    open(bench, {{QStringLiteral("exercise"), QStringLiteral("object_handling")}});
+    tile(bench, QStringLiteral("setup.device.1"))->click();
+    tile(bench, QStringLiteral("setup.workspace"))->click();
+    QVERIFY(bench.desktop.find<QDoubleSpinBox>(QStringLiteral("setup.turn"))->isVisibleTo(screen(bench)));
+    QVERIFY(!bench.desktop.find<QDoubleSpinBox>(QStringLiteral("setup.scale"))->isVisibleTo(screen(bench)));
+    bench.desktop.find<QDoubleSpinBox>(QStringLiteral("setup.turn"))->setValue(20.0);
+    bench.desktop.find<QDoubleSpinBox>(QStringLiteral("setup.tilt"))->setValue(-10.0);
+    tile(bench, QStringLiteral("setup.start"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, 15'000);
+    const auto expected = session::mappingOf({.turn_rad = {core::radFromDeg(20.0), core::radFromDeg(-10.0), 0.0}});
+    const auto& q_WD = bench.screen()->feed()->training().station().mappings.front().q_WD;
+    for (std::size_t i = 0; i < 4; ++i)
+        QVERIFY(std::abs(q_WD[i] - expected->q_WD[i]) < 1e-12);
 }
 
 void TestExerciseSetup::choicesSurviveANewLook() {
