@@ -15,6 +15,7 @@ class TestStudyRuns : public QObject, StudyPeople {
     Q_OBJECT
 private slots:
     void init() { begin(); }
+    void rowsOfTheOrderAreThoseOfAStudy();
     void consentComesBeforeARun();
     void runsAreOpenOnceAndResumed();
     void trialsComeBackAsStored();
@@ -22,6 +23,28 @@ private slots:
     void sealedCodesCannotBeComputed();
     void answersMustFit();
 };
+
+// The row of the order of conditions: from 0 in each study, of people and of simulated observers apart; whoever left makes room.
+void TestStudyRuns::rowsOfTheOrderAreThoseOfAStudy() {
+    const StudyNumber one = frozen("order_one"), other = frozen("order_other");
+    const auto enrolled = [&](StudyNumber study, const char* observer) {
+        const auto who = write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(study, "", 0, observer); });
+        return who ? who->id : ParticipantNumber{};
+    };
+    const auto rowOf = [&](ParticipantNumber id) { return selectInteger(*reader(), "SELECT order_row FROM study_participant WHERE id = ?", {id})->value_or(-1); };
+    for (std::int64_t row = 0; row < 3; ++row) {
+        QCOMPARE(rowOf(enrolled(one, "")), row);
+        QCOMPARE(rowOf(enrolled(one, "weber:0.1")), row);
+    }
+    const auto second = enrolled(other, "");
+    QCOMPARE(rowOf(second), std::int64_t{0});
+    QCOMPARE(rowOf(enrolled(other, "weber:0.1")), std::int64_t{0});
+    const auto third = enrolled(other, "");
+    QCOMPARE(rowOf(third), std::int64_t{1});
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.withdrawParticipant(second, false); }));
+    QCOMPARE(rowOf(enrolled(other, "")), std::int64_t{0});
+    QCOMPARE(rowOf(enrolled(other, "")), std::int64_t{2});
+}
 
 void TestStudyRuns::consentComesBeforeARun() {
     const StudyNumber study = frozen("consent");

@@ -19,6 +19,9 @@ public:
     void respond(const realtime::HapticTick&, const simulation::SceneInput& in,
                  simulation::SceneOutput& out) noexcept override {
         out = {};
+        out.cues = cues;
+        out.events = events;
+        out.trial = trial;
         out.phase = core::TrialPhase::running;
         out.tissue.count = in.tools.count;
         for (int i = 0; i < in.tools.count; ++i) {
@@ -28,6 +31,9 @@ public:
         last = in;
     }
     simulation::SceneInput last;
+    core::VisibleCues cues; ///< shown at every tick
+    std::uint32_t events = 0;
+    std::uint16_t trial = 0;
 
 private:
     Vec3 m_force;
@@ -243,6 +249,47 @@ private slots:
         QVERIFY(shown.tool[0].tissue[2] > 0.5); // in contact
         QVERIFY(shown.tool[0].p_WProxy_m[2] > shown.tool[0].p_WT_m[2]);
         QVERIFY(shown.timeLeft_s > 0.0 && shown.timeLeft_s < 8.0);
+    }
+
+    /// Whatever the scene lets be seen is seen: each cue by itself, and none that it does not.
+    void theScreenGetsEveryCue() {
+        BenchDevice device(highPath);
+        const auto shownOf = [&](const core::VisibleCues& cues) {
+            haptics::LiveInputs inputs;
+            FrameStore store;
+            int alive = 0;
+            auto scene = std::make_unique<ConstantScene>(Vec3(0.0, 0.0, 0.1), &alive);
+            scene->cues = cues;
+            scene->events = core::event_bits::kMarked;
+            scene->trial = 7;
+            LoopBench bench({{device, {}}}, inputs, store, std::move(scene));
+            realtime::TickSource ticks;
+            run(*bench.loop, ticks, 1);
+            return bench.loop->display().latest();
+        };
+        const haptics::DisplayState none = shownOf({});
+        QVERIFY(!none.objectShown && !none.endoscope.present && !none.laparoscopy.present && !none.palpation.present);
+        QVERIFY(none.objectRadius_m == 0.0 && none.timeLeft_s == 0.0 && none.trial == 7 && none.events == core::event_bits::kMarked);
+        core::VisibleCues cues;
+        cues.objectShown = true;
+        const haptics::DisplayState object = shownOf(cues);
+        QVERIFY(object.objectShown && !object.endoscope.present && !object.laparoscopy.present && !object.palpation.present);
+        cues = {};
+        cues.p_WObject = Vec3(0.01, -0.02, 0.03);
+        cues.objectRadius_m = 0.04;
+        cues.timeLeft_s = 5.5;
+        const haptics::DisplayState placed = shownOf(cues);
+        QVERIFY((placed.p_WObject_m == std::array<double, 3>{0.01, -0.02, 0.03}));
+        QVERIFY(placed.objectRadius_m == 0.04 && placed.timeLeft_s == 5.5 && !placed.objectShown);
+        cues = {};
+        cues.endoscope.present = true;
+        QVERIFY(shownOf(cues).endoscope.present && !shownOf(cues).laparoscopy.present);
+        cues = {};
+        cues.laparoscopy.present = true;
+        QVERIFY(shownOf(cues).laparoscopy.present && !shownOf(cues).palpation.present);
+        cues = {};
+        cues.palpation.present = true;
+        QVERIFY(shownOf(cues).palpation.present && !shownOf(cues).endoscope.present);
     }
 
     void partsThatDoNotFitAreRefused() {
