@@ -3118,10 +3118,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Anpassung</translation>
     </message>
     <message>
-        <source>data</source>
-        <translation>Daten</translation>
-    </message>
-    <message>
         <source>criterion</source>
         <translation>Kriterium</translation>
     </message>
@@ -3803,6 +3799,63 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>People differ by more than the uncertainty of each: the group&apos;s figure says little about one person.</source>
         <translation>Die Personen unterscheiden sich um mehr als die Unsicherheit jeder einzelnen: Der Wert der Gruppe sagt wenig über eine einzelne Person.</translation>
+    </message>
+    <message>
+        <source>data, with the number of trials</source>
+        <translation>Daten, mit der Zahl der Durchgänge</translation>
+    </message>
+    <message>
+        <source>fit: whole order right</source>
+        <translation>Anpassung: ganze Reihenfolge richtig</translation>
+    </message>
+    <message>
+        <source>the same observer, right of two</source>
+        <translation>dieselbe Person, richtig von zweien</translation>
+    </message>
+    <message>
+        <source>criterion of two compared</source>
+        <translation>Kriterium beim Vergleich zweier</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>gefühlt</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Of all conditions together. How many trials there were is told of those who have done every condition.</source>
+        <translation>Über alle Bedingungen zusammen. Wie viele Durchgänge es waren, steht bei denen, die jede Bedingung erledigt haben.</translation>
+    </message>
+    <message>
+        <source>What came of it, how long it took and how many trials it took stay sealed until the study is unblinded.</source>
+        <translation>Was dabei herauskam, wie lange es dauerte und wie viele Durchgänge es brauchte, bleibt versiegelt, bis die Studie entblindet ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Shown, not felt: %n trial(s) were done on a device that renders no force.</source>
+        <translation>
+            <numerusform>Gezeigt, nicht gefühlt: %n Durchgang lief auf einem Gerät, das keine Kraft wiedergibt.</numerusform>
+            <numerusform>Gezeigt, nicht gefühlt: %n Durchgänge liefen auf einem Gerät, das keine Kraft wiedergibt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) are left out of the group: objects were shown to them, not felt.</source>
+        <translation>
+            <numerusform>%n teilnehmende Person zählt nicht zur Gruppe: Ihr wurden Objekte gezeigt, nicht fühlbar gemacht.</numerusform>
+            <numerusform>%n Teilnehmende zählen nicht zur Gruppe: Ihnen wurden Objekte gezeigt, nicht fühlbar gemacht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The group holds %n participant(s) to whom objects were shown, not felt.</source>
+        <translation>
+            <numerusform>Zur Gruppe gehört %n teilnehmende Person, der Objekte gezeigt, nicht fühlbar gemacht wurden.</numerusform>
+            <numerusform>Zur Gruppe gehören %n Teilnehmende, denen Objekte gezeigt, nicht fühlbar gemacht wurden.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7442,32 +7495,8 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Richtige Antworten nach Unterschied</translation>
     </message>
     <message>
-        <source>Difference from the reference (%)</source>
-        <translation>Unterschied zur Referenz (%)</translation>
-    </message>
-    <message>
-        <source>Proportion right</source>
-        <translation>Anteil richtig</translation>
-    </message>
-    <message>
-        <source>95 % band</source>
-        <translation>95-%-Band</translation>
-    </message>
-    <message>
-        <source>fit</source>
-        <translation>Anpassung</translation>
-    </message>
-    <message>
-        <source>data</source>
-        <translation>Daten</translation>
-    </message>
-    <message>
         <source>This task has no curve of right answers</source>
         <translation>Diese Aufgabe hat keine Kurve richtiger Antworten</translation>
-    </message>
-    <message>
-        <source>criterion</source>
-        <translation>Kriterium</translation>
     </message>
     <message>
         <source>Called equal below, in σ</source>
@@ -8176,6 +8205,61 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>Grid of ties (in σ)</source>
         <translation>Raster der Gleichstände (in σ)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::QualityBox</name>
+    <message>
+        <source>Results stay sealed until the study is unblinded: answers, times and even the number of trials could tell which condition is which. How well trials went can be seen here, by participant, over all conditions together.</source>
+        <translation>Ergebnisse bleiben versiegelt, bis die Studie entblindet ist: Antworten, Zeiten und sogar die Zahl der Durchgänge könnten verraten, welche Bedingung welche ist. Wie gut die Durchgänge liefen, steht hier für jede Person, über alle Bedingungen zusammen.</translation>
+    </message>
+    <message>
+        <source>How many trials there were is shown of those who have done every condition.</source>
+        <translation>Wie viele Durchgänge es waren, steht bei denen, die jede Bedingung erledigt haben.</translation>
+    </message>
+    <message>
+        <source>Quality of the trials</source>
+        <translation>Qualität der Durchgänge</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Conditions done</source>
+        <translation>Bedingungen erledigt</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Verspätete Takte</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Scored</source>
+        <translation>Gewertet</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Wiederholt</translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation>versiegelt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>gefühlt</translation>
+    </message>
+    <message>
+        <source>shown, not felt</source>
+        <translation>gezeigt, nicht gefühlt</translation>
     </message>
 </context>
 <context>
@@ -9143,6 +9227,10 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
     <message>
         <source>Others who were interrupted</source>
         <translation>Andere, die unterbrochen wurden</translation>
+    </message>
+    <message>
+        <source>interrupted, %1</source>
+        <translation>unterbrochen, %1</translation>
     </message>
 </context>
 <context>
@@ -10206,10 +10294,6 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
         <translation>Diese Studie entblinden?</translation>
     </message>
     <message>
-        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it and when. This cannot be undone.</source>
-        <translation>Von jetzt an heißen die Bedingungen bei ihren Namen, für alle. Festgehalten wird, wer wann entblindet hat. Das lässt sich nicht rückgängig machen.</translation>
-    </message>
-    <message>
         <source>Stay blind</source>
         <translation>Blind bleiben</translation>
     </message>
@@ -10260,18 +10344,6 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
     <message>
         <source>Data</source>
         <translation>Daten</translation>
-    </message>
-    <message>
-        <source>What came of a study.
-
-Group shows each participant&apos;s Weber fraction with its interval, condition by condition, and warnings in words. Person shows a run&apos;s curve with its data. Trials lists every presentation with its fidelity; what did not count says why. Questions sums up the questionnaires.
-
-Export writes tables (CSV), a BIDS dataset or a PDF; the design&apos;s SHA-256 is in each. While the experimenter is blind, conditions go by sealed codes; unblinding is recorded and cannot be undone.</source>
-        <translation>Was bei einer Studie herauskam.
-
-Gruppe zeigt den Weber-Bruch jeder Person mit seinem Intervall, Bedingung für Bedingung, und Warnungen in Worten. Person zeigt die Kurve eines Laufs mit ihren Daten. Durchgänge führt jede Darbietung mit ihrer Wiedergabetreue auf; was nicht zählte, sagt warum. Fragen fasst die Fragebögen zusammen.
-
-Exportiert werden Tabellen (CSV), ein BIDS-Datensatz oder ein PDF; in jedem steht der SHA-256 des Entwurfs. Solange die Versuchsleitung blind ist, stehen Bedingungen unter versiegelten Codes; das Entblinden wird festgehalten und lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
         <source>Reading the studies …</source>
@@ -10350,6 +10422,41 @@ Exportiert werden Tabellen (CSV), ein BIDS-Datensatz oder ein PDF; in jedem steh
     <message>
         <source>blind: conditions by sealed codes</source>
         <translation>blind: Bedingungen unter versiegelten Codes</translation>
+    </message>
+    <message>
+        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it, when and why. This cannot be undone.</source>
+        <translation>Von jetzt an heißen die Bedingungen bei ihren Namen, für alle. Festgehalten wird, wer wann und warum entblindet hat. Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.</source>
+        <translation>
+            <numerusform>%n teilnehmende Person kommt noch. Wer deren Läufe leitet, ist dann nicht mehr blind.</numerusform>
+            <numerusform>%n Teilnehmende kommen noch. Wer deren Läufe leitet, ist dann nicht mehr blind.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Why is it unblinded now? Please name nobody: the reason is kept for ever.</source>
+        <translation>Warum wird sie jetzt entblindet? Bitte nennen Sie niemanden: Der Grund bleibt für immer gespeichert.</translation>
+    </message>
+    <message>
+        <source>Reason for unblinding</source>
+        <translation>Grund für das Entblinden</translation>
+    </message>
+    <message>
+        <source>What came of a study.
+
+Group shows each participant&apos;s Weber fraction with its interval, condition by condition, and warnings in words. Person shows a run&apos;s curve with its data. Trials lists every presentation with its fidelity; what did not count says why. Questions sums up the questionnaires.
+
+Export writes tables (CSV), a BIDS dataset or a PDF; the design&apos;s SHA-256 is in each. While the experimenter is blind, conditions go by sealed codes, and nothing is shown of their runs but how well trials went, by participant; unblinding asks for a reason, is recorded and cannot be undone.</source>
+        <translation>Was bei einer Studie herauskam.
+
+Gruppe zeigt den Weber-Bruch jeder Person mit seinem Intervall, Bedingung für Bedingung, und Warnungen in Worten. Person zeigt die Kurve eines Laufs mit ihren Daten. Durchgänge führt jede Darbietung mit ihrer Wiedergabetreue auf; was nicht zählte, sagt warum. Fragen fasst die Fragebögen zusammen.
+
+Exportiert werden Tabellen (CSV), ein BIDS-Datensatz oder ein PDF; in jedem steht der SHA-256 des Entwurfs. Solange die Versuchsleitung blind ist, stehen Bedingungen unter versiegelten Codes, und von ihren Läufen ist nur zu sehen, wie gut die Durchgänge jeder Person liefen; das Entblinden verlangt einen Grund, wird festgehalten und lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Groups hold runs that were shown, not felt</source>
+        <translation>Gruppen enthalten auch gezeigte, nicht gefühlte Läufe</translation>
     </message>
 </context>
 <context>

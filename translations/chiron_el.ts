@@ -3118,10 +3118,6 @@ Do you want to replace it?</source>
         <translation>προσαρμογή</translation>
     </message>
     <message>
-        <source>data</source>
-        <translation>δεδομένα</translation>
-    </message>
-    <message>
         <source>criterion</source>
         <translation>κριτήριο</translation>
     </message>
@@ -3803,6 +3799,63 @@ Do you want to replace it?</source>
     <message>
         <source>People differ by more than the uncertainty of each: the group&apos;s figure says little about one person.</source>
         <translation>Τα άτομα διαφέρουν περισσότερο από την αβεβαιότητα του καθενός: η τιμή της ομάδας λέει λίγα για ένα μόνο άτομο.</translation>
+    </message>
+    <message>
+        <source>data, with the number of trials</source>
+        <translation>δεδομένα, με τον αριθμό δοκιμών</translation>
+    </message>
+    <message>
+        <source>fit: whole order right</source>
+        <translation>προσαρμογή: όλη η σειρά σωστή</translation>
+    </message>
+    <message>
+        <source>the same observer, right of two</source>
+        <translation>το ίδιο άτομο, σωστά από δύο</translation>
+    </message>
+    <message>
+        <source>criterion of two compared</source>
+        <translation>κριτήριο σύγκρισης δύο</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>αισθητή</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>μόνο προβολή</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Δύναμη</translation>
+    </message>
+    <message>
+        <source>Of all conditions together. How many trials there were is told of those who have done every condition.</source>
+        <translation>Για όλες τις συνθήκες μαζί. Πόσες δοκιμές έγιναν αναφέρεται για όσους ολοκλήρωσαν όλες τις συνθήκες.</translation>
+    </message>
+    <message>
+        <source>What came of it, how long it took and how many trials it took stay sealed until the study is unblinded.</source>
+        <translation>Το αποτέλεσμα, η διάρκεια και ο αριθμός των δοκιμών μένουν σφραγισμένα έως την άρση της τυφλότητας.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Shown, not felt: %n trial(s) were done on a device that renders no force.</source>
+        <translation>
+            <numerusform>Μόνο προβολή, χωρίς αίσθηση: %n δοκιμή έγινε σε συσκευή που δεν αποδίδει δύναμη.</numerusform>
+            <numerusform>Μόνο προβολή, χωρίς αίσθηση: %n δοκιμές έγιναν σε συσκευή που δεν αποδίδει δύναμη.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) are left out of the group: objects were shown to them, not felt.</source>
+        <translation>
+            <numerusform>%n συμμετέχων παραλείπεται από την ομάδα: τα αντικείμενα του προβλήθηκαν, δεν τα αισθάνθηκε.</numerusform>
+            <numerusform>%n συμμετέχοντες παραλείπονται από την ομάδα: τα αντικείμενα τους προβλήθηκαν, δεν τα αισθάνθηκαν.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The group holds %n participant(s) to whom objects were shown, not felt.</source>
+        <translation>
+            <numerusform>Η ομάδα περιλαμβάνει %n συμμετέχοντα στον οποίο τα αντικείμενα μόνο προβλήθηκαν.</numerusform>
+            <numerusform>Η ομάδα περιλαμβάνει %n συμμετέχοντες στους οποίους τα αντικείμενα μόνο προβλήθηκαν.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7442,32 +7495,8 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Σωστές απαντήσεις ανά διαφορά</translation>
     </message>
     <message>
-        <source>Difference from the reference (%)</source>
-        <translation>Διαφορά από την αναφορά (%)</translation>
-    </message>
-    <message>
-        <source>Proportion right</source>
-        <translation>Ποσοστό σωστών</translation>
-    </message>
-    <message>
-        <source>95 % band</source>
-        <translation>ζώνη 95 %</translation>
-    </message>
-    <message>
-        <source>fit</source>
-        <translation>προσαρμογή</translation>
-    </message>
-    <message>
-        <source>data</source>
-        <translation>δεδομένα</translation>
-    </message>
-    <message>
         <source>This task has no curve of right answers</source>
         <translation>Το έργο αυτό δεν έχει καμπύλη σωστών απαντήσεων</translation>
-    </message>
-    <message>
-        <source>criterion</source>
-        <translation>κριτήριο</translation>
     </message>
     <message>
         <source>Called equal below, in σ</source>
@@ -8176,6 +8205,61 @@ Choose a second session to see it beside this one: each of its trials starts whe
     <message>
         <source>Grid of ties (in σ)</source>
         <translation>Πλέγμα ισοβαθμιών (σε σ)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::QualityBox</name>
+    <message>
+        <source>Results stay sealed until the study is unblinded: answers, times and even the number of trials could tell which condition is which. How well trials went can be seen here, by participant, over all conditions together.</source>
+        <translation>Τα αποτελέσματα μένουν σφραγισμένα έως την άρση της τυφλότητας: απαντήσεις, χρόνοι, ακόμη και ο αριθμός των δοκιμών θα μπορούσαν να δείξουν ποια συνθήκη είναι ποια. Εδώ φαίνεται πόσο καλά πήγαν οι δοκιμές, ανά συμμετέχοντα, για όλες τις συνθήκες μαζί.</translation>
+    </message>
+    <message>
+        <source>How many trials there were is shown of those who have done every condition.</source>
+        <translation>Ο αριθμός των δοκιμών φαίνεται για όσους ολοκλήρωσαν όλες τις συνθήκες.</translation>
+    </message>
+    <message>
+        <source>Quality of the trials</source>
+        <translation>Ποιότητα των δοκιμών</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Κωδικός</translation>
+    </message>
+    <message>
+        <source>Conditions done</source>
+        <translation>Ολοκληρωμένες συνθήκες</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Καθυστερημένοι κύκλοι</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Δύναμη</translation>
+    </message>
+    <message>
+        <source>Scored</source>
+        <translation>Βαθμολογημένες</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Επαναλήψεις</translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation>σφραγισμένο</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 από %2</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>αισθητή</translation>
+    </message>
+    <message>
+        <source>shown, not felt</source>
+        <translation>μόνο προβολή</translation>
     </message>
 </context>
 <context>
@@ -9143,6 +9227,10 @@ A run that was interrupted goes on at the trial where it stopped.</source>
     <message>
         <source>Others who were interrupted</source>
         <translation>Άλλες διακοπές</translation>
+    </message>
+    <message>
+        <source>interrupted, %1</source>
+        <translation>διακόπηκε, %1</translation>
     </message>
 </context>
 <context>
@@ -10206,10 +10294,6 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
         <translation>Άρση τυφλότητας της μελέτης;</translation>
     </message>
     <message>
-        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it and when. This cannot be undone.</source>
-        <translation>Από εδώ και πέρα οι συνθήκες φαίνονται με τα ονόματά τους, για όλους. Καταγράφεται ποιος και πότε. Δεν αναιρείται.</translation>
-    </message>
-    <message>
         <source>Stay blind</source>
         <translation>Παραμονή τυφλή</translation>
     </message>
@@ -10260,18 +10344,6 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
     <message>
         <source>Data</source>
         <translation>Δεδομένα</translation>
-    </message>
-    <message>
-        <source>What came of a study.
-
-Group shows each participant&apos;s Weber fraction with its interval, condition by condition, and warnings in words. Person shows a run&apos;s curve with its data. Trials lists every presentation with its fidelity; what did not count says why. Questions sums up the questionnaires.
-
-Export writes tables (CSV), a BIDS dataset or a PDF; the design&apos;s SHA-256 is in each. While the experimenter is blind, conditions go by sealed codes; unblinding is recorded and cannot be undone.</source>
-        <translation>Τι προέκυψε από μια μελέτη.
-
-Η Ομάδα δείχνει το κλάσμα Weber κάθε συμμετέχοντα με το διάστημά του, συνθήκη προς συνθήκη, και προειδοποιήσεις με λόγια. Το Άτομο δείχνει την καμπύλη μίας εκτέλεσης με τα δεδομένα της. Οι Δοκιμές αναγράφουν κάθε παρουσίαση με την πιστότητά της· ό,τι δεν μέτρησε λέει γιατί. Οι Ερωτήσεις συνοψίζουν τα ερωτηματολόγια.
-
-Εξάγονται πίνακες (CSV), σύνολο BIDS ή PDF· σε όλα βρίσκεται το SHA-256 του σχεδίου. Όσο ο πειραματιστής είναι τυφλός, οι συνθήκες φαίνονται με σφραγισμένους κωδικούς· η άρση καταγράφεται και δεν αναιρείται.</translation>
     </message>
     <message>
         <source>Reading the studies …</source>
@@ -10350,6 +10422,41 @@ Export writes tables (CSV), a BIDS dataset or a PDF; the design&apos;s SHA-256 i
     <message>
         <source>blind: conditions by sealed codes</source>
         <translation>τυφλή: συνθήκες με σφραγισμένους κωδικούς</translation>
+    </message>
+    <message>
+        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it, when and why. This cannot be undone.</source>
+        <translation>Από εδώ και πέρα οι συνθήκες φαίνονται με τα ονόματά τους, για όλους. Καταγράφεται ποιος, πότε και γιατί. Δεν αναιρείται.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.</source>
+        <translation>
+            <numerusform>Απομένει %n συμμετέχων. Όποιος διεξάγει τις εκτελέσεις του δεν θα είναι πια τυφλός.</numerusform>
+            <numerusform>Απομένουν %n συμμετέχοντες. Όποιος διεξάγει τις εκτελέσεις τους δεν θα είναι πια τυφλός.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Why is it unblinded now? Please name nobody: the reason is kept for ever.</source>
+        <translation>Γιατί αίρεται τώρα η τυφλότητα; Μην αναφέρετε ονόματα: ο λόγος διατηρείται για πάντα.</translation>
+    </message>
+    <message>
+        <source>Reason for unblinding</source>
+        <translation>Λόγος άρσης της τυφλότητας</translation>
+    </message>
+    <message>
+        <source>What came of a study.
+
+Group shows each participant&apos;s Weber fraction with its interval, condition by condition, and warnings in words. Person shows a run&apos;s curve with its data. Trials lists every presentation with its fidelity; what did not count says why. Questions sums up the questionnaires.
+
+Export writes tables (CSV), a BIDS dataset or a PDF; the design&apos;s SHA-256 is in each. While the experimenter is blind, conditions go by sealed codes, and nothing is shown of their runs but how well trials went, by participant; unblinding asks for a reason, is recorded and cannot be undone.</source>
+        <translation>Τι προέκυψε από μια μελέτη.
+
+Η Ομάδα δείχνει το κλάσμα Weber κάθε συμμετέχοντα με το διάστημά του, συνθήκη προς συνθήκη, και προειδοποιήσεις με λόγια. Το Άτομο δείχνει την καμπύλη μίας εκτέλεσης με τα δεδομένα της. Οι Δοκιμές αναγράφουν κάθε παρουσίαση με την πιστότητά της· ό,τι δεν μέτρησε λέει γιατί. Οι Ερωτήσεις συνοψίζουν τα ερωτηματολόγια.
+
+Εξάγονται πίνακες (CSV), σύνολο BIDS ή PDF· σε όλα βρίσκεται το SHA-256 του σχεδίου. Όσο ο πειραματιστής είναι τυφλός, οι συνθήκες φαίνονται με σφραγισμένους κωδικούς και από τις εκτελέσεις τους μόνο πόσο καλά πήγαν οι δοκιμές κάθε συμμετέχοντα· η άρση ζητά λόγο, καταγράφεται και δεν αναιρείται.</translation>
+    </message>
+    <message>
+        <source>Groups hold runs that were shown, not felt</source>
+        <translation>Οι ομάδες περιλαμβάνουν και εκτελέσεις μόνο με προβολή</translation>
     </message>
 </context>
 <context>

@@ -190,6 +190,27 @@
             <numerusform>%n of %1 simulated runs gave no value.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Shown, not felt: %n trial(s) were done on a device that renders no force.</source>
+        <translation>
+            <numerusform>Shown, not felt: %n trial was done on a device that renders no force.</numerusform>
+            <numerusform>Shown, not felt: %n trials were done on a device that renders no force.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) are left out of the group: objects were shown to them, not felt.</source>
+        <translation>
+            <numerusform>%n participant is left out of the group: objects were shown to them, not felt.</numerusform>
+            <numerusform>%n participants are left out of the group: objects were shown to them, not felt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The group holds %n participant(s) to whom objects were shown, not felt.</source>
+        <translation>
+            <numerusform>The group holds %n participant to whom objects were shown, not felt.</numerusform>
+            <numerusform>The group holds %n participants to whom objects were shown, not felt.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Verdict</name>
@@ -490,6 +511,13 @@
         <translation>
             <numerusform>%n scored trial</numerusform>
             <numerusform>%n scored trials</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.</source>
+        <translation>
+            <numerusform>%n participant is still to come. Whoever conducts their runs will no longer be blind.</numerusform>
+            <numerusform>%n participants are still to come. Whoever conducts their runs will no longer be blind.</numerusform>
         </translation>
     </message>
 </context>

@@ -117,6 +117,22 @@ void PlotView::addMarkers(const QString& name, const std::vector<PlotPoint>& poi
     }
 }
 
+void PlotView::addCounts(const std::vector<PlotPoint>& points, const std::vector<int>& counts) {
+    if (points.size() != counts.size())
+        return;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        auto* text = new QCPItemText(m_impl->plot);
+        text->setText(m_impl->theme.locale.toString(counts[i]));
+        text->setFont(m_impl->theme.font(9));
+        text->setColor(m_impl->theme.muted);
+        const bool above = i % 2 == 0; // neighbours keep out of each other's way
+        text->setPositionAlignment(Qt::AlignHCenter | (above ? Qt::AlignBottom : Qt::AlignTop));
+        text->setPadding(QMargins(0, 5, 0, 5));
+        text->setClipToAxisRect(false);
+        text->position->setCoords(points[i].x, points[i].y);
+    }
+}
+
 void PlotView::addMeans(const QString& name, const std::vector<PlotPoint>& means,
                         const std::vector<double>& spreads) {
     std::vector<Interval> intervals;

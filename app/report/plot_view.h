@@ -60,6 +60,8 @@ public:
     void addLine(const QString& name, std::span<const double> x, std::span<const double> y, PlotStyle style);
     void addMarkers(const QString& name, const std::vector<PlotPoint>& points, PlotStyle style,
                     bool crosses = false);
+    /// A number beside each point: how many observations it stands for. Those of another size than `points` are left out.
+    void addCounts(const std::vector<PlotPoint>& points, const std::vector<int>& counts);
     /// A marker with a vertical bar from y - spread to y + spread; no bar where the spread is not finite.
     void addMeans(const QString& name, const std::vector<PlotPoint>& means,
                   const std::vector<double>& spreads);

@@ -111,6 +111,8 @@ QJsonObject studyTrialJson(const database::StudyTrial& trial) {
             {QStringLiteral("value"), trial.value ? QJsonValue(*trial.value) : QJsonValue()},
             {QStringLiteral("exploration_s"), trial.exploration_s},
             {QStringLiteral("answer_s"), trial.answer_s},
+            {QStringLiteral("device"), text(trial.device)},
+            {QStringLiteral("felt"), trial.felt ? QJsonValue(*trial.felt) : QJsonValue()},
             {QStringLiteral("practice"), trial.practice},
             {QStringLiteral("spoiled"), text(trial.spoiled)},
             {QStringLiteral("fidelity"), parsed(trial.fidelityJson)},
@@ -144,6 +146,7 @@ QJsonObject participationJson(const database::PersonParticipation& held) {
             {QStringLiteral("consent_sha256"), text(held.participant.consentSha256)},
             {QStringLiteral("runs"), runs},
             {QStringLiteral("trials"), trials},
+            {QStringLiteral("trials_sealed"), held.sealed}, // handed out once the study is unblinded
             {QStringLiteral("answers"), answers}};
 }
 

@@ -20,7 +20,7 @@ QByteArray dictionaryJson(const StudyExportData& data, const std::vector<ExportT
             order.append(column.name);
         files.insert(table.name + ".csv", QJsonObject{{"description", table.description}, {"columns", sidecarOf(table)}, {"order", order}, {"rows", static_cast<qint64>(table.rows.size())}});
     }
-    return QJsonDocument(QJsonObject{{"protocol_sha256", data.sha256()}, {"missing", kNotAvailable}, {"files", files}}).toJson();
+    return QJsonDocument(QJsonObject{{"protocol_sha256", data.sha256()}, {"missing", kNotAvailable}, {"reading", readingJson()}, {"files", files}}).toJson();
 }
 
 /// Psych-DS' metadata (schema.org's Dataset): what a data set is and which variables it holds.
@@ -45,13 +45,17 @@ QByteArray descriptionJson(const StudyExportData& data, const std::vector<Export
 
 QByteArray readme(const StudyExportData& data) {
     return QStringLiteral("Data of the study %1, protocol SHA-256 %2.\n\n"
-                          "trials.csv, runs.csv, participants.csv, questionnaires.csv and estimates.csv; what each column means is in data_dictionary.csv and\n"
-                          "data_dictionary.json. UTF-8, decimal points, SI units, n/a where there is no value.\n"
+                          "trials.csv, runs.csv, participants.csv, questionnaires.csv, estimates.csv and quality.csv; what each column means is in data_dictionary.csv and\n"
+                          "data_dictionary.json. UTF-8, decimal points, SI units, n/a where there is no value: readers have to be told.\n"
+                          "%4"
                           "Participants go by random codes. Names, accounts, free text and clock times are not part of it.\n%3")
         .arg(QString::fromStdString(data.record.summary.key), data.sha256(),
-             data.blinded ? QStringLiteral("The study is blinded: conditions go by sealed codes; what would tell which is which (values, units, orders, procedures, forces, the protocol itself)\n"
-                                            "is left out. Rows are ordered by codes. An export after unblinding holds all of it, under the same SHA-256.\n")
-                           : QStringLiteral("design.json is the frozen protocol, byte for byte what the SHA-256 is of.\n"))
+             data.sealed    ? QStringLiteral("The study is blinded: conditions go by sealed codes, and whatever could tell them apart is left out: trials, answers, times, speeds, counts, estimates,\n"
+                                             "values, units, orders, procedures and the protocol itself. quality.csv tells how well trials went, by participant. Rows are ordered by codes.\n"
+                                             "An export after unblinding holds all of it, under the same SHA-256.\n")
+             : data.blinded ? QStringLiteral("The study is blinded: conditions go by sealed codes. They are alike in all that the program does.\n")
+                            : QStringLiteral("design.json is the frozen protocol, byte for byte what the SHA-256 is of.\n"),
+             readingWords("trials"))
         .toUtf8();
 }
 
@@ -64,7 +68,7 @@ core::Result<void> exportStudyCsv(database::StudyReader& reader, database::Study
     const auto data = gatherStudy(reader, study);
     if (!data)
         return tl::unexpected(data.error());
-    const std::vector<ExportTable> tables{trialsTable(*data), runsTable(*data), participantsTable(*data), questionnairesTable(*data), estimatesTable(*data)};
+    const std::vector<ExportTable> tables{trialsTable(*data), runsTable(*data), participantsTable(*data), questionnairesTable(*data), estimatesTable(*data), qualityTable(*data)};
     std::vector<std::pair<QString, QByteArray>> files;
     for (const ExportTable& table : tables)
         files.emplace_back(table.name + ".csv", csvOf(table));

@@ -90,6 +90,17 @@ core::Result<void> writeRun(NewFolder& folder, const StudyExportData& data, cons
     return writeTable(folder, QStringLiteral("sub-%1/beh/%2%3_beh").arg(recording.subject, recording.stem(), recording.tail()), table, head);
 }
 
+/// What is told of a participant while conditions are sealed: one line, in place of the runs.
+core::Result<void> writeSealed(NewFolder& folder, const StudyExportData& data, const ExportedParticipant& participant, const ExportTable& quality, const QString& subject) {
+    ExportTable table{QStringLiteral("beh"), quality.description, {quality.columns.begin() + 2, quality.columns.end()}, {}}; // whose it is, the file's name says
+    for (const QStringList& row : quality.rows)
+        if (row[1].toStdString() == participant.participant.code)
+            table.rows.push_back(row.mid(2));
+    const QJsonObject head{{"TaskName", "sealed"}, {"TaskDescription", "every condition; which is which, and what tells them apart, is left out until the study is unblinded"},
+                           {"ProtocolSHA256", data.sha256()}, {"Participant", QString::fromStdString(participant.participant.code)}};
+    return writeTable(folder, QStringLiteral("sub-%1/beh/sub-%1_task-sealed_beh").arg(subject), table, head);
+}
+
 /// The recordings of a run, one a sitting. Erased ones, and those that the actor may not read, are left out.
 core::Result<void> writeSittings(NewFolder& folder, database::Connection& connection, const database::Actor& actor, const ExportedRun& run, BidsRecording recording) {
     std::vector<database::SessionId> sessions;
@@ -119,7 +130,7 @@ core::Result<void> writeParticipants(NewFolder& folder, const StudyExportData& d
     // Of participants without data there is no folder, and BIDS wants one for each line.
     std::set<QString> withData;
     for (const ExportedParticipant& each : data.participants)
-        if (std::any_of(each.runs.begin(), each.runs.end(), [](const ExportedRun& run) { return !run.trials.empty(); }))
+        if (std::any_of(each.runs.begin(), each.runs.end(), [&](const ExportedRun& run) { return data.sealed || !run.trials.empty(); }))
             withData.insert(labels.participantId(QString::fromStdString(each.participant.code)));
     std::erase_if(table.rows, [&](const QStringList& row) { return withData.count(row[0]) == 0; });
     return writeTable(folder, "participants", table, {});
@@ -153,7 +164,7 @@ core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData&
 }
 
 core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data, const Labels& labels) {
-    const QString blinded = data.blinded ? QStringLiteral("The study is blinded: conditions go by sealed codes; what would tell them apart (values, orders, procedures, forces and motion, the protocol itself) is left out.\n")
+    const QString blinded = data.blinded ? QStringLiteral("The study is blinded: conditions go by sealed codes; what would tell them apart (trials, answers, times, counts, values, orders, procedures, forces and motion, the protocol itself) is left out.\n")
                                          : QStringLiteral("sourcedata/design.json is the frozen protocol.\n");
     const QJsonObject description{{"Name", english(data.design->title)}, {"BIDSVersion", "1.9.0"}, {"DatasetType", "raw"}, {"ProtocolSHA256", data.sha256()},
                                   {"Authors", QJsonArray{"n/a"}}, {"GeneratedBy", QJsonArray{QJsonObject{{"Name", "Chiron"}}}}};
@@ -162,7 +173,9 @@ core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data, con
             return written;
     for (const auto& [name, bytes] :
          {std::pair{QStringLiteral("dataset_description.json"), QJsonDocument(description).toJson()},
-          {QStringLiteral("README"), QStringLiteral("%1\n\n%2\n\nFrozen protocol: SHA-256 %3.\nParticipants go by random codes; names, free text and clock times are not part of it.\n%4")
+          {QStringLiteral("README"), QStringLiteral("%1\n\n%2\n\nFrozen protocol: SHA-256 %3.\nParticipants go by random codes; names, free text and clock times are not part of it.\n%4\n"
+                                         "n/a stands where there is no value.\nIn R: read.delim(\"FILE.tsv\", na.strings = \"n/a\", quote = \"\")\n"
+                                         "In Python: pandas.read_csv(\"FILE.tsv\", sep=\"\\t\", na_values=[\"n/a\"], keep_default_na=False)\n")
                                          .arg(english(data.design->title), english(data.design->objective), data.sha256(), blinded).toUtf8()}})
         if (auto written = folder.write(name, bytes); !written)
             return written;
@@ -184,7 +197,11 @@ core::Result<void> exportStudyBids(database::StudyReader& reader, database::Conn
     const Labels labels = labelsOf(*data);
     if (auto written = writeHead(*made, *data, labels); !written)
         return written;
+    const ExportTable quality = qualityTable(*data);
     for (const ExportedParticipant& each : data->participants) {
+        if (data->sealed && !each.runs.empty())
+            if (auto written = writeSealed(*made, *data, each, quality, labels.subject.at(QString::fromStdString(each.participant.code))); !written)
+                return written;
         for (const ExportedRun& run : each.runs) {
             if (run.trials.empty())
                 continue;

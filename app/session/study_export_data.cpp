@@ -40,8 +40,8 @@ core::Result<void> addRuns(database::StudyReader& reader, const StudyExportData&
         exported.index = ++counts[labelOf(run)];
         const auto scored = scoredTrialsOf(*trials);
         exported.estimate = estimateOf(condition, scored, data.blinding, run.seed);
-        exported.estimate.trials = condition ? exported.estimate.trials : static_cast<int>(scored.size());
         warnNotRendered(exported.estimate, participant.participant, *trials);
+        warnShown(exported.estimate, *trials);
         exported.trials = std::move(*trials);
         exported.run = std::move(run);
         participant.runs.push_back(std::move(exported));
@@ -75,13 +75,16 @@ core::Result<StudyExportData> gatherStudy(database::StudyReader& reader, databas
     data.design = std::make_unique<psychophysics::StudyDesign>(std::move(*design));
     data.blinding = data.record.blinding;
     data.blinded = data.blinding.on;
+    data.sealed = data.blinding.seals();
     data.oneTask = data.blinding.oneTask;
     data.oneTable = data.blinding.oneTable;
     auto participants = reader.participants(study);
     auto answers = reader.questionnaireAnswers(study);
-    if (!participants || !answers)
-        return tl::unexpected(participants ? answers.error() : participants.error());
+    auto quality = reader.trialQuality(study);
+    if (!participants || !answers || !quality)
+        return tl::unexpected(!participants ? participants.error() : !answers ? answers.error() : quality.error());
     data.answers = std::move(*answers);
+    data.quality = std::move(*quality);
     for (database::Participant& participant : *participants) {
         ExportedParticipant exported{std::move(participant), {}};
         if (auto added = addRuns(reader, data, exported); !added)

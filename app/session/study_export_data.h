@@ -38,10 +38,13 @@ struct StudyExportData {
     std::unique_ptr<psychophysics::StudyDesign> design;
     database::Blinding blinding;
     bool blinded = false;
+    /// Conditions differ, and the study is blinded: runs have no trials and no estimate, so that nothing tells their conditions apart.
+    bool sealed = false;
     bool oneTask = true;  ///< every condition asks the same; else answers would tell conditions apart
     bool oneTable = true; ///< every condition has the same differences
     std::vector<ExportedParticipant> participants;
     std::vector<database::QuestionnaireAnswer> answers;
+    std::vector<database::ParticipantQuality> quality; ///< by participant
 
     QString sha256() const { return QString::fromStdString(record.summary.sha256); }
 };

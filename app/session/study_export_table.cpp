@@ -38,6 +38,15 @@ QByteArray joined(const ExportTable& table, QChar separator, QString (*written)(
 
 } // namespace
 
+QString readingWords(const QString& table) {
+    const QJsonObject lines = readingJson();
+    return QStringLiteral("In R: %1\nIn Python: %2\n").arg(lines["R"].toString(), lines["pandas"].toString()).replace(QStringLiteral("FILE"), table + QStringLiteral(".csv"));
+}
+
+QJsonObject readingJson() {
+    return {{"R", R"(read.csv("FILE", na.strings = "n/a"))"}, {"pandas", R"(pandas.read_csv("FILE", na_values=["n/a"], keep_default_na=False))"}};
+}
+
 QString exportNumber(double value) {
     return std::isfinite(value) ? QString::number(value, 'g', QLocale::FloatingPointShortest) : kNotAvailable;
 }
@@ -69,6 +78,10 @@ ExportTable dictionaryOf(const std::vector<ExportTable>& tables) {
                            {{"table", "", "name of the file without its ending"}, {"column", "", "name of the column"}, {"unit", "", "SI unit; 1 for shares and counts"},
                             {"levels", "", "the values that words and flags take"}, {"description", "", "what it says"}},
                            {}};
+    const QJsonObject reading = readingJson();
+    for (const QString& program : reading.keys())
+        dictionary.rows.push_back({QStringLiteral("*"), QStringLiteral("*"), kNotAvailable, QStringLiteral("n/a=no value"),
+                                   QStringLiteral("every file is read in %1 with: %2").arg(program, reading[program].toString())});
     for (const ExportTable& table : tables) {
         for (const ExportColumn& column : table.columns) {
             QStringList levels;

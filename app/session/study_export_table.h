@@ -28,6 +28,10 @@ struct ExportTable {
 
 inline const QString kNotAvailable = QStringLiteral("n/a");
 
+/// How a table with "n/a" is read: a line for R and one for pandas. `table`: "trials".
+QString readingWords(const QString& table);
+QJsonObject readingJson(); ///< the same by program: {"R": …, "pandas": …}
+
 /// The shortest decimal that reads back as the same double, "n/a" for what is not finite.
 QString exportNumber(double value);
 QString exportFlag(bool value); ///< "1" or "0"
@@ -36,7 +40,7 @@ QByteArray csvOf(const ExportTable& table); ///< RFC 4180, lines end in \n
 QByteArray tsvOf(const ExportTable& table); ///< as BIDS has it: no quotes, tabs and line ends in cells become spaces
 /// Columns as a BIDS sidecar describes them: {name: {Description, Units, Levels}}.
 QJsonObject sidecarOf(const ExportTable& table);
-/// data_dictionary.csv: table, column, unit, levels ("1=yes; 0=no"), description.
+/// data_dictionary.csv: how tables are read (rows of the table "*"), then table, column, unit, levels ("1=yes; 0=no"), description.
 ExportTable dictionaryOf(const std::vector<ExportTable>& tables);
 
 } // namespace chiron::session

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study_export_tables.h"
 
+#include "session/study/trial_fidelity.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 
 namespace chiron::session {
 
@@ -39,6 +43,31 @@ QString stateWord(database::StudyRunState state) {
 QString stateWord(database::ParticipantState state) {
     constexpr std::array<const char*, 4> words{"enrolled", "consented", "completed", "withdrawn"};
     return QLatin1String(words[static_cast<std::size_t>(state)]);
+}
+
+/// Pauses of trials that know theirs, together; not a number where none does.
+double pausedIn(const std::vector<database::StudyTrial>& trials) {
+    double sum = std::numeric_limits<double>::quiet_NaN();
+    for (const database::StudyTrial& trial : trials)
+        if (const double paused_s = pausedOf(trial.fidelityJson); std::isfinite(paused_s))
+            sum = (std::isfinite(sum) ? sum : 0.0) + paused_s;
+    return sum;
+}
+
+QString forceWord(const std::optional<bool>& felt) { return !felt ? kNotAvailable : *felt ? QStringLiteral("felt") : QStringLiteral("shown"); }
+
+/// Of all sittings of a run. That of a single trial is in trials.
+QStringList deviceCells(const StudyExportData& data, const std::vector<database::StudyTrial>& trials) {
+    QStringList devices;
+    std::optional<bool> felt;
+    for (const database::StudyTrial& trial : trials) {
+        if (!trial.felt)
+            continue;
+        felt = felt.value_or(true) && *trial.felt;
+        if (const QString device = QString::fromStdString(trial.device); !devices.contains(device))
+            devices << device;
+    }
+    return {data.sealed || devices.isEmpty() ? kNotAvailable : devices.join(QStringLiteral(", ")), data.sealed ? kNotAvailable : forceWord(felt)};
 }
 
 const QuestionnaireItem* itemOf(const StudyExportData& data, const database::QuestionnaireAnswer& answer) {
@@ -77,14 +106,17 @@ ExportTable runsTable(const StudyExportData& data) {
                                          {"procedures", "", "kind and version of the adaptive procedures; n/a while blinded"},
                                          {"seed", "", "of everything drawn in the run, 64 bits; n/a while blinded"},
                                          {"state", "", "how far it went", {{"open", "to be gone on with"}, {"completed", "by its stop rule"}, {"stopped", "before"}}},
-                                         {"presentations", "1", "all of them"},
+                                         {"presentations", "1", "all of them; n/a, as the counts that follow, while blinded where conditions differ"},
                                          {"practice", "1", "of these, practice"},
                                          {"spoiled", "1", "of these, spoiled and presented again"},
-                                         {"scored", "1", "of these, scored"}};
+                                         {"scored", "1", "of these, scored"},
+                                         {"paused_s", "s", "pauses within presentations, in which no clock ran; n/a where it was not measured"}};
     table.columns.insert(table.columns.end(), more.begin(), more.end());
+    for (const ExportColumn& column : deviceColumns())
+        table.columns.push_back(column);
     for (const ExportedParticipant& participant : data.participants) {
         for (const ExportedRun& run : participant.runs) {
-            const auto count = [&](auto&& which) { return QString::number(std::count_if(run.trials.begin(), run.trials.end(), which)); };
+            const auto count = [&](auto&& which) { return data.sealed ? kNotAvailable : QString::number(std::count_if(run.trials.begin(), run.trials.end(), which)); };
             const auto& stimulus = run.condition->stimulus;
             table.rows.push_back(runOwner(data, participant, run) +
                                  QStringList{data.blinded ? kNotAvailable : QString::number(run.run.position),
@@ -93,11 +125,52 @@ ExportTable runsTable(const StudyExportData& data) {
                                              data.blinded ? kNotAvailable : exportNumber(stimulus.reference),
                                              data.blinded ? kNotAvailable : text(psychophysics::unitOf(stimulus.attribute)), data.blinded ? kNotAvailable : text(run.run.procedures),
                                              data.blinded ? kNotAvailable : QString::number(run.run.seed), stateWord(run.run.state),
-                                             QString::number(run.trials.size()), count([](const auto& t) { return t.practice; }),
+                                             count([](const auto&) { return true; }), count([](const auto& t) { return t.practice; }),
                                              count([](const auto& t) { return !t.practice && !t.spoiled.empty(); }),
-                                             QString::number(scoredTrialsOf(run.trials).size())});
+                                             data.sealed ? kNotAvailable : QString::number(scoredTrialsOf(run.trials).size()),
+                                             exportNumber(pausedIn(run.trials))} +
+                                 deviceCells(data, run.trials));
         }
     }
+    return table;
+}
+
+std::vector<ExportColumn> deviceColumns() {
+    return {{"device", "", "what it was done on; n/a without rendering (quick runs)"},
+            {"force_class", "", "whether force was felt; n/a without rendering",
+             {{"felt", "the device renders force"}, {"shown", "it renders none in at least one trial: objects were shown, not felt, and groups leave the run out"}}}};
+}
+
+ExportTable qualityTable(const StudyExportData& data) {
+    ExportTable table{"quality", "how well each participant's trials went, over all conditions together", ownerColumns(), {}};
+    const QString later = QStringLiteral("; n/a while blinded until every condition is completed");
+    const std::vector<ExportColumn> more{{"conditions_done", "1", "completed runs"},
+                                         {"conditions", "1", "of the study"},
+                                         {"late_ticks", "1", "share of ticks that were late, mean over trials; n/a where nothing was rendered"},
+                                         {"worst_lateness", "us", "of a tick"}};
+    table.columns.insert(table.columns.end(), more.begin(), more.end());
+    for (const ExportColumn& column : deviceColumns())
+        table.columns.push_back(column);
+    const std::vector<ExportColumn> whole{{"presentations", "1", "all of them" + later},
+                                          {"practice", "1", "of these, practice" + later},
+                                          {"scored", "1", "of these, scored" + later},
+                                          {"repeated", "", "why and how often trials were repeated, separated by |" + later},
+                                          {"exploration_time", "s", "until the answer, median over scored trials" + later}};
+    table.columns.insert(table.columns.end(), whole.begin(), whole.end());
+    for (const ExportedParticipant& each : data.participants)
+        for (const database::ParticipantQuality& quality : data.quality) {
+            if (quality.participant != each.participant.id)
+                continue;
+            const auto told = [&](int count) { return quality.whole ? QString::number(count) : kNotAvailable; };
+            QStringList reasons;
+            for (const auto& [reason, count] : quality.spoiled)
+                reasons << QStringLiteral("%1: %2").arg(QString::fromStdString(reason)).arg(count);
+            table.rows.push_back({data.sha256(), QString::fromStdString(each.participant.code), QString::number(quality.conditionsDone),
+                                  QString::number(quality.conditions), exportNumber(quality.lateTicks), exportNumber(quality.worstLateness_us),
+                                  quality.device.empty() ? kNotAvailable : QString::fromStdString(quality.device), forceWord(quality.felt),
+                                  told(quality.presentations), told(quality.practice), told(quality.scored),
+                                  reasons.isEmpty() ? kNotAvailable : reasons.join(QStringLiteral(" | ")), exportNumber(quality.exploration_s)});
+        }
     return table;
 }
 
@@ -141,7 +214,7 @@ ExportTable questionnairesTable(const StudyExportData& data) {
 
 ExportTable estimatesTable(const StudyExportData& data) {
     ExportTable table{"estimates", "what each run says", runOwnerColumns(), {}};
-    const std::vector<ExportColumn> more{{"trials", "1", "scored ones that it rests on"},
+    const std::vector<ExportColumn> more{{"trials", "1", "scored ones that it rests on; n/a, as all that follows, while blinded where conditions differ"},
                                          {"weber", "1", "Weber fraction, of 75 % correct in 2AFC whatever the task and its criterion"},
                                          {"weber_low", "1", "lower end of its 95 % interval"},
                                          {"weber_high", "1", "upper end"},
@@ -169,7 +242,7 @@ ExportTable estimatesTable(const StudyExportData& data) {
                 warnings << (data.blinded ? QString::fromUtf8(warningToken(warning.kind)) : text(warningText(warning)));
             const bool sameWay = !data.blinded || data.oneTask;
             table.rows.push_back(runOwner(data, participant, run) +
-                                 QStringList{QString::number(e.trials), exportNumber(e.weber), exportNumber(e.weber95.low), exportNumber(e.weber95.high),
+                                 QStringList{data.sealed ? kNotAvailable : QString::number(e.trials), exportNumber(e.weber), exportNumber(e.weber95.low), exportNumber(e.weber95.high),
                                              data.blinded ? kNotAvailable : exportNumber(e.jnd), data.blinded ? kNotAvailable : text(e.unit),
                                              exportNumber(e.sigma_log10), exportNumber(e.sigma95.low), exportNumber(e.sigma95.high),
                                              data.blinded ? kNotAvailable : exportNumber(e.pse),

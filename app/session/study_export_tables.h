@@ -17,6 +17,12 @@ ExportTable questionnairesTable(const StudyExportData& data);
 /// A row a run: what estimateRun makes of it.
 ExportTable estimatesTable(const StudyExportData& data);
 
+/// A row a participant: how well trials went, over all conditions together. What depends on the objects is n/a while the study is blinded
+/// until the participant has completed every condition.
+ExportTable qualityTable(const StudyExportData& data);
+/// Whether force was felt or only shown, and on what.
+std::vector<ExportColumn> deviceColumns();
+
 /// The columns of a trial without those that say whose it is, and its cells: for a file that holds one run alone.
 std::vector<ExportColumn> trialColumns();
 QStringList trialCells(const StudyExportData& data, const ExportedRun& run, const database::StudyTrial& trial);

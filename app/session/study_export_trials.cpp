@@ -43,8 +43,9 @@ std::vector<ExportColumn> answerColumns() {
             {"correct", "", "the answer was right; n/a where none is, and while blinded where conditions differ in the task", kYesNo},
             {"outcome", "1", "what the procedure was told: rank3 0..5, 0 all correct; rank3_ties 0..12, as the responses with objects in true order for places; others 1 right (yes), 0 wrong (no)"},
             {"value", "", "a number said (magnitude), or the value set in SI (adjustment; n/a while blinded)"},
-            {"exploration_time", "s", "until the answer"},
-            {"response_time", "s", "from the last contact to the answer"}};
+            {"exploration_time", "s", "until the answer, without pauses; trials whose paused_s is n/a were stored before pauses were measured, and hold them"},
+            {"response_time", "s", "from the last contact to the answer, without pauses; as exploration_time"},
+            {"paused_s", "s", "pauses of the trial, until force was back in full"}};
 }
 
 std::vector<ExportColumn> fidelityColumns() {
@@ -53,8 +54,8 @@ std::vector<ExportColumn> fidelityColumns() {
                                       {"late_ticks", "1", "share of ticks that were late"},
                                       {"worst_lateness", "us", "of a tick"},
                                       {"saturated", "1", "share of contact ticks with the force at its limit"},
-                                      {"duration", "s", "of the presentation"},
-                                      {"peak_force", "N", "largest force; n/a while blinded"},
+                                      {"duration", "s", "of the presentation, without pauses"},
+                                      {"peak_force", "N", "largest force; of a shown trial the tissue's; n/a while blinded"},
                                       {"mean_speed", "m/s", "of the tool over the whole presentation, in contact or not"},
                                       {"contacts", "1", "number of contacts"},
                                       {"rendering_error", "1", "largest |rendered/asked - 1| of places with a usable estimate; a limit for stiffness, mass and viscosity, told for friction, n/a for the others"}};
@@ -111,7 +112,7 @@ void addAnswer(QStringList& cells, const StudyExportData& data, const ExportedRu
     const auto index = [tells](int value) { return value < 0 || !tells ? kNotAvailable : QString::number(value); };
     const bool physical = run.condition->task == psychophysics::Task::adjustment;
     cells << index(trial.answer) << (right < 0 || trial.answer < 0 || !tells ? kNotAvailable : exportFlag(trial.answer == right)) << index(trial.outcome)
-          << (trial.value && tells && !(data.blinded && physical) ? exportNumber(*trial.value) : kNotAvailable) << exportNumber(trial.exploration_s) << exportNumber(trial.answer_s);
+          << (trial.value && tells && !(data.blinded && physical) ? exportNumber(*trial.value) : kNotAvailable) << exportNumber(trial.exploration_s) << exportNumber(trial.answer_s) << exportNumber(pausedOf(trial.fidelityJson));
 }
 
 void addMark(QStringList& cells, const StudyExportData& data, const StudyTrial& trial) {
@@ -154,7 +155,7 @@ void addFidelity(QStringList& cells, const StudyExportData& data, const StudyTri
 
 std::vector<ExportColumn> trialColumns() {
     std::vector<ExportColumn> columns = stimulusColumns();
-    for (auto part : {answerColumns(), markColumns(), fidelityColumns()})
+    for (auto part : {answerColumns(), markColumns(), deviceColumns(), fidelityColumns()})
         columns.insert(columns.end(), part.begin(), part.end());
     return columns;
 }
@@ -164,6 +165,8 @@ QStringList trialCells(const StudyExportData& data, const ExportedRun& run, cons
     addStimulus(cells, data, run, trial);
     addAnswer(cells, data, run, trial);
     addMark(cells, data, trial);
+    cells << (trial.device.empty() ? kNotAvailable : QString::fromStdString(trial.device))
+          << (!trial.felt ? kNotAvailable : *trial.felt ? QStringLiteral("felt") : QStringLiteral("shown"));
     addFidelity(cells, data, trial);
     return cells;
 }

@@ -41,11 +41,12 @@ private:
     void addGroup(std::size_t condition);
     void addWeberPlot(const session::AnalysedCondition& condition);
     void addRuns(std::size_t condition);
-    void addCurves(const session::AnalysedCondition& condition);
+    void addCurves(std::size_t condition);
     void addApex(std::size_t condition);
     QString errorText(double mm, double percent) const;
     void addRankings(const session::AnalysedCondition& condition); ///< where three are ranked; study_report_rankings.cpp
     void addFidelity();
+    void addQuality(); ///< in place of it while runs are sealed
     void addQuestionnaires();
     QString answersTo(const std::string& questionnaire, const psychophysics::QuestionnaireItem& item) const;
     void addMuted(const QString& text);

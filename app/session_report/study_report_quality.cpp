@@ -51,6 +51,8 @@ Tally tallyOf(const session::AnalysedCondition& condition) {
 
 void StudyReportBlocks::addFidelity() {
     addHeading(Words::tr("Fidelity"));
+    if (m_data.analysis.sealed())
+        return addQuality();
     const QLocale& locale = m_theme.locale;
     std::vector<std::vector<QString>> rows;
     for (const std::size_t at : m_data.conditionsInOrder()) {
@@ -71,6 +73,29 @@ void StudyReportBlocks::addFidelity() {
                  .arg(words::number(limits.forceErrorRms_N, locale), words::percent(limits.stiffnessError, locale),
                       words::percent(limits.lateTicks, locale), words::percent(limits.saturated, locale)));
     addMuted(Words::tr("Same choices again: run again from its log, the procedure chose the same presentations."));
+}
+
+/// By participant, over all conditions together.
+void StudyReportBlocks::addQuality() {
+    const QLocale& locale = m_theme.locale;
+    const QString dash = QStringLiteral("–");
+    std::vector<std::vector<QString>> rows;
+    for (const database::Participant& participant : m_data.participants) {
+        for (const database::ParticipantQuality& quality : m_data.analysis.quality) {
+            if (quality.participant != participant.id)
+                continue;
+            int repeated = 0;
+            for (const auto& [reason, count] : quality.spoiled)
+                repeated += count;
+            rows.push_back({QString::fromStdString(participant.code), Words::tr("%1 of %2").arg(locale.toString(quality.conditionsDone), locale.toString(quality.conditions)),
+                            words::percent(quality.lateTicks, locale), !quality.felt ? dash : *quality.felt ? Words::tr("felt") : Words::tr("shown"),
+                            quality.whole ? locale.toString(quality.scored) : dash, quality.whole ? locale.toString(repeated) : dash});
+        }
+    }
+    if (!rows.empty())
+        addTable({Words::tr("Code"), Words::tr("Conditions done"), Words::tr("Late ticks"), Words::tr("Force"), Words::tr("Scored"), Words::tr("Repeated")}, rows,
+                 {0.2, 0.2, 0.15, 0.15, 0.15, 0.15}, {false, false, true, false, true, true});
+    addMuted(Words::tr("Of all conditions together. How many trials there were is told of those who have done every condition."));
 }
 
 QString StudyReportBlocks::answersTo(const std::string& questionnaire, const QuestionnaireItem& item) const {

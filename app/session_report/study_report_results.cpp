@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What came out of each condition: group, persons, curves.
+#include "session_report/run_curve_plot.h"
 #include "session_report/study_report_blocks.h"
 #include "session_report/study_report_text.h"
 #include "session_report/study_report_words.h"
@@ -21,34 +22,10 @@ constexpr double kWeberPlotHeight = 200.0;
 constexpr double kCurveHeight = 220.0;
 constexpr std::size_t kCurvesInRow = 2;
 
-std::vector<double> percentOf(const std::vector<double>& differences) {
-    std::vector<double> percents;
-    for (const double difference : differences)
-        percents.push_back(kPercent * (std::pow(10.0, difference) - 1.0));
-    return percents;
-}
-
-/// Proportion right over the difference of one run: data, fit, its 95 % band and the criterion.
-std::unique_ptr<PlotView> curvePlot(const session::AnalysedRun& run, const report::PlotTheme& theme) {
-    const psychophysics::RunEstimate& estimate = run.estimate;
+std::unique_ptr<PlotView> curvePlot(const session::AnalysedRun& run, bool ranks, const report::PlotTheme& theme) {
     auto plot = std::make_unique<PlotView>(theme);
     plot->setTitle(QString::fromStdString(run.participant.code));
-    plot->setXAxis({Words::tr("Difference from the reference (%)"), {}, {}});
-    plot->setYAxis({Words::tr("Proportion right"), 0.0, 1.02});
-    const std::vector<double> x = percentOf(estimate.curveDifference);
-    if (!x.empty() && estimate.curveLow.size() == x.size() && estimate.curveHigh.size() == x.size()) {
-        plot->addLine(Words::tr("95 % band"), x, estimate.curveLow, PlotStyle::dashDotD);
-        plot->addLine({}, x, estimate.curveHigh, PlotStyle::dashDotD);
-    }
-    if (!x.empty())
-        plot->addLine(Words::tr("fit"), x, estimate.curveProportion, PlotStyle::solidA);
-    std::vector<report::PlotPoint> points;
-    for (const psychophysics::CurvePoint& point : estimate.points)
-        if (point.of > 0)
-            points.push_back({kPercent * (std::pow(10.0, point.difference) - 1.0), static_cast<double>(point.right) / point.of});
-    if (!points.empty())
-        plot->addMarkers(Words::tr("data"), points, PlotStyle::dashedB);
-    plot->addReference(Words::tr("criterion"), estimate.criterion);
+    drawRunCurve(*plot, run.estimate, ranks);
     return plot;
 }
 
@@ -59,6 +36,8 @@ void StudyReportBlocks::addCondition(std::size_t at) {
     addHeading(m_data.conditionName(at));
     if (condition.runs.empty())
         return addMuted(Words::tr("Nobody has done this condition yet."));
+    if (m_data.analysis.sealed())
+        return addMuted(Words::tr("What came of it, how long it took and how many trials it took stay sealed until the study is unblinded."));
     if (condition.apex)
         return addApex(at);
     addGroup(at);
@@ -66,7 +45,7 @@ void StudyReportBlocks::addCondition(std::size_t at) {
     addRuns(at);
     addRankings(condition);
     if (!m_data.blind()) // their differences would tell conditions apart
-        addCurves(condition);
+        addCurves(at);
 }
 
 void StudyReportBlocks::addGroup(std::size_t at) {
@@ -133,12 +112,15 @@ void StudyReportBlocks::addRuns(std::size_t at) {
             addMuted(QStringLiteral("! %1: %2").arg(QString::fromStdString(run.participant.code), warningWords(warning)));
 }
 
-void StudyReportBlocks::addCurves(const session::AnalysedCondition& condition) {
+void StudyReportBlocks::addCurves(std::size_t at) {
+    const session::AnalysedCondition& condition = m_data.analysis.conditions[at];
+    const psychophysics::Condition* designed = m_data.analysis.designed(at);
+    const bool ranks = designed && psychophysics::ranksThree(designed->task);
     std::vector<std::unique_ptr<PlotView>> row;
     for (const session::AnalysedRun& run : condition.runs) {
         if (run.estimate.curveDifference.empty() && run.estimate.points.empty())
             continue;
-        row.push_back(curvePlot(run, m_theme));
+        row.push_back(curvePlot(run, ranks, m_theme));
         if (row.size() < kCurvesInRow)
             continue;
         addPlotRow(std::move(row), kCurveHeight);

@@ -44,6 +44,8 @@ QString ofAnswers(const Warning& warning) {
         return Words::tr("Conditions differ in what an analysis needs to know: there is an estimate once the study is unblinded.");
     case notRenderedRun:
         return Words::tr("A quick simulation without rendering: the observer was told the values.");
+    case shownRun:
+        return Words::tr("Shown, not felt: %n trial(s) were done on a device that renders no force.", nullptr, n);
     default:
         return {};
     }
@@ -128,6 +130,10 @@ QString ofGroup(const Warning& warning) {
         return Words::tr("The group is of simulated participants alone.");
     case notRenderedOfGroup:
         return Words::tr("%n participant(s) of the group were simulated without rendering: told the values, nothing was felt.", nullptr, n);
+    case shownLeftOut:
+        return Words::tr("%n participant(s) are left out of the group: objects were shown to them, not felt.", nullptr, n);
+    case shownInGroup:
+        return Words::tr("The group holds %n participant(s) to whom objects were shown, not felt.", nullptr, n);
     default:
         return {};
     }

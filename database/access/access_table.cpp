@@ -81,6 +81,7 @@ constexpr AccessRow kRows[] = {
     {A::participantByCode,    Sim,      Sim,      No,         No,     No,     All,       All},
     {A::runs,                 Sim,      Sim,      No,         No,     No,     All,       All},
     {A::studyTrials,          Sim,      Sim,      No,         No,     No,     All,       All},
+    {A::trialQuality,         Sim,      Sim,      No,         No,     No,     All,       All},
     {A::questionnaireAnswers, Sim,      Sim,      No,         No,     No,     All,       All},
     {A::participantKeys,      No,       No,       No,         No,     No,     Own,       All},
     {A::eraseParticipant,     No,       No,       No,         No,     No,     No,        All},

@@ -68,6 +68,7 @@
     X(StudyReader, participantByCode)                                                                        \
     X(StudyReader, runs)                                                                                     \
     X(StudyReader, studyTrials)                                                                              \
+    X(StudyReader, trialQuality)                                                                             \
     X(StudyReader, questionnaireAnswers)                                                                     \
     X(StudyReader, participantKeys)                                                                          \
     X(PrivacyRepository, eraseParticipant)                                                                   \

@@ -33,7 +33,8 @@ core::Result<void> addStudy(Connection& connection, PersonParticipation& held) {
 core::Result<PersonParticipation> participation(Connection& connection, ParticipantNumber id) {
     auto participants = participantRows(connection, "p.id = ?", {id});
     auto runs = shownRuns(connection, id); // an export of a person unblinds nothing
-    auto answers = answerRows(connection, "p.id = ?", id);
+    const auto blinding = blindingOf(connection, StudyPart::participant, id);
+    auto answers = blinding ? answerRows(connection, "p.id = ?", id) : tl::unexpected(blinding.error());
     if (!participants || !runs || !answers || participants->empty()) {
         return !participants ? tl::unexpected(participants.error())
                : !runs       ? tl::unexpected(runs.error())
@@ -43,6 +44,7 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
     PersonParticipation held;
     held.participant = std::move(participants->front());
     held.runs = *std::move(runs);
+    held.sealed = blinding->seals();
     held.answers = *std::move(answers);
     for (const StudyRun& run : held.runs) {
         auto trials = shownTrials(connection, run.id);

@@ -33,7 +33,8 @@ struct PersonParticipation {
     Participant participant;
     std::string identity; ///< as the key table has it
     std::vector<StudyRun> runs;
-    std::vector<StudyTrial> trials; ///< of all runs
+    std::vector<StudyTrial> trials; ///< of all runs; none while `sealed`
+    bool sealed = false; ///< the study is blinded: trials are handed out once it is not
     std::vector<QuestionnaireAnswer> answers;
 };
 

@@ -9,8 +9,12 @@
 #include <QJsonDocument>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <set>
 #include <string_view>
 
 namespace chiron::database {
@@ -39,48 +43,10 @@ QJsonObject without(QJsonObject object, std::initializer_list<const char*> keys)
     return object;
 }
 
-// Marks beside an apex as shares of the radius, as if that were 1.
-QJsonObject ofRadius(QJsonObject apex) {
-    const double radius = apex.value("radius_m").toDouble();
-    for (const char* key : {"error_x_m", "error_y_m"}) {
-        const QJsonValue error = apex.value(QLatin1String(key));
-        apex[QLatin1String(key)] = radius > 0.0 && error.isDouble() ? QJsonValue(error.toDouble() / radius) : QJsonValue();
-    }
-    apex["radius_m"] = 1.0;
-    return apex;
-}
-
-// Forces and values, as they were: hard from soft, heavy from light.
-std::string withoutPhysics(const std::string& fidelityJson) {
-    QJsonObject fidelity = without(QJsonDocument::fromJson(QByteArray::fromStdString(fidelityJson)).object(),
-                                   {"peak_force_N", "force_error_rms_N", "saturated", "stiffness_error", "outside"});
-    QJsonArray places;
-    for (const QJsonValue value : fidelity.value("places").toArray()) {
-        places.append(without(value.toObject(), {"asked", "rendered", "standard_error", "peak_force_N", "terminal_force_N"}));
-    }
-    if (fidelity.contains("places")) {
-        fidelity["places"] = places;
-    }
-    if (fidelity.contains("apex")) {
-        fidelity["apex"] = ofRadius(fidelity.value("apex").toObject());
-    }
-    return QJsonDocument(fidelity).toJson(QJsonDocument::Compact).toStdString();
-}
-
 // Reasons of spoiling that come of forces.
 bool isOfForces(std::string_view spoiled) {
     constexpr std::array<std::string_view, 4> kReasons{"force_error", "stiffness_error", "saturation", "peak_force"};
     return std::find(kReasons.begin(), kReasons.end(), spoiled) != kReasons.end();
-}
-
-// That there was an answer, not which, nor to what.
-StudyTrial counted(StudyTrial trial) {
-    trial.procedure = 0;
-    trial.candidate = trial.arrangement = trial.outcome = -1;
-    trial.difference = trial.entropyMargin = std::numeric_limits<double>::quiet_NaN();
-    trial.answer = trial.answer >= 0 || trial.value ? 0 : -1;
-    trial.value.reset();
-    return trial;
 }
 
 } // namespace
@@ -126,28 +92,12 @@ StudyRun sealed(StudyRun run, const Blinding& blinding) {
     if (blinding.on) {
         run.condition.clear();
     }
-    if (blinding.on && !blinding.analysable()) { // with the seed each condition's presentations could be drawn, and compared
+    if (blinding.seals()) { // with the seed each condition's presentations could be drawn, and compared
         run.procedures.clear();
         run.seed = 0;
+        run.endedUtc.clear(); // how long it took
     }
     return run;
-}
-
-StudyTrial sealed(StudyTrial trial, const Blinding& blinding) {
-    if (!blinding.on) {
-        return trial;
-    }
-    if (!blinding.analysable()) {
-        trial = counted(std::move(trial));
-    }
-    if (!blinding.oneStimulus) {
-        trial.fidelityJson = withoutPhysics(trial.fidelityJson);
-        if (trial.fidelityJson.find("\"apex\"") != std::string::npos) { // a distance beside its share would tell the radius
-            trial.value.reset();
-        }
-    }
-    trial.spoiled = shownReason(trial.spoiled, blinding);
-    return trial;
 }
 
 std::string shownReason(const std::string& spoiled, const Blinding& blinding) {
@@ -167,13 +117,110 @@ core::Result<std::vector<StudyRun>> shownRuns(Connection& connection, Participan
 
 core::Result<std::vector<StudyTrial>> shownTrials(Connection& connection, StudyRunNumber run) {
     const auto blinding = blindingOf(connection, StudyPart::run, run);
-    auto trials = blinding ? studyTrialRows(connection, run) : tl::unexpected(blinding.error());
-    if (trials) {
-        for (StudyTrial& trial : *trials) {
-            trial = sealed(std::move(trial), *blinding);
+    if (!blinding) {
+        return tl::unexpected(blinding.error());
+    }
+    return blinding->seals() ? core::Result<std::vector<StudyTrial>>(std::vector<StudyTrial>()) : studyTrialRows(connection, run);
+}
+
+namespace {
+
+// Of all of a participant's trials, whatever their conditions.
+void addTrials(ParticipantQuality& quality, const std::vector<StudyTrial>& trials, std::set<std::string>& devices, std::map<std::string, int>& reasons,
+               std::vector<double>& late, std::vector<double>& times) {
+    for (const StudyTrial& trial : trials) {
+        const QJsonObject fidelity = QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object();
+        if (const QJsonValue share = fidelity["late_ticks"]; share.isDouble()) {
+            late.push_back(share.toDouble());
+        }
+        if (const QJsonValue worst = fidelity["worst_lateness_us"]; worst.isDouble()) {
+            quality.worstLateness_us = std::fmax(quality.worstLateness_us, worst.toDouble());
+        }
+        if (trial.felt) {
+            quality.felt = quality.felt.value_or(true) && *trial.felt;
+            devices.insert(trial.device);
+        }
+        ++quality.presentations;
+        quality.practice += trial.practice ? 1 : 0;
+        const bool scored = !trial.practice && !trial.undone && trial.spoiled.empty();
+        quality.scored += scored ? 1 : 0;
+        if (scored) {
+            times.push_back(trial.exploration_s);
+        }
+        if (!trial.practice && !trial.spoiled.empty()) {
+            ++reasons[trial.spoiled];
         }
     }
-    return trials;
+}
+
+double medianOf(std::vector<double> values) {
+    if (values.empty()) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    std::sort(values.begin(), values.end());
+    return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
+// What depends on the objects is left out while not every condition is in it.
+ParticipantQuality withoutBehaviour(ParticipantQuality quality) {
+    quality.presentations = quality.practice = quality.scored = 0;
+    quality.spoiled.clear();
+    quality.exploration_s = std::numeric_limits<double>::quiet_NaN();
+    return quality;
+}
+
+core::Result<ParticipantQuality> qualityOf(Connection& connection, ParticipantNumber participant, int conditions, const Blinding& blinding) {
+    ParticipantQuality quality;
+    quality.participant = participant;
+    quality.conditions = conditions;
+    const auto runs = runRows(connection, participant);
+    if (!runs) {
+        return tl::unexpected(runs.error());
+    }
+    std::set<std::string> devices, done;
+    std::map<std::string, int> reasons;
+    std::vector<double> late, times;
+    for (const StudyRun& run : *runs) {
+        const auto trials = studyTrialRows(connection, run.id);
+        if (!trials) {
+            return tl::unexpected(trials.error());
+        }
+        addTrials(quality, *trials, devices, reasons, late, times);
+        if (run.state == StudyRunState::completed) {
+            done.insert(run.condition);
+        }
+    }
+    quality.conditionsDone = static_cast<int>(done.size());
+    quality.whole = !blinding.seals() || quality.conditionsDone == conditions;
+    if (!late.empty()) {
+        quality.lateTicks = std::accumulate(late.begin(), late.end(), 0.0) / static_cast<double>(late.size());
+    }
+    for (const std::string& device : devices) {
+        quality.device += (quality.device.empty() ? "" : ", ") + device;
+    }
+    quality.spoiled.assign(reasons.begin(), reasons.end());
+    quality.exploration_s = medianOf(std::move(times));
+    return quality.whole ? quality : withoutBehaviour(std::move(quality));
+}
+
+} // namespace
+
+core::Result<std::vector<ParticipantQuality>> qualityRows(Connection& connection, StudyNumber study) {
+    const auto blinding = blindingOf(connection, StudyPart::study, study);
+    const auto conditions = blinding ? sealedConditionRows(connection, study) : tl::unexpected(blinding.error());
+    auto participants = conditions ? participantRows(connection, "p.study_id = ?", {study}) : tl::unexpected(conditions.error());
+    if (!participants) {
+        return tl::unexpected(participants.error());
+    }
+    std::vector<ParticipantQuality> rows;
+    for (const Participant& participant : *participants) {
+        auto quality = qualityOf(connection, participant.id, static_cast<int>(conditions->size()), *blinding);
+        if (!quality) {
+            return tl::unexpected(quality.error());
+        }
+        rows.push_back(std::move(*quality));
+    }
+    return rows;
 }
 
 core::Result<bool> isSealedSitting(Connection& connection, const Actor& actor, SessionId session) {

@@ -18,17 +18,18 @@ core::Result<Blinding> blindingOf(const std::string& designJson, bool unblinded)
 /// Of the study that this belongs to. Failure: notFound, storage, badInput.
 core::Result<Blinding> blindingOf(Connection& connection, StudyPart part, std::int64_t number);
 
-/// Without the condition while blinded. Where a run cannot be analysed without it, also without what chose its presentations.
+/// Without the condition while blinded. Where conditions differ, also without what chose its presentations.
 StudyRun sealed(StudyRun run, const Blinding& blinding);
-/// Without what tells conditions apart while blinded; where runs cannot be analysed without it, that there was an answer is left.
-StudyTrial sealed(StudyTrial trial, const Blinding& blinding);
 
 /// Why a trial is spoiled; "withheld" while blinded where the reason comes of forces that conditions differ in.
 std::string shownReason(const std::string& spoiled, const Blinding& blinding);
 
-/// Rows as lists give them. Who may read them is asked before.
+/// Rows as lists give them. Who may read them is asked before. While a blinded study's conditions differ no trial of a run is shown: answers,
+/// times, speeds, counts of contacts and how many trials there were are each a way to tell the conditions apart.
 core::Result<std::vector<StudyRun>> shownRuns(Connection& connection, ParticipantNumber participant);
 core::Result<std::vector<StudyTrial>> shownTrials(Connection& connection, StudyRunNumber run);
+/// What quality can be watched by instead; by participant, in the order enrolled.
+core::Result<std::vector<ParticipantQuality>> qualityRows(Connection& connection, StudyNumber study);
 
 /// Whether a session is a sitting of a blinded study: its content and its recording are the condition in numbers, so they are closed to
 /// everybody. Known by its trials, and before the first of them by its level's title, "study / sealed code". False for maintenance: the

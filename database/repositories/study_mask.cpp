@@ -35,11 +35,11 @@ Condition plainCondition(bool apex) {
 Condition shared(const psychophysics::StudyDesign& design, const Blinding& blinding) {
     const Condition& first = design.conditions.front();
     const bool apex = blinding.oneExercise && first.stimulus.attribute == Attribute::apex;
-    Condition out = blinding.analysable() ? first : plainCondition(apex);
-    if (blinding.oneStimulus && blinding.analysable()) {
+    Condition out = blinding.asksAlike() ? first : plainCondition(apex);
+    if (blinding.oneStimulus && blinding.asksAlike()) {
         return out;
     }
-    out.stimulus.attribute = oneAttribute(design.conditions) && (blinding.analysable() || apex) ? first.stimulus.attribute : kWidest;
+    out.stimulus.attribute = oneAttribute(design.conditions) && (blinding.asksAlike() || apex) ? first.stimulus.attribute : kWidest;
     out.stimulus.fixed.clear();
     out.stimulus.reference = catalogue::middleReference(out);
     return out;

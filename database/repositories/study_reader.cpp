@@ -23,7 +23,10 @@ constexpr const char* kSummaryColumns =
     "(SELECT count(*) FROM study_participant p WHERE p.study_id = s.id AND p.state <> 'withdrawn'), "
     "(SELECT count(*) FROM study_participant p WHERE p.study_id = s.id AND p.state = 'completed'), "
     "(SELECT count(*) FROM study_participant p JOIN study_run r ON r.participant_id = p.id JOIN study_trial t ON "
-    "t.run_id = r.id WHERE p.study_id = s.id AND t.spoiled = '' AND t.practice = 0 AND t.undone = 0)";
+    "t.run_id = r.id WHERE p.study_id = s.id AND t.spoiled = '' AND t.practice = 0 AND t.undone = 0 "
+    // While experimenters are blind, of those who are done with all conditions: else the count before a run and after it would be the run's.
+    "AND (p.state = 'completed' OR s.unblinded = 1 OR s.state = 'draft' "
+    "OR CASE WHEN json_valid(s.design_json) THEN coalesce(json_extract(s.design_json, '$.blind_experimenter'), 0) ELSE 0 END = 0))";
 
 StudySummary summaryOf(const Query& row) {
     StudySummary summary;
@@ -161,6 +164,11 @@ core::Result<std::vector<StudyRun>> StudyReader::runs(ParticipantNumber particip
 core::Result<std::vector<StudyTrial>> StudyReader::studyTrials(StudyRunNumber run) {
     auto allowed = authoriseForStudy(m_connection, m_actor, Action::studyTrials, StudyPart::run, run);
     return allowed ? shownTrials(m_connection, run) : tl::unexpected(allowed.error());
+}
+
+core::Result<std::vector<ParticipantQuality>> StudyReader::trialQuality(StudyNumber study) {
+    auto allowed = authoriseForStudy(m_connection, m_actor, Action::trialQuality, StudyPart::study, study);
+    return allowed ? qualityRows(m_connection, study) : tl::unexpected(allowed.error());
 }
 
 core::Result<std::vector<QuestionnaireAnswer>> StudyReader::questionnaireAnswers(StudyNumber study) {

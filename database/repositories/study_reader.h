@@ -32,7 +32,8 @@ public:
     core::Result<Participant> participantByCode(StudyNumber study, const std::string& code); ///< case and "-" do not matter
     /// In the order begun; by sealed codes, without conditions, while the study is blinded: for everybody.
     core::Result<std::vector<StudyRun>> runs(ParticipantNumber participant);
-    core::Result<std::vector<StudyTrial>> studyTrials(StudyRunNumber run); ///< by ordinal; while blinded without what tells conditions apart
+    core::Result<std::vector<StudyTrial>> studyTrials(StudyRunNumber run); ///< by ordinal; none while blinded where conditions differ (study_blinding.h)
+    core::Result<std::vector<ParticipantQuality>> trialQuality(StudyNumber study); ///< by participant, in the order enrolled; also while blinded
     core::Result<std::vector<QuestionnaireAnswer>> questionnaireAnswers(StudyNumber study);
     /// Who the codes are; the study's author and administrators alone. The look is audited, so it needs a writer's job
     /// (database.write); the erased are left out. Failure: wrongUse on a reader's connection.

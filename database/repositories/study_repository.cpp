@@ -11,6 +11,8 @@
 #include "database/integrity/digested_row.h"
 #include "database/repositories/study_rules.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QRegularExpression>
 #include <algorithm>
 #include <set>
@@ -20,6 +22,7 @@ namespace chiron::database {
 namespace {
 
 constexpr int kMaximumTitle = 500;
+constexpr int kMaximumReason = 500;
 
 core::Result<void> checkKey(const std::string& key) {
     static const QRegularExpression kKey(QStringLiteral("^[a-z][a-z0-9_]{0,63}$"));
@@ -201,7 +204,7 @@ core::Result<void> StudyRepository::setStudyArchived(StudyNumber study, bool arc
                    : allowed;
 }
 
-core::Result<void> StudyRepository::unblindStudy(StudyNumber study) {
+core::Result<void> StudyRepository::unblindStudy(StudyNumber study, const std::string& reason) {
     auto allowed = mayWriteStudy(m_connection, m_actor, Action::unblindStudy, StudyPart::study, study);
     const auto stored = allowed ? storedStudy(m_connection, study) : tl::unexpected(allowed.error());
     if (!stored) {
@@ -210,7 +213,15 @@ core::Result<void> StudyRepository::unblindStudy(StudyNumber study) {
     if (stored->state == "draft") {
         return core::fail(core::ErrorCode::wrongUse, "study " + stored->key + " is a draft: there is nothing to unblind");
     }
-    return changeStudy(m_connection, m_actor, study, "unblindStudy", {{"unblinded", std::int64_t{1}}});
+    if (auto said = checkText("reason", reason, kMaximumReason); !said) {
+        return said;
+    }
+    if (QString::fromStdString(reason).trimmed().isEmpty()) {
+        return core::fail(core::ErrorCode::badInput, "reason: none given; expected why study " + stored->key + " is unblinded now");
+    }
+    const QJsonObject detail{{"reason", QString::fromStdString(reason)}};
+    return changeStudy(m_connection, m_actor, study, "unblindStudy", {{"unblinded", std::int64_t{1}}},
+                       QJsonDocument(detail).toJson(QJsonDocument::Compact).toStdString());
 }
 
 } // namespace chiron::database

@@ -32,8 +32,9 @@ public:
     /// No more participants and runs; open runs can still be finished. Failure: wrongUse unless frozen.
     core::Result<void> closeStudy(StudyNumber study);
     core::Result<void> setStudyArchived(StudyNumber study, bool archived); ///< out of the usual lists
-    /// From now on conditions go by their names. Cannot be undone. Failure: wrongUse for a draft.
-    core::Result<void> unblindStudy(StudyNumber study);
+    /// From now on conditions go by their names. Cannot be undone. `reason`: why, 1 to 500 characters, kept in the audit (no names: the audit is
+    /// never overwritten). Failure: wrongUse for a draft, badInput without a reason.
+    core::Result<void> unblindStudy(StudyNumber study, const std::string& reason);
 
     /// Gives a random code (three and three letters, none that look alike, unique over all studies) and the next free row of the order
     /// design (from 0; a withdrawn participant's row is given out again; simulated participants count by themselves). `identity`: free

@@ -3,6 +3,7 @@
 
 #include "database/repositories/study_rules.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <limits>
@@ -43,6 +44,14 @@ StudyRun runOf(const Query& row) {
     return run;
 }
 
+// The model of the first device, or else what drives it.
+std::string deviceOf(const std::string& deviceJson) {
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(deviceJson)).object();
+    const QJsonObject first = json["tools"].toArray().first().toObject();
+    const QString model = first["model"].toString();
+    return (model.isEmpty() ? first["driver"].toString() : model).toStdString();
+}
+
 StudyTrial trialOf(const Query& row) {
     StudyTrial trial;
     trial.run = row.integer(0);
@@ -65,6 +74,10 @@ StudyTrial trialOf(const Query& row) {
     trial.spoiled = row.text(17);
     trial.fidelityJson = row.text(18);
     trial.utc = row.text(19);
+    if (!row.isNull(20)) {
+        trial.felt = row.integer(20) != 0;
+        trial.device = deviceOf(row.text(21));
+    }
     return trial;
 }
 
@@ -108,8 +121,8 @@ core::Result<std::vector<StudyTrial>> studyTrialRows(Connection& connection, Stu
     return rowsOf<StudyTrial>(
         connection,
         "SELECT run_id, ordinal, procedure, session_id, first_tick, last_tick, candidate, arrangement, difference, "
-        "entropy_margin, answer, outcome, value, exploration_s, answer_s, practice, undone, spoiled, fidelity_json, utc "
-        "FROM study_trial WHERE run_id = ? ORDER BY ordinal",
+        "entropy_margin, answer, outcome, value, exploration_s, answer_s, practice, undone, spoiled, fidelity_json, t.utc, x.felt, x.device_json "
+        "FROM study_trial t LEFT JOIN session x ON x.id = t.session_id WHERE run_id = ? ORDER BY ordinal",
         {run}, trialOf);
 }
 

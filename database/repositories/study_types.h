@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace chiron::database {
@@ -34,7 +35,7 @@ struct StudySummary {
     bool demonstration = false;
     int participants = 0;
     int completed = 0; ///< participants
-    int trials = 0;    ///< scored
+    int trials = 0;    ///< scored; while experimenters are blind of those who completed alone
 };
 
 /// What a blinded study's lists leave out (study_blinding.h).
@@ -49,8 +50,13 @@ struct Blinding {
     bool adjusts = false;     ///< a condition's answers are values in SI (those of an apex are told as shares of its radius)
     bool oneExercise = true;  ///< all of an apex, or none
 
-    /// Whether a run can be analysed without its condition: by any of them.
-    bool analysable() const { return oneTask && oneTable && oneProcedure && (oneStimulus || !adjusts); }
+    /// Whether conditions are alike in all that the program does. Where they are not, whatever a run left behind (answers, times, speeds, how
+    /// many trials) could tell which condition it is of, and none of it is shown before unblinding.
+    bool analysable() const { return asksAlike() && oneStimulus; }
+    /// Whether they ask alike, whatever the objects are; what is set in SI is of the objects, too.
+    bool asksAlike() const { return oneTask && oneTable && oneProcedure && (oneStimulus || !adjusts); }
+    /// Whether trials and what is estimated from them are kept back.
+    bool seals() const { return on && !analysable(); }
 };
 
 struct StudyRecord {
@@ -139,6 +145,27 @@ struct StudyTrial {
     std::string spoiled;        ///< empty: scored; else why not: "force_error", "late_ticks", "saturation", "speed", "time", "experimenter", "stopped", ...
     std::string fidelityJson = "{}"; ///< canonical; session::TrialFidelity
     std::string utc;
+    // Read with it, of the session that holds it; not stored with a trial.
+    std::string device;         ///< model of its first device; empty without a session
+    std::optional<bool> felt;   ///< whether force was rendered, or only shown; nothing without a session
+};
+
+/// How well a participant's trials went, over all conditions together, so that it can be watched while a study is blinded. What depends on the
+/// objects (how often trials were repeated, how long they took) is told once every condition is completed: then it is of none in particular.
+struct ParticipantQuality {
+    ParticipantNumber participant = 0;
+    int conditionsDone = 0;     ///< completed runs
+    int conditions = 0;         ///< of the study
+    bool whole = false;         ///< every condition is completed, or the study is not blinded: what follows below `device` is told
+    double lateTicks = std::numeric_limits<double>::quiet_NaN();        ///< mean share over trials
+    double worstLateness_us = std::numeric_limits<double>::quiet_NaN();
+    std::string device;         ///< models, separated by ", "; empty where nothing was rendered
+    std::optional<bool> felt;   ///< false where any trial was only shown; nothing where nothing was rendered
+    int presentations = 0;
+    int practice = 0;           ///< of these
+    int scored = 0;             ///< of these
+    std::vector<std::pair<std::string, int>> spoiled; ///< of these: reason, how often; by reason
+    double exploration_s = std::numeric_limits<double>::quiet_NaN();    ///< median over scored trials
 };
 
 /// What it takes to run one condition with one participant: also while the study is blinded, for whoever conducts the run.

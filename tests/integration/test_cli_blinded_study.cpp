@@ -79,9 +79,15 @@ void TestCliBlindedStudy::aBlindedStudyTellsNoCondition() {
     QCOMPARE(analysis["runs"].toArray().size(), 2);
     const QString code = analysis["runs"][0]["condition"].toString();
     QCOMPARE(code.size(), 3);
-    for (const QJsonValue& each : analysis["runs"].toArray()) { // tables differ: counts alone
-        QVERIFY(each["estimate"]["weber"].isNull());
-        QCOMPARE(each["estimate"]["trials"].toInt(), each["participant"].toString() == QLatin1String("S01") ? 1 : 0); // without practice
+    for (const QJsonValue& each : analysis["runs"].toArray()) { // conditions differ: not even how many trials there were
+        QVERIFY(each["estimate"]["weber"].isNull() && each["estimate"]["trials"].isNull());
+        QVERIFY(each["replayed"]["trials"].toInt() == 0 && each["force_class"].isNull());
+    }
+    QCOMPARE(analysis["quality"].toArray().size(), 2); // what can be watched instead, by participant
+    for (const QJsonValue& each : analysis["quality"].toArray()) {
+        QVERIFY(each["conditions"].toInt() == 3 && each["conditions_done"].toInt() == 0 && each["scored"].isNull());
+        const bool felt = each["participant"].toString() == QLatin1String("S02");
+        QVERIFY(felt ? each["force_class"].toString() == QLatin1String("felt") && each["late_ticks"].isDouble() : each["force_class"].isNull() && each["late_ticks"].isNull());
     }
     // What columns mean is said beside them, in words that hold for all attributes ("stiffness_error").
     const QByteArray exported = filesIn(m_folder.filePath("blind"), {"runs.csv", "trials.csv", "estimates.csv", "participants.csv", ".tsv"});
@@ -92,8 +98,13 @@ void TestCliBlindedStudy::aBlindedStudyTellsNoCondition() {
         QVERIFY2(!exported.contains(condition), condition);
     }
     QVERIFY(!QFile::exists(m_folder.filePath("blind/csv/design.json")));
-    QVERIFY(as("rob", {"study", "unblind", "surgeons"}).exitCode != 0);
-    QCOMPARE(as("ruth", {"study", "unblind", "surgeons"}).exitCode, 0);
+    QVERIFY(as("rob", {"study", "unblind", "surgeons", "--reason", "curiosity"}).exitCode != 0);
+    const CliRun without = as("ruth", {"study", "unblind", "surgeons"});
+    QVERIFY2(without.exitCode == 2 && without.err.contains("--reason"), without.err.constData());
+    QVERIFY(as("ruth", {"study", "unblind", "surgeons", "--reason", " "}).exitCode != 0);
+    const CliRun unblinded = as("ruth", {"study", "unblind", "surgeons", "--reason", "all are done"});
+    QVERIFY2(unblinded.exitCode == 0, unblinded.err.constData());
+    QVERIFY(object(unblinded)["people_to_come"].toInt() > 0); // nobody planned has come yet
     QCOMPARE(as("rob", {"session", "show", QString::number(sessions[0]["session_id"].toInt())}).exitCode, 0);
     QVERIFY(object(as("rob", {"study", "show", "surgeons"})).contains("design"));
     const QString after = object(as("rob", {"study", "analyse", "surgeons"}))["runs"][0]["condition"].toString();

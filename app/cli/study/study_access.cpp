@@ -57,7 +57,7 @@ QString warningTokens(const std::vector<psychophysics::Warning>& warnings) {
 QJsonObject estimateJson(const psychophysics::RunEstimate& e, bool blinded) {
     const auto number = [](double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); };
     QJsonObject json{{"weber", number(e.weber)}, {"sigma_log10", number(e.sigma_log10)}, {"prior_influence", number(e.priorInfluence)}, {"ci_low", number(e.weber95.low)}, {"ci_high", number(e.weber95.high)},
-                     {"trials", e.trials}, {"warnings", warningsJson(e.warnings, blinded)}};
+                     {"trials", hasWarning(e.warnings, psychophysics::WarningKind::sealed) ? QJsonValue(QJsonValue::Null) : QJsonValue(e.trials)}, {"warnings", warningsJson(e.warnings, blinded)}};
     if (blinded)
         return json;
     json.insert("criterion", e.criterion);
@@ -70,6 +70,10 @@ QJsonObject estimateJson(const psychophysics::RunEstimate& e, bool blinded) {
     json.insert("exponent", number(e.exponent));
     json.insert("exponent_ci", QJsonArray{number(e.exponent95.low), number(e.exponent95.high)});
     return json;
+}
+
+QJsonValue forceClassJson(const std::optional<bool>& felt) {
+    return felt ? QJsonValue(*felt ? QStringLiteral("felt") : QStringLiteral("shown")) : QJsonValue(QJsonValue::Null);
 }
 
 QJsonObject participantJson(const database::Participant& p) {

@@ -33,6 +33,8 @@ QJsonObject studyJson(const database::StudySummary& summary);
 QJsonObject estimateJson(const psychophysics::RunEstimate& estimate, bool blinded);
 /// "token: words" each, in English; by tokens alone where words could tell what is blinded.
 QJsonArray warningsJson(const std::vector<psychophysics::Warning>& warnings, bool tokensAlone);
+/// "felt" or "shown"; null where nothing was rendered.
+QJsonValue forceClassJson(const std::optional<bool>& felt);
 QString warningTokens(const std::vector<psychophysics::Warning>& warnings); ///< separated by commas
 QJsonObject participantJson(const database::Participant& participant);
 

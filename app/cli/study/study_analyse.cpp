@@ -45,6 +45,28 @@ QJsonObject groupJson(const GroupEstimate& g, bool blinded) {
     return json;
 }
 
+/// How well trials went, by participant: also while the study is blinded.
+QJsonArray qualityJson(const session::StudyAnalysis& analysis) {
+    std::map<QString, QJsonObject> rows; // by code: neither the order of enrolment shows
+    for (const auto& [participant, code] : analysis.codes)
+        for (const database::ParticipantQuality& q : analysis.quality) {
+            if (q.participant != participant)
+                continue;
+            const auto count = [&](int n) { return q.whole ? QJsonValue(n) : QJsonValue(QJsonValue::Null); };
+            QJsonObject reasons;
+            for (const auto& [reason, times] : q.spoiled)
+                reasons.insert(text(reason), times);
+            rows[text(code)] = {{"participant", text(code)}, {"conditions_done", q.conditionsDone}, {"conditions", q.conditions}, {"late_ticks", number(q.lateTicks)},
+                                {"worst_lateness_us", number(q.worstLateness_us)}, {"device", q.device.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(text(q.device))},
+                                {"force_class", forceClassJson(q.felt)}, {"presentations", count(q.presentations)}, {"practice", count(q.practice)},
+                                {"scored", count(q.scored)}, {"repeated", q.whole ? QJsonValue(reasons) : QJsonValue(QJsonValue::Null)}, {"exploration_s", number(q.exploration_s)}};
+        }
+    QJsonArray list;
+    for (const auto& [code, row] : rows)
+        list.append(row);
+    return list;
+}
+
 /// A condition's id, or its sealed code.
 QString labelOf(const session::AnalysedCondition& condition) {
     return text(condition.condition);
@@ -62,7 +84,7 @@ void tellRuns(Told& told, const session::AnalysedCondition& condition, const QSt
     for (const session::AnalysedRun& run : condition.runs) {
         const psychophysics::RunEstimate& e = run.estimate;
         QJsonObject json{{"participant", text(run.participant.code)}, {"condition", label}, {"run", ++counts[run.participant.code]},
-                         {"simulated", run.participant.simulated}, {"estimate", estimateJson(e, blinded)}, {"replayed", replayedJson(run.replayed)}};
+                         {"simulated", run.participant.simulated}, {"estimate", estimateJson(e, blinded)}, {"replayed", replayedJson(run.replayed)}, {"force_class", forceClassJson(run.felt)}, {"in_group", run.pooled}};
         if (run.apex)
             json.insert("apex", apexJson(*run.apex, blinded));
         told.runs.append(json);
@@ -72,7 +94,7 @@ void tellRuns(Told& told, const session::AnalysedCondition& condition, const QSt
             continue;
         }
         told.compared = true;
-        told.table.add({text(run.participant.code), label, QString::number(e.trials), shortNumber(e.weber), shortNumber(e.weber95.low), shortNumber(e.weber95.high),
+        told.table.add({text(run.participant.code), label, hasWarning(e.warnings, psychophysics::WarningKind::sealed) ? QStringLiteral("sealed") : QString::number(e.trials), shortNumber(e.weber), shortNumber(e.weber95.low), shortNumber(e.weber95.high),
                         shortNumber(e.priorInfluence), QStringLiteral("%1/%2").arg(run.replayed.same + run.replayed.ties).arg(run.replayed.trials), warningTokens(e.warnings)});
     }
 }
@@ -139,7 +161,7 @@ core::Result<CommandOutput> analyseStudies(const Arguments& arguments) {
     if (!seed)
         return tl::unexpected(seed.error());
     database::StudyReader reader = study->reader();
-    auto analysis = session::analyseStudy(reader, study->number(), *seed);
+    auto analysis = session::analyseStudy(reader, study->number(), *seed, {.withShown = arguments.has(QStringLiteral("with-shown"))});
     if (!analysis)
         return tl::unexpected(analysis.error());
     const bool blinded = analysis->blind();
@@ -156,7 +178,7 @@ core::Result<CommandOutput> analyseStudies(const Arguments& arguments) {
         tellGroup(told, condition, labelOf(condition), blinded);
     }
     return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"sha256", text(sha256)}, {"blinded", blinded},
-                                                   {"conditions", told.conditions}, {"comparisons", comparisons}, {"runs", told.runs}}),
+                                                   {"conditions", told.conditions}, {"comparisons", comparisons}, {"runs", told.runs}, {"quality", qualityJson(*analysis)}}),
                          (told.compared || !told.marked ? told.table.toText() : QString()) + (told.marked ? told.marks.toText() : QString()) + compared, 0};
 }
 

@@ -6,6 +6,7 @@
 #include "cli/study/study_file.h"
 #include "cli/text_table.h"
 #include "database/repositories/study_repository.h"
+#include "session/study/people_to_come.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -17,21 +18,25 @@ namespace {
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
 /// Runs one change on the writer's connection, then tells of the study as it now is.
-template <class Change> core::Result<CommandOutput> change(const Arguments& arguments, Change&& apply) {
-    auto study = openStudy(arguments, Opening::forWriting);
-    if (!study)
-        return tl::unexpected(study.error());
-    const auto number = study->number();
-    auto done = study->site.database->write([&](database::WriteContext& context) -> core::Result<void> {
-        return apply(database::StudyRepository(context.connection(), study->site.actor), number);
+template <class Change> core::Result<CommandOutput> changed(StudySite& study, Change&& apply) {
+    const auto number = study.number();
+    auto done = study.site.database->write([&](database::WriteContext& context) -> core::Result<void> {
+        return apply(database::StudyRepository(context.connection(), study.site.actor), number);
     });
     if (!done)
         return tl::unexpected(done.error());
-    auto record = study->reader().study(number);
+    auto record = study.reader().study(number);
     if (!record)
         return tl::unexpected(record.error());
     const QJsonObject json = studyJson(record->summary);
     return CommandOutput{QJsonDocument(json), QStringLiteral("%1: %2 %3\n").arg(json["key"].toString(), json["state"].toString(), json["sha256"].toString()), 0};
+}
+
+template <class Change> core::Result<CommandOutput> change(const Arguments& arguments, Change&& apply) {
+    auto study = openStudy(arguments, Opening::forWriting);
+    if (!study)
+        return tl::unexpected(study.error());
+    return changed(*study, std::forward<Change>(apply));
 }
 
 core::Result<database::Participant> participantOf(const Arguments& arguments, const StudySite& study) {
@@ -122,7 +127,25 @@ core::Result<CommandOutput> archiveStudy(const Arguments& arguments) {
 }
 
 core::Result<CommandOutput> unblindStudy(const Arguments& arguments) {
-    return change(arguments, [](database::StudyRepository repository, database::StudyNumber study) { return repository.unblindStudy(study); });
+    const std::string reason = arguments.value(QStringLiteral("reason")).toStdString();
+    auto study = openStudy(arguments, Opening::forWriting);
+    if (!study)
+        return tl::unexpected(study.error());
+    const auto design = catalogue::readStudy(QByteArray::fromStdString(study->record.designJson), study->record.summary.key);
+    const auto participants = design ? study->reader().participants(study->number()) : tl::unexpected(design.error());
+    if (!participants)
+        return tl::unexpected(participants.error());
+    auto done = changed(*study, [&](database::StudyRepository repository, database::StudyNumber number) { return repository.unblindStudy(number, reason); });
+    if (!done)
+        return done;
+    const int toCome = session::peopleToCome(*design, study->record.summary, *participants);
+    QJsonObject json = done->json.object();
+    json.insert("people_to_come", toCome);
+    done->json = QJsonDocument(json);
+    if (toCome > 0)
+        done->text += QStringLiteral("warning: %1 still to come: whoever conducts their runs is no longer blind\n")
+                          .arg(toCome == 1 ? QStringLiteral("1 participant is") : QStringLiteral("%1 participants are").arg(toCome));
+    return done;
 }
 
 core::Result<CommandOutput> enrolParticipant(const Arguments& arguments) {

@@ -8,6 +8,7 @@
 #include "database/accounts/account_service.h"
 #include "session/site.h"
 #include "session/study/study_runner.h"
+#include "session/study/trial_fidelity.h"
 #include "session/study_export_data.h"
 
 #include <QFileInfo>
@@ -33,7 +34,8 @@ QJsonValue number(double value) { return std::isfinite(value) ? QJsonValue(value
 
 /// While blinded neither values nor anything else by which conditions could be told apart.
 QJsonObject trialJson(const database::StudyTrial& t, const Condition& condition, const session::StudyExportData& data) {
-    QJsonObject json{{"ordinal", t.ordinal}, {"practice", t.practice}, {"spoiled", text(t.spoiled)}, {"exploration_s", t.exploration_s}, {"answer_s", t.answer_s}};
+    QJsonObject json{{"ordinal", t.ordinal}, {"practice", t.practice}, {"spoiled", text(t.spoiled)}, {"exploration_s", t.exploration_s}, {"answer_s", t.answer_s},
+                     {"paused_s", number(session::pausedOf(t.fidelityJson))}, {"device", text(t.device)}, {"force_class", forceClassJson(t.felt)}};
     if (!data.blinded || data.oneTable)
         json.insert("difference", t.difference);
     for (const auto& [key, value] : {std::pair{"arrangement", t.arrangement}, {"answer", t.answer}, {"outcome", t.outcome}})
@@ -119,7 +121,7 @@ core::Result<CommandOutput> told(database::Database& database, const database::A
     for (const QJsonValue& run : runs) {
         const QJsonObject e = run["estimate"].toObject();
         const auto shown = [&](const char* key) { return shortNumber(e[QLatin1String(key)].toDouble(std::nan(""))); };
-        table.add({run["condition"].toString(), run["completed"].toBool() ? "yes" : "no", QString::number(e["trials"].toInt()), shown("weber"), shown("ci_low"), shown("ci_high"), shown("exponent")});
+        table.add({run["condition"].toString(), run["completed"].toBool() ? "yes" : "no", e["trials"].isNull() ? QStringLiteral("sealed") : QString::number(e["trials"].toInt()), shown("weber"), shown("ci_low"), shown("ci_high"), shown("exponent")});
     }
     return CommandOutput{QJsonDocument(json), table.toText() + marksText(runs), 0};
 }

@@ -4,6 +4,7 @@
 #include "desktop/plots/fitted_table.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/study_data/quality_box.h"
 #include "desktop/study_data/ranking_box.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
@@ -30,6 +31,10 @@ GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condi
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(14));
     column->addWidget(chooser());
+    if (facts.sealed) {
+        column->addWidget(new QualityBox(app, facts));
+        return;
+    }
     if (runs().empty()) {
         column->addWidget(kit::notice(theme, "info", tr("Nobody has done this condition yet. Each participant's result will be here as soon as there is a run.")));
         return;

@@ -4,11 +4,13 @@
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/study_data/quality_box.h"
 #include "desktop/study_data/ranking_box.h"
 #include "desktop/study_data/run_choice.h"
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
 #include "session/study/study_store.h"
+#include "session_report/run_curve_plot.h"
 #include "session_report/study_warning_words.h"
 
 #include <QComboBox>
@@ -16,10 +18,6 @@
 #include <cmath>
 
 namespace chiron::desktop {
-
-namespace {
-constexpr double kPercent = 100.0;
-}
 
 const RunFacts* runOf(const StudyFacts& facts, database::StudyRunNumber run) {
     for (const RunFacts& each : facts.runs)
@@ -56,6 +54,10 @@ PersonPage::PersonPage(AppContext& app, const StudyFacts& facts, database::Study
     QComboBox* choice = runChoice(app, facts, shown);
     connect(choice, &QComboBox::activated, this, [this, choice] { emit runChosen(choice->currentData().toLongLong()); });
     column->addWidget(choice, 0, Qt::AlignLeft);
+    if (facts.sealed) {
+        column->addWidget(new QualityBox(app, facts));
+        return;
+    }
     column->addWidget(estimateBox(*shown));
     column->addWidget(curveBox(*shown));
     if (facts.ranks(shown->condition))
@@ -121,31 +123,9 @@ QWidget* PersonPage::curveBox(const RunFacts& run) const {
     plot->setObjectName(QStringLiteral("data.curve"));
     plot->setMinimumHeight(theme.px(320));
     plot->setTitle(tr("Right answers by difference"));
-    plot->setXAxis({tr("Difference from the reference (%)"), {}, {}});
-    plot->setYAxis({tr("Proportion right"), -0.02, 1.02}); // markers at 0 and 1 are seen whole
-    const auto percentOf = [](const std::vector<double>& differences) {
-        std::vector<double> percents;
-        for (const double difference : differences)
-            percents.push_back(kPercent * study_words::ratioOf(difference));
-        return percents;
-    };
-    const std::vector<double> x = percentOf(estimate.curveDifference);
-    if (!x.empty() && estimate.curveLow.size() == x.size() && estimate.curveHigh.size() == x.size()) {
-        plot->addLine(tr("95 % band"), x, estimate.curveLow, report::PlotStyle::dashDotD);
-        plot->addLine({}, x, estimate.curveHigh, report::PlotStyle::dashDotD);
-    }
-    if (!x.empty())
-        plot->addLine(tr("fit"), x, estimate.curveProportion, report::PlotStyle::solidA);
-    std::vector<report::PlotPoint> points;
-    for (const psychophysics::CurvePoint& point : estimate.points)
-        if (point.of > 0)
-            points.push_back({kPercent * study_words::ratioOf(point.difference), static_cast<double>(point.right) / point.of});
-    if (!points.empty())
-        plot->addMarkers(tr("data"), points, report::PlotStyle::dashedB);
-    if (x.empty() && points.empty())
+    session_report::drawRunCurve(*plot, estimate, m_facts.ranks(run.condition));
+    if (estimate.curveDifference.empty() && estimate.points.empty())
         plot->setNote(tr("This task has no curve of right answers"));
-    else
-        plot->addReference(tr("criterion"), estimate.criterion);
     box.layout->addWidget(plot);
     return box.frame;
 }

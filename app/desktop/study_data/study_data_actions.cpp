@@ -6,12 +6,15 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "report/plot_theme.h"
+#include "session/study/people_to_come.h"
 #include "session/study_export.h"
 #include "session_report/study_report.h"
 
 #include <QApplication>
 #include <QDir>
 #include <QFileDialog>
+#include <QGridLayout>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QTimer>
@@ -48,15 +51,30 @@ void StudyDataScreen::askUnblind() {
     auto* box = new QMessageBox(QMessageBox::Warning, title(), tr("Unblind this study?"), QMessageBox::NoButton, window());
     box->setObjectName(QStringLiteral("data.ask_unblind"));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setInformativeText(tr("From now on conditions go by their names, for everybody. It is recorded who unblinded it and when. This cannot be undone."));
+    QString words = tr("From now on conditions go by their names, for everybody. It is recorded who unblinded it, when and why. This cannot be undone.");
+    std::vector<database::Participant> people;
+    for (const ParticipantRow& row : m_facts.study.participants)
+        people.push_back(row.participant);
+    if (const int toCome = session::peopleToCome(m_facts.study.design, m_facts.study.summary, people); toCome > 0)
+        words += QStringLiteral("\n\n") + tr("%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.", nullptr, toCome);
+    box->setInformativeText(words + QStringLiteral("\n\n") + tr("Why is it unblinded now? Please name nobody: the reason is kept for ever."));
+    auto* reason = new QLineEdit;
+    reason->setObjectName(QStringLiteral("data.ask_unblind.reason"));
+    reason->setAccessibleName(tr("Reason for unblinding"));
+    reason->setPlaceholderText(tr("Reason for unblinding"));
+    reason->setMaxLength(500);
+    if (auto* grid = qobject_cast<QGridLayout*>(box->layout()))
+        grid->addWidget(reason, grid->rowCount(), 0, 1, grid->columnCount());
     QPushButton* keep = box->addButton(tr("Stay blind"), QMessageBox::RejectRole);
     QPushButton* unblind = box->addButton(tr("Unblind"), QMessageBox::DestructiveRole);
     unblind->setObjectName(QStringLiteral("data.ask_unblind.unblind"));
+    unblind->setEnabled(false);
+    connect(reason, &QLineEdit::textChanged, unblind, [unblind](const QString& text) { unblind->setEnabled(!text.trimmed().isEmpty()); });
     box->setDefaultButton(keep);
     box->setEscapeButton(keep);
-    connect(unblind, &QPushButton::clicked, this, [this] {
+    connect(unblind, &QPushButton::clicked, this, [this, reason] {
         writeStudies(
-            context(), this, [study = m_study](database::StudyRepository& studies) { return studies.unblindStudy(study); },
+            context(), this, [study = m_study, why = reason->text().trimmed().toStdString()](database::StudyRepository& studies) { return studies.unblindStudy(study, why); },
             [this](const core::Result<void>& done) {
                 if (!done)
                     context().messages().error(tr("The study was not unblinded."), done.error());

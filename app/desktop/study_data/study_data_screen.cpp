@@ -12,6 +12,7 @@
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QTabBar>
 #include <algorithm>
@@ -40,7 +41,8 @@ QString StudyDataScreen::help() const {
     return tr("What came of a study.\n\nGroup shows each participant's Weber fraction with its interval, condition by condition, and warnings in words. "
               "Person shows a run's curve with its data. Trials lists every presentation with its fidelity; what did not count says why. Questions sums "
               "up the questionnaires.\n\nExport writes tables (CSV), a BIDS dataset or a PDF; the design's SHA-256 is in each. While the experimenter is "
-              "blind, conditions go by sealed codes; unblinding is recorded and cannot be undone.");
+              "blind, conditions go by sealed codes, and nothing is shown of their runs but how well trials went, by participant; unblinding asks for a reason, is "
+              "recorded and cannot be undone.");
 }
 
 void StudyDataScreen::enter() { loadList(); }
@@ -72,12 +74,12 @@ void StudyDataScreen::load() {
     database::Database& database = context().site().database();
     m_work = context().background().run(
         this,
-        [&database, actor = context().actor(), study = m_study](WorkToken&) -> core::Result<StudyFacts> {
+        [&database, actor = context().actor(), study = m_study, withShown = m_withShown](WorkToken&) -> core::Result<StudyFacts> {
             auto connection = database.openReader();
             if (!connection)
                 return tl::unexpected(connection.error());
             database::StudyReader reader(**connection, actor);
-            return studyFacts(reader, study);
+            return studyFacts(reader, study, withShown);
         },
         [this](core::Result<StudyFacts> facts) { loaded(std::move(facts)); });
     m_panel->showLoading(tr("Analysing the runs …"));
@@ -148,6 +150,17 @@ QWidget* StudyDataScreen::headRow() {
     });
     column->addWidget(kit::label(theme, title(), TextStyle::heading));
     column->addWidget(choice);
+    if (m_facts.anyShown) {
+        auto* shown = new QCheckBox(tr("Groups hold runs that were shown, not felt"));
+        shown->setObjectName(QStringLiteral("data.with_shown"));
+        shown->setFont(theme.font(TextStyle::body));
+        shown->setChecked(m_withShown);
+        connect(shown, &QCheckBox::clicked, this, [this](bool checked) {
+            m_withShown = checked;
+            load();
+        });
+        column->addWidget(shown);
+    }
     const database::StudySummary& study = m_facts.study.summary;
     QStringList words{study_words::state(study.state), tr("SHA-256 %1").arg(study_words::shortSha(study.sha256)),
                       tr("%n participant(s)", nullptr, study.participants), tr("%n scored trial(s)", nullptr, study.trials)};

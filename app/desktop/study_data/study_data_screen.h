@@ -64,6 +64,7 @@ private:
     database::StudyRunNumber m_run;
     std::vector<database::StudySummary> m_list;
     StudyFacts m_facts;
+    bool m_withShown = false;
     std::shared_ptr<WorkToken> m_work;
     QTabBar* m_bar = nullptr;
     QVBoxLayout* m_holder = nullptr;

@@ -23,15 +23,18 @@ std::optional<ApexFacts> apexFacts(const session::AnalysedCondition& condition) 
 
 } // namespace
 
-core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::StudyNumber study) {
+core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::StudyNumber study, bool withShown) {
     auto open = openStudy(reader, study);
     if (!open)
         return tl::unexpected(open.error());
-    auto analysis = session::analyseStudy(reader, study, open->design.seed);
+    auto analysis = session::analyseStudy(reader, study, open->design.seed, {.withShown = withShown});
     if (!analysis)
         return tl::unexpected(analysis.error());
     StudyFacts facts;
     facts.study = std::move(*open);
+    facts.quality = analysis->quality;
+    facts.sealed = analysis->sealed();
+    facts.withShown = withShown;
     for (std::size_t i = 0; i < analysis->conditions.size(); ++i) {
         facts.designed.push_back(analysis->designed(i) ? std::optional(*analysis->designed(i)) : std::nullopt);
         facts.groups.push_back(analysis->conditions[i].group);
@@ -39,9 +42,10 @@ core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::Stu
         facts.apexes.push_back(apexFacts(analysis->conditions[i]));
         for (session::AnalysedRun& run : analysis->conditions[i].runs)
             if (const std::size_t participant = indexOf(facts.study, run.participant); participant < facts.study.participants.size())
-                facts.runs.push_back({participant, i, std::move(run.run), std::move(run.trials), std::move(run.estimate), run.replayed, run.scored, run.spoiled,
+                facts.runs.push_back({participant, i, std::move(run.run), std::move(run.trials), std::move(run.estimate), run.replayed, run.scored, run.spoiled, run.felt,
                                       std::move(run.apex), std::move(run.ranking)});
     }
+    facts.anyShown = std::any_of(facts.runs.begin(), facts.runs.end(), [](const RunFacts& run) { return !run.felt.value_or(true); });
     auto answers = reader.questionnaireAnswers(study);
     if (!answers)
         return tl::unexpected(answers.error());

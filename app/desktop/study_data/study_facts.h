@@ -20,6 +20,7 @@ struct RunFacts {
     session::ReplayedChoices replayed;
     int scored = 0;
     int spoiled = 0;
+    std::optional<bool> felt{}; ///< false where any trial was only shown
     std::optional<psychophysics::ApexSummary> apex{}; ///< of a condition in which an apex is looked for
     psychophysics::RankingSummary ranking{}; ///< where three are ranked; else of none
 };
@@ -40,6 +41,10 @@ struct StudyFacts {
     std::vector<std::optional<ApexFacts>> apexes;
     std::vector<std::optional<psychophysics::Condition>> designed; ///< what it is analysed by: StudyAnalysis::designed()
     std::vector<database::QuestionnaireAnswer> answers;
+    std::vector<database::ParticipantQuality> quality; ///< by participant: also while blinded
+    bool sealed = false;    ///< runs are listed, and nothing is said of them
+    bool withShown = false; ///< groups hold runs that were shown, not felt
+    bool anyShown = false;  ///< there are such runs
 
     /// The task of a condition; unknown while blind where conditions differ.
     bool ranks(std::size_t condition) const { return designed[condition] && psychophysics::ranksThree(designed[condition]->task); }
@@ -47,6 +52,6 @@ struct StudyFacts {
 
 /// Reads a study and analyses it as exports and reports do (session::analyseStudy), with the study's own seed. Blocking: a worker's task.
 /// Failure: the reader's; badInput.
-core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::StudyNumber study);
+core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::StudyNumber study, bool withShown = false);
 
 } // namespace chiron::desktop

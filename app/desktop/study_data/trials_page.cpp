@@ -3,6 +3,7 @@
 
 #include "desktop/plots/fitted_table.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/study_data/quality_box.h"
 #include "desktop/study_data/run_choice.h"
 #include "desktop/widgets/kit.h"
 
@@ -41,6 +42,10 @@ TrialsPageOfRun::TrialsPageOfRun(AppContext& app, const StudyFacts& facts, datab
     QComboBox* choice = runChoice(app, facts, shown);
     connect(choice, &QComboBox::activated, this, [this, choice] { emit runChosen(choice->currentData().toLongLong()); });
     column->addWidget(choice, 0, Qt::AlignLeft);
+    if (facts.sealed) {
+        column->addWidget(new QualityBox(app, facts));
+        return;
+    }
     column->addWidget(table(*shown));
 }
 

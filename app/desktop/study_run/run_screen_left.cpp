@@ -43,6 +43,8 @@ QString RunScreen::firstChoice() const {
 QString RunScreen::leftWords(const LeftRun& left) const {
     const QLocale locale = context().locale();
     const QString next = locale.toString(left.scored + 1);
+    if (study()->blinding.seals()) // at which trial would be how many there were
+        return tr("interrupted, %1").arg(study_words::moment(left.lastUtc, locale));
     const QString where = left.atMost > 0 ? tr("interrupted at trial %1 of at most %2").arg(next, locale.toString(std::max(left.atMost, left.scored + 1)))
                                           : tr("interrupted at trial %1").arg(next);
     return tr("%1, %2").arg(where, study_words::moment(left.lastUtc, locale));

@@ -30,12 +30,9 @@ void warnOfMarks(psychophysics::ApexSummary& summary, const std::vector<const An
 
 /// The rows of those whom the group is of: what GroupEstimate's members are, without their estimates.
 std::vector<std::size_t> membersOf(const AnalysedCondition& condition) {
-    const auto takesPart = [](const AnalysedRun& run) { return run.participant.state != database::ParticipantState::withdrawn; };
-    const bool real = std::any_of(condition.runs.begin(), condition.runs.end(),
-                                  [&](const AnalysedRun& run) { return takesPart(run) && !run.participant.simulated; });
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < condition.runs.size(); ++i)
-        if (takesPart(condition.runs[i]) && condition.runs[i].participant.simulated != real)
+        if (condition.runs[i].pooled)
             rows.push_back(i);
     return rows;
 }
@@ -73,7 +70,7 @@ void poolApex(AnalysedCondition& condition, double radius_m, std::uint64_t seed)
     psychophysics::GroupEstimate& group = condition.group; // says nothing of its own here: nothing was compared
     std::vector<psychophysics::Warning> who;
     for (const psychophysics::Warning& warning : group.warnings)
-        for (const WarningKind kind : {WarningKind::withdrawn, WarningKind::simulatedLeftOut, WarningKind::simulatedOnly})
+        for (const WarningKind kind : {WarningKind::withdrawn, WarningKind::simulatedLeftOut, WarningKind::simulatedOnly, WarningKind::shownLeftOut, WarningKind::shownInGroup})
             if (warning.kind == kind)
                 who.push_back(warning);
     group.warnings = who;

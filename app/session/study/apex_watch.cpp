@@ -11,11 +11,11 @@ namespace chiron::session {
 namespace {
 
 /// The meter's one place holds the sphere's stiffness.
-FidelityMeter meterOf(const psychophysics::StudyDesign& design) {
+FidelityMeter meterOf(const psychophysics::StudyDesign& design, bool shown) {
     simulation::ComparisonParameters place;
     place.attribute = simulation::ComparedAttribute::stiffness;
     place.places = 1;
-    return FidelityMeter(place, design.fidelity, design.trial.mustTouchAll);
+    return FidelityMeter(place, design.fidelity, design.trial.mustTouchAll, shown);
 }
 
 } // namespace
@@ -31,7 +31,7 @@ core::Result<ApexWatch> ApexWatch::create(const catalogue::ExerciseLevel& level,
     auto positions = ToolPositions::create(setup);
     if (!positions)
         return tl::unexpected(positions.error());
-    ApexWatch watch(meterOf(design));
+    ApexWatch watch(meterOf(design, !setup.felt()));
     const auto& p = std::get<simulation::SphereApexParameters>(level.parameters);
     watch.m_positions = std::move(*positions);
     watch.m_plan = simulation::planSphereApexTrials(p, seed);
@@ -56,7 +56,7 @@ std::optional<StudyAnswer> ApexWatch::take(const FidelitySample& tick, const cor
 std::size_t ApexWatch::trialOf(const FidelitySample& tick) const { return std::min<std::size_t>(tick.trial, m_plan.size() - 1); }
 
 void ApexWatch::begin(const FidelitySample& tick, const core::Vec3& p_WT) {
-    m_first = m_lastContact = tick.tick;
+    m_clock.begin(tick.tick);
     m_way.fill(p_WT);
     m_touched = 0;
     m_meter.begin({m_plan[trialOf(tick)].stiffness_N_per_m});
@@ -76,17 +76,15 @@ void ApexWatch::explore(const FidelitySample& tick, const core::Vec3& p_WT) {
     felt.depth_m = felt.displacement_m = contact.depth_m;
     felt.velocity_m_per_s = {v.x(), v.y(), v.z()};
     m_meter.add(felt);
-    m_last = tick.tick;
-    if (m_inContact)
-        m_lastContact = tick.tick;
+    m_clock.take(tick, m_inContact);
 }
 
 StudyAnswer ApexWatch::soFar() const {
     StudyAnswer answer;
-    answer.firstTick = m_first;
-    answer.lastTick = m_last;
-    answer.exploration_s = static_cast<double>(m_last - m_first) * core::kTickSeconds;
-    answer.answer_s = static_cast<double>(m_last - std::min(m_last, m_lastContact)) * core::kTickSeconds;
+    answer.firstTick = m_clock.first();
+    answer.lastTick = m_clock.last();
+    answer.exploration_s = m_clock.exploration_s();
+    answer.answer_s = m_clock.sinceContact_s();
     answer.fidelity = m_meter.finish();
     return answer;
 }

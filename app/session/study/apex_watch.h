@@ -3,6 +3,7 @@
 
 #include "session/station.h"
 #include "session/study/fidelity_meter.h"
+#include "session/study/trial_clock.h"
 #include "session/study/study_progress.h"
 #include "session/tool_positions.h"
 #include "simulation/exercises/sphere_apex/hemisphere_contact.h"
@@ -31,7 +32,7 @@ public:
     bool inTrial() const noexcept { return m_inTrial; }
     bool touched() const noexcept { return m_touched != 0; } ///< in this trial
     bool over() const noexcept { return m_ended == m_plan.size(); } ///< every trial of the session has ended
-    std::uint64_t firstTick() const noexcept { return m_first; }
+    const TrialClock& clock() const noexcept { return m_clock; } ///< of the trial at hand
 
 private:
     static constexpr std::size_t kWindow = 20; ///< ticks over which a speed is taken: counts are too coarse for one
@@ -47,7 +48,7 @@ private:
     std::vector<simulation::SphereApexTrial> m_plan;
     std::vector<simulation::HemisphereContact> m_contacts;
     double m_radius_m = 0.0;
-    std::uint64_t m_first = 0, m_last = 0, m_lastContact = 0;
+    TrialClock m_clock;
     std::array<core::Vec3, kWindow> m_way{};
     std::size_t m_at = 0;
     std::size_t m_ended = 0;

@@ -31,8 +31,8 @@ bool limited(ComparedAttribute attribute) {
 } // namespace
 
 FidelityMeter::FidelityMeter(const simulation::ComparisonParameters& parameters, const psychophysics::FidelityLimits& limits,
-                             bool mustTouchAll)
-    : m_parameters(parameters), m_limits(limits), m_mustTouchAll(mustTouchAll) {
+                             bool mustTouchAll, bool shown)
+    : m_parameters(parameters), m_limits(limits), m_mustTouchAll(mustTouchAll), m_shown(shown) {
     if (!m_parameters.adjusts)
         m_parameters.values.clear();
     for (std::size_t i = 0; i < kTimes; ++i) {
@@ -44,7 +44,7 @@ FidelityMeter::FidelityMeter(const simulation::ComparisonParameters& parameters,
 void FidelityMeter::begin(const std::vector<double>& asked) {
     m_asked = asked;
     m_places = {};
-    m_ticks = m_late = m_contactTicks = m_saturated = 0;
+    m_ticks = m_paused = m_late = m_contactTicks = m_saturated = 0;
     m_last_ns = 0;
     m_worst_us = m_sumError2 = m_peak_N = m_sumSpeed = 0.0;
     m_touched = 0;
@@ -60,13 +60,17 @@ void FidelityMeter::add(const FidelitySample& sample) {
         m_worst_us = std::max(m_worst_us, late_ns * 1e-3);
     }
     m_last_ns = sample.now_ns;
-    ++m_ticks;
-    m_sumSpeed += norm(sample.velocity_m_per_s);
+    if (sample.paused == 0) {
+        ++m_ticks;
+        m_sumSpeed += norm(sample.velocity_m_per_s);
+    } else {
+        ++m_paused;
+    }
     m_touched = static_cast<std::uint8_t>(m_touched | sample.touched);
-    m_measured = m_measured || sample.measures;
-    const std::array<double, 3>& force = sample.measures ? sample.measured_N : sample.commanded_N;
+    m_measured = m_measured || (sample.measures && !m_shown);
+    const std::array<double, 3>& force = m_shown ? sample.tissue_N : sample.measures ? sample.measured_N : sample.commanded_N;
     const auto at = static_cast<std::size_t>(sample.place);
-    const bool present = at >= 1 && at <= m_places.size() && sample.full && sample.paused == 0;
+    const bool present = at >= 1 && at <= m_places.size() && (sample.full || m_shown) && sample.paused == 0;
     for (std::size_t i = 0; i < m_places.size(); ++i)
         if (m_places[i].touching && !(present && i + 1 == at)) { // left: its contact is over
             m_places[i].touching = false;
@@ -111,12 +115,12 @@ void FidelityMeter::addContact(Place& place, const FidelitySample& sample, const
     }
     ++place.ticks;
     ++m_contactTicks;
-    m_saturated += sample.saturated ? 1 : 0;
+    m_saturated += sample.saturated && !m_shown ? 1 : 0;
     place.peak_N = std::max(place.peak_N, size_N);
     place.contactPeak_N = std::max(place.contactPeak_N, size_N);
     place.sumSpeed += norm(sample.velocity_m_per_s);
     m_peak_N = std::max(m_peak_N, size_N);
-    if (sample.measures)
+    if (sample.measures && !m_shown)
         for (std::size_t i = 0; i < 3; ++i)
             m_sumError2 += (sample.measured_N[i] - sample.commanded_N[i]) * (sample.measured_N[i] - sample.commanded_N[i]);
     fit(place, sample, force);
@@ -131,7 +135,7 @@ void FidelityMeter::fit(Place& place, const FidelitySample& sample, const std::a
     const auto& v = sample.velocity_m_per_s;
     const double speed = std::hypot(v[0], v[1]);
     const double along = speed > 0.0 ? -(f[0] * v[0] + f[1] * v[1]) / speed : 0.0;
-    const bool says = !sample.saturated; // at its limit the force is the device's, and no longer the object's: `saturated` counts those
+    const bool says = !sample.saturated && !m_shown; // at its limit the force is the device's, and no longer the object's: `saturated` counts those
     switch (m_parameters.attribute) {
     case ComparedAttribute::stiffness:
         if (says && sample.displacement_m > kTaut_m)
@@ -176,6 +180,8 @@ PlaceFidelity FidelityMeter::summary(std::size_t index) const {
         out.meanSpeed_m_per_s = place.sumSpeed / static_cast<double>(place.ticks);
     if (place.contacts > 0)
         out.terminalForce_N = (place.sumTerminal_N + (place.touching ? place.contactPeak_N : 0.0)) / place.contacts;
+    if (m_shown && place.ticks == 0) // nothing answered
+        out.peakForce_N = out.terminalForce_N = TrialFidelity::kNone;
     if (m_parameters.attribute == ComparedAttribute::deformation) {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < kTimes; ++i)
@@ -203,16 +209,18 @@ PlaceFidelity FidelityMeter::summary(std::size_t index) const {
 TrialFidelity FidelityMeter::finish() const {
     TrialFidelity out;
     out.measured = m_measured;
+    out.shown = m_shown;
+    out.paused_s = static_cast<double>(m_paused) * core::kTickSeconds;
     const auto ticks = static_cast<double>(std::max<std::uint64_t>(1, m_ticks));
     const auto contact = static_cast<double>(m_contactTicks);
     if (m_measured && m_contactTicks > 0)
         out.forceErrorRms_N = std::sqrt(m_sumError2 / contact);
     out.lateTicks = static_cast<double>(m_late) / ticks;
     out.worstLateness_us = m_worst_us;
-    if (m_contactTicks > 0)
+    if (m_contactTicks > 0 && !m_shown)
         out.saturated = static_cast<double>(m_saturated) / contact;
     out.duration_s = static_cast<double>(m_ticks) * core::kTickSeconds;
-    out.peakForce_N = m_peak_N;
+    out.peakForce_N = m_shown && m_contactTicks == 0 ? TrialFidelity::kNone : m_peak_N;
     out.meanSpeed_m_per_s = m_sumSpeed / ticks;
     for (std::size_t i = 0; i < std::min(m_asked.size(), m_places.size()); ++i) {
         PlaceFidelity place = summary(i);

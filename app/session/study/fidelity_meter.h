@@ -14,7 +14,7 @@
 namespace chiron::session {
 
 /// Measures one trial from its ticks, one pass, as they are streamed or stored. Force is the device's measured one where it
-/// measures, else the commanded one; f_z and z up; v̂ the direction of sliding:
+/// measures, else the commanded one, and on a device that renders none the tissue's; f_z and z up; v̂ the direction of sliding:
 ///   stiffness    |f| = k x + c + b v_z over the stretch x                     → k
 ///   mass         −f_z in the air                                            → w/g
 ///   deformation  f_z = k d + k₁(d − q_τ) + c over 33 τ, least residual             → τ
@@ -27,12 +27,14 @@ namespace chiron::session {
 /// regressions are our choice.
 class FidelityMeter {
 public:
-    FidelityMeter(const simulation::ComparisonParameters& parameters, const psychophysics::FidelityLimits& limits, bool mustTouchAll);
+    /// `shown`: the device renders no force. What was rendered, how far it was off and saturation are then not measured.
+    FidelityMeter(const simulation::ComparisonParameters& parameters, const psychophysics::FidelityLimits& limits, bool mustTouchAll, bool shown = false);
 
     /// A trial begins; `asked`: the value at each place, SI. Where a level is adjusted, a place's value is that of the presentation under
     /// which its last contact began (an object changes only while nobody touches it), and its fit is of contacts with that value alone.
     void begin(const std::vector<double>& asked);
-    void add(const FidelitySample& sample); ///< ticks of the running phase count; others are passed over
+    /// Ticks of the running phase count, others are passed over; those of a pause count as paused alone.
+    void add(const FidelitySample& sample);
     /// What it was; `outside` by the limits.
     TrialFidelity finish() const;
 
@@ -59,10 +61,11 @@ private:
     simulation::ComparisonParameters m_parameters; ///< its table left out, unless a level is adjusted
     psychophysics::FidelityLimits m_limits;
     bool m_mustTouchAll;
+    bool m_shown;
     std::array<double, kTimes> m_time_s{}, m_share{};
     std::vector<double> m_asked;
     std::array<Place, 3> m_places;
-    std::uint64_t m_ticks = 0, m_late = 0, m_contactTicks = 0, m_saturated = 0;
+    std::uint64_t m_ticks = 0, m_paused = 0, m_late = 0, m_contactTicks = 0, m_saturated = 0;
     std::int64_t m_last_ns = 0;
     double m_worst_us = 0.0, m_sumError2 = 0.0, m_peak_N = 0.0, m_sumSpeed = 0.0;
     std::uint8_t m_touched = 0;

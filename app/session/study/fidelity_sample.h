@@ -31,6 +31,7 @@ struct FidelitySample {
     std::array<double, 3> velocity_m_per_s{};
     std::array<double, 3> commanded_N{};
     std::array<double, 3> measured_N{};
+    std::array<double, 3> tissue_N{}; ///< what the scene answered, whether or not it was rendered
 };
 static_assert(std::is_trivially_copyable_v<FidelitySample>);
 

@@ -183,7 +183,7 @@ void LiveApex::State::describe() {
     view.ofAtMost = progress.done() ? view.ofAtMost : shown.ofAtMost;
     view.touched = watch->touched() ? 1u : 0u;
     const double limit_s = study.design.trial.exploreLimit_s;
-    const double spent_s = static_cast<double>(last.tick - std::min(last.tick, watch->firstTick())) * core::kTickSeconds;
+    const double spent_s = watch->clock().exploration_s();
     view.timeLeft_s = running && limit_s > 0.0 ? std::max(0.0, limit_s - spent_s) : 0.0;
     view.canAnswer = running && !control.held() && last.paused == 0 && (watch->touched() || !study.design.trial.mustTouchAll);
     view.breakLeft_s = progress.breakDue() ? std::max(0.0, study.design.trial.breakAtLeast_s - secondsSince(breakSince)) : 0.0;

@@ -37,7 +37,8 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
     auto level = studyLevel(study.design, condition, simulation::ComparisonControl::none, sessionLabel(study, sitting.run.sealedCode));
     if (!level)
         return tl::unexpected(level.error());
-    auto state = std::make_unique<State>(database, actor, study, std::move(begun->progress), std::move(*level));
+    auto state = std::make_unique<State>(database, actor, study, std::move(begun->progress), std::move(*level),
+                                         !request.station.devices.front()->descriptor().rendersForce);
     state->blinding = study.record.blinding;
     state->run = begun->number;
     state->describeRun(sitting.run, table, limits);

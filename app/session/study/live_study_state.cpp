@@ -39,10 +39,9 @@ void LiveStudy::State::take(const FidelitySample& sample) {
     constexpr std::uint32_t kEnds = core::event_bits::kCompleted | core::event_bits::kTimedOut | core::event_bits::kFailed;
     last = sample;
     if (sample.events & core::event_bits::kTrialStarted)
-        first = lastContact = sample.tick;
+        clock.begin(sample.tick);
+    clock.take(sample, sample.place != 0);
     meter.add(sample);
-    if (sample.place != 0)
-        lastContact = sample.tick;
     if (presented && (sample.events & kEnds))
         endTrial(sample);
 }
@@ -55,10 +54,10 @@ StudyAnswer LiveStudy::State::answerOf(const FidelitySample& sample) {
         answer.answer = -1;
     answer.value = value;
     answer.session = training->sessionId();
-    answer.firstTick = first;
+    answer.firstTick = clock.first();
     answer.lastTick = sample.tick;
-    answer.exploration_s = static_cast<double>(sample.tick - first) * core::kTickSeconds;
-    answer.answer_s = static_cast<double>(sample.tick - std::min(sample.tick, lastContact)) * core::kTickSeconds;
+    answer.exploration_s = clock.exploration_s();
+    answer.answer_s = clock.sinceContact_s();
     answer.fidelity = meter.finish();
     answer.spoiled = spoiled;
     return answer;
@@ -100,8 +99,23 @@ bool LiveStudy::State::allTouched() const {
     return !study.design.trial.mustTouchAll || (last.touched & every) == every;
 }
 
+/// The time to explore is over. No pause counts towards it.
+bool LiveStudy::State::timeIsUp() const {
+    const double limit_s = study.design.trial.exploreLimit_s;
+    return limit_s > 0.0 && clock.exploration_s() >= limit_s;
+}
+
+/// The objects are gone, and not every one was touched: no answer will be possible, so the trial ends here and comes again.
+void LiveStudy::State::spoilUntouched() {
+    if (!presented || posted || stopping || last.phase != TrialPhase::running || last.paused != 0 || control.paused() || !timeIsUp() || allTouched())
+        return;
+    spoiled = "untouched";
+    posted = training->post(CommandKind::answer, simulation::kAnswerSpoiled);
+}
+
 /// Between two trials: what comes next.
 void LiveStudy::State::goOn() {
+    spoilUntouched();
     if (stopping && !cut && secondsSince(stopSince) > kStopPatience_s)
         finishing = cut = training->post(CommandKind::end); // still paused or arming: the session ends as it stands
     if (presented || finishing || control.paused() || last.paused != 0)
@@ -155,14 +169,13 @@ void LiveStudy::State::describe() {
     view.place = static_cast<int>(last.place) - 1;
     view.touched = last.touched;
     const double limit_s = study.design.trial.exploreLimit_s;
-    const double spent_s = static_cast<double>(last.tick - std::min(last.tick, first)) * core::kTickSeconds;
     const bool running = presented && last.phase == TrialPhase::running;
-    view.timeLeft_s = running && limit_s > 0.0 ? std::max(0.0, limit_s - spent_s) : 0.0;
+    view.timeLeft_s = running && limit_s > 0.0 ? std::max(0.0, limit_s - clock.exploration_s()) : 0.0;
     view.canAnswer = running && !posted && !control.paused() && last.paused == 0 && allTouched();
     view.breakLeft_s = progress.breakDue() ? std::max(0.0, study.design.trial.breakAtLeast_s - secondsSince(breakSince)) : 0.0;
     const auto lastCandidate = static_cast<double>(condition->stimulus.differences.size() - 1);
     view.adjusted = lastCandidate > 0.0 ? adjusted / lastCandidate : 0.0;
-    view.state = where(running, spent_s);
+    view.state = where(running);
     numbers.blind = blind();
     numbers.condition = blind() ? sealedCode : condition->id;
     numbers.sealedCode = sealedCode;
@@ -171,9 +184,8 @@ void LiveStudy::State::describe() {
     numbers.repeats = presented ? shown.repeat : 0;
 }
 
-LiveStudyView::State LiveStudy::State::where(bool running, double spent_s) const {
+LiveStudyView::State LiveStudy::State::where(bool running) const {
     using View = LiveStudyView::State;
-    const double limit_s = study.design.trial.exploreLimit_s;
     if (done)
         return View::finished;
     if (control.stopped() && !stopping)
@@ -189,7 +201,7 @@ LiveStudyView::State LiveStudy::State::where(bool running, double spent_s) const
     if (!presented && progress.breakDue())
         return View::breakDue;
     if (running)
-        return limit_s > 0.0 && spent_s >= limit_s ? View::answering : View::exploring;
+        return !timeIsUp() ? View::exploring : allTouched() ? View::answering : View::coming;
     if (presented && last.phase == TrialPhase::ready)
         return View::arming;
     return training->sessionId() == 0 ? View::starting : View::coming;

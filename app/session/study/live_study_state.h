@@ -9,6 +9,7 @@
 #include "session/study/sitting_control.h"
 #include "session/study/study_limits.h"
 #include "session/study/study_store.h"
+#include "session/study/trial_clock.h"
 
 #include <chrono>
 
@@ -18,9 +19,9 @@ namespace chiron::session {
 struct LiveStudy::State {
     using Clock = std::chrono::steady_clock;
 
-    State(database::Database& data, database::Actor who, OpenedStudy opened, StudyProgress begun, catalogue::ExerciseLevel made)
+    State(database::Database& data, database::Actor who, OpenedStudy opened, StudyProgress begun, catalogue::ExerciseLevel made, bool rendersNone)
         : database(data), actor(std::move(who)), study(std::move(opened)), progress(std::move(begun)), level(std::move(made)),
-          meter(std::get<simulation::ComparisonParameters>(level.parameters), study.design.fidelity, study.design.trial.mustTouchAll) {}
+          meter(std::get<simulation::ComparisonParameters>(level.parameters), study.design.fidelity, study.design.trial.mustTouchAll, rendersNone) {}
 
     database::Database& database;
     database::Actor actor;
@@ -47,7 +48,7 @@ struct LiveStudy::State {
     std::optional<double> value;
     std::string spoiled;
     FidelitySample last;
-    std::uint64_t first = 0, lastContact = 0;
+    TrialClock clock;
     Clock::time_point feedbackSince, breakSince, stopSince;
     core::Result<LiveStudyResult> result = core::fail(core::ErrorCode::wrongUse, "the sitting has not ended yet");
 
@@ -67,10 +68,12 @@ struct LiveStudy::State {
     void fail(const core::Error& error);
     void goOn();
     void present();
+    void spoilUntouched();
+    bool timeIsUp() const;
     void finish();
     void conclude();
     void describe();
-    LiveStudyView::State where(bool running, double spent_s) const;
+    LiveStudyView::State where(bool running) const;
     bool allTouched() const;
     bool blind() const { return study.blind(); }
     /// Whether forces and felt values would tell a blind experimenter which condition this is.

@@ -9,8 +9,10 @@ namespace chiron::session {
 
 namespace {
 
-/// What is compared between people in one condition; less is better. Not a number where a run gives none.
+/// What is compared between people in one condition; less is better. Not a number where a run gives none, or was shown and not felt.
 double errorOf(const AnalysedRun& run) {
+    if (!run.felt.value_or(true))
+        return std::nan("");
     return run.apex ? run.apex->meanAbsolutePercent : std::log10(run.estimate.weber);
 }
 

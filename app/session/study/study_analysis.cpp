@@ -29,11 +29,6 @@ bool ranks(const psychophysics::Condition& condition) {
     return psychophysics::ranksThree(condition.task) && condition.stimulus.attribute != psychophysics::Attribute::apex;
 }
 
-/// Of a condition in which an apex is looked for: while blind marks are shares of it, where conditions differ in it.
-double radiusOf(const StudyAnalysis& study, const psychophysics::Condition& condition) {
-    return study.blind() && !study.blinding.oneStimulus ? 1.0 : condition.stimulus.reference;
-}
-
 /// The choices made again, by the condition that the run is analysed by; none where there is no such, or its procedures are sealed.
 core::Result<ReplayedChoices> rerun(const StudyAnalysis& study, const psychophysics::Condition* condition, database::StudyRun run,
                                     const std::vector<database::StudyTrial>& trials) {
@@ -65,10 +60,18 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
     if (!condition)
         out.estimate.trials = out.scored;
     warnNotRendered(out.estimate, participant, out.trials);
+    warnShown(out.estimate, out.trials);
+    for (const database::StudyTrial& trial : out.trials)
+        if (trial.felt)
+            out.felt = out.felt.value_or(true) && *trial.felt;
     if (condition && ranks(*condition))
         out.ranking = psychophysics::summariseRankings(psychophysics::saidRanks(scored));
     if (condition && looksForApex(*condition))
-        out.apex = apexOfRun(out, radiusOf(study, *condition), core::Random::mix(seed, "apex " + participant.code + " " + labelOf(run)));
+        out.apex = apexOfRun(out, condition->stimulus.reference, core::Random::mix(seed, "apex " + participant.code + " " + labelOf(run)));
+    if (out.apex)
+        for (const Warning& warning : out.estimate.warnings)
+            if (warning.kind == WarningKind::shownRun)
+                out.apex->warnings.push_back(warning);
     auto replayed = rerun(study, condition, run, out.trials);
     if (!replayed)
         return tl::unexpected(replayed.error());
@@ -76,21 +79,28 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
     return out;
 }
 
+bool wasShown(const AnalysedRun& run) { return run.felt && !*run.felt; }
+
 /// The group's estimate: of people who still take part; of simulated participants where there is nobody else.
-void pool(AnalysedCondition& condition, const psychophysics::Condition* designed, std::uint64_t seed) {
+void pool(AnalysedCondition& condition, const psychophysics::Condition* designed, std::uint64_t seed, const AnalysisChoices& choices) {
     const auto takesPart = [](const AnalysedRun& run) { return run.participant.state != database::ParticipantState::withdrawn; };
     const bool real = std::any_of(condition.runs.begin(), condition.runs.end(),
                                   [&](const AnalysedRun& run) { return takesPart(run) && !run.participant.simulated; });
     std::vector<psychophysics::RunEstimate> estimates;
     std::vector<int> rows;
     std::vector<std::vector<psychophysics::SaidRanks>> rankings;
-    int withdrawn = 0, simulated = 0, notRendered = 0;
+    int withdrawn = 0, simulated = 0, notRendered = 0, shown = 0;
     for (std::size_t i = 0; i < condition.runs.size(); ++i) {
-        const AnalysedRun& run = condition.runs[i];
+        AnalysedRun& run = condition.runs[i];
+        run.pooled = false;
         withdrawn += takesPart(run) ? 0 : 1;
         simulated += takesPart(run) && run.participant.simulated ? 1 : 0;
         if (!takesPart(run) || run.participant.simulated == real)
             continue;
+        shown += wasShown(run) ? 1 : 0;
+        if (wasShown(run) && !choices.withShown)
+            continue;
+        run.pooled = true;
         estimates.push_back(run.estimate);
         rows.push_back(static_cast<int>(i));
         notRendered += wasNotRendered(run.participant, run.trials) ? 1 : 0;
@@ -108,6 +118,8 @@ void pool(AnalysedCondition& condition, const psychophysics::Condition* designed
         warnings.push_back(real ? Warning{WarningKind::simulatedLeftOut, simulated} : Warning{WarningKind::simulatedOnly});
     if (notRendered > 0)
         warnings.push_back({WarningKind::notRenderedOfGroup, notRendered});
+    if (shown > 0)
+        warnings.push_back({choices.withShown ? WarningKind::shownInGroup : WarningKind::shownLeftOut, shown});
 }
 
 /// The labels of the conditions, in the design's order; while blinded by code.
@@ -131,6 +143,12 @@ core::Result<std::vector<std::string>> labelsOf(database::StudyReader& reader, c
 void warnNotRendered(psychophysics::RunEstimate& estimate, const database::Participant& participant, const std::vector<database::StudyTrial>& trials) {
     if (wasNotRendered(participant, trials))
         estimate.warnings.push_back({psychophysics::WarningKind::notRenderedRun});
+}
+
+void warnShown(psychophysics::RunEstimate& estimate, const std::vector<database::StudyTrial>& trials) {
+    const auto shown = std::count_if(trials.begin(), trials.end(), [](const auto& trial) { return trial.felt && !*trial.felt; });
+    if (shown > 0)
+        estimate.warnings.push_back({psychophysics::WarningKind::shownRun, static_cast<int>(shown)});
 }
 
 const psychophysics::Condition* StudyAnalysis::designed(std::size_t at) const {
@@ -192,7 +210,7 @@ core::Result<void> addRuns(database::StudyReader& reader, StudyAnalysis& study, 
         auto analysed = analyseRun(reader, study, analysedBy(study.design, study.blinding, run.condition), participant, run, seed);
         if (!analysed)
             return tl::unexpected(analysed.error());
-        if (!analysed->trials.empty())
+        if (!analysed->trials.empty() || study.sealed())
             at->runs.push_back(std::move(*analysed));
     }
     return {};
@@ -200,7 +218,7 @@ core::Result<void> addRuns(database::StudyReader& reader, StudyAnalysis& study, 
 
 } // namespace
 
-core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber number, std::uint64_t seed) {
+core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber number, std::uint64_t seed, const AnalysisChoices& choices) {
     auto study = opened(reader, number);
     if (!study)
         return study;
@@ -210,12 +228,18 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
     for (const database::Participant& participant : *participants)
         if (auto added = addRuns(reader, *study, participant, seed); !added)
             return tl::unexpected(added.error());
+    auto quality = reader.trialQuality(number);
+    if (!quality)
+        return tl::unexpected(quality.error());
+    study->quality = std::move(*quality);
+    for (const database::Participant& participant : *participants)
+        study->codes[participant.id] = participant.code;
     for (std::size_t i = 0; i < study->conditions.size(); ++i) {
         AnalysedCondition& condition = study->conditions[i];
         const psychophysics::Condition* designed = study->designed(i);
-        pool(condition, designed, core::Random::mix(seed, "group " + condition.condition));
+        pool(condition, designed, core::Random::mix(seed, "group " + condition.condition), choices);
         if (designed && looksForApex(*designed))
-            poolApex(condition, radiusOf(*study, *designed), core::Random::mix(seed, "apex " + condition.condition));
+            poolApex(condition, designed->stimulus.reference, core::Random::mix(seed, "apex " + condition.condition));
     }
     study->comparisons = compareAll(*study, seed);
     return study;

@@ -10,6 +10,7 @@
 #include "session/study/study_comparisons.h"
 #include "session/study/study_progress.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ struct AnalysedRun {
     database::StudyRun run;
     std::vector<database::StudyTrial> trials; ///< all of them
     int scored = 0, spoiled = 0, practice = 0;
+    std::optional<bool> felt; ///< false where any trial was only shown; nothing where nothing was rendered
+    bool pooled = true;       ///< the group is of it, too, where it has an estimate
     psychophysics::RunEstimate estimate;
     ReplayedChoices replayed;
     std::optional<psychophysics::ApexSummary> apex; ///< of a study of the apex: this run's marks alone
@@ -31,8 +34,8 @@ struct AnalysedRun {
 struct AnalysedCondition {
     std::string condition; ///< id, or sealed code while blinded
     std::vector<AnalysedRun> runs; ///< by participant
-    /// Of the people who still take part; of simulated participants only where there are no people. Who was left out is among its
-    /// warnings (withdrawn, simulated_left_out, simulated, not_rendered); its members' `index` counts `runs`.
+    /// Of the people who still take part and felt the objects; of simulated participants only where there are no people. Who was left out is
+    /// among its warnings (withdrawn, simulated_left_out, simulated, not_rendered, shown_left_out); its members' `index` counts `runs`.
     psychophysics::GroupEstimate group;
     /// Of a study of the apex: the marks of those whom the group is of; a participant's number is the row of its first run in `runs`.
     std::optional<psychophysics::ApexSummary> apex;
@@ -47,9 +50,20 @@ struct StudyAnalysis {
     database::Blinding blinding;
 
     bool blind() const { return blinding.on; }
+    bool sealed() const { return blinding.seals(); } ///< runs are listed, and nothing is said of them; quality can be watched
+    std::vector<database::ParticipantQuality> quality; ///< by participant
+    std::map<database::ParticipantNumber, std::string> codes; ///< of all participants
     /// What the runs of conditions[at] are analysed by: analysedBy() of it.
     const psychophysics::Condition* designed(std::size_t at) const;
 };
+
+/// What an analysis may be asked to do otherwise.
+struct AnalysisChoices {
+    bool withShown = false; ///< runs on devices that render no force belong to the group
+};
+
+/// Says so where trials were shown, not felt: warning shown.
+void warnShown(psychophysics::RunEstimate& estimate, const std::vector<database::StudyTrial>& trials);
 
 /// Says so where a simulated participant's trials were not rendered (a quick run): warning not_rendered.
 void warnNotRendered(psychophysics::RunEstimate& estimate, const database::Participant& participant, const std::vector<database::StudyTrial>& trials);
@@ -63,6 +77,6 @@ psychophysics::RunEstimate estimateOf(const psychophysics::Condition* condition,
 
 /// Every run of a study with trials, analysed anew; `seed`: of bootstraps. Stopped runs of a withdrawn participant are left out.
 /// Failure: the reader's; badInput (a design or a trial that cannot be read).
-core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber study, std::uint64_t seed);
+core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber study, std::uint64_t seed, const AnalysisChoices& choices = {});
 
 } // namespace chiron::session

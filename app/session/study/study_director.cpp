@@ -23,11 +23,12 @@ bool StudyDirector::tryPush(const core::HapticFrame& frame) noexcept {
 
 void StudyDirector::direct(const FidelitySample& sample) {
     constexpr std::uint32_t kEnds = core::event_bits::kCompleted | core::event_bits::kTimedOut | core::event_bits::kFailed;
-    if (sample.events & core::event_bits::kTrialStarted)
-        m_first = m_lastContact = m_looked = sample.tick;
+    if (sample.events & core::event_bits::kTrialStarted) {
+        m_clock.begin(sample.tick);
+        m_looked = sample.tick;
+    }
+    m_clock.take(sample, sample.place != 0);
     m_parts.meter.add(sample);
-    if (sample.place != 0)
-        m_lastContact = sample.tick;
     if (m_presented && (sample.events & kEnds)) {
         endTrial(sample);
         return;
@@ -72,7 +73,7 @@ bool StudyDirector::turned(const std::vector<double>& felt, const FidelitySample
     if (!m_equal)
         m_equal = m_parts.observer.adjust(table.front(), table.back());
     const double limit_s = m_parts.exploreLimit_s;
-    const auto ticks = static_cast<double>((sample.tick - m_first) + (sample.tick - m_looked)); // with one more look
+    const auto ticks = static_cast<double>((sample.tick - m_clock.first()) + (sample.tick - m_looked)); // with one more look
     if (m_steps >= kSteps || (limit_s > 0.0 && ticks * core::kTickSeconds > limit_s))
         return false;
     const double wanted = table[static_cast<std::size_t>(m_dial)] - (felt.back() - felt.front() - *m_equal);
@@ -127,10 +128,10 @@ void StudyDirector::endTrial(const FidelitySample& sample) {
     answer.answer = m_answer;
     answer.value = m_value;
     answer.session = m_session;
-    answer.firstTick = m_first;
+    answer.firstTick = m_clock.first();
     answer.lastTick = sample.tick;
-    answer.exploration_s = static_cast<double>(sample.tick - m_first) * core::kTickSeconds;
-    answer.answer_s = static_cast<double>(sample.tick - std::min(sample.tick, m_lastContact)) * core::kTickSeconds;
+    answer.exploration_s = m_clock.exploration_s();
+    answer.answer_s = m_clock.sinceContact_s();
     answer.fidelity = m_parts.meter.finish();
     answer.spoiled = m_spoiled;
     auto trial = m_parts.progress.record(answer);

@@ -5,6 +5,7 @@
 #include "psychophysics/observers/simulated_observer.h"
 #include "session/study/fidelity_meter.h"
 #include "session/study/study_progress.h"
+#include "session/study/trial_clock.h"
 #include "session/tick_director.h"
 
 #include <functional>
@@ -58,8 +59,7 @@ private:
     haptics::LiveInputs* m_inputs = nullptr;
     database::SessionId m_session = 0;
     std::uint64_t m_ticks = 0;
-    std::uint64_t m_first = 0;       ///< tick of the trial's start
-    std::uint64_t m_lastContact = 0;
+    TrialClock m_clock;
     StudyPresentation m_shown;
     bool m_presented = false;
     bool m_answered = false;

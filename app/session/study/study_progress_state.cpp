@@ -75,14 +75,27 @@ StudyPresentation StudyProgress::State::present() const {
     return next;
 }
 
+void StudyProgress::State::believe(const database::StudyTrial& trial) {
+    if (trial.practice || practised >= rules.practiceTrials || practised + practiceUnanswered < rules.practiceTrials)
+        return;
+    practised = rules.practiceTrials;
+    repeat = 0;
+}
+
 /// Takes a trial as it was logged: live, on resuming and on re-running alike.
 core::Result<void> StudyProgress::State::apply(const database::StudyTrial& trial) {
     if (trial.candidate < 0 || static_cast<std::size_t>(trial.candidate) >= condition.stimulus.differences.size() || trial.procedure < 0 ||
         static_cast<std::size_t>(trial.procedure) >= procedures.size())
         return core::fail(core::ErrorCode::badInput, "trial " + std::to_string(trial.ordinal) + ": candidate or procedure is not of this condition");
     auto& procedure = *procedures[static_cast<std::size_t>(trial.procedure)];
-    if (trial.practice) {
+    believe(trial);
+    if (trial.practice && trial.answer < 0) {
+        ++practiceUnanswered;
+        ++repeat;
+        asksExperimenter = repeat >= repeatsAtMost;
+    } else if (trial.practice) {
         ++practised;
+        repeat = 0;
     } else if (!trial.spoiled.empty()) {
         procedure.spoiled();
         ++spoiled;
@@ -115,6 +128,7 @@ core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& des
     for (const database::StudyTrial& trial : trials) {
         if (progress->needsExperimenter())
             progress->experimenterSays(true);
+        progress->m_state->believe(trial);
         const StudyPresentation shown = progress->next();
         ++replayed.trials;
         const bool sameOtherwise = shown.arrangement == trial.arrangement && shown.procedure == trial.procedure && shown.practice == trial.practice;

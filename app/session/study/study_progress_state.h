@@ -24,6 +24,7 @@ struct StudyProgress::State {
     int scored = 0;
     int spoiled = 0;
     int practised = 0;
+    int practiceUnanswered = 0; ///< practice that ended without an answer (time was up, stopped): no practice, it comes again
     int repeat = 0;        ///< how often the present trial was spoiled
     int sameProcedure = -1; ///< after a spoiled trial its procedure goes on
     int breaksTaken = 0;
@@ -36,6 +37,8 @@ struct StudyProgress::State {
     double scaled(double difference) const; ///< x of a candidate in the procedures' own scale; not finite where it has none (log of 0)
     psychophysics::Stimulus stimulusOf(int candidate) const;
     StudyPresentation present() const;
+    /// Takes the log's word that practice is over. Earlier versions counted practice without an answer, too.
+    void believe(const database::StudyTrial& trial);
     core::Result<void> apply(const database::StudyTrial& trial);
 };
 

@@ -39,6 +39,10 @@ template <class Whole> Whole whole(double value) noexcept { return static_cast<W
 
 } // namespace
 
+double pausedOf(const std::string& fidelityJson) {
+    return QJsonDocument::fromJson(QByteArray::fromStdString(fidelityJson)).object()["paused_s"].toDouble(TrialFidelity::kNone);
+}
+
 TrialFidelity withoutForces(TrialFidelity fidelity) {
     fidelity.forceErrorRms_N = fidelity.saturated = fidelity.peakForce_N = fidelity.stiffnessError = std::nan("");
     fidelity.places.clear();
@@ -53,10 +57,12 @@ std::string fidelityJson(const TrialFidelity& f) {
         places.append(placeJson(place));
     QJsonObject json{{"force_error_rms_N", number(f.forceErrorRms_N)},
                      {"measured", f.rendered() ? QJsonValue(f.measured) : QJsonValue()},
+                     {"shown", f.shown},
                      {"late_ticks", number(f.lateTicks)},
                      {"worst_lateness_us", number(f.worstLateness_us)},
                      {"saturated", number(f.saturated)},
                      {"duration_s", number(f.duration_s)},
+                     {"paused_s", number(f.paused_s)},
                      {"peak_force_N", number(f.peakForce_N)},
                      {"mean_speed_m_per_s", number(f.meanSpeed_m_per_s)},
                      {"contacts", f.rendered() ? QJsonValue(f.contacts) : QJsonValue()},
@@ -102,6 +108,7 @@ FidelitySample fidelitySampleOf(const core::HapticFrame& frame) noexcept {
         out.velocity_m_per_s[i] = header.quantities[q::kVelocity + i];
         out.commanded_N[i] = tool.commanded[i];
         out.measured_N[i] = tool.measured[i];
+        out.tissue_N[i] = tool.tissue[i];
     }
     return out;
 }

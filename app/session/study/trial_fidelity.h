@@ -40,10 +40,13 @@ struct TrialFidelity {
 
     double forceErrorRms_N = kNone; ///< commanded against measured, in contact; NaN with `measured` false
     bool measured = false;          ///< whether the device measures force
+    /// Nothing was felt: the device renders no force. Forces are then the tissue's, and what compares them with what was asked is NaN.
+    bool shown = false;
     double lateTicks = kNone;       ///< share
     double worstLateness_us = kNone;
     double saturated = kNone;       ///< share of contact ticks
-    double duration_s = kNone;
+    double duration_s = kNone;      ///< without pauses
+    double paused_s = kNone;        ///< pauses within it, until force was back in full; NaN in trials stored before it was measured
     double peakForce_N = kNone;
     double meanSpeed_m_per_s = kNone; ///< of the tool over the whole trial, touching or not
     int contacts = 0;
@@ -60,6 +63,8 @@ TrialFidelity withoutForces(TrialFidelity fidelity);
 
 /// As canonical JSON: keys sorted, no spaces; what is not a number is null.
 std::string fidelityJson(const TrialFidelity& fidelity);
+/// `paused_s` of a stored trial.
+double pausedOf(const std::string& fidelityJson);
 /// The mark of a stored trial; nothing where it holds none (another study, a time-out, something that cannot be read).
 std::optional<ApexMark> apexMarkOf(const std::string& fidelityJson);
 

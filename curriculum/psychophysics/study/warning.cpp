@@ -66,6 +66,9 @@ constexpr std::array<std::pair<WarningKind, std::string_view>, static_cast<std::
     {WarningKind::notSimulated, "not_simulated: $"},
     {WarningKind::differencesTooSmall, "differences_too_small: the largest difference is below what this observer needs"},
     {WarningKind::runsWithoutEstimate, "runs_without_estimate: # of %"},
+    {WarningKind::shownRun, "shown: # trials on a device that renders no force: they were shown, not felt"},
+    {WarningKind::shownLeftOut, "shown_left_out: @ to whom objects were shown, not felt, left out of the group"},
+    {WarningKind::shownInGroup, "shown_in_group: the group holds @ to whom objects were shown, not felt"},
 }};
 
 constexpr bool inOrder() {

@@ -27,6 +27,8 @@ enum class WarningKind : std::uint8_t {
     noRadius, leftOutMarks, noMarks, fewMarkers, fewMarks, biasX, biasY, beyondRadius, plannedMarks, untouchedMarks,
     // A plan.
     notSimulated, differencesTooSmall, runsWithoutEstimate,
+    // Shown is not felt.
+    shownRun, shownLeftOut, shownInGroup,
     end, ///< no warning: how many there are
 };
 

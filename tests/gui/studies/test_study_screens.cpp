@@ -12,6 +12,7 @@
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QRadioButton>
 #include <QScrollBar>
 #include <QTabBar>
@@ -41,6 +42,7 @@ private slots:
     void archivedWithUndo();
 
 private:
+    void keepPicture(const QString& name);
     void go(const char* screen, const QVariantMap& parameters = {}) {
         m_site->go(QLatin1String(screen), parameters);
         QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), 20000);
@@ -175,6 +177,12 @@ void TestStudyScreens::questionnaire() {
     QCOMPARE(database::StudyReader(**connection, m_site->context.actor()).questionnaireAnswers(m_study)->size(), 3U);
 }
 
+/// CHIRON_KEEP_PICTURES=<folder> keeps pictures of the data's pages.
+void TestStudyScreens::keepPicture(const QString& name) {
+    if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty())
+        m_site->window->grab().save(folder + name);
+}
+
 void TestStudyScreens::dataAndUnblinding() {
     const tests::VisitedStudies studies = tests::addVisitedStudies(*m_site);
     m_data = studies.data;
@@ -188,12 +196,31 @@ void TestStudyScreens::dataAndUnblinding() {
         const auto* worths = m_site->window->screen()->findChild<QTableWidget*>(QStringLiteral("data.worths"));
         QCOMPARE(worths != nullptr, ranks);
         QVERIFY(!worths || worths->rowCount() == 9); // three models of three objects
+        keepPicture(QStringLiteral("/study_data_%1.png").arg(tab));
     }
     go("study_data", {{QStringLiteral("study"), qlonglong(studies.blind)}});
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.unblind")), 30000);
     QVERIFY(m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() != QStringLiteral("Stiffness of a tube"));
+    for (const int tab : {desktop::StudyDataScreen::groupTab, desktop::StudyDataScreen::personTab, desktop::StudyDataScreen::trialsTab}) {
+        m_site->find<QTabBar>(QStringLiteral("data.tabs"))->setCurrentIndex(tab);
+        QTest::qWait(50);
+        const QWidget* screen = m_site->window->screen();
+        const auto* quality = screen->findChild<QTableWidget*>(QStringLiteral("data.quality"));
+        QVERIFY(quality && quality->rowCount() == 1);
+        keepPicture(QStringLiteral("/study_sealed_%1.png").arg(tab));
+        for (const char* name : {"data.runs", "data.trials", "data.worths"}) // how many trials there were, too, could tell
+            QVERIFY2(!screen->findChild<QTableWidget*>(QLatin1String(name)), name);
+        QVERIFY(!screen->findChild<QWidget*>(QStringLiteral("data.group_plot")) && !screen->findChild<QWidget*>(QStringLiteral("data.curve")));
+    }
+    m_site->find<QTabBar>(QStringLiteral("data.tabs"))->setCurrentIndex(desktop::StudyDataScreen::groupTab);
     click("data.unblind");
     QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.unblind")));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.unblind"))->isEnabled()); // not without a reason
+    auto* box = m_site->find<QMessageBox>(QStringLiteral("data.ask_unblind"));
+    QVERIFY2(box->informativeText().contains(QStringLiteral("6 participants are still to come")), qPrintable(box->informativeText())); // one has begun, five are planned
+    m_site->find<QLineEdit>(QStringLiteral("data.ask_unblind.reason"))->setText(QStringLiteral("  "));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.unblind"))->isEnabled());
+    m_site->find<QLineEdit>(QStringLiteral("data.ask_unblind.reason"))->setText(QStringLiteral("A serious event"));
     click("data.ask_unblind.unblind");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.condition.0")) &&
                                  m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() == QStringLiteral("Stiffness of a tube"),

@@ -30,7 +30,7 @@ void addWriting(Calls& map) {
     add(Action::closeStudy, Touches::frozen, [](C& c, A a, N n) { return StudyRepository(c, a).closeStudy(n); });
     add(Action::setStudyArchived, Touches::frozen,
         [](C& c, A a, N n) { return StudyRepository(c, a).setStudyArchived(n, true); });
-    add(Action::unblindStudy, Touches::frozen, [](C& c, A a, N n) { return StudyRepository(c, a).unblindStudy(n); });
+    add(Action::unblindStudy, Touches::frozen, [](C& c, A a, N n) { return StudyRepository(c, a).unblindStudy(n, "all are done"); });
     add(Action::enrolParticipant, Touches::frozen, [](C& c, A a, N n) {
         return drop(StudyRepository(c, a).enrolParticipant(n, "", 0, "weber:0.2"));
     });
@@ -72,6 +72,7 @@ void addReading(Calls& map) {
         return drop(StudyReader(c, a).participantByCode(n, code->value_or("")));
     });
     add(Action::runs, Touches::participant, [](C& c, A a, N n) { return drop(StudyReader(c, a).runs(n)); });
+    add(Action::trialQuality, Touches::frozen, [](C& c, A a, N n) { return drop(StudyReader(c, a).trialQuality(n)); });
     add(Action::studyTrials, Touches::run, [](C& c, A a, N n) { return drop(StudyReader(c, a).studyTrials(n)); });
     add(Action::questionnaireAnswers, Touches::frozen,
         [](C& c, A a, N n) { return drop(StudyReader(c, a).questionnaireAnswers(n)); });

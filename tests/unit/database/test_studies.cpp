@@ -41,7 +41,7 @@ void TestStudies::draftsChangeUntilFrozen() {
     REQUIRE(record);
     QCOMPARE(record->summary.title, std::string("Stiffness of soft_tubes"));
     QVERIFY(record->summary.state == StudyState::draft && record->summary.sha256.empty());
-    QCOMPARE(write(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(*study); }).error().code, core::ErrorCode::wrongUse);
+    QCOMPARE(write(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(*study, "all are done"); }).error().code, core::ErrorCode::wrongUse);
     const auto sha = write(m_ruth, [&](StudyRepository& s) { return s.freezeStudy(*study); });
     REQUIRE(sha);
     const auto after = StudyReader(*reader(), m_ruth).studyByKey("soft_tubes");
@@ -82,7 +82,7 @@ void TestStudies::auditKnowsTheFreezing() {
     const auto record = StudyReader(*connection, m_ruth).study(study);
     REQUIRE(record);
     QVERIFY((*detail)->find("\"sha256\":\"" + record->summary.sha256 + "\"") != std::string::npos);
-    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(study); }));
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(study, "all are done"); }));
     QVERIFY(StudyReader(*reader(), m_ruth).study(study)->summary.unblinded);
     QCOMPARE(selectInteger(*reader(), "SELECT count(*) FROM audit WHERE action = 'unblindStudy'")->value_or(0), std::int64_t{1});
 }

@@ -27,13 +27,13 @@ private slots:
     void authorAndAdministratorsLook();
     void aRunIsConductedByItsCode();
     void unblindingTells();
-    void trialsLackWhatTellsConditionsApart();
-    void forcesAreSealedByEveryName();
+    void trialsAreKeptBack();
+    void qualityIsOfAllConditions();
+    void unblindingNeedsAReason();
+    void reasonsOfForcesAreWithheld();
     void fixedOrderIsNotBlind();
     void oneExerciseIsBlind();
     void sittingsAreClosed();
-    void unlikeConditionsAreOnlyCounted();
-    void marksAreSharesOfTheRadius();
 
 private:
     template <class Job>
@@ -125,8 +125,8 @@ void TestStudyBlinding::aRunIsConductedByItsCode() {
 }
 
 void TestStudyBlinding::unblindingTells() {
-    QCOMPARE(as(m_rob, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen); }).error().code, core::ErrorCode::notAllowed);
-    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen); }));
+    QCOMPARE(as(m_rob, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen, "all are done"); }).error().code, core::ErrorCode::notAllowed);
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen, "all are done"); }));
     auto connection = m->database->openReader();
     QCOMPARE(StudyReader(**connection, m_rob).runs(m_of.running)->front().condition, std::string("hard"));
     const auto codes = StudyReader(**connection, m_rob).conditionCodes(m_of.frozen);
@@ -137,17 +137,92 @@ void TestStudyBlinding::unblindingTells() {
     QCOMPARE(audited("unblindStudy"), std::int64_t{1});
 }
 
-void TestStudyBlinding::trialsLackWhatTellsConditionsApart() {
+// Soft and hard differ in their reference: whatever a run left behind, its length too, could tell which it is.
+void TestStudyBlinding::trialsAreKeptBack() {
     StudyTrial trial = someTrial(m_of.run, 1);
     trial.fidelityJson = R"({"contacts":3,"peak_force_N":2.5,"places":[{"place":0,"rendered":812.5,"contacts":1}]})";
     REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.storeStudyTrial(trial); }));
     auto connection = m->database->openReader();
-    const auto shown = [&] { return StudyReader(**connection, m_rob).studyTrials(m_of.run)->at(1); };
-    // Soft and hard differ in their reference: forces tell, the ratios of one table do not.
-    QVERIFY(shown().difference == 0.1 && shown().answer == 3);
-    QCOMPARE(shown().fidelityJson, std::string(R"({"contacts":3,"places":[{"contacts":1,"place":0}]})"));
-    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen); }));
-    QCOMPARE(shown().fidelityJson, trial.fidelityJson);
+    for (const Actor& actor : {m_rob, m_ruth, m_admin}) {
+        const auto none = StudyReader(**connection, actor).studyTrials(m_of.run);
+        QVERIFY(none && none->empty());
+        const auto run = StudyReader(**connection, actor).runs(m_of.running)->front();
+        QVERIFY(run.seed == 0 && run.procedures.empty());
+        QCOMPARE(StudyReader(**connection, actor).study(m_of.frozen)->summary.trials, 0); // before a run and after it: the same
+    }
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen, "all are done"); }));
+    const auto all = StudyReader(**connection, m_rob).studyTrials(m_of.run);
+    QVERIFY(all && all->size() == 2 && all->at(1).fidelityJson == trial.fidelityJson && all->at(1).difference == 0.1 && all->at(1).answer == 3);
+    QVERIFY(StudyReader(**connection, m_rob).runs(m_of.running)->front().procedures == "descending@1");
+}
+
+// Quality is watched without unsealing: what the device did at once, what depends on the objects once every condition is in it.
+void TestStudyBlinding::qualityIsOfAllConditions() {
+    auto connection = m->database->openReader();
+    const auto quality = [&] {
+        const auto rows = StudyReader(**connection, m_rob).trialQuality(m_of.frozen);
+        for (const ParticipantQuality& each : rows.value_or(std::vector<ParticipantQuality>{})) {
+            if (each.participant == m_of.running) {
+                return each;
+            }
+        }
+        return ParticipantQuality{};
+    };
+    const auto store = [&](StudyRunNumber run, int ordinal, const std::string& spoiled, double share, double explored_s) {
+        StudyTrial trial = someTrial(run, ordinal);
+        trial.practice = false;
+        trial.spoiled = spoiled;
+        trial.exploration_s = explored_s;
+        trial.fidelityJson = R"({"late_ticks":)" + std::to_string(share) + R"(,"worst_lateness_us":)" + std::to_string(100 * (ordinal + 1)) + "}";
+        REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.storeStudyTrial(trial); }));
+    };
+    store(m_of.run, 1, "", 0.01, 2.0);
+    store(m_of.run, 2, "saturation", 0.03, 30.0);
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.finishRun(m_of.run, StudyRunState::completed); }));
+    const ParticipantQuality half = quality();
+    QVERIFY(!half.whole && half.conditionsDone == 1 && half.conditions == 2);
+    QVERIFY(std::abs(half.lateTicks - 0.02) < 1e-12 && half.worstLateness_us == 300.0);
+    QVERIFY(half.presentations == 0 && half.practice == 0 && half.scored == 0 && half.spoiled.empty() && std::isnan(half.exploration_s));
+    const auto second = as(m_ruth, [&](StudyRepository& s) { return s.beginRun({m_of.running, code("soft"), 1, 1, "descending@1"}); });
+    REQUIRE(second);
+    store(*second, 0, "", 0.05, 6.0);
+    store(*second, 1, "saturation", 0.07, 40.0);
+    QVERIFY(!quality().whole);
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.finishRun(*second, StudyRunState::completed); }));
+    const ParticipantQuality whole = quality();
+    QVERIFY(whole.whole && whole.presentations == 5 && whole.practice == 1 && whole.scored == 2);
+    QVERIFY(whole.spoiled.size() == 1 && whole.spoiled[0].first == "saturation" && whole.spoiled[0].second == 2);
+    QCOMPARE(whole.exploration_s, 4.0);
+}
+
+void TestStudyBlinding::unblindingNeedsAReason() {
+    for (const std::string& reason : {std::string(), std::string(501, 'x')}) {
+        QCOMPARE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen, reason); }).error().code, core::ErrorCode::badInput);
+    }
+    QCOMPARE(audited("unblindStudy"), std::int64_t{0});
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen, "A \"serious\" event"); }));
+    auto connection = m->database->openReader();
+    const auto kept = selectText(**connection, "SELECT json_extract(detail_json, '$.reason') FROM audit WHERE action = 'unblindStudy'", {});
+    QVERIFY(kept && *kept);
+    QCOMPARE(**kept, std::string("A \"serious\" event"));
+}
+
+// Of the device's own faults everybody may know; of those that come of forces nobody, while the forces tell conditions apart.
+void TestStudyBlinding::reasonsOfForcesAreWithheld() {
+    Blinding blinding;
+    blinding.on = true;
+    blinding.oneStimulus = false;
+    for (const char* reason : {"force_error", "stiffness_error", "saturation", "peak_force"}) {
+        QCOMPARE(shownReason(reason, blinding), std::string("withheld"));
+    }
+    for (const char* reason : {"", "late_ticks", "speed", "time", "untouched", "experimenter", "stopped"}) {
+        QCOMPARE(shownReason(reason, blinding), std::string(reason));
+    }
+    Blinding alike = blinding, open = blinding;
+    alike.oneStimulus = true;
+    open.on = false;
+    QCOMPARE(shownReason("saturation", alike), std::string("saturation"));
+    QCOMPARE(shownReason("saturation", open), std::string("saturation"));
 }
 
 // Whatever a trial's fidelity says of forces, and of the stimulus that was rendered: none of it is read while sealed, by whatever name.
@@ -245,56 +320,8 @@ void TestStudyBlinding::sittingsAreClosed() {
     QVERIFY(!held->sessions[1].sealed && !held->sessions[1].record.setup.contentJson.empty());
     REQUIRE(as(m_rob, [&](StudyRepository& s) { return s.storeStudyTrial(someTrial(m_of.run, 1, *other)); }));
     QVERIFY(everywhere(m_rob, *other) == closed); // by its trial
-    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen); }));
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen, "all are done"); }));
     QVERIFY(everywhere(m_rob, *untouched) == open && everywhere(m_rob, *other) == open);
-}
-
-// Where tasks, tables or procedures differ, whatever chose or answered a presentation would tell: that there was one is left.
-void TestStudyBlinding::unlikeConditionsAreOnlyCounted() {
-    std::string design = someDesign("unlike");
-    const std::string table = "[0.02,0.05,0.1]}";
-    design.replace(design.rfind(table), table.size(), "[0.02,0.05,0.2]}");
-    StudyNumber study = 0;
-    StudyRunNumber run = 0;
-    ParticipantNumber who = 0;
-    REQUIRE(m->database->write([&](WriteContext& w) -> core::Result<void> {
-        StudyRepository s(w.connection(), m_ruth);
-        study = s.createStudy("unlike", "Unlike", design).value();
-        (void)s.freezeStudy(study).value();
-        who = enrol(s, m_ruth, study, true).value();
-        run = s.beginRun({who, codeOf(w.connection(), study, "soft"), 0, 17, "descending@1"}).value();
-        return s.storeStudyTrial(someTrial(run, 0));
-    }));
-    auto connection = m->database->openReader();
-    const auto shownRun = [&] { return StudyReader(**connection, m_ruth).runs(who)->front(); };
-    const auto shown = [&] { return StudyReader(**connection, m_ruth).studyTrials(run)->front(); };
-    QVERIFY(shownRun().seed == 0 && shownRun().procedures.empty());
-    const StudyTrial blind = shown();
-    QVERIFY(std::isnan(blind.difference) && std::isnan(blind.entropyMargin) && blind.candidate == -1 && blind.arrangement == -1);
-    QVERIFY(blind.outcome == -1 && blind.answer == 0 && blind.practice && blind.exploration_s == 4.5);
-    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(study); }));
-    QVERIFY(shownRun().seed == 17 && shownRun().procedures == "descending@1");
-    QVERIFY(shown().difference == 0.1 && shown().candidate == 2 && shown().answer == 3);
-}
-
-// Marks beside an apex are told as shares of the radius, which is what conditions differ in.
-void TestStudyBlinding::marksAreSharesOfTheRadius() {
-    Blinding blinding;
-    blinding.on = true;
-    blinding.oneStimulus = false;
-    StudyTrial trial = someTrial(1, 0);
-    trial.value = 0.005;
-    trial.fidelityJson = R"({"apex":{"error_x_m":0.003,"error_y_m":-0.004,"radius_m":0.02},"peak_force_N":2.5})";
-    const StudyTrial shown = sealed(trial, blinding);
-    QVERIFY(!shown.value);
-    const QJsonObject apex = QJsonDocument::fromJson(QByteArray::fromStdString(shown.fidelityJson)).object()["apex"].toObject();
-    QCOMPARE(apex["error_x_m"].toDouble(), 0.15);
-    QCOMPARE(apex["error_y_m"].toDouble(), -0.2);
-    QCOMPARE(apex["radius_m"].toDouble(), 1.0);
-    trial.spoiled = "saturation"; // hard objects reach the limit of the force
-    QCOMPARE(sealed(trial, blinding).spoiled, std::string("withheld"));
-    trial.spoiled = "speed";
-    QCOMPARE(sealed(trial, blinding).spoiled, std::string("speed"));
 }
 
 QTEST_GUILESS_MAIN(TestStudyBlinding)

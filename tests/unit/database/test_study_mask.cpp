@@ -76,7 +76,7 @@ void TestStudyMask::designIsMasked() {
     const auto run = as(m_rob, [&](StudyRepository& s) { return s.conductRun(m_of.ready, code("soft")); });
     REQUIRE(run);
     QCOMPARE(run->designJson, frozen);
-    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen); }));
+    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen, "all are done"); }));
     QVERIFY(!read(m_rob, m_of.frozen).masked && read(m_rob, m_of.frozen).designJson == frozen);
 }
 

@@ -94,9 +94,14 @@ void TestStudyPrivacy::exportHoldsParticipations() {
     QCOMPARE(mine.studyKey, std::string("private"));
     QCOMPARE(mine.participant.code, m_code);
     QCOMPARE(mine.identity, std::string("Timotheus Unverwechselbar"));
-    QVERIFY(mine.runs.size() == 1 && mine.trials.size() == 1 && mine.answers.size() == 2);
+    QVERIFY(mine.runs.size() == 1 && mine.answers.size() == 2);
+    QVERIFY(mine.sealed && mine.trials.empty() && mine.runs.front().endedUtc.empty()); // they would tell which condition it was
     QVERIFY(!mine.participant.consentUtc.empty());
     QVERIFY(PrivacyRepository(*reader(), m_ruth).exportPerson(m_ruth.personId())->participations.empty());
+    REQUIRE(m->database->write([&](WriteContext& w) { return StudyRepository(w.connection(), m_ruth).unblindStudy(m_study, "all are done"); }));
+    const auto after = PrivacyRepository(*reader(), *tim).exportPerson(m_tim);
+    REQUIRE(after);
+    QVERIFY(!after->participations.front().sealed && after->participations.front().trials.size() == 1);
 }
 
 void TestStudyPrivacy::erasureNeedsWithdrawalAdministratorAndPassword() {
@@ -118,7 +123,7 @@ void TestStudyPrivacy::erasureOverwritesButKeepsTrials() {
     const auto who = StudyReader(*reader(), m_ruth).participantByCode(m_study, m_code);
     REQUIRE(who);
     QVERIFY(who->erased && who->state == ParticipantState::withdrawn);
-    QCOMPARE(StudyReader(*reader(), m_ruth).studyTrials(m_run)->size(), std::size_t{1});
+    QCOMPARE(selectInteger(*reader(), "SELECT count(*) FROM study_trial WHERE run_id = ?", {m_run})->value_or(0), std::int64_t{1});
     const auto answers = StudyReader(*reader(), m_ruth).questionnaireAnswers(m_study);
     for (const QuestionnaireAnswer& answer : *answers) {
         QVERIFY(!answer.number && answer.text.empty());
@@ -171,6 +176,15 @@ void TestStudyPrivacy::erasingAPersonErasesTheParticipant() {
     REQUIRE(AccountService(*m->database).erasePerson(m_admin, kPassword, m_tim, "wish", false));
     QVERIFY(!onDisk(m->path(), "Unverwechselbar") && !onDisk(m->path(), "Schmetterlingseffekt"));
     QVERIFY(StudyReader(*reader(), m_ruth).participantByCode(m_study, m_code)->erased);
+    const auto answers = StudyReader(*reader(), m_ruth).questionnaireAnswers(m_study);
+    QVERIFY(answers && answers->size() == 2); // that there were two stays
+    for (const QuestionnaireAnswer& answer : *answers) {
+        QVERIFY(!answer.number && answer.text.empty());
+    }
+    const auto handedIn = m->database->write([&](WriteContext& w) {
+        return StudyRepository(w.connection(), m_ruth).storeQuestionnaireAnswers({{m_participant, "face", "years", 12.0, "", ""}});
+    });
+    QVERIFY(!handedIn && handedIn.error().code == core::ErrorCode::wrongUse); // nor comes anything in afterwards
     QVERIFY(!SessionReader(*reader(), Actor::maintenance()).session(m_session)->summary.recordingErased);
     m->database.reset();
     QVERIFY(verifyDatabase(m->path(), m->options).ok());

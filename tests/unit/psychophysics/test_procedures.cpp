@@ -3,8 +3,10 @@
 #include "procedure_runs.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -64,6 +66,8 @@ class TestProcedures : public QObject {
     Q_OBJECT
 private slots:
     void undoLeavesNoTrace();
+    void undoAfterTheEnd();
+    void spoiledKeepsTheOthersOrder();
     void refusals();
     void spoiledConstantComesLater();
     void pestBySteps();
@@ -88,6 +92,57 @@ void TestProcedures::undoLeavesNoTrace() {
         const auto refused = procedure->undo();
         QVERIFY(!refused && refused.error().code == core::ErrorCode::wrongUse);
     }
+}
+
+/// The last answer is taken back: the procedure goes on where it was, and ends as it did.
+void TestProcedures::undoAfterTheEnd() {
+    for (const ProcedureSpec& spec : kinds()) {
+        auto procedure = *makeProcedure(spec, 7);
+        core::Random random(11);
+        Choice last;
+        int given = 0;
+        while (!procedure->done()) {
+            last = procedure->next();
+            given = outcome(*procedure, random);
+            QVERIFY(procedure->record(given, last.stimulus));
+        }
+        const int trials = procedure->trials();
+        const auto estimate = procedure->estimate();
+        QVERIFY2(procedure->undo(), kindOf(spec).data());
+        QVERIFY2(!procedure->done(), kindOf(spec).data());
+        QCOMPARE(procedure->trials(), trials - 1);
+        QVERIFY2(procedure->next().stimulus == last.stimulus, kindOf(spec).data());
+        QVERIFY(procedure->record(given, last.stimulus));
+        QVERIFY(procedure->done() && procedure->trials() == trials);
+        const auto again = procedure->estimate();
+        QVERIFY(again.known == estimate.known && (!again.known || again.parameters[0].mean == estimate.parameters[0].mean));
+    }
+}
+
+/// A spoiled stimulus comes again at any later place, the last one too; the others stay in their order.
+void TestProcedures::spoiledKeepsTheOthersOrder() {
+    ConstantSpec spec;
+    spec.levels = {1.0, 2.0, 3.0, 4.0, 5.0};
+    spec.repeats = 1;
+    spec.shuffled = false;
+    std::set<std::size_t> places;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        auto procedure = *makeProcedure(spec, seed);
+        QVERIFY(procedure->record(1, procedure->next().stimulus)); // 1.0
+        procedure->spoiled();                                      // 2.0
+        std::vector<double> rest;
+        while (!procedure->done()) {
+            rest.push_back(procedure->next().stimulus[0]);
+            QVERIFY(procedure->record(1, procedure->next().stimulus));
+        }
+        QCOMPARE(rest.size(), std::size_t{4});
+        const auto again = std::find(rest.begin(), rest.end(), 2.0);
+        QVERIFY(again != rest.end() && again != rest.begin()); // never at once
+        places.insert(static_cast<std::size_t>(again - rest.begin()));
+        rest.erase(again);
+        QVERIFY(rest == (std::vector<double>{3.0, 4.0, 5.0}));
+    }
+    QVERIFY(places == (std::set<std::size_t>{1, 2, 3}));
 }
 
 void TestProcedures::refusals() {

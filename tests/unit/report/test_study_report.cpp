@@ -146,12 +146,12 @@ void TestStudyReport::blindUntilUnblinded() {
     QVERIFY(blind.contains(QString::fromStdString(sealed->front().sealedCode)) && blind.contains(QString::fromStdString(sha256)));
     for (const char* told : {"Softwood", "150 N/m", "JND at"})
         QVERIFY2(!blind.contains(QLatin1String(told)), qPrintable(blind));
-    QVERIFY(write([&](database::StudyRepository& all) { return all.unblindStudy(study); }));
+    QVERIFY(write([&](database::StudyRepository& all) { return all.unblindStudy(study, "all are done"); }));
     QVERIFY(report(study, file("unblinded.pdf")));
     QVERIFY(textOf(file("unblinded.pdf")).contains(QStringLiteral("Softwood tube")));
 }
 
-/// Conditions that no analysis has in common: counts, by code, until the study is unblinded.
+/// Conditions that differ: nothing of them but their codes, and how well trials went by participant, until the study is unblinded.
 void TestStudyReport::blindToUnlikeConditions() {
     psychophysics::StudyDesign design = designOf("jnd_unlike", true);
     psychophysics::Condition other = design.conditions.front();
@@ -174,8 +174,11 @@ void TestStudyReport::blindToUnlikeConditions() {
         QVERIFY2(blind.contains(QString::fromStdString(each.sealedCode)), qPrintable(blind));
     for (const QString& told : known)
         QVERIFY2(!blind.contains(told), qPrintable(told));
-    QVERIFY(blind.contains(QStringLiteral("an estimate once the study is unblinded")));
-    QVERIFY(write([&](database::StudyRepository& all) { return all.unblindStudy(study); }));
+    QVERIFY2(blind.contains(QStringLiteral("stay sealed until the study is unblinded")), qPrintable(blind));
+    QVERIFY2(blind.contains(QStringLiteral("2 of 2")) && blind.contains(QStringLiteral("Of all conditions together")), qPrintable(blind)); // quality, by participant
+    for (const char* counted : {"Same choices again", "Weber fraction", "Practice"})
+        QVERIFY2(!blind.contains(QLatin1String(counted)), counted);
+    QVERIFY(write([&](database::StudyRepository& all) { return all.unblindStudy(study, "all are done"); }));
     QVERIFY(report(study, file("unlike_open.pdf")));
     const QString open = textOf(file("unlike_open.pdf"));
     for (const QString& told : known)

@@ -43,6 +43,7 @@ private slots:
     void inverses();
     void simulatedObservers();
     void sameDifferentByDifferencing();
+    void errorFallsWithTheTrials();
     void intervalsCover();
     void degenerate();
     void tails();
@@ -150,6 +151,22 @@ void TestDPrime::sameDifferentByDifferencing() {
     const DPrimeEstimate estimate = sameDifferentOfCounts(80, 120, 30, 120);
     QVERIFY(estimate.dPrime > 1.5 && estimate.dPrime < 2.5 && estimate.standardError > 0.1 && estimate.standardError < 0.4);
     QVERIFY(sameDifferentOfCounts(10, 50, 20, 50).dPrime == 0.0);
+    // The same rates of four and of nine times as many trials: a half and a third of the error. Each kind of pair has its own number.
+    const auto plain = [](long long n, long long m) { return sameDifferentOfCounts(2 * n, 3 * n, m, 4 * m, 0.95, chiron::core::RateCorrection::none); };
+    const double one = plain(40, 30).standardError;
+    QVERIFY(one > 0.0 && std::abs(plain(160, 120).standardError - 0.5 * one) < 1e-6 && std::abs(plain(360, 270).standardError - one / 3.0) < 1e-6);
+    const double byHits2 = one * one - std::pow(plain(40 * 1000000, 30).standardError, 2);
+    QVERIFY2(std::abs(one * one - std::pow(plain(160, 30).standardError, 2) - 0.75 * byHits2) < 1e-6, "hits count by pairs that differ");
+}
+
+/// Of counts of 2AFC in closed form: √(p q/n) over the slope φ(d′/√2)/√2.
+void TestDPrime::errorFallsWithTheTrials() {
+    const DiscriminationTask task; // 2AFC
+    for (const long long n : {40, 160, 640}) {
+        const DPrimeEstimate estimate = dPrimeOfCounts(task, n * 3 / 4, n);
+        const double density = std::exp(-0.25 * estimate.dPrime * estimate.dPrime) / std::sqrt(2.0 * M_PI);
+        QVERIFY(std::abs(estimate.standardError - std::sqrt(0.75 * 0.25 / static_cast<double>(n)) / (density / M_SQRT2)) < 1e-6);
+    }
 }
 
 /// Exact limits cover at least 95 % (here over all outcomes, without simulation).

@@ -249,7 +249,12 @@ void TestRankings::tiedPairs() {
     const double theta = std::sqrt((1.0 - p) * (1.0 - q) / (p * q));
     QVERIFY(std::abs(rao.tie - theta) < 1e-5);
     QVERIFY(std::abs(rao.logWorth[0] - rao.logWorth[1] - std::log(p * theta / (1.0 - p))) < 1e-5);
-    QVERIFY(davidson.standardError[0] > 0.05 && davidson.standardError[0] < 0.3);
+    // Standard errors in closed form: of ln(a/b), of ln t − ½ ln(ab), of ½ (logit p − logit q); a centred worth has half of a difference.
+    QVERIFY(std::abs(davidson.standardError[0] - 0.5 * std::sqrt(1.0 / 40.0 + 1.0 / 20.0)) < 1e-5);
+    QVERIFY(std::abs(davidson.standardError[1] - davidson.standardError[0]) < 1e-9);
+    QVERIFY(std::abs(davidson.tieStandardError - std::sqrt(1.0 / 15.0 + 1.0 / 160.0 + 1.0 / 80.0)) < 1e-5);
+    const double variance = (0.25 / (p * (1.0 - p)) + 0.25 / (q * (1.0 - q)) + 0.5 / ((1.0 - p) * (1.0 - q))) / 75.0;
+    QVERIFY(std::abs(rao.standardError[0] - 0.5 * std::sqrt(variance)) < 1e-5);
     QVERIFY(!fitTiedPairs(TieModel::davidson, 2, {{0, 1, 3.0, 2.0, 0.0}}).fitted);
     QVERIFY(!fitTiedPairs(TieModel::raoKupper, 2, {{0, 1, 0.0, 0.0, 4.0}}).fitted);
     QVERIFY(!fitTiedPairs(TieModel::raoKupper, 3, {{0, 1, 4.0, 1.0, 4.0}}).fitted);
@@ -258,6 +263,9 @@ void TestRankings::tiedPairs() {
 
 void TestRankings::thurstone() {
     const WorthEstimate two = fitThurstonePairs(2, {{0, {1}, 75.0}, {1, {0}, 25.0}});
+    const double z75 = 0.674489750196082; // Φ⁻¹(0.75)
+    const double density = std::exp(-0.5 * z75 * z75) / std::sqrt(2.0 * M_PI);
+    QVERIFY(std::abs(two.standardError[0] - 0.5 * std::sqrt(0.75 * 0.25 / 100.0) / density) < 1e-6);
     QVERIFY(std::abs(two.logWorth[0] - two.logWorth[1] - 0.674489750) < 1e-6);
     // Exact pair shares of a case V scale come back.
     const std::vector<double> scale{0.7, 0.1, -0.2, -0.6};

@@ -6,15 +6,22 @@
 #include "database/repositories/study_repository.h"
 #include "session/study/live_study.h"
 #include "session/study/sample_tap.h"
+#include "session/study/study_analysis.h"
 #include "session/study/study_setup.h"
 #include "session/study/study_store.h"
+#include "session/study/trial_fidelity.h"
+#include "session/study_export.h"
 #include "support/session_fixture.h"
 #include "support/study_designs.h"
 
+#include <QDirIterator>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace chiron;
 using View = session::LiveStudyView::State;
@@ -35,7 +42,7 @@ struct Site {
             qFatal("%s", done.error().message.c_str());
         return done;
     }
-    explicit Site(bool blind = false) {
+    explicit Site(bool blind = false, const std::function<void(psychophysics::StudyDesign&)>& change = {}) {
         design = testing::rank3Study();
         if (blind) {
             design.conditions.push_back(design.conditions.front());
@@ -44,6 +51,8 @@ struct Site {
             design.blindExperimenter = true;
         }
         design.trial.mustTouchAll = false;
+        if (change)
+            change(design);
         database::AccountService accounts(*fixture.database);
         if (!accounts.createFirstAdministrator("ada", kPassword, "Ada"))
             qFatal("no administrator");
@@ -103,6 +112,9 @@ class TestLiveStudy : public QObject {
 private slots:
     void pausedAndResumedBeforeTheFirstTick();
     void pausesAndGoesOn();
+    void noClockRunsWhilePaused();
+    void timeIsNeverUpWithoutAnAnswer();
+    void whatIsShownIsNotInTheGroup();
     void stopsWhilePaused();
     void stopsBeforeItBegan();
     void aBlindExperimenterIsToldNoCondition();
@@ -135,6 +147,92 @@ void TestLiveStudy::pausesAndGoesOn() {
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QVERIFY(live->answer(0).has_value());
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+}
+
+/// What is stored of a trial holds its pause beside its time, and not in it; of a device that renders no force it says so.
+void TestLiveStudy::noClockRunsWhilePaused() {
+    Site site;
+    const auto live = site.sit();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    live->pause();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->training().display().latest().paused), kPatience_ms);
+    const double left_s = live->view().timeLeft_s;
+    QTest::qWait(1500);
+    live->poll();
+    QVERIFY2(live->view().timeLeft_s > left_s - 0.1 || live->view().timeLeft_s == 0.0, qPrintable(QString::number(live->view().timeLeft_s)));
+    live->resume();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    QVERIFY(live->answer(0).has_value());
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+    auto connection = site.fixture.database->openReader();
+    database::StudyReader reader(**connection, site.actor);
+    const auto runs = reader.runs(reader.participantByCode(site.study, site.code)->id);
+    const auto trials = reader.studyTrials(runs->front().id);
+    QCOMPARE(trials->size(), std::size_t{1});
+    const database::StudyTrial& trial = trials->front();
+    const double paused_s = session::pausedOf(trial.fidelityJson), whole_s = 1e-3 * static_cast<double>(trial.lastTick - trial.firstTick);
+    QVERIFY2(paused_s > 1.0, trial.fidelityJson.c_str());
+    QVERIFY2(std::abs(trial.exploration_s + paused_s - whole_s) < 0.0025, trial.fidelityJson.c_str());
+    QVERIFY(trial.answer_s <= trial.exploration_s);
+    QVERIFY(trial.felt && !*trial.felt && !trial.device.empty()); // keyboard and mouse
+    const QJsonObject fidelity = QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object();
+    QVERIFY(fidelity["shown"].toBool() && fidelity["stiffness_error"].isNull() && fidelity["saturated"].isNull() && fidelity["peak_force_N"].isNull());
+}
+
+/// A run with mouse and keyboard says in every table that it was shown, and belongs to the group only where that is asked for.
+void TestLiveStudy::whatIsShownIsNotInTheGroup() {
+    Site site;
+    {
+        const auto live = site.sit();
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+        QVERIFY(live->answer(0).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+        live->stop();
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    }
+    auto connection = site.fixture.database->openReader();
+    database::StudyReader reader(**connection, site.actor);
+    for (const bool withShown : {false, true}) {
+        const auto analysis = session::analyseStudy(reader, site.study, 1, {.withShown = withShown});
+        QVERIFY(analysis);
+        const session::AnalysedCondition& condition = analysis->conditions.front();
+        const session::AnalysedRun& run = condition.runs.front();
+        QVERIFY(run.felt && !*run.felt && run.pooled == withShown);
+        QVERIFY(psychophysics::hasWarning(run.estimate.warnings, psychophysics::WarningKind::shownRun));
+        QVERIFY(psychophysics::hasWarning(condition.group.warnings, withShown ? psychophysics::WarningKind::shownInGroup : psychophysics::WarningKind::shownLeftOut));
+        QVERIFY(analysis->quality.front().felt && !*analysis->quality.front().felt);
+    }
+    QTemporaryDir folder;
+    QVERIFY(session::exportStudyCsv(reader, site.study, folder.filePath("csv").toStdString()));
+    QVERIFY(session::exportStudyBids(reader, **connection, site.actor, site.study, folder.filePath("bids").toStdString()));
+    QStringList tables{folder.filePath("csv/trials.csv"), folder.filePath("csv/runs.csv"), folder.filePath("csv/quality.csv")};
+    QDirIterator beh(folder.filePath("bids"), {"*_beh.tsv"}, QDir::Files, QDirIterator::Subdirectories);
+    while (beh.hasNext())
+        tables << beh.next();
+    QCOMPARE(tables.size(), qsizetype{4});
+    for (const QString& path : tables) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray separator = path.endsWith(".tsv") ? "\t" : ",";
+        const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+        const auto names = lines[0].split(separator[0]), cells = lines[1].split(separator[0]);
+        QCOMPARE(cells.value(names.indexOf("force_class")), QByteArray("shown"));
+        QVERIFY2(names.contains("device") && cells.value(names.indexOf("device")) != "n/a" && !cells.value(names.indexOf("device")).isEmpty(), lines[1].constData());
+    }
+}
+
+/// Objects that were not all touched when they go cannot be answered about: the trial ends at once and comes again, and nobody is asked for an answer.
+void TestLiveStudy::timeIsNeverUpWithoutAnAnswer() {
+    Site site(false, [](psychophysics::StudyDesign& design) {
+        design.trial.mustTouchAll = true;
+        design.trial.exploreLimit_s = 5.0; // the shortest that a design may have
+        design.trial.answerLimit_s = 60.0;
+    });
+    const auto live = site.sit();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().state == View::exploring), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().state == View::answering || live->numbers().spoiled == 1), kPatience_ms);
+    QCOMPARE(live->numbers().spoiled, 1);
+    QCOMPARE(live->numbers().lastSpoiled, std::string("untouched"));
 }
 
 void TestLiveStudy::stopsWhilePaused() {

@@ -167,6 +167,51 @@ private slots:
         }
         QCOMPARE(conditions, (std::set<QString>{"a_b", "a__b"}));
     }
+    /// By how much the second best stimulus was worse, to the last digit, and nothing where nothing is weighed.
+    void marginsAreExportedAsTheyAre() {
+        Site site;
+        const QString folder = QString::fromStdString(site.fixture.folder()) + "/margins";
+        QVERIFY(site.writeTo(folder, false));
+        const QList<QByteArray> cells = column(bytesOf(folder + "/trials.csv"), ',', "entropy_margin");
+        auto connection = site.fixture.database->openReader();
+        database::StudyReader reader(**connection, site.actor);
+        qsizetype row = 0;
+        int finite = 0;
+        const auto people = reader.participants(site.study).value();
+        for (const database::Participant& who : people) {
+            const auto runs = reader.runs(who.id).value();
+            for (const database::StudyRun& run : runs) {
+                const auto trials = reader.studyTrials(run.id).value();
+                for (const database::StudyTrial& trial : trials) {
+                    QVERIFY(row < cells.size());
+                    const QByteArray& cell = cells[row++];
+                    finite += std::isfinite(trial.entropyMargin) ? 1 : 0;
+                    QVERIFY2(std::isfinite(trial.entropyMargin) ? cell.toDouble() == trial.entropyMargin : cell == "n/a", cell.constData());
+                }
+            }
+        }
+        QCOMPARE(row, cells.size());
+        QVERIFY(finite > 8);
+    }
+    /// Every dictionary says how "n/a" is read, and each row has a cell of each column.
+    void dictionariesSayHowToRead() {
+        Site site;
+        const QString csv = QString::fromStdString(site.fixture.folder()) + "/read_csv", bids = QString::fromStdString(site.fixture.folder()) + "/read_bids";
+        QVERIFY(site.writeTo(csv, false) && site.writeTo(bids, true));
+        for (const QString& file : {csv + "/data_dictionary.csv", csv + "/data_dictionary.json", csv + "/README.txt", bids + "/README"}) {
+            const QByteArray words = bytesOf(file);
+            QVERIFY2(words.contains("na.strings = ") && words.contains("na_values=["), qPrintable(file));
+        }
+        for (const char* table : {"trials", "runs", "participants", "questionnaires", "estimates", "quality"}) {
+            const QList<QByteArray> lines = bytesOf(csv + '/' + table + ".csv").trimmed().split('\n');
+            for (const QByteArray& name : lines.front().split(','))
+                QVERIFY2(bytesOf(csv + "/data_dictionary.csv").contains(QByteArray(table) + ',' + name + ','), (QByteArray(table) + ' ' + name).constData());
+        }
+        for (const char* name : {"device", "force_class", "paused_s"}) {
+            QCOMPARE(column(bytesOf(csv + "/trials.csv"), ',', name).front(), QByteArray("n/a"));
+            QVERIFY(column(bytesOf(csv + "/runs.csv"), ',', name).front() != "no such column");
+        }
+    }
     void quickRunsMeasureNothing() {
         Site site;
         const QString folder = QString::fromStdString(site.fixture.folder()) + "/csv";

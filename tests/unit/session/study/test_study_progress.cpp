@@ -143,6 +143,48 @@ private slots:
         QCOMPARE(trials[4].outcome, -1);
         QCOMPARE(trials[5].candidate, trials[4].candidate); // an adaptive procedure asks for the same again
     }
+    /// Practice that ended without an answer is no practice: it comes again, until somebody is asked. A log in which it counted, as earlier versions
+    /// counted it, goes on as it was.
+    void practiceWithoutAnAnswerComesAgain() {
+        const auto design = designOf("rank3");
+        auto progress = session::StudyProgress::begin(design, "main", 2);
+        QVERIFY(progress);
+        std::vector<database::StudyTrial> log;
+        const auto answer = [&](session::StudyProgress& of, int given) {
+            session::StudyAnswer said;
+            said.answer = given;
+            log.push_back(*of.record(said));
+        };
+        for (const int given : {-1, 0, -1, -1, 0})
+            answer(*progress, given);
+        for (std::size_t i = 0; i < log.size(); ++i)
+            QVERIFY(log[i].practice && log[i].ordinal == static_cast<int>(i));
+        QVERIFY(!progress->next().practice);
+        QCOMPARE(progress->spoiledTrials(), 0); // nor is it a trial that was spoiled
+        answer(*progress, 0);
+        database::StudyRun stored;
+        stored.condition = "main";
+        stored.seed = 2;
+        stored.procedures = progress->procedureIds();
+        auto again = session::rerunChoices(design, stored, log);
+        QVERIFY(again && again->same + again->ties == 6);
+        // Two that timed out were all the practice of an older run.
+        std::vector<database::StudyTrial> old{log[0], log[2], log[5]};
+        for (std::size_t i = 0; i < old.size(); ++i)
+            old[i].ordinal = static_cast<int>(i);
+        auto resumed = session::StudyProgress::resume(design, "main", 2, old);
+        QVERIFY(resumed && resumed->scored() == 1 && !resumed->next().practice);
+        // Nobody answers at all: somebody is asked.
+        auto silent = session::StudyProgress::begin(design, "main", 2);
+        QVERIFY(silent);
+        for (int i = 0; i < design.fidelity.repeatsAtMost; ++i) {
+            QVERIFY(!silent->needsExperimenter());
+            answer(*silent, -1);
+        }
+        QVERIFY(silent->needsExperimenter());
+        silent->experimenterSays(true);
+        QVERIFY(!silent->needsExperimenter() && silent->next().practice);
+    }
     void arrangementsAreBalanced() {
         const auto design = designOf("rank3");
         auto progress = session::StudyProgress::begin(design, "main", 4);
