@@ -66,7 +66,7 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
         out.estimate.trials = out.scored;
     warnNotRendered(out.estimate, participant, out.trials);
     if (condition && ranks(*condition))
-        out.ranking = psychophysics::summariseRankings(psychophysics::saidRanks(scored));
+        out.ranking = psychophysics::summariseRankings(psychophysics::saidRanks(scored), adapts(*condition));
     if (condition && looksForApex(*condition))
         out.apex = apexOfRun(out, radiusOf(study, *condition), core::Random::mix(seed, "apex " + participant.code + " " + labelOf(run)));
     auto replayed = rerun(study, condition, run, out.trials);
