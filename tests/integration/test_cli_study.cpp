@@ -21,6 +21,7 @@ private slots:
     void analyseTellsEachRun();
     void listAndShowTellOfIt();
     void planNeedsNoDatabase();
+    void planOfAComparisonHasItsAssumptionsAsInputs();
     void planOfNoRunsIsInformationAlone();
     void planTellsWhyNoSpacingIsBest();
     void exportHoldsTheFrozenDesign();
@@ -170,7 +171,26 @@ void TestCliStudy::planNeedsNoDatabase() {
     for (const char* key : {"bias_log10", "sd_log10", "coverage", "trials", "minutes", "information_per_trial"})
         QVERIFY2(condition[QLatin1String(key)].isDouble(), key);
     QVERIFY(plan["minutes"].toDouble() > 0.0);
+    for (const char* key : {"bias_log10_error", "sd_log10_error", "coverage_error", "trials_error", "minutes_error"})
+        QVERIFY2(condition[QLatin1String(key)].toDouble() > 0.0, key);
+    QVERIFY(condition["weber_quantiles"]["0.1"].toDouble() <= condition["weber_quantiles"]["0.5"].toDouble());
     QVERIFY(!QFile::exists(m_folder.filePath("none.db")));
+}
+
+void TestCliStudy::planOfAComparisonHasItsAssumptionsAsInputs() {
+    const auto plan = [&](const QStringList& more) {
+        return object(runCli(QStringList{"study", "plan", kStudy, "--observer", "weber:0.12,lapse:0.02", "--runs", "5", "--power", "--database", m_folder.filePath("none.db"), "--json"} + more))
+            ["conditions"][0]["power"].toObject();
+    };
+    const QJsonObject paired = plan({"--paired", "--participants", "10", "--ratio", "1.3"});
+    const QJsonObject strict = plan({"--participants", "10", "--alpha", "0.001"}), groups = plan({"--unpaired", "--participants", "10", "--between-sd", "0.3"});
+    QVERIFY(paired["paired"].toBool() && strict["paired"].toBool() && !groups["paired"].toBool());
+    QCOMPARE(groups["between_sd_log10"].toDouble(), 0.3);
+    QVERIFY(paired["detectable_ratio"].toDouble() > 1.0 && paired["detectable_ratio_error"].toDouble() > 0.0);
+    QVERIFY(strict["detectable_ratio"].toDouble() > paired["detectable_ratio"].toDouble() && groups["detectable_ratio"].toDouble() > paired["detectable_ratio"].toDouble());
+    QVERIFY(paired["power"].toDouble() > 0.05 && paired["power"].toDouble() <= 1.0 && paired["participants_needed"].toDouble() >= 2.0);
+    for (const QStringList& wrong : {QStringList{"--paired", "--unpaired", "--power"}, QStringList{"--alpha", "0.01"}, QStringList{"--power", "--ratio", "1"}})
+        QCOMPARE(runCli(QStringList{"study", "plan", kStudy, "--observer", "weber:0.12", "--runs", "5"} + wrong).exitCode, 2);
 }
 
 void TestCliStudy::planOfNoRunsIsInformationAlone() {

@@ -11,6 +11,7 @@ class TestCliStudyData : public QObject {
     Q_OBJECT
 private slots:
     void magnitudeTellsTheExponent();
+    void twoConditionsAreCompared();
     void codesThatLookAlikeStayApart();
     void everyTargetIsCheckedFirst();
     void refusedRunsMakeNothing_data();
@@ -37,6 +38,37 @@ QJsonObject object(const CliRun& run) {
 }
 
 } // namespace
+
+// Two conditions that are the same but for their names, done by the same three simulated people: a paired ratio near 1, which its interval holds.
+void TestCliStudyData::twoConditionsAreCompared() {
+    QFile content(QStringLiteral(CHIRON_SOURCE_DIR "/curriculum/content/studies/stiffness_elastic_tube.json"));
+    QVERIFY(content.open(QIODevice::ReadOnly));
+    QJsonObject design = QJsonDocument::fromJson(content.readAll()).object();
+    QJsonArray conditions = design["conditions"].toArray();
+    QJsonObject again = conditions[0].toObject();
+    again["id"] = "tube_again";
+    conditions.append(again);
+    design["conditions"] = conditions;
+    design["id"] = "two_tubes";
+    QFile file(m_folder.filePath("two_tubes.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(design).toJson()) > 0);
+    file.close();
+    for (const char* code : {"C01", "C02", "C03"})
+        QCOMPARE(runCli(QStringList{"study", "run", file.fileName(), "--participant", code, "--observer", "weber:0.12,lapse:0.02", "--quick"} + in("compared.db")).exitCode, 0);
+    const QJsonObject analysis = object(runCli(QStringList{"study", "analyse", "two_tubes"} + in("compared.db")));
+    QCOMPARE(analysis["comparisons"].toArray().size(), 1);
+    const QJsonObject compared = analysis["comparisons"][0].toObject();
+    QCOMPARE(compared["condition_a"].toString(), QStringLiteral("tube_60"));
+    QCOMPARE(compared["condition_b"].toString(), QStringLiteral("tube_again"));
+    QVERIFY(compared["paired"].toBool());
+    QCOMPARE(compared["n"].toInt(), 3);
+    const double ratio = compared["ratio"].toDouble();
+    QVERIFY2(ratio > 0.6 && ratio < 1.6 && compared["ci_low"].toDouble() < ratio && ratio < compared["ci_high"].toDouble(), qPrintable(QString::number(ratio)));
+    QVERIFY(compared["p"].toDouble() > 0.0 && compared["p"].toDouble() <= 1.0 && compared["p_holm"] == compared["p"]);
+    QVERIFY(!compared.contains("threshold_models")); // answers decided what came next
+    for (const QJsonValue& run : analysis["runs"].toArray())
+        QVERIFY(run["estimate"]["prior_influence"].toDouble() > 0.01 && run["estimate"]["prior_influence"].toDouble() < 0.5);
+}
 
 // Numbers that are said tell no Weber fraction: the exponent is all that there is.
 void TestCliStudyData::magnitudeTellsTheExponent() {

@@ -65,7 +65,7 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
         if (trial.felt)
             out.felt = out.felt.value_or(true) && *trial.felt;
     if (condition && ranks(*condition))
-        out.ranking = psychophysics::summariseRankings(psychophysics::saidRanks(scored));
+        out.ranking = psychophysics::summariseRankings(psychophysics::saidRanks(scored), adapts(*condition));
     if (condition && looksForApex(*condition))
         out.apex = apexOfRun(out, condition->stimulus.reference, core::Random::mix(seed, "apex " + participant.code + " " + labelOf(run)));
     if (out.apex)

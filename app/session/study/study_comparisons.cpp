@@ -4,8 +4,11 @@
 #include "core/random.h"
 #include "session/study/study_analysis.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
+#include <variant>
 
 namespace chiron::session {
 
@@ -69,12 +72,18 @@ Pair paired(const std::map<std::string, RunEstimate>& first, const std::map<std:
     return pair;
 }
 
+/// Magnitude, of which no thresholds are compared, where answers chose the differences.
 psychophysics::Task taskOf(const StudyAnalysis& study, std::size_t condition) {
     const psychophysics::Condition* designed = study.designed(condition);
-    return designed ? designed->task : psychophysics::Task::magnitude;
+    return designed && !adapts(*designed) ? designed->task : psychophysics::Task::magnitude;
 }
 
 } // namespace
+
+bool adapts(const psychophysics::Condition& condition) {
+    return std::any_of(condition.procedures.begin(), condition.procedures.end(),
+                       [](const psychophysics::ProcedureSpec& spec) { return !std::holds_alternative<psychophysics::ConstantSpec>(spec); });
+}
 
 std::vector<ComparedConditions> compareAll(const StudyAnalysis& study, std::uint64_t seed) {
     std::vector<ComparedConditions> compared;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "psychophysics/study/group_estimate.h"
+#include "psychophysics/study/study_design.h"
 
 #include <cstddef>
 #include <vector>
@@ -14,8 +15,13 @@ struct StudyAnalysis;
 struct ComparedConditions {
     std::size_t first = 0, second = 0; ///< places in StudyAnalysis::conditions
     psychophysics::ConditionComparison weber;
-    psychophysics::ThresholdModels models; ///< of none where the same people did not do both, or tasks differ
+    /// Of none where the same people did not do both, tasks differ, or answers decided what came next: an adaptive run hardly tells the slope, and with it
+    /// free the likelihood ratio is far from chi-square.
+    psychophysics::ThresholdModels models;
 };
+
+/// Whether answers decide which difference comes next.
+bool adapts(const psychophysics::Condition& condition);
 
 /// Every two conditions whose groups give a Weber fraction, of those people whom the groups are of: paired by participant where at least two have done
 /// both, else as two groups. A participant with several runs of a condition counts once: the geometric mean of what they say. None while the

@@ -2,10 +2,13 @@
 #include "psychophysics/measures/ranking_summary.h"
 
 #include "psychophysics/measures/exact_tests.h"
+#include "psychophysics/measures/random_effects.h"
+#include "psychophysics/measures/sample_moments.h"
 #include "psychophysics/study/arrangement.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -125,6 +128,41 @@ void setOrders(RankingSummary& summary, const std::vector<SaidRanks>& rankings, 
     setWorths(summary, rankings);
 }
 
+/// What participants drawn with replacement say of W and of the share of whole orders.
+void setIntervalsOfParticipants(RankingSummary& summary, const std::vector<std::vector<SaidRanks>>& participants, const std::vector<SaidRanks>& means) {
+    std::vector<double> right, of, shares;
+    for (const std::vector<SaidRanks>& rankings : participants) {
+        if (rankings.empty())
+            continue;
+        of.push_back(static_cast<double>(rankings.size()));
+        right.push_back(static_cast<double>(std::count_if(rankings.begin(), rankings.end(), [](const SaidRanks& r) { return r[0] < r[1] && r[1] < r[2]; })));
+        shares.push_back(right.back() / of.back());
+    }
+    const int people = static_cast<int>(means.size());
+    constexpr std::uint64_t kSeed = 1; // always the same: the same answers, the same interval
+    const auto ofW = bootstrapSubjects(people, [&](const std::vector<int>& drawn) {
+        std::vector<SaidRanks> rows;
+        for (const int index : drawn)
+            rows.push_back(means[static_cast<std::size_t>(index)]);
+        return kendallW(rows).w;
+    }, kSeed);
+    summary.wLow = ofW.low;
+    summary.wHigh = ofW.high;
+    const auto ofShare = bootstrapSubjects(people, [&](const std::vector<int>& drawn) {
+        double all = 0.0, whole = 0.0;
+        for (const int index : drawn) {
+            all += of[static_cast<std::size_t>(index)];
+            whole += right[static_cast<std::size_t>(index)];
+        }
+        return whole / all;
+    }, kSeed);
+    summary.complete.low = ofShare.low;
+    summary.complete.high = ofShare.high;
+    const SampleMoments m = momentsOf(shares);
+    const double error = m.sd / std::sqrt(static_cast<double>(people));
+    summary.complete.pValue = people >= 3 && error > 0.0 ? studentUpperTail((m.mean - 1.0 / 6.0) / error, people - 1.0) : std::numeric_limits<double>::quiet_NaN();
+}
+
 } // namespace
 
 std::vector<SaidRanks> saidRanks(const std::vector<ScoredTrial>& trials) {
@@ -145,7 +183,7 @@ std::vector<SaidRanks> saidRanks(const std::vector<ScoredTrial>& trials) {
     return said;
 }
 
-RankingSummary summariseRankings(const std::vector<SaidRanks>& rankings) {
+RankingSummary summariseRankings(const std::vector<SaidRanks>& rankings, bool adaptive) {
     RankingSummary summary;
     if (rankings.empty())
         return summary;
@@ -154,6 +192,14 @@ RankingSummary summariseRankings(const std::vector<SaidRanks>& rankings) {
     for (const SaidRanks& ranks : rankings)
         taus.push_back(tauOf(ranks));
     setTau(summary, taus);
+    summary.adaptive = adaptive;
+    if (adaptive) {
+        constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+        summary.complete.low = summary.complete.high = summary.complete.pValue = kNone;
+        summary.tauLow = summary.tauHigh = kNone;
+        summary.agreement.pValue = summary.agreement.exactP = kNone;
+        summary.trend.pValue = summary.trend.exactP = summary.trend.normalP = kNone;
+    }
     return summary;
 }
 
@@ -176,6 +222,7 @@ RankingSummary summariseGroupRankings(const std::vector<std::vector<SaidRanks>>&
         return summary;
     setOrders(summary, all, means);
     setTau(summary, taus);
+    setIntervalsOfParticipants(summary, participants, means);
     return summary;
 }
 

@@ -21,6 +21,9 @@ struct RankingSummary {
     int judges = 0;   ///< rows of W and L: trials of a participant, participants of a group
     CompleteOrders complete;
     Concordance agreement; ///< Kendall's W
+    double wLow = std::numeric_limits<double>::quiet_NaN(); ///< 95 % of W: participants drawn with replacement (BCa), from three on; of one person none
+    double wHigh = std::numeric_limits<double>::quiet_NaN();
+    bool adaptive = false; ///< of one person whose answers decided what came next: no intervals and p, as trials are not independent
     PageTrend trend;       ///< Page's L, towards the true order
     double tau = std::numeric_limits<double>::quiet_NaN(); ///< mean Kendall's τ_a with the true order (a tied pair counts nothing); of a group the mean of its participants' means
     double tauLow = std::numeric_limits<double>::quiet_NaN(); ///< 95 %, Student's t over trials (participants), within -1..1
@@ -34,8 +37,10 @@ struct RankingSummary {
 /// The rankings among a run's counted trials; what is none (no answer) is left out. Of tasks rank3 and rank3_ties.
 std::vector<SaidRanks> saidRanks(const std::vector<ScoredTrial>& trials);
 
-RankingSummary summariseRankings(const std::vector<SaidRanks>& rankings);
-/// One element a participant; those without a ranking are left out. Worths are fitted to all rankings as if each were anybody's.
+/// `adaptive`: each trial's difference was chosen by the answers before. Then trials are not independent draws, and there is neither an interval nor a p.
+RankingSummary summariseRankings(const std::vector<SaidRanks>& rankings, bool adaptive = false);
+/// One element a participant; those without a ranking are left out. Participants are what is drawn anew: the intervals of W and of the share of whole
+/// orders, and its p (t), are over them, whatever their trials were chosen by; below three participants there are none. Worths are fitted to all rankings as if each were anybody's.
 RankingSummary summariseGroupRankings(const std::vector<std::vector<SaidRanks>>& participants);
 
 } // namespace chiron::psychophysics

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -189,8 +190,11 @@ std::pair<double, double> Quest::intervalWithOpenSlope() const {
     if (static_cast<double>(m_pdf.size()) * kSlopes * std::max(1, trials()) > kMostWork)
         return {quantile(0.025), quantile(0.975)};
     const double range = (1.0 - m_spec.lapse) * (1.0 - m_spec.guess);
-    std::vector<double> logs(m_pdf.size() * kSlopes);
-    std::vector<double> right(m_right.size()), wrong(m_right.size());
+    std::vector<double> row(m_pdf.size()), right(m_right.size()), wrong(m_right.size());
+    struct Own {
+        double logEvidence, low, high;
+    };
+    std::vector<Own> slopes;
     for (int k = 0; k < kSlopes; ++k) {
         const double slope = m_spec.slope * std::pow(kReach, 2.0 * k / (kSlopes - 1) - 1.0);
         const double epsilon = questEpsilon(m_spec.target, slope, m_spec.guess, m_spec.lapse);
@@ -199,7 +203,6 @@ std::pair<double, double> Quest::intervalWithOpenSlope() const {
             right[i] = std::log(std::max(m_spec.guess - range * std::expm1(-hazard), 1e-300));
             wrong[i] = std::log(std::max(m_spec.lapse * (1.0 - m_spec.guess) + range * std::exp(-hazard), 1e-300));
         }
-        double* row = logs.data() + static_cast<std::size_t>(k) * m_pdf.size();
         for (std::size_t i = 0; i < m_pdf.size(); ++i)
             row[i] = -0.5 * std::pow(x(i) / m_spec.priorSd, 2);
         for (const RecordedTrial& trial : log()) {
@@ -208,22 +211,29 @@ std::pair<double, double> Quest::intervalWithOpenSlope() const {
             for (std::size_t i = 0; i < m_pdf.size(); ++i)
                 row[i] += table[static_cast<std::size_t>(offset + 3.0 * m_half - static_cast<double>(i))];
         }
+        const double most = *std::max_element(row.begin(), row.end());
+        double total = 0.0;
+        for (double& p : row)
+            total += p = std::exp(p - most);
+        const auto below = [&](double share) { // each point stands for the grain around it
+            double sum = 0.0;
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                if (sum + row[i] >= share * total)
+                    return m_spec.priorMean + x(i) + m_spec.grain * ((share * total - sum) / row[i] - 0.5);
+                sum += row[i];
+            }
+            return m_spec.priorMean + x(row.size() - 1);
+        };
+        slopes.push_back({std::log(total) + most, below(0.025), below(0.975)});
     }
-    const double most = *std::max_element(logs.begin(), logs.end());
-    std::vector<double> marginal(m_pdf.size(), 0.0);
-    for (std::size_t at = 0; at < logs.size(); ++at)
-        marginal[at % m_pdf.size()] += std::exp(logs[at] - most);
-    const double total = std::accumulate(marginal.begin(), marginal.end(), 0.0);
-    const auto below = [&](double share) { // each point stands for the grain around it
-        double sum = 0.0;
-        for (std::size_t i = 0; i < marginal.size(); ++i) {
-            if (sum + marginal[i] >= share * total)
-                return m_spec.priorMean + x(i) + m_spec.grain * ((share * total - sum) / marginal[i] - 0.5);
-            sum += marginal[i];
+    const double best = std::max_element(slopes.begin(), slopes.end(), [](const Own& a, const Own& b) { return a.logEvidence < b.logEvidence; })->logEvidence;
+    std::pair<double, double> interval{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const Own& own : slopes)
+        if (own.logEvidence >= best + std::log(kAtGridEdge)) {
+            interval.first = std::min(interval.first, own.low);
+            interval.second = std::max(interval.second, own.high);
         }
-        return m_spec.priorMean + x(marginal.size() - 1);
-    };
-    return {below(0.025), below(0.975)};
+    return interval;
 }
 
 bool Quest::done() const noexcept {

@@ -29,8 +29,10 @@ public:
     double mean() const;
     double mode() const;
     double sd() const;
-    /// The central 95 % interval of the threshold (where the target is reached) with the slope left open: alike from a quarter of the assumed one
-    /// to four times it, on a logarithmic axis. QUEST's own sd takes the slope for known and is too small where it is not.
+    /// 95 % interval of the threshold (where the target is reached) with the slope left open: from the lowest to the highest end of the central intervals
+    /// of all slopes, from a quarter of the assumed one to four times it, that the answers leave possible (within the 95 % likelihood region).
+    /// QUEST places trials where they say little of the slope, so an average over slopes would be too short for the flat ones. Its own sd takes the
+    /// slope for known.
     std::pair<double, double> intervalWithOpenSlope() const;
     /// Failure of a flat stretch aside, monotone in `order` (0..1).
     double quantile(double order) const;

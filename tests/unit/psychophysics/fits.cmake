@@ -5,3 +5,10 @@ foreach(name IN ITEMS test_fit_degenerate test_fit_functions test_fit_optima tes
     chiron_test(${name} SOURCES ${name}.cpp LINKS psychophysics LABELS fast unit)
 endforeach()
 chiron_test(test_fit_coverage SOURCES test_fit_coverage.cpp LINKS psychophysics LABELS long unit)
+# Observers a third, as steep and three times as steep as expected: the table by `coverage_table`, and the test that asserts it.
+chiron_test_part(chiron_coverage_runs SOURCES coverage_runs.cpp LINKS psychophysics)
+if(NOT CHIRON_QT_FREE_ONLY)
+    chiron_tool(coverage_table LINKS psychophysics)
+    target_link_libraries(coverage_table PRIVATE chiron_coverage_runs)
+endif()
+chiron_test(test_coverage_table SOURCES test_coverage_table.cpp LINKS psychophysics LIBRARIES chiron_coverage_runs LABELS long unit TIMEOUT 7200)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far procedures are off, by simulated participants: psychophysics.md §1, §5.6, §5.7. CHIRON_SIMULATED_RUNS: runs of each (100; 400 in the
-// long test). Bounds: the published sd and bias, and four standard errors of what so many runs can tell.
+// long test). Bounds: the published sd and bias, and four standard errors of what so many runs can tell. No procedure is told the observer's lapses: the
+// peers estimated them (QUEST+) or took 1 % (QUEST).
 #include "core/random.h"
 #include "psychophysics/observers/thurstone.h"
 #include "psychophysics/procedures/quest_plus.h"
@@ -42,7 +43,7 @@ QuestPlusSpec fitted(double low, double high) {
     QuestPlusSpec spec;
     spec.stimuli = {{"intensity", even(-2.0, 0.0, 0.05)}};
     spec.parameters = {{"threshold", even(low, high, 0.02), {}, false}, {"slope", {2.0, 2.75, 3.5, 4.25, 5.0}, {}, false},
-                       {"lower_asymptote", {0.5}, {}, false}, {"lapse_rate", {0.02}, {}, false}};
+                       {"lower_asymptote", {0.5}, {}, false}, {"lapse_rate", {0.0, 0.01, 0.02, 0.04}, {}, false}};
     spec.stop = {.trials = 1000};
     return spec;
 }
@@ -108,8 +109,8 @@ void TestProcedureSimulations::quest() {
     QuestSpec spec;
     spec.priorMean = -0.8;
     spec.priorSd = 0.4;
-    spec.target = 0.5 + 0.48 * (1.0 - std::exp(-1.0)); // what the simulated threshold is defined by
-    spec.lapse = 0.02;
+    spec.lapse = 0.01; // QUEST's default, as the peer has it; the observer's is 2 %
+    spec.target = 0.01 * 0.5 + 0.99 * (1.0 - 0.5 * std::exp(-1.0)); // at the Weibull's own threshold
     spec.range = 3.0;
     spec.minimum = -2.0;
     spec.maximum = 0.0;

@@ -11,6 +11,7 @@ using namespace chiron::psychophysics;
 class TestRankingSummary : public QObject {
     Q_OBJECT
 private slots:
+    void participantsAreDrawn();
     void readsTrials();
     void byHand();
     void ties();
@@ -106,6 +107,24 @@ void TestRankingSummary::nothingSaid() {
     QCOMPARE(summariseGroupRankings({{}, {}}).rankings, 0);
     QVERIFY(std::isnan(summariseRankings({}).tau));
     QVERIFY(std::isnan(summariseRankings({{1, 2, 3}}).tauLow)); // one says nothing of its scatter
+}
+
+/// Six people of one mind each, trials by the hundred: the group's intervals are those of six people, not of 600 trials; an adaptive run has none.
+void TestRankingSummary::participantsAreDrawn() {
+    std::vector<std::vector<SaidRanks>> people;
+    for (int person = 0; person < 6; ++person)
+        people.push_back(std::vector<SaidRanks>(100, person < 4 ? SaidRanks{1, 2, 3} : SaidRanks{2, 1, 3}));
+    const RankingSummary group = summariseGroupRankings(people);
+    QVERIFY(std::abs(group.complete.share - 4.0 / 6.0) < 1e-12);
+    QVERIFY2(group.complete.high - group.complete.low > 0.5, qPrintable(QString::number(group.complete.high - group.complete.low))); // of 600 trials: 0.08
+    QVERIFY(group.wLow < group.agreement.w && group.agreement.w <= group.wHigh && group.wLow > 0.3);
+    QVERIFY(std::isnan(summariseGroupRankings({people[0], people[5]}).wLow));
+    const std::vector<SaidRanks> some{{1, 2, 3}, {1, 2, 3}, {1, 3, 2}, {3, 2, 1}};
+    const RankingSummary fixed = summariseRankings(some), adaptive = summariseRankings(some, true);
+    QVERIFY(std::isfinite(fixed.complete.low) && std::isfinite(fixed.tauLow) && std::isfinite(fixed.trend.pValue) && std::isfinite(fixed.agreement.pValue));
+    QVERIFY(std::isnan(adaptive.complete.low) && std::isnan(adaptive.tauLow) && std::isnan(adaptive.trend.pValue) && std::isnan(adaptive.agreement.exactP));
+    QCOMPARE(adaptive.tau, fixed.tau);
+    QCOMPARE(adaptive.agreement.w, fixed.agreement.w);
 }
 
 QTEST_GUILESS_MAIN(TestRankingSummary)
