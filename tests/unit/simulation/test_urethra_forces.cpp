@@ -54,6 +54,7 @@ private slots:
     void oddStatesStayFinite();
     void thinEndoscopePlaysFreely();
     void neverPullsInHarderThanFrictionHolds();
+    void theShaftPivotsAtThePelvicFloor();
     void stiffnessBoundsEverySlope();
 };
 
@@ -259,6 +260,25 @@ void TestUrethraForces::neverPullsInHarderThanFrictionHolds() {
             const double held = v.anatomy.friction * r.normal_N; // at least
             QVERIFY2(r.elastic_N < held + 1e-9, qPrintable(QString("%1, %2 N").arg(r.elastic_N).arg(held)));
         }
+    }
+}
+
+// A tip that is aside has tilted the shaft about the floor: that costs no torque. On the line a tilt costs P1's torque, and force across.
+void TestUrethraForces::theShaftPivotsAtThePelvicFloor() {
+    UrethraAnatomy free = bentAtB();
+    free.pivotSpan_m = 0.0;
+    const UrethraForces held(bentAtB(), {}), loose(free, {});
+    for (const double s : {0.060, 0.090, 0.120}) {
+        const double lever = s - 0.040, turn = lever / (lever * lever + 0.020 * 0.020); // s_B, ℓ₀
+        const UrethraResponse aside = held.respond(
+            motionAt(held.centreline(), {.s_m = s, .ex_m = 0.002, .en_m = -0.003, .pitch_rad = -0.003 * turn, .yaw_rad = 0.002 * turn}));
+        QVERIFY2(std::abs(aside.torqueX_Nm) < 1e-12 && std::abs(aside.torqueY_Nm) < 1e-12, qPrintable(QString::number(aside.torqueX_Nm)));
+        const UrethraResponse upright = held.respond(motionAt(held.centreline(), {.s_m = s, .ex_m = 0.002, .en_m = -0.003}));
+        QVERIFY(upright.torqueX_Nm > 1e-4 && upright.torqueY_Nm > 1e-4 && upright.energy_J > aside.energy_J);
+        const Placement tilted{.s_m = s, .pitch_rad = 0.3};
+        const UrethraResponse with = held.respond(motionAt(held.centreline(), tilted)), without = loose.respond(motionAt(loose.centreline(), tilted));
+        QVERIFY(with.torqueX_Nm == without.torqueX_Nm && with.torqueX_Nm > 0.0);
+        QVERIFY(without.lateral_A == Vec3::Zero() && std::abs(with.lateral_A.dot(with.foot.at.n_A) - with.torqueX_Nm * turn) < 1e-12);
     }
 }
 
