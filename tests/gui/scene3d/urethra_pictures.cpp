@@ -28,8 +28,18 @@ void pass(int milliseconds) {
         QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
 }
 
-struct Picture {
+/// With the shape that the levels have: straight to B, then the bend.
+SceneSetup shippedCanal() {
     SceneSetup setup = samples::urethraSetup();
+    auto& anatomy = std::get<chiron::simulation::UrethraInsertionParameters>(setup.parameters).anatomy;
+    anatomy.straight_m = 0.035;
+    anatomy.zEnd_m = 0.100;
+    anatomy.pivotSpan_m = 0.020;
+    return setup;
+}
+
+struct Picture {
+    SceneSetup setup = shippedCanal();
     SceneState state;
 };
 
@@ -140,7 +150,7 @@ QImage deformation() {
 void figures(const QDir& folder) {
     const std::map<QString, Picture> all = pictures();
     {
-        Camera camera(alone(samples::urethraSetup()), QSize(340, 340));
+        Camera camera(alone(shippedCanal()), QSize(340, 340));
         const auto taken = [&](const char* name) {
             Picture what = all.at(name);
             what.setup.cues = alone(what.setup).cues;
@@ -150,7 +160,7 @@ void figures(const QDir& folder) {
         save(row({taken("d_middle"), taken("d_middle_focus")}), folder.filePath("urethra_focus.png"));
     }
     save(deformation(), folder.filePath("urethra_deformation.png"));
-    Camera camera(samples::urethraSetup(), QSize(860, 480));
+    Camera camera(shippedCanal(), QSize(860, 480));
     save(row({camera.take(all.at("j_over"))}), folder.filePath("urethra_force.png"));
     save(row({camera.take(all.at("i_seen"))}), folder.filePath("urethra_bladder.png"));
 }
@@ -164,7 +174,7 @@ int main(int argc, char** argv) {
         figures(folder);
         return 0;
     }
-    Camera camera(samples::urethraSetup(), QSize(argc > 3 ? atoi(argv[2]) : 1024, argc > 3 ? atoi(argv[3]) : 768));
+    Camera camera(shippedCanal(), QSize(argc > 3 ? atoi(argv[2]) : 1024, argc > 3 ? atoi(argv[3]) : 768));
     for (const auto& [name, what] : pictures()) {
         if (argc > 4 && !name.contains(QLatin1String(argv[4])))
             continue;
