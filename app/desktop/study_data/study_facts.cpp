@@ -32,6 +32,7 @@ core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::Stu
         return tl::unexpected(analysis.error());
     StudyFacts facts;
     facts.study = std::move(*open);
+    facts.comparisons = analysis->comparisons;
     for (std::size_t i = 0; i < analysis->conditions.size(); ++i) {
         facts.designed.push_back(analysis->designed(i) ? std::optional(*analysis->designed(i)) : std::nullopt);
         facts.groups.push_back(analysis->conditions[i].group);

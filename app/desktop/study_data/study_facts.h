@@ -39,6 +39,7 @@ struct StudyFacts {
     std::vector<psychophysics::RankingSummary> rankings; ///< where three are ranked
     std::vector<std::optional<ApexFacts>> apexes;
     std::vector<std::optional<psychophysics::Condition>> designed; ///< what it is analysed by: StudyAnalysis::designed()
+    std::vector<session::ComparedConditions> comparisons; ///< by places in conditionLabels(); none while blinded
     std::vector<database::QuestionnaireAnswer> answers;
 
     /// The task of a condition; unknown while blind where conditions differ.
