@@ -3857,6 +3857,58 @@ Möchten Sie die Datei ersetzen?</translation>
             <numerusform>Zur Gruppe gehören %n Teilnehmende, denen Objekte gezeigt, nicht fühlbar gemacht wurden.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation>p</translation>
+    </message>
+    <message>
+        <source>p, adjusted</source>
+        <translation>p, angepasst</translation>
+    </message>
+    <message>
+        <source>p, own thresholds</source>
+        <translation>p, eigene Schwellen</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 zu %2</translation>
+    </message>
+    <message>
+        <source>%1 did both</source>
+        <translation>%1 mit beiden</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>Conditions compared</source>
+        <translation>Bedingungen im Vergleich</translation>
+    </message>
+    <message>
+        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who did both where at least two have, else of two groups. Adjusted: for so many comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people&apos;s answers better than one for both.</source>
+        <translation>Verhältnis der Weber-Brüche, 1, wo beide gleich sind; von den Personen, die beides gemacht haben, wo es mindestens zwei sind, sonst von zwei Gruppen. Angepasst: an so viele Vergleiche (Holm). Eigene Schwellen: ob eine Schwelle je Bedingung die Antworten dieser Personen besser beschreibt als eine für beide.</translation>
+    </message>
+    <message>
+        <source>Conditions are compared once the study is unblinded: a difference that is watched as it grows is no test any more.</source>
+        <translation>Bedingungen werden verglichen, sobald die Studie entblindet ist: Ein Unterschied, dem man beim Wachsen zusieht, ist kein Test mehr.</translation>
+    </message>
+    <message>
+        <source>After the answers, what was assumed beforehand is still %1 as wide: near 0 % the answers decide, near 100 % the assumption.</source>
+        <translation>Nach den Antworten ist die Annahme von vornherein noch %1 so breit: Nahe 0 % entscheiden die Antworten, nahe 100 % die Annahme.</translation>
+    </message>
+    <message>
+        <source>Each answer decided what came next, so one person&apos;s trials are not independent: they have no interval and no p.</source>
+        <translation>Jede Antwort hat bestimmt, was als Nächstes kam; die Durchgänge einer Person sind deshalb nicht unabhängig: Sie haben kein Intervall und kein p.</translation>
+    </message>
+    <message>
+        <source>W of the group, 95 % over its participants: %1</source>
+        <translation>W der Gruppe, 95 % über ihre Teilnehmenden: %1</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -6188,6 +6240,10 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <source>estimate with its 95 % interval</source>
         <translation>Schätzung mit 95-%-Intervall</translation>
     </message>
+    <message>
+        <source>Conditions compared</source>
+        <translation>Bedingungen im Vergleich</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::HeaderBar</name>
@@ -8007,6 +8063,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <source>Runs per condition</source>
         <translation>Läufe je Bedingung</translation>
     </message>
+    <message>
+        <source>±: one standard error of so few simulated runs; more runs make it smaller.</source>
+        <translation>±: ein Standardfehler bei so wenigen simulierten Durchläufen; mehr Durchläufe machen ihn kleiner.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProcedureForm</name>
@@ -8681,6 +8741,14 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
     <message>
         <source>Bradley-Terry, ties by Davidson</source>
         <translation>Bradley-Terry, Gleichstände nach Davidson</translation>
+    </message>
+    <message>
+        <source>Each answer decided what came next, so one person&apos;s trials are not independent: they have no interval and no p.</source>
+        <translation>Jede Antwort hat bestimmt, was als Nächstes kam; die Durchgänge einer Person sind deshalb nicht unabhängig: Sie haben kein Intervall und kein p.</translation>
+    </message>
+    <message>
+        <source>no p</source>
+        <translation>kein p</translation>
     </message>
 </context>
 <context>

@@ -3857,6 +3857,58 @@ Do you want to replace it?</source>
             <numerusform>Η ομάδα περιλαμβάνει %n συμμετέχοντες στους οποίους τα αντικείμενα μόνο προβλήθηκαν.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Λόγος</translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation>p</translation>
+    </message>
+    <message>
+        <source>p, adjusted</source>
+        <translation>p, προσαρμοσμένο</translation>
+    </message>
+    <message>
+        <source>p, own thresholds</source>
+        <translation>p, χωριστά κατώφλια</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 προς %2</translation>
+    </message>
+    <message>
+        <source>%1 did both</source>
+        <translation>%1 και στις δύο</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 και %2</translation>
+    </message>
+    <message>
+        <source>Conditions compared</source>
+        <translation>Σύγκριση συνθηκών</translation>
+    </message>
+    <message>
+        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who did both where at least two have, else of two groups. Adjusted: for so many comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people&apos;s answers better than one for both.</source>
+        <translation>Λόγος των κλασμάτων Weber, 1 όπου είναι ίδια· των ατόμων που έκαναν και τις δύο, όπου είναι τουλάχιστον δύο, αλλιώς δύο ομάδων. Προσαρμοσμένο: για τόσες συγκρίσεις (Holm). Χωριστά κατώφλια: αν ένα κατώφλι για κάθε συνθήκη περιγράφει τις απαντήσεις αυτών των ατόμων καλύτερα από ένα κοινό.</translation>
+    </message>
+    <message>
+        <source>Conditions are compared once the study is unblinded: a difference that is watched as it grows is no test any more.</source>
+        <translation>Οι συνθήκες συγκρίνονται μετά την άρση της τύφλωσης: μια διαφορά που την παρακολουθεί κανείς να μεγαλώνει δεν είναι πια έλεγχος.</translation>
+    </message>
+    <message>
+        <source>After the answers, what was assumed beforehand is still %1 as wide: near 0 % the answers decide, near 100 % the assumption.</source>
+        <translation>Μετά τις απαντήσεις, ό,τι είχε υποτεθεί από πριν έχει ακόμη το %1 του πλάτους του: κοντά στο 0 % αποφασίζουν οι απαντήσεις, κοντά στο 100 % η υπόθεση.</translation>
+    </message>
+    <message>
+        <source>Each answer decided what came next, so one person&apos;s trials are not independent: they have no interval and no p.</source>
+        <translation>Κάθε απάντηση όριζε τι ακολουθούσε, άρα οι δοκιμές ενός ατόμου δεν είναι ανεξάρτητες: δεν έχουν διάστημα ούτε p.</translation>
+    </message>
+    <message>
+        <source>W of the group, 95 % over its participants: %1</source>
+        <translation>W της ομάδας, 95 % στους συμμετέχοντες: %1</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -6188,6 +6240,10 @@ Press again to end the trial without it.</source>
         <source>estimate with its 95 % interval</source>
         <translation>εκτίμηση με διάστημα 95 %</translation>
     </message>
+    <message>
+        <source>Conditions compared</source>
+        <translation>Σύγκριση συνθηκών</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::HeaderBar</name>
@@ -8007,6 +8063,10 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <source>Runs per condition</source>
         <translation>Εκτελέσεις ανά συνθήκη</translation>
     </message>
+    <message>
+        <source>±: one standard error of so few simulated runs; more runs make it smaller.</source>
+        <translation>±: ένα τυπικό σφάλμα τόσο λίγων προσομοιωμένων εκτελέσεων· περισσότερες εκτελέσεις το μικραίνουν.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProcedureForm</name>
@@ -8681,6 +8741,14 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
     <message>
         <source>Bradley-Terry, ties by Davidson</source>
         <translation>Bradley-Terry, ισοβαθμίες κατά Davidson</translation>
+    </message>
+    <message>
+        <source>Each answer decided what came next, so one person&apos;s trials are not independent: they have no interval and no p.</source>
+        <translation>Κάθε απάντηση όριζε τι ακολουθούσε, άρα οι δοκιμές ενός ατόμου δεν είναι ανεξάρτητες: δεν έχουν διάστημα ούτε p.</translation>
+    </message>
+    <message>
+        <source>no p</source>
+        <translation>χωρίς p</translation>
     </message>
 </context>
 <context>

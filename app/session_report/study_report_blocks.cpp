@@ -36,6 +36,7 @@ StudyReportBlocks::StudyReportBlocks(const StudyReportData& data, const report::
     addTitle();
     addDesign();
     addConditions();
+    addComparisons();
     addParticipants();
     for (const std::size_t condition : data.conditionsInOrder())
         addCondition(condition);

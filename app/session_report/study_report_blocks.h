@@ -45,6 +45,7 @@ private:
     void addApex(std::size_t condition);
     QString errorText(double mm, double percent) const;
     void addRankings(const session::AnalysedCondition& condition); ///< where three are ranked; study_report_rankings.cpp
+    void addComparisons(); ///< of conditions, two by two
     void addFidelity();
     void addQuality(); ///< in place of it while runs are sealed
     void addQuestionnaires();

@@ -4,6 +4,7 @@
 #include "session_report/study_report_text.h"
 #include "session_report/study_report_words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <qcustomplot.h>
 
@@ -79,6 +80,10 @@ void StudyReportBlocks::addRankings(const session::AnalysedCondition& condition)
              rows, {0.13, 0.09, 0.17, 0.1, 0.15, 0.18, 0.18}, {false, true, true, true, true, true, true});
     addMuted(Words::tr("Right: whole orders (guessing gives 1 in 6, with ties fewer). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. "
                        "L: trend towards the true order. Of a person each ranking is one judgement, of the group each person's mean ranks."));
+    if (std::any_of(condition.runs.begin(), condition.runs.end(), [](const session::AnalysedRun& run) { return run.ranking.adaptive; }))
+        addMuted(Words::tr("Each answer decided what came next, so one person's trials are not independent: they have no interval and no p."));
+    if (std::isfinite(group.wLow))
+        addMuted(Words::tr("W of the group, 95 % over its participants: %1").arg(fixedInterval(group.wLow, group.wHigh, locale)));
     if (!group.plackettLuce.fitted && !group.thurstone.fitted)
         return addMuted(Words::tr("No worth of an object is finite: some object was always, or never, ranked above the others."));
     std::vector<std::unique_ptr<PlotView>> row;

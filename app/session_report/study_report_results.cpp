@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What came out of each condition: group, persons, curves.
 #include "session_report/run_curve_plot.h"
+#include "session_report/study_comparison_words.h"
 #include "session_report/study_report_blocks.h"
 #include "session_report/study_report_text.h"
 #include "session_report/study_report_words.h"
@@ -107,9 +108,26 @@ void StudyReportBlocks::addRuns(std::size_t at) {
     addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"), Words::tr("Scored"),
               Words::tr("Repeated"), Words::tr("Run")},
              rows, {0.14, 0.16, 0.2, 0.14, 0.11, 0.11, 0.14}, {false, true, true, true, true, true, false});
-    for (const session::AnalysedRun& run : condition.runs)
+    for (const session::AnalysedRun& run : condition.runs) {
+        if (const QString influence = influenceWords(run.estimate.priorInfluence, locale); !influence.isEmpty())
+            addMuted(QStringLiteral("%1: %2").arg(QString::fromStdString(run.participant.code), influence));
         for (const psychophysics::Warning& warning : run.estimate.warnings)
             addMuted(QStringLiteral("! %1: %2").arg(QString::fromStdString(run.participant.code), warningWords(warning)));
+    }
+}
+
+void StudyReportBlocks::addComparisons() {
+    const session::StudyAnalysis& analysis = m_data.analysis;
+    if (analysis.conditions.size() < 2 || (analysis.comparisons.empty() && !m_data.blind()))
+        return;
+    addHeading(Words::tr("Conditions compared"));
+    if (m_data.blind())
+        return addMuted(comparisonSealed());
+    std::vector<std::vector<QString>> rows;
+    for (const session::ComparedConditions& each : analysis.comparisons)
+        rows.push_back(comparisonRow(each, m_data.conditionName(each.first), m_data.conditionName(each.second), m_theme.locale));
+    addTable(comparisonHeadings(), rows, {0.3, 0.1, 0.17, 0.09, 0.1, 0.13, 0.11}, {false, true, true, true, true, true, true});
+    addMuted(comparisonNote());
 }
 
 void StudyReportBlocks::addCurves(std::size_t at) {

@@ -160,14 +160,18 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) const {
     };
     const auto factor = [](double log10) { return std::pow(10.0, log10) - 1.0; };
     const psychophysics::ConditionPlan& plan = result.plan;
-    fact(tr("expected bias of the Weber fraction"), study_words::percent(factor(plan.biasLog10), locale));
-    fact(tr("precision: SD of one run, as a factor"), QStringLiteral("× %1").arg(study_words::number(std::pow(10.0, plan.sdLog10), locale)));
-    fact(tr("trials"), study_words::number(plan.meanTrials, locale));
-    fact(tr("minutes, breaks included"), study_words::number(plan.minutes, locale, 2));
-    fact(tr("95 % intervals that hold the truth"), study_words::percent(plan.coverage, locale));
+    const auto withError = [](const QString& value, const QString& error) { return QStringLiteral("%1 ± %2").arg(value, error); };
+    fact(tr("expected bias of the Weber fraction"), withError(study_words::percent(factor(plan.biasLog10), locale), study_words::percent(factor(plan.biasError), locale)));
+    fact(tr("precision: SD of one run, as a factor"),
+         QStringLiteral("× %1").arg(withError(study_words::number(std::pow(10.0, plan.sdLog10), locale),
+                                             study_words::number(std::pow(10.0, plan.sdLog10 + plan.sdError) - std::pow(10.0, plan.sdLog10), locale, 2))));
+    fact(tr("trials"), withError(study_words::number(plan.meanTrials, locale), study_words::number(plan.trialsError, locale, 2)));
+    fact(tr("minutes, breaks included"), withError(study_words::number(plan.minutes, locale, 2), study_words::number(plan.minutesError, locale, 2)));
+    fact(tr("95 % intervals that hold the truth"), withError(study_words::percent(plan.coverage, locale), study_words::percent(plan.coverageError, locale)));
     fact(tr("smallest ratio found with 80 % power by %n participant(s)", nullptr, m_page.draft.design().participantsPlanned),
          QStringLiteral("× %1").arg(study_words::number(result.detectable, locale)));
     box.layout->addWidget(grid);
+    box.layout->addWidget(kit::label(theme, tr("±: one standard error of so few simulated runs; more runs make it smaller."), TextStyle::small, "muted"));
     for (const psychophysics::Warning& warning : plan.warnings)
         box.layout->addWidget(kit::notice(theme, "warning", session_report::warningWords(warning)));
     if (!result.curve.empty())

@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::array kShares{0.25, 0.5, 0.75, 1.0, 1.5}; // of the design's own number of trials
 constexpr double kWantedPower = 0.8;
-constexpr double kMiddle80 = 1.2816; // SDs to the 10 % and 90 % points of a normal distribution
 
 /// The condition with runs of so many trials, whatever else would end them.
 Condition withTrials(Condition condition, int trials) {
@@ -37,27 +36,6 @@ bool endsByTrials(const Condition& condition) {
                         [](const ProcedureSpec& spec) { return std::holds_alternative<DescendingSpec>(spec); });
 }
 
-/// The smallest ratio that the planned participants find; by halving.
-double detectableRatio(const ConditionPlan& plan, int participants) {
-    if (!std::isfinite(plan.sdLog10) || participants < 2)
-        return std::nan("");
-    const auto found = [&](double differenceLog10) {
-        PowerQuestion question;
-        question.differenceLog10 = differenceLog10;
-        question.runSdLog10 = plan.sdLog10;
-        question.participants = participants;
-        return power(question) >= kWantedPower;
-    };
-    double low = 0.0;
-    double high = 1.0;
-    if (!found(high))
-        return std::nan("");
-    constexpr int kHalvings = 12;
-    for (int i = 0; i < kHalvings; ++i)
-        (found(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
-    return std::pow(10.0, high);
-}
-
 } // namespace
 
 core::Result<PreviewResult> previewCondition(const StudyDesign& design, std::size_t index, const ObserverSpec& observer, int runs,
@@ -68,18 +46,20 @@ core::Result<PreviewResult> previewCondition(const StudyDesign& design, std::siz
         return core::fail(core::ErrorCode::cancelled, "preview");
     PreviewResult result;
     result.condition = condition.id;
-    result.plan = planCondition(condition, design.trial, observer, runs, design.seed + index);
-    result.detectable = detectableRatio(result.plan, design.participantsPlanned);
+    result.plan = planCondition(condition, design.trial, observer, runs, design.seed);
+    PowerQuestion question;
+    question.runSdLog10 = result.plan.sdLog10;
+    question.participants = design.participantsPlanned;
+    result.detectable = detectableRatio(question, kWantedPower);
     const double trials = result.plan.meanTrials;
     for (std::size_t i = 0; i < kShares.size() && endsByTrials(condition) && trials >= 4.0; ++i) {
         if (!progress((2.0 + static_cast<double>(i)) / kParts))
             return core::fail(core::ErrorCode::cancelled, "preview");
         const int count = static_cast<int>(std::lround(trials * kShares[i]));
-        const ConditionPlan plan = planCondition(withTrials(condition, count), design.trial, observer, runs, design.seed + index);
+        const ConditionPlan plan = planCondition(withTrials(condition, count), design.trial, observer, runs, design.seed);
         if (!std::isfinite(plan.biasLog10) || !std::isfinite(plan.sdLog10))
             continue;
-        const auto at = [&](double sds) { return observer.weber * std::pow(10.0, plan.biasLog10 + sds * plan.sdLog10); };
-        result.curve.push_back({plan.meanTrials, at(0.0), at(-kMiddle80), at(kMiddle80)});
+        result.curve.push_back({plan.meanTrials, plan.weber50, plan.weber10, plan.weber90});
     }
     return result;
 }

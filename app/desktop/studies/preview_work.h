@@ -10,7 +10,7 @@
 
 namespace chiron::desktop {
 
-/// What runs that end after so many trials may be expected to say: the middle estimate and the middle 80 % of them, Weber fractions.
+/// What runs that end after so many trials may be expected to say: half of them say less than `weber`, a tenth less than `low` and a tenth more than `high` (Weber fractions).
 struct PreviewPoint {
     double trials = 0.0;
     double weber = 0.0;

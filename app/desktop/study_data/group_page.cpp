@@ -9,6 +9,7 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
+#include "session_report/study_comparison_words.h"
 #include "session_report/study_warning_words.h"
 
 #include <algorithm>
@@ -44,6 +45,8 @@ GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condi
     column->addWidget(tableBox());
     if (facts.ranks(condition))
         column->addWidget(new RankingBox(app, facts.rankings[condition], RankingBox::Of::group));
+    if (conditionLabels(facts.study).size() > 1 && (facts.study.blind() || !facts.comparisons.empty()))
+        column->addWidget(comparisonBox());
 }
 
 std::vector<const RunFacts*> GroupPage::runs() const {
@@ -176,6 +179,35 @@ QWidget* GroupPage::tableBox() {
     table->setRowsSeen(std::clamp(table->rowCount(), kFewestRows, kMostRows));
     connect(table, &QTableWidget::activated, this, [this](const QModelIndex& index) { emit runOpened(index.data(Qt::UserRole).toLongLong()); });
     return table;
+}
+
+QWidget* GroupPage::comparisonBox() {
+    const Theme& theme = m_app.theme();
+    const kit::Box box = kit::box(theme);
+    box.frame->setObjectName(QStringLiteral("data.comparisons"));
+    box.layout->addWidget(kit::label(theme, tr("Conditions compared"), TextStyle::title));
+    if (m_facts.study.blind()) {
+        box.layout->addWidget(kit::label(theme, session_report::comparisonSealed(), TextStyle::body, "muted"));
+        return box.frame;
+    }
+    const std::vector<QString> headings = session_report::comparisonHeadings();
+    const std::vector<std::string> labels = conditionLabels(m_facts.study);
+    const auto name = [&](std::size_t at) { return conditionName(m_facts.study, labels[at], m_app.language()); };
+    auto* table = new FittedTable(theme, static_cast<int>(headings.size()));
+    table->setObjectName(QStringLiteral("data.comparison_table"));
+    table->setAccessibleName(tr("Conditions compared"));
+    table->setHorizontalHeaderLabels(QStringList(headings.begin(), headings.end()));
+    table->setRowCount(static_cast<int>(m_facts.comparisons.size()));
+    for (int row = 0; row < table->rowCount(); ++row) {
+        const session::ComparedConditions& each = m_facts.comparisons[static_cast<std::size_t>(row)];
+        const std::vector<QString> cells = session_report::comparisonRow(each, name(each.first), name(each.second), m_app.locale());
+        for (int column = 0; column < static_cast<int>(cells.size()); ++column)
+            table->setItem(row, column, new QTableWidgetItem(cells[static_cast<std::size_t>(column)]));
+    }
+    table->setRowsSeen(std::clamp(table->rowCount(), 1, kMostRows));
+    box.layout->addWidget(table);
+    box.layout->addWidget(kit::label(theme, session_report::comparisonNote(), TextStyle::small, "muted"));
+    return box.frame;
 }
 
 } // namespace chiron::desktop

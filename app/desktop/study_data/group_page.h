@@ -25,6 +25,7 @@ private:
     void addAgreement(QVBoxLayout& layout) const; ///< of rankings
     QWidget* plotBox();
     QWidget* tableBox();
+    QWidget* comparisonBox(); ///< of all conditions, two by two
     std::vector<const RunFacts*> runs() const;
 
     AppContext& m_app;

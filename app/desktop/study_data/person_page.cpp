@@ -11,6 +11,7 @@
 #include "report/plot_view.h"
 #include "session/study/study_store.h"
 #include "session_report/run_curve_plot.h"
+#include "session_report/study_comparison_words.h"
 #include "session_report/study_warning_words.h"
 
 #include <QComboBox>
@@ -103,6 +104,8 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
                                                      run.run.procedures.empty() ? QStringLiteral("–") : study_words::procedure(run.run.procedures), locale.toString(run.scored),
                                                      locale.toString(run.spoiled), method.isEmpty() ? method : method + QLatin1Char('.')),
                                      TextStyle::small, "muted"));
+    if (const QString influence = session_report::influenceWords(estimate.priorInfluence, locale); !influence.isEmpty())
+        box.layout->addWidget(kit::label(theme, influence, TextStyle::small, "muted"));
     const session::ReplayedChoices& again = run.replayed;
     if (again.trials > 0)
         box.layout->addWidget(kit::label(theme, again.same + again.ties == again.trials && again.sameProcedures

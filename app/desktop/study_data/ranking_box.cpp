@@ -55,6 +55,8 @@ RankingBox::RankingBox(AppContext& app, const RankingSummary& summary, Of of, QW
                                            : tr("%n participant(s); each one's mean ranks are one judgement.", nullptr, summary.judges);
     const QString tied = summary.tied > 0 ? QStringLiteral(" ") + tr("In %n ranking(s) something was called equal.", nullptr, summary.tied) : QString();
     column->addWidget(kit::label(theme, basis + tied, TextStyle::small, "muted"));
+    if (summary.adaptive)
+        column->addWidget(kit::label(theme, tr("Each answer decided what came next, so one person's trials are not independent: they have no interval and no p."), TextStyle::small, "muted"));
     addMeasures(*column, summary, of);
     addWorths(*column, summary);
 }
@@ -63,6 +65,7 @@ void RankingBox::addMeasures(QVBoxLayout& column, const RankingSummary& summary,
     const QLocale locale = m_app.locale();
     const auto decimals = [&](double value) { return std::isfinite(value) ? locale.toString(value, 'f', 2) : QStringLiteral("–"); };
     const auto interval = [&](const QString& text) { return text.isEmpty() ? tr("no interval") : tr("95 %: %1").arg(text); };
+    const auto pOf = [&](double p) { return summary.adaptive ? tr("no p") : pText(p, locale); };
     auto* grid = new FieldGrid(m_app.theme(), locale, true);
     const auto& complete = summary.complete;
     addMeasure(*grid, tr("Whole orders right"), study_words::percent(complete.share, locale), interval(study_words::intervalPercent(complete.low, complete.high, locale)),
@@ -71,10 +74,11 @@ void RankingBox::addMeasures(QVBoxLayout& column, const RankingSummary& summary,
                interval(std::isfinite(summary.tauLow) ? QStringLiteral("%1 … %2").arg(decimals(summary.tauLow), decimals(summary.tauHigh)) : QString()),
                tr("Likeness to the true order: 1 the same, 0 no relation, −1 reversed."));
     addMeasure(*grid, tr("Kendall's W"), decimals(summary.agreement.w),
-               pText(std::isfinite(summary.agreement.exactP) ? summary.agreement.exactP : summary.agreement.pValue, locale),
+               pOf(std::isfinite(summary.agreement.exactP) ? summary.agreement.exactP : summary.agreement.pValue) +
+                   (std::isfinite(summary.wLow) ? QStringLiteral(" · ") + interval(QStringLiteral("%1 … %2").arg(decimals(summary.wLow), decimals(summary.wHigh))) : QString()),
                of == Of::person ? tr("How far the rankings agree with each other: 0 not at all, 1 wholly.")
                                 : tr("How far the participants agree with each other: 0 not at all, 1 wholly."));
-    addMeasure(*grid, tr("Page's L"), study_words::number(summary.trend.l, locale, 4), pText(summary.trend.pValue, locale),
+    addMeasure(*grid, tr("Page's L"), study_words::number(summary.trend.l, locale, 4), pOf(summary.trend.pValue),
                tr("Trend towards the true order; guessing gives %1 on average.").arg(study_words::number(summary.trend.expected, locale, 4)));
     column.addWidget(grid);
 }

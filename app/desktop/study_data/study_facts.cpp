@@ -35,6 +35,7 @@ core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::Stu
     facts.quality = analysis->quality;
     facts.sealed = analysis->sealed();
     facts.withShown = withShown;
+    facts.comparisons = analysis->comparisons;
     for (std::size_t i = 0; i < analysis->conditions.size(); ++i) {
         facts.designed.push_back(analysis->designed(i) ? std::optional(*analysis->designed(i)) : std::nullopt);
         facts.groups.push_back(analysis->conditions[i].group);

@@ -40,6 +40,7 @@ struct StudyFacts {
     std::vector<psychophysics::RankingSummary> rankings; ///< where three are ranked
     std::vector<std::optional<ApexFacts>> apexes;
     std::vector<std::optional<psychophysics::Condition>> designed; ///< what it is analysed by: StudyAnalysis::designed()
+    std::vector<session::ComparedConditions> comparisons; ///< by places in conditionLabels(); none while blinded
     std::vector<database::QuestionnaireAnswer> answers;
     std::vector<database::ParticipantQuality> quality; ///< by participant: also while blinded
     bool sealed = false;    ///< runs are listed, and nothing is said of them

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session_report/study_comparison_words.h"
+
+#include "session_report/study_report_text.h"
+#include "session_report/study_report_words.h"
+
+#include <cmath>
+
+namespace chiron::session_report {
+
+namespace {
+
+QString pWords(double p, const QLocale& locale) {
+    if (!std::isfinite(p))
+        return QStringLiteral("–");
+    return p < 0.001 ? QStringLiteral("< ") + locale.toString(0.001, 'f', 3) : locale.toString(p, 'f', 3);
+}
+
+} // namespace
+
+std::vector<QString> comparisonHeadings() {
+    return {Words::tr("Conditions"), Words::tr("Ratio"), Words::tr("95 % interval"), Words::tr("p"), Words::tr("p, adjusted"), Words::tr("Participants"), Words::tr("p, own thresholds")};
+}
+
+std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first, const QString& second, const QLocale& locale) {
+    const psychophysics::ConditionComparison& weber = compared.weber;
+    const bool known = std::isfinite(weber.ratio95.low) && std::isfinite(weber.ratio95.high);
+    return {Words::tr("%1 over %2").arg(second, first),
+            study_report_words::number(weber.ratio, locale),
+            known ? QStringLiteral("%1 … %2").arg(study_report_words::number(weber.ratio95.low, locale), study_report_words::number(weber.ratio95.high, locale))
+                  : QStringLiteral("–"),
+            pWords(weber.pValue, locale),
+            pWords(weber.pHolm, locale),
+            weber.paired ? Words::tr("%1 did both").arg(locale.toString(weber.participants)) : Words::tr("%1 and %2").arg(locale.toString(weber.second), locale.toString(weber.first)),
+            pWords(compared.models.pValue, locale)};
+}
+
+QString comparisonNote() {
+    return Words::tr("Ratio of the Weber fractions, 1 where both are alike; of the people who did both where at least two have, else of two groups. Adjusted: for so many "
+                     "comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people's answers better than one for both.");
+}
+
+QString comparisonSealed() {
+    return Words::tr("Conditions are compared once the study is unblinded: a difference that is watched as it grows is no test any more.");
+}
+
+QString influenceWords(double influence, const QLocale& locale) {
+    if (!std::isfinite(influence))
+        return {};
+    return Words::tr("After the answers, what was assumed beforehand is still %1 as wide: near 0 % the answers decide, near 100 % the assumption.")
+        .arg(study_report_words::percent(influence, locale));
+}
+
+} // namespace chiron::session_report
