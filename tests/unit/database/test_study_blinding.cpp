@@ -225,30 +225,6 @@ void TestStudyBlinding::reasonsOfForcesAreWithheld() {
     QCOMPARE(shownReason("saturation", open), std::string("saturation"));
 }
 
-// Whatever a trial's fidelity says of forces, and of the stimulus that was rendered: none of it is read while sealed, by whatever name.
-void TestStudyBlinding::forcesAreSealedByEveryName() {
-    StudyTrial trial = someTrial(m_of.run, 1);
-    const std::vector<const char*> ofTheTrial{"force_error_rms_N", "saturated", "peak_force_N", "stiffness_error"};
-    const std::vector<const char*> ofAPlace{"asked", "rendered", "standard_error", "peak_force_N", "terminal_force_N"};
-    QJsonObject place{{"place", 0}, {"contacts", 2}};
-    for (const char* key : ofAPlace)
-        place.insert(QLatin1String(key), 812.5);
-    QJsonObject fidelity{{"contacts", 2}, {"outside", "peak_force"}, {"places", QJsonArray{place, place}}};
-    for (const char* key : ofTheTrial)
-        fidelity.insert(QLatin1String(key), 812.5);
-    trial.fidelityJson = QJsonDocument(fidelity).toJson(QJsonDocument::Compact).toStdString();
-    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.storeStudyTrial(trial); }));
-    auto connection = m->database->openReader();
-    const auto shown = [&] { return StudyReader(**connection, m_rob).studyTrials(m_of.run)->at(1).fidelityJson; };
-    const std::string sealed = shown();
-    QVERIFY2(sealed.find("812.5") == std::string::npos && sealed.find("outside") == std::string::npos, sealed.c_str());
-    for (const auto* keys : {&ofTheTrial, &ofAPlace})
-        for (const char* key : *keys)
-            QVERIFY2(sealed.find(key) == std::string::npos, key);
-    REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen); }));
-    QCOMPARE(shown(), trial.fidelityJson);
-}
-
 void TestStudyBlinding::fixedOrderIsNotBlind() {
     const auto freeze = [&](const std::string& key, const std::string& order) {
         std::string design = someDesign(key);
