@@ -782,8 +782,8 @@ Einzelheiten: %2</translation>
         <translation>Wegüberschuss</translation>
     </message>
     <message>
-        <source>How much longer the path was than the straight line between its ends, or in a canal than the canal itself on the way in and out; the mean over the trials.</source>
-        <translation>Wie viel länger der Weg war als die Gerade zwischen seinen Enden, in einem Kanal als der Kanal selbst auf dem Hin- und Rückweg; Mittelwert über die Durchgänge.</translation>
+        <source>How much longer the path was than the straight line between its ends or, where the way in and out is bent, than that way; the mean over the trials.</source>
+        <translation>Wie viel länger der Weg war als die Gerade zwischen seinen Enden oder, wo der Weg hinein und heraus gebogen ist, als dieser; Mittelwert über die Durchgänge.</translation>
     </message>
     <message>
         <source>Smoothness (SPARC)</source>
@@ -1146,8 +1146,8 @@ Einzelheiten: %2</translation>
         <translation>Kritische Fehler</translation>
     </message>
     <message>
-        <source>How often the tissue gave way because it was pushed too hard, or a canal was pressed sideways for more than 1 s or with more than 4 N.</source>
-        <translation>Wie oft das Gewebe nachgab, weil zu stark gedrückt wurde, oder ein Kanal länger als 1 s oder mit mehr als 4 N zur Seite gedrückt wurde.</translation>
+        <source>How often the tissue gave way because it was pushed too hard, or was pressed sideways too hard or for too long.</source>
+        <translation>Wie oft das Gewebe nachgab, weil zu stark gedrückt wurde, oder zu stark oder zu lange zur Seite gedrückt wurde.</translation>
     </message>
     <message>
         <source>Over-stretches</source>
@@ -5250,8 +5250,8 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>%1: %2 in Durchgang %3, bei %4</translation>
     </message>
     <message>
-        <source>No trial was begun</source>
-        <translation>Kein Durchgang wurde begonnen</translation>
+        <source>No trial was finished</source>
+        <translation>Kein Durchgang wurde beendet</translation>
     </message>
     <message>
         <source>Chiron session %1.pdf</source>

@@ -782,8 +782,8 @@ Details: %2</source>
         <translation>Πλεονάζουσα διαδρομή</translation>
     </message>
     <message>
-        <source>How much longer the path was than the straight line between its ends, or in a canal than the canal itself on the way in and out; the mean over the trials.</source>
-        <translation>Πόσο μεγαλύτερη ήταν η διαδρομή από την ευθεία ανάμεσα στα άκρα της ή, μέσα σε πόρο, από τον ίδιο τον πόρο κατά την είσοδο και την έξοδο· μέσος όρος των δοκιμών.</translation>
+        <source>How much longer the path was than the straight line between its ends or, where the way in and out is bent, than that way; the mean over the trials.</source>
+        <translation>Πόσο μεγαλύτερη ήταν η διαδρομή από την ευθεία ανάμεσα στα άκρα της ή, όπου ο δρόμος προς τα μέσα και προς τα έξω είναι καμπύλος, από αυτόν· μέσος όρος των δοκιμών.</translation>
     </message>
     <message>
         <source>Smoothness (SPARC)</source>
@@ -1146,8 +1146,8 @@ Details: %2</source>
         <translation>Κρίσιμα σφάλματα</translation>
     </message>
     <message>
-        <source>How often the tissue gave way because it was pushed too hard, or a canal was pressed sideways for more than 1 s or with more than 4 N.</source>
-        <translation>Πόσες φορές ο ιστός υποχώρησε επειδή πιέστηκε υπερβολικά, ή ένας πόρος πιέστηκε πλάγια για περισσότερο από 1 s ή με περισσότερα από 4 N.</translation>
+        <source>How often the tissue gave way because it was pushed too hard, or was pressed sideways too hard or for too long.</source>
+        <translation>Πόσες φορές ο ιστός υποχώρησε επειδή πιέστηκε υπερβολικά, ή πιέστηκε πλάγια υπερβολικά ή για πολλή ώρα.</translation>
     </message>
     <message>
         <source>Over-stretches</source>
@@ -5250,8 +5250,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>%1: %2 στη δοκιμή %3, στο %4</translation>
     </message>
     <message>
-        <source>No trial was begun</source>
-        <translation>Δεν άρχισε καμία δοκιμή</translation>
+        <source>No trial was finished</source>
+        <translation>Δεν ολοκληρώθηκε καμία δοκιμή</translation>
     </message>
     <message>
         <source>Chiron session %1.pdf</source>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/safety_supervisor.h"
 
+#include "haptics/finite_wrench.h"
 #include "haptics/safety_caps.h"
 #include "haptics/safety_slew.h"
 #include "haptics/safety_watchdog.h"
@@ -17,10 +18,6 @@ namespace {
 /// Above this a request is scaled down before any norm is taken, so that squares cannot overflow. Far above
 /// any cap.
 constexpr double kHuge = 1e6;
-
-bool isFinite(const core::Wrench& w) noexcept {
-    return w.force.allFinite() && w.torque.allFinite();
-}
 
 double largest(const core::Wrench& w) noexcept {
     return std::max(w.force.cwiseAbs().maxCoeff(), w.torque.cwiseAbs().maxCoeff());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages after the gain: passivity, over-velocity damping, caps, slew, finite check, and the answer.
+#include "haptics/finite_wrench.h"
 #include "haptics/safety_caps.h"
 #include "haptics/safety_display.h"
 #include "haptics/safety_slew.h"
@@ -16,10 +17,6 @@ namespace {
 
 double usable(double value) noexcept {
     return std::isfinite(value) && value > 0.0 ? value : 0.0;
-}
-
-bool isFinite(const core::Wrench& w) noexcept {
-    return w.force.allFinite() && w.torque.allFinite();
 }
 
 } // namespace

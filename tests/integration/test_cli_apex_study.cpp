@@ -27,7 +27,7 @@ private slots:
 private:
     CliRun cli(const QStringList& arguments) { return runCli(arguments + QStringList{"--database", m_database, "--json"}); }
     QJsonObject apex(const QString& participant, const QStringList& more = {}) {
-        const CliRun run = cli(QStringList{"study", "run", "apex", "--participant", participant, "--observer", "weber:0.1", "--seed", "3"} + more);
+        const CliRun run = cli(QStringList{"study", "run", "apex", "--participant", participant, "--observer", "weber:0.1", "--seed", "4"} + more);
         if (run.exitCode != 0)
             qWarning("%s", run.err.constData());
         return QJsonDocument::fromJson(run.out).object();

@@ -35,7 +35,7 @@ inline scoring::TraceRows insertionRows(const simulation::UrethraInsertionParame
 }
 
 /// A urethra insertion of a level as it is shipped, in the name of a person as by their own hand, as fast as the machine can.
-inline database::SessionId addInsertion(DesktopFixture& desktop, const std::string& person, int level = 1, double deep_m = 0.040,
+inline database::SessionId addInsertion(DesktopFixture& desktop, const std::string& person, int level = 1, double deep_m = 0.065,
                                         double beside_m = 0.0) {
     const catalogue::ExerciseLevel* shipped = desktop.context.site().catalogue().find("urethra_insertion", level);
     if (!shipped)

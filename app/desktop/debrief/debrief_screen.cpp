@@ -149,7 +149,7 @@ void DebriefScreen::showDetails(const DebriefDetails& details) {
         m_answers->setContent(part.release()); // the panel owns it from here on
         m_answers->showContent();
     } else
-        m_answers->showEmpty(tr("No trial was begun"), exercisePartEmpty(level));
+        m_answers->showEmpty(tr("No trial was finished"), exercisePartEmpty(level));
 }
 
 void DebriefScreen::showForce(const report::ForceFacts& force) {

@@ -84,7 +84,8 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
     const double energy_J = 0.5 * k * (down_m * down_m - counted_m * counted_m * sigma);
     // Second derivatives of U₂ and of the blend, bounded: with D = δ, H and h = ‖∇z‖, ∂²U₂ ≤ k (1 + h² + D H + 4 g h H + 4 g² H²).
     const double bent = over.curvature_per_m.norm(), steep = std::sqrt(slope2);
-    double steepest = k * (1.0 + slope2 + down_m * bent + 4.0 * counted_m * steep * bent + 4.0 * counted_m * counted_m * bent * bent);
+    // What the change of H adds is taken as half of the parts with H: an assumption (test_tissue_reach).
+    double steepest = k * (1.0 + slope2 + 1.5 * (down_m * bent + 4.0 * counted_m * steep * bent + 4.0 * counted_m * counted_m * bent * bent));
     if (w < 1.0) {
         const double slope_per_m = 6.0 * x * (1.0 - x) / span;
         steepest = std::max(steepest, elastic.stiffness_N_per_m) + 6.0 / (span * span) * std::abs(energy_J - elastic.energy_J) +
@@ -143,10 +144,10 @@ void TissueContact::turnUpright(Meeting& meeting, const core::Vec3& p_W, Elastic
         sum.lateral_m2.setZero();
     Elastic out;
     // The force turns with the normal of the nearest place, which runs `follow` times as fast as the tool; what lies in the tissue answers
-    // sideways as its gain is steep and bent.
+    // sideways as its gain is steep and bent, and once more times `follow` where the surface's own curvature changes over it (an assumption; test_tissue_reach).
     const double follow = m_surface.flat() ? 1.0 : foot.follows.cwiseAbs().rowwise().sum().maxCoeff();
     out.stiffness_N_per_m = k * (1.0 + sum.gain) * std::max(1.0, follow - 1.0) +
-                            k * (4.0 * sum.lateral_m2.norm() / std::max(counted_m, 1e-9) + 0.5 * counted_m * counted_m * follow * follow * sum.bent_per_m2);
+                            k * std::max(1.0, follow) * (4.0 * sum.lateral_m2.norm() / std::max(counted_m, 1e-9) + 0.5 * counted_m * counted_m * follow * follow * sum.bent_per_m2);
     out.energy_J = 0.5 * k * (foot.depth_m * foot.depth_m + sum.gain * counted_m * counted_m);
     if (m_parameters.contact == TissueContactLaw::anchored) {
         out.force = (k * (foot.depth_m + sum.gain * gainDepth_m)) * foot.normal - k * sum.lateral_m2;

@@ -201,7 +201,7 @@ void TestDebrief::notMine() {
 void TestDebrief::metricsSayWhatTheyMean() {
     open(m_good);
     auto* table = m_site->find<QTableWidget>(QStringLiteral("debrief.metrics"));
-    QCOMPARE(table->rowCount(), 16);
+    QCOMPARE(table->rowCount(), 17);
     for (int row = 0; row < table->rowCount(); ++row) {
         QVERIFY2(!table->item(row, 0)->toolTip().isEmpty(), qPrintable(table->item(row, 0)->text()));
         table->setCurrentCell(row, 0);

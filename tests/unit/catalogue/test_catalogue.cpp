@@ -67,8 +67,8 @@ void TestCatalogue::valuesReachTheStruct() {
     QCOMPARE(level->gates.at(0).metric, std::string("apex_error_mean"));
     QCOMPARE(level->gates.at(0).maximum.value(), 20.0);
     QCOMPARE(level->metrics.at(0).version, 1); // P2's own measure
-    QCOMPARE(level->metrics.at(5).id, std::string("force_time_over_limit"));
-    QCOMPARE(level->metrics.at(5).version, 2);
+    QCOMPARE(level->metrics.at(6).id, std::string("force_time_over_limit"));
+    QCOMPARE(level->metrics.at(6).version, 2);
     QCOMPARE(textIn(level->title, "de"), std::string("Täuschende Delle"));
     QCOMPARE(textIn(level->title, "fr"), std::string("Decoy dimple"));
     QCOMPARE(catalogue->find("sphere_apex", 0), nullptr);

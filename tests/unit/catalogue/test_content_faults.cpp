@@ -44,10 +44,10 @@ void TestContentFaults::crossChecks_data() {
         "$.parameters.dimple_offset_mm: 5.9 mm");
     row("dimple off the ball", "\"dimple_offset_mm\": 10", "\"dimple_offset_mm\": 14.5",
         "$.parameters.dimple_radius_mm: 6 mm");
-    row("unknown metric", "{\"id\": \"force_max\"", "{\"id\": \"force_most\"", "$.metrics[10].id: \"force_most\"");
+    row("unknown metric", "{\"id\": \"force_max\"", "{\"id\": \"force_most\"", "$.metrics[11].id: \"force_most\"");
     row("unknown version", "{\"id\": \"time\", \"version\": 1}", "{\"id\": \"time\", \"version\": 9}",
-        "$.metrics[3].version: 9");
-    row("metric twice", "{\"id\": \"force_mean\"", "{\"id\": \"force_max\"", "$.metrics[11].id: \"force_max\"");
+        "$.metrics[4].version: 9");
+    row("metric twice", "{\"id\": \"force_mean\"", "{\"id\": \"force_max\"", "$.metrics[12].id: \"force_max\"");
     row("gate on what is not computed", "{\"metric\": \"apex_misses\"", "{\"metric\": \"tube_length\"",
         "$.gates[1].metric: \"tube_length\"");
     row("gate in another unit", "\"unit\": \"count\"", "\"unit\": \"mm\"", "$.gates[1].unit: \"mm\"");

@@ -173,8 +173,8 @@ void TestTissueContact::stiffnessRisesTowardsALump() {
             double before = 0.0;
             for (int i = 30; i >= 0; --i) { // from 15 mm to the centre, pressed along the normal
                 const TissueResponse r = pressAt(contact, under(contact, Vec2(0.0005 * i, 0.0), 0.002));
-                QVERIFY(r.stiffness_N_per_m > before);
-                before = r.stiffness_N_per_m;
+                QVERIFY(r.normalForce_N / r.depth_m > before); // as it is felt: the reported one bounds sideways changes, too
+                before = r.normalForce_N / r.depth_m;
             }
         }
 }

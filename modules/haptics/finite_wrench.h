@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+
+namespace chiron::haptics {
+
+/// Neither force nor torque has an entry that is infinite or not a number.
+inline bool isFinite(const core::Wrench& w) noexcept { return w.force.allFinite() && w.torque.allFinite(); }
+
+} // namespace chiron::haptics
