@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // P3 §3 on the simulated platform, beside P3's own figures.
+#include "mechanisms/fingertip_pad_identification.h"
+#include "mechanisms/fingertip_platform.h"
 #include "mechanisms/fingertip_verification.h"
 
 #include <QtTest>
@@ -15,6 +17,10 @@ class TestFingertipVerification : public QObject {
     Q_OBJECT
 private slots:
     void isBetterThanPublished();
+    void holdsOnSevenOtherFingers();
+    void withoutFeedbackItDoesNotHold();
+    void fourNewtonsAreNeverExceeded();
+    void thePadIsIdentified();
     void figuresAreThoseOfTheSeries();
     void sameSeedSameFigures();
     void aWorsePlantDoesNotHold();
@@ -39,6 +45,85 @@ void TestFingertipVerification::isBetterThanPublished() {
         QVERIFY(v->meanRmse_N > 0.004 && v->meanError_deg > 0.1); // honest noise: no figure below what a count can do
         QVERIFY(v->latency_s > 0.0 && v->latency_s < 0.05);
     }
+}
+
+// Judged on what the pad truly got, on fingers that the platform knows by its own sensors alone.
+void TestFingertipVerification::holdsOnSevenOtherFingers() {
+    FingertipVerificationSettings s;
+    s.poses = 10;
+    const auto fingers = mechanisms::verifyFingertipOnFingers({}, 11, s);
+    QVERIFY(fingers.has_value());
+    QCOMPARE(fingers->size(), std::size_t(7));
+    for (const auto& [name, v] : *fingers) {
+        const QString told = QString("%1: RMSE %2 N, gain %3, phase %4 deg, angle %5 deg, overshoot %6 of the step, %7 of the force; 1 N: %8 N, 4 N: %9 N")
+                                 .arg(QString::fromStdString(name)).arg(v.meanRmseTrue_N).arg(v.gain).arg(v.phase_deg).arg(v.meanErrorTrue_deg)
+                                 .arg(v.overshoot).arg(v.overshootOfForce).arg(v.oneNewton_N).arg(v.largest_N);
+        qInfo("%s", qPrintable(told));
+        QVERIFY2(v.holds() && v.largest_N <= 4.0 && v.largest_N > 3.3 && v.oneNewton_N < 1.15, qPrintable(told));
+        QVERIFY2(std::abs(v.gain - 1.0) < 0.08 && std::abs(v.phase_deg) < 5.0 && v.staticError < 0.1, qPrintable(told));
+    }
+    QVERIFY(mechanisms::holdsOnAll(*fingers) && !mechanisms::holdsOnAll({}));
+}
+
+void TestFingertipVerification::withoutFeedbackItDoesNotHold() {
+    FingertipVerificationSettings s;
+    s.poses = 2;
+    s.feedback = false;
+    for (const std::uint64_t seed : {21u, 22u}) {
+        QVERIFY(!verifyFingertip({}, seed, s)->holds());
+        const auto fingers = mechanisms::verifyFingertipOnFingers({}, seed, s);
+        for (const auto& [name, v] : *fingers)
+            QVERIFY2(!v.holds(), qPrintable(QString("%1: %2 N").arg(QString::fromStdString(name)).arg(v.meanRmseTrue_N)));
+    }
+}
+
+// Whatever is asked, also far beyond the limit, of fingers that were identified; and of one twice as stiff that was not.
+void TestFingertipVerification::fourNewtonsAreNeverExceeded() {
+    for (const std::uint64_t seed : {31u, 32u, 33u}) {
+        for (const double stiffness : {0.5, 1.0, 2.0}) {
+            for (const bool identified : {true, false}) {
+                FingertipPlatformParameters p;
+                p.pad.stiffness_N_per_m *= stiffness;
+                if (identified)
+                    p = mechanisms::worn(p, seed).value();
+                mechanisms::FingertipPlatform platform(p, seed);
+                double most = 0.0;
+                for (int n = 0; n < 4000; ++n) {
+                    const double asked = n / 400 % 2 == 0 ? 0.0 : 4.0 + n / 800;
+                    platform.tick({asked, n < 2000 ? 0.0 : 0.3 * std::sin(0.01 * n), 0.0}, true);
+                    most = std::max(most, platform.truth().normalForce_N);
+                }
+                QVERIFY2(most > 3.2 && most <= 4.0, qPrintable(QString("seed %1, stiffness x %2, %3: %4 N").arg(seed).arg(stiffness).arg(identified).arg(most)));
+            }
+        }
+    }
+}
+
+void TestFingertipVerification::thePadIsIdentified() {
+    const mechanisms::FingerPadParameters nominal;
+    for (const double stiffness : {0.5, 1.0, 2.0}) {
+        FingertipPlatformParameters p;
+        p.pad.stiffness_N_per_m *= stiffness;
+        p.pad.surface_m = -0.0007;
+        const auto found = mechanisms::identifyPad(p, 3);
+        QVERIFY(found.has_value());
+        const mechanisms::FingerPad real(p.pad), known(*found);
+        for (const double force : {0.5, 1.0, 2.0, 3.0}) { // where the real one gives it, the identified one does within a tenth
+            const double there = known.elasticForce(real.depthOf(force) + p.pad.surface_m - found->surface_m);
+            QVERIFY2(std::abs(there / force - 1.0) < 0.1, qPrintable(QString("x %1, %2 N: %3").arg(stiffness).arg(force).arg(there)));
+        }
+    }
+    FingertipPlatformParameters nobody; // a finger beyond the travel
+    nobody.pad.surface_m = 0.02;
+    const auto none = mechanisms::identifyPad(nobody, 1);
+    QVERIFY(!none && none.error().code == core::ErrorCode::badInput);
+    QVERIFY(!mechanisms::fitPad({}, 2.0, nominal).has_value());
+    std::vector<mechanisms::PadReading> exact; // without noise it is found to the last digits
+    for (int n = 1; n < 100; ++n)
+        exact.push_back({0.0002 + 1e-5 * n, mechanisms::FingerPad(nominal).elasticForce(1e-5 * n)});
+    const auto fitted = mechanisms::fitPad(exact, 2.0, nominal);
+    QVERIFY(fitted.has_value());
+    QVERIFY(std::abs(fitted->stiffness_N_per_m / nominal.stiffness_N_per_m - 1.0) < 1e-4 && std::abs(fitted->surface_m - 0.0002) < 1e-7);
 }
 
 void TestFingertipVerification::figuresAreThoseOfTheSeries() {
