@@ -92,11 +92,11 @@ struct FingertipControlParameters {
     double fastest_rad_per_s = 7.0;         ///< of the wanted angles: 400°/s
     double acceleration_m_per_s2 = 12.0;    ///< of the wanted depth: a sixth of what the motors could
     double acceleration_rad_per_s2 = 400.0; ///< of the wanted angles
-    double turningStiffness_N_per_m = 800.0; ///< of the pad, from which on the angles turn slower, by as much as it is stiffer
+    double turningStiffness_N_per_m = 3000.0; ///< of the pad, from which on the angles turn slower, by as much as it is stiffer
     double approach_per_s = 180.0;          ///< rate at which the last of the way is gone
     double smoothing_per_s = 600.0;         ///< rate at which the wanted speed is taken up
     double fastest_N_per_s = 100.0;         ///< of the wanted force upwards: what may come within the delay of the sensors
-    double pressingLimit_N = 4.4;           ///< of the three motors together, along the pad: what is wanted at most, and the friction of the gears
+    double pressingLimit_N = 4.3;           ///< of the three motors together, along the pad: what is wanted at most, and the friction of the gears
     double movedMass_kg = 0.136;            ///< rotors, carriages and platform, along z; a third on each drive
     double friction_N = 0.18;               ///< fed forward on each drive: less than there is, so that it never pushes by itself
     /// Taken out of the readings: half of what the data sheet lets expect, since a force that is held turns it round bit by bit.
