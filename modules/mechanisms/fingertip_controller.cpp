@@ -84,7 +84,7 @@ void FingertipController::correct(double reading_N) noexcept {
 /// The angles as the depth: bounded in speed and acceleration, slower where a stiff pad makes newtons of what is not known of the
 /// finger's shape.
 void FingertipController::turn(const core::DisplayPose& wanted) noexcept {
-    const double dt = core::kTickSeconds, rate = 3.0 * m_c.approach_per_s; // a third of the lag of the depth: a lean overshoots less than a force
+    const double dt = core::kTickSeconds, rate = m_c.leanApproach_per_s;
     const FingertipPose aim = m_kinematics.limited({0.0, wanted.pitch_rad, wanted.roll_rad});
     const std::array<double, 2> to{aim.pitch_rad, aim.roll_rad};
     constexpr double kStill_rad = 0.05, kAbove_N = 0.05;
@@ -94,7 +94,7 @@ void FingertipController::turn(const core::DisplayPose& wanted) noexcept {
     const double fastest = waits ? 0.0 : m_c.fastest_rad_per_s * std::min(1.0, m_c.turningStiffness_N_per_m / stiffness);
     for (std::size_t i = 0; i < 2; ++i) {
         const double speed = boundedSpeed(to[i] - m_lean[i], rate, m_c.acceleration_rad_per_s2, fastest);
-        m_leanAcceleration[i] = std::clamp(1.65 * m_c.smoothing_per_s * (speed - m_leanRate[i]), -m_c.acceleration_rad_per_s2, m_c.acceleration_rad_per_s2);
+        m_leanAcceleration[i] = std::clamp(m_c.leanSmoothing_per_s * (speed - m_leanRate[i]), -m_c.acceleration_rad_per_s2, m_c.acceleration_rad_per_s2);
         m_leanRate[i] += dt * m_leanAcceleration[i];
         m_lean[i] += dt * m_leanRate[i];
     }
@@ -123,10 +123,9 @@ Vec3 FingertipController::tick(const core::DisplayPose& wanted, double force_N, 
     const Vec3 error = at.drives - encoders_m;
     const Vec3 acceleration(m_depthAcceleration_m_per_s2, m_leanAcceleration[0], m_leanAcceleration[1]);
     const Vec3 rates = at.jacobian * m_referenceRate;
-    constexpr double kTurning_m_per_s = 0.002; // over which friction turns round
     Vec3 ahead = FingertipKinematics::driveForces(at, m_expected_N * m_pad.gradient(at)) + m_c.movedMass_kg / 3.0 * (at.jacobian * acceleration);
     for (int i = 0; i < 3; ++i)
-        ahead[i] += m_c.friction_N * rates[i] / std::hypot(rates[i], kTurning_m_per_s);
+        ahead[i] += m_c.friction_N * rates[i] / std::hypot(rates[i], m_c.frictionTurns_m_per_s);
     Vec3 force = ahead + m_c.proportional_N_per_m * error + m_integral +
                  m_c.derivative_Ns_per_m * (rates - m_speed);
     const double excess_N = FingertipKinematics::onPlatform(at, force).x() - m_c.pressingLimit_N * m_pad.gradient(at).x();

@@ -25,6 +25,8 @@ struct FingertipVerificationSettings {
     double peak_N = 1.0;         ///< P3; > 0, ≤ 4
     int poses = 100;             ///< N_s, 1..10000
     double settle_s = 0.6;       ///< from the command of a pose to its reading, 0.1..5
+    /// By how much the finger moves in its holder at 0.3 Hz while the sine runs, by the muscles and the pulse; 0..0.001 m. ASSUMPTION.
+    double fingerMoves_m = 0.00015;
     bool feedback = true;        ///< false: the force loop is cut, which the verification has to notice
 };
 
@@ -75,7 +77,7 @@ struct FingertipVerification {
 
 /// P3 §3 on the simulated platform, on the finger `parameters.pad`, after the platform has identified it (identifyPad): three
 /// cycles of r_f = ½ peak (1 − cos 2πft) from a platform that stands off the pad, RMSE of each cycle and their mean, while the
-/// finger moves in its holder by ±0.15 mm at 0.3 Hz (ASSUMPTION); then N_s random orientations within ±30°, ±20°, nothing
+/// finger moves in its holder; then N_s random orientations within ±30°, ±20°, nothing
 /// pressed,
 ///   e_p = 1/N_s Σ √((α_ref − α_m)² + (β_ref − β_m)²)
 /// with N_s terms (P3's sum runs from 0 to N_s, one too many); then steps, and what is asked at most. The same seed gives the
@@ -83,11 +85,17 @@ struct FingertipVerification {
 core::Result<FingertipVerification> verifyFingertip(const FingertipPlatformParameters& parameters, std::uint64_t seed,
                                                     const FingertipVerificationSettings& settings = {});
 
-/// The same on seven fingers other than the one that the controller begins with: half and twice the stiffness, a thick and a
-/// thin finger (softer and harder with depth, lying lower and higher), one whose force relaxes by 40 %, and two with several of
-/// these together.
-struct FingertipOnFinger {
+/// Seven fingers other than `assumed`: half and twice the stiffness, a thick and a thin finger (softer and harder with depth,
+/// lying lower and higher), one whose force relaxes by 40 %, and two with several of these together.
+struct FingertipFinger {
     std::string finger; ///< "half", "double", "thick", "thin", "relaxing", "softest", "stiffest"
+    FingerPadParameters pad;
+};
+std::vector<FingertipFinger> otherFingers(const FingerPadParameters& assumed);
+
+/// verifyFingertip on the fingers other than the one that the controller begins with.
+struct FingertipOnFinger {
+    std::string finger; ///< as FingertipFinger
     FingertipVerification verified;
 };
 core::Result<std::vector<FingertipOnFinger>> verifyFingertipOnFingers(const FingertipPlatformParameters& parameters, std::uint64_t seed,

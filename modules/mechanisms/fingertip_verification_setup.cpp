@@ -14,7 +14,6 @@ namespace chiron::mechanisms {
 namespace {
 
 constexpr double kTick = core::kTickSeconds;
-constexpr double kFingerMoves_m = 0.00015; ///< in its holder, by the muscles and the pulse
 constexpr double kFingerMoves_Hz = 0.3;
 
 core::Result<void> checked(const FingertipVerificationSettings& s) {
@@ -27,6 +26,8 @@ core::Result<void> checked(const FingertipVerificationSettings& s) {
         return refuse("1 to 10000 poses are expected");
     if (!(s.settle_s >= 0.1 && s.settle_s <= 5.0))
         return refuse("0.1 to 5 s for a pose are expected");
+    if (!(s.fingerMoves_m >= 0.0 && s.fingerMoves_m <= 0.001))
+        return refuse("a finger that moves by 0 to 1 mm is expected");
     return {};
 }
 
@@ -40,7 +41,7 @@ void followSine(const FingertipPlatformParameters& parameters, std::uint64_t see
         for (int n = 0; n < cycle; ++n) {
             const double t = (static_cast<double>(c) * cycle + n) * kTick;
             const double reference = 0.5 * out.settings.peak_N * (1.0 - std::cos(2.0 * core::kPi * out.settings.frequency_Hz * t));
-            platform.shiftFinger(kFingerMoves_m * std::sin(2.0 * core::kPi * kFingerMoves_Hz * t));
+            platform.shiftFinger(out.settings.fingerMoves_m * std::sin(2.0 * core::kPi * kFingerMoves_Hz * t));
             platform.tick({reference, 0.0, 0.0}, true);
             const double turn = 2.0 * core::kPi * out.settings.frequency_Hz * t;
             const double sensed = platform.sensedForce_N(), real = platform.truth().normalForce_N;
@@ -250,11 +251,9 @@ core::Result<FingertipVerification> verifyFingertip(const FingertipPlatformParam
     return out;
 }
 
-core::Result<std::vector<FingertipOnFinger>> verifyFingertipOnFingers(const FingertipPlatformParameters& parameters, std::uint64_t seed,
-                                                                      const FingertipVerificationSettings& settings) {
-    const FingerPadParameters pad = parameters.control.pad; // what the controller begins with
-    const auto other = [&pad](double stiffness, double hardening, double radius, double surface_m, double damping, double relaxation) {
-        FingerPadParameters p = pad;
+std::vector<FingertipFinger> otherFingers(const FingerPadParameters& assumed) {
+    const auto other = [&assumed](double stiffness, double hardening, double radius, double surface_m, double damping, double relaxation) {
+        FingerPadParameters p = assumed;
         p.stiffness_N_per_m *= stiffness;
         p.hardening_per_m *= hardening;
         p.radius_m *= radius;
@@ -263,17 +262,21 @@ core::Result<std::vector<FingertipOnFinger>> verifyFingertipOnFingers(const Fing
         p.relaxation = relaxation;
         return p;
     };
-    const std::array<std::pair<const char*, FingerPadParameters>, 7> fingers{{{"half", other(0.5, 1.0, 1.0, 0.0, 1.0, 0.1)},
-                                                                              {"double", other(2.0, 1.0, 1.0, 0.0, 1.0, 0.1)},
-                                                                              {"thick", other(1.0, 0.7, 1.2, -0.0008, 1.0, 0.1)},
-                                                                              {"thin", other(1.0, 1.4, 0.85, 0.0006, 1.0, 0.1)},
-                                                                              {"relaxing", other(1.0, 1.0, 1.0, 0.0, 1.0, 0.4)},
-                                                                              {"softest", other(0.5, 0.7, 1.2, -0.0008, 2.0, 0.2)},
-                                                                              {"stiffest", other(2.0, 1.4, 0.85, 0.0006, 0.5, 0.2)}}};
+    return {{"half", other(0.5, 1.0, 1.0, 0.0, 1.0, 0.1)},
+            {"double", other(2.0, 1.0, 1.0, 0.0, 1.0, 0.1)},
+            {"thick", other(1.0, 0.7, 1.2, -0.0008, 1.0, 0.1)},
+            {"thin", other(1.0, 1.4, 0.85, 0.0006, 1.0, 0.1)},
+            {"relaxing", other(1.0, 1.0, 1.0, 0.0, 1.0, 0.4)},
+            {"softest", other(0.5, 0.7, 1.2, -0.0008, 2.0, 0.2)},
+            {"stiffest", other(2.0, 1.4, 0.85, 0.0006, 0.5, 0.2)}};
+}
+
+core::Result<std::vector<FingertipOnFinger>> verifyFingertipOnFingers(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+                                                                      const FingertipVerificationSettings& settings) {
     std::vector<FingertipOnFinger> table;
-    for (const auto& [name, finger] : fingers) {
+    for (const auto& [name, pad] : otherFingers(parameters.control.pad)) { // what the controller begins with
         FingertipPlatformParameters on = parameters;
-        on.pad = finger;
+        on.pad = pad;
         auto verified = verifyFingertip(on, seed, settings);
         if (!verified)
             return tl::unexpected(verified.error());
