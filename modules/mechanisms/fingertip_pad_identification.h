@@ -23,7 +23,7 @@ core::Result<FingerPadParameters> fitPad(const std::vector<PadReading>& readings
 /// Presses the finger three times up to 2.2 N, level, and fits what the device's own sensors said while the force rose: what has
 /// relaxed on the way back would make the pad look softer than it is when it is pressed again. `parameters.pad` is the finger that is pressed, which the fit is not told;
 /// the same seed gives the sensors of FingertipPlatform with that seed. Some 10 ms; allocates, not in the tick.
-/// Failure: badInput where no finger is met within the travel, and as fitPad.
+/// Failure: badInput where no finger is met within the travel, where the motors do not press it that far, and as fitPad.
 core::Result<FingerPadParameters> identifyPad(const FingertipPlatformParameters& parameters, std::uint64_t seed);
 
 /// `parameters`, with the controller told what was identified.

@@ -132,10 +132,12 @@ core::Result<FingerPadParameters> fitPad(const std::vector<PadReading>& readings
 core::Result<FingerPadParameters> identifyPad(const FingertipPlatformParameters& parameters, std::uint64_t seed) {
     SlowPress press(parameters, seed);
     std::vector<PadReading> readings;
+    bool met = false;
     for (int n = 0; n < kPresses; ++n) {
         for (PadReading r = press.tick(0.0); r.force_N < kMost_N; readings.push_back(r)) {
+            met = met || r.force_N > 2.0 * kLeast_N;
             if (press.height_m() >= parameters.geometry.maximumZ_m)
-                return tl::unexpected(refusal("no finger was met within the platform's travel"));
+                return tl::unexpected(refusal(met ? "the motors do not press it up to 2.2 N" : "no finger was met within the platform's travel"));
             r = press.tick(kSpeed_m_per_s);
         }
         while (press.tick(-kSpeed_m_per_s).force_N > 0.5 * kLeast_N && press.height_m() > parameters.geometry.minimumZ_m) {

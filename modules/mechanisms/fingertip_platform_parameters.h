@@ -100,9 +100,9 @@ struct FingertipControlParameters {
     double leanApproach_per_s = 540.0;      ///< the same two of the angles, which overshoot less than a force: a third of the lag
     double leanSmoothing_per_s = 990.0;     ///< below 1 a tick, where it would begin to swing
     double fastest_N_per_s = 100.0;         ///< of the wanted force upwards: what may come within the delay of the sensors
-    /// Of the three motors together, along the pad, whatever the sensors say: what the pad may get. Gear friction takes from it
-    /// while the platform rises; at 4.3 N a pad twice as stiff as known got 4.03 N while the platform turned.
-    double pressingLimit_N = 4.0;
+    /// Of the three motors together, along the pad, whatever the sensors say: what the pad may get, less what its movement adds. At
+    /// 4.3 N a pad twice as stiff as known got 4.03 N while the platform turned; at 3.9 N friction kept 3.4 N from being reached.
+    double pressingLimit_N = 3.95;
     double movedMass_kg = 0.136;            ///< rotors, carriages and platform, along z; a third on each drive
     double friction_N = 0.16;               ///< fed forward on each drive: less than there is, so that it never pushes by itself
     double frictionTurns_m_per_s = 0.003;   ///< speed over which it turns round: at 2 mm/s a pad three times stiffer than known rippled
@@ -114,7 +114,7 @@ struct FingertipControlParameters {
     /// Share by which the pad may get more than the resistors say: three times the gain's SD over √3 (3.5 %), hysteresis (5 %),
     /// creep (3 %), and 3 % for what a pad that relaxes gives while it is pressed fast. What is wanted stops at padLimit_N/(1 + this).
     double forceDoubt = 0.15;
-    double turningDoubt = 0.30;             ///< more while it turns: gear friction turns round, a quarter newton on 2.5 N/mm of each drive
+    double turningDoubt = 0.40;             ///< more while it turns: gear friction turns round, a quarter newton on 2.5 N/mm of each drive
     FingerPadParameters pad;                ///< what the controller takes the finger to be: identified when it is put on
 };
 

@@ -44,12 +44,14 @@ void TestCliDevice::theFingertipPlatformHolds() {
     const double damping = 3.0 * json["friction"]["viscous_Ns_per_m"].toDouble() + mechanisms::FingertipPlatformParameters{}.pad.damping_Ns_per_m;
     QVERIFY(std::abs(json["damping_Ns_per_m"].toDouble() - damping) < 1e-9);
     QVERIFY(std::abs(json["stiffness_cap_N_per_m"].toDouble() - damping / (0.0005 + delay_s)) < 1e-6);
-    const QJsonObject chosen = object(runCli({"device", "check", "--seed", "18446744073709551615", "--poses", "3", "--damping", "2", "--json"}));
+    const QStringList few{"device", "check", "--seed", "18446744073709551615", "--poses", "3", "--damping", "2", "--json"};
+    const CliRun once = runCli(few);
+    QCOMPARE(runCli(few).out, once.out); // the same seed, the same figures
+    const QJsonObject chosen = object(once);
     QCOMPARE(chosen["seed"].toString(), QString("18446744073709551615"));
     QVERIFY(std::abs(chosen["stiffness_cap_N_per_m"].toDouble() - 2.0 / (0.0005 + 1e-6 * chosen["latency_us"].toDouble())) < 1e-6);
     QVERIFY(std::abs(json["friction"]["coulomb_N"].toDouble() - 0.25) < 0.03);
-    QCOMPARE(runCli({"device", "check", "--seed", "2", "--json"}).out, run.out); // the same seed, the same figures
-    const CliRun words = runCli({"device", "check", "--seed", "2"});
+    const CliRun words = runCli({"device", "check", "--seed", "2", "--poses", "3"});
     for (const char* word : {"0.0707", "1.95", "force RMSE, cycle 3", "relaxing", "in simulation", "Holds"})
         QVERIFY2(words.out.contains(word), word);
 }

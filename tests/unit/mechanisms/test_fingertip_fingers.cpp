@@ -54,8 +54,9 @@ void TestFingertipFingers::withoutFeedbackItHoldsOnNone() {
     s.poses = 2;
     s.feedback = false;
     for (const std::uint64_t seed : {21u, 22u}) {
-        QVERIFY(!mechanisms::verifyFingertip({}, seed, s)->holds());
+        QVERIFY(!mechanisms::verifyFingertip({}, seed, s).value().holds());
         const auto fingers = mechanisms::verifyFingertipOnFingers({}, seed, s);
+        QVERIFY(fingers.has_value());
         for (const auto& [name, v] : *fingers)
             QVERIFY2(!v.holds(), qPrintable(told(seed, name, v)));
     }
