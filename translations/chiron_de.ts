@@ -1715,14 +1715,6 @@ Einzelheiten: %2</translation>
         <translation>× %1</translation>
     </message>
     <message>
-        <source>Passed: force follows within %1 and orientation within %2, both better than published.</source>
-        <translation>Bestanden: Kraft folgt auf %1 und Neigung auf %2 genau, beides besser als veröffentlicht.</translation>
-    </message>
-    <message>
-        <source>Not passed: force follows within %1 and orientation within %2; published were %3 and %4.</source>
-        <translation>Nicht bestanden: Kraft folgt auf %1 und Neigung auf %2 genau; veröffentlicht waren %3 und %4.</translation>
-    </message>
-    <message>
         <source>This is the simulated platform, with a plant that is as bad as such parts are: force noise of %1 mN and %2 bits of the converter, hysteresis of %3 %, a delay of %4 ms from sensor to controller, gear friction of %5 N a drive, backlash of %6 µm, an orientation sensor with %7° bias and %8° noise.</source>
         <translation>Dies ist die simulierte Plattform, so unvollkommen wie solche Teile sind: %1 mN Rauschen der Kraft und %2 Bit des Wandlers, %3 % Hysterese, %4 ms Verzögerung vom Sensor zum Regler, %5 N Getriebereibung je Antrieb, %6 µm Spiel, ein Lagesensor mit %7° Versatz und %8° Rauschen.</translation>
     </message>
@@ -1737,6 +1729,146 @@ Einzelheiten: %2</translation>
     <message>
         <source>Noise and offset of the orientation sensor</source>
         <translation>Rauschen und Versatz des Lagesensors</translation>
+    </message>
+    <message>
+        <source>A simulation: the simulated platform stays within its bounds on %1 of %2 simulated fingers. At worst, the pad&apos;s force is off by %3 (root mean square), the orientation by %4, a step overshoots by %5 % of the force, and the pad gets at most %6 (%7). A real platform has to be measured on its own.</source>
+        <translation>Eine Simulation: Die simulierte Plattform hält ihre Grenzen an %1 von %2 simulierten Fingern ein. Im schlechtesten Fall weicht die Kraft an der Fingerkuppe um %3 ab (quadratisches Mittel), die Neigung um %4, ein Sprung schwingt um %5 % der Kraft über, und die Fingerkuppe bekommt höchstens %6 (%7). Eine echte Plattform muss eigens gemessen werden.</translation>
+    </message>
+    <message>
+        <source>bounds: %1, %2, %3 %, %4</source>
+        <translation>Grenzen: %1, %2, %3 %, %4</translation>
+    </message>
+    <message>
+        <source>Half as stiff</source>
+        <translation>Halb so steif</translation>
+    </message>
+    <message>
+        <source>Twice as stiff</source>
+        <translation>Doppelt so steif</translation>
+    </message>
+    <message>
+        <source>Thick</source>
+        <translation>Dick</translation>
+    </message>
+    <message>
+        <source>Thin</source>
+        <translation>Dünn</translation>
+    </message>
+    <message>
+        <source>Its force relaxes by 40 %</source>
+        <translation>Die Kraft lässt um 40 % nach</translation>
+    </message>
+    <message>
+        <source>Half as stiff, thick, relaxing</source>
+        <translation>Halb so steif, dick, nachlassend</translation>
+    </message>
+    <message>
+        <source>Twice as stiff, thin, relaxing</source>
+        <translation>Doppelt so steif, dünn, nachlassend</translation>
+    </message>
+    <message>
+        <source>The finger that is assumed</source>
+        <translation>Der angenommene Finger</translation>
+    </message>
+    <message>
+        <source>On other fingers: what the pad really got</source>
+        <translation>An anderen Fingern: was die Fingerkuppe wirklich bekam</translation>
+    </message>
+    <message>
+        <source>Simulated finger</source>
+        <translation>Simulierter Finger</translation>
+    </message>
+    <message>
+        <source>Gain, phase</source>
+        <translation>Verstärkung, Phase</translation>
+    </message>
+    <message>
+        <source>Overshoot of a step</source>
+        <translation>Überschwingen eines Sprungs</translation>
+    </message>
+    <message>
+        <source>Asked for 1 N, at most</source>
+        <translation>Bei 1 N Soll höchstens</translation>
+    </message>
+    <message>
+        <source>Asked for 4 N, at most</source>
+        <translation>Bei 4 N Soll höchstens</translation>
+    </message>
+    <message>
+        <source>Within its bounds</source>
+        <translation>Innerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>%1, %2°</source>
+        <translation>%1, %2°</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Beside the published figures</source>
+        <translation>Neben den veröffentlichten Werten</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>By its own sensors</source>
+        <translation>Nach den eigenen Sensoren</translation>
+    </message>
+    <message>
+        <source>What was really so</source>
+        <translation>Was wirklich war</translation>
+    </message>
+    <message>
+        <source>Published (P3)</source>
+        <translation>Veröffentlicht (P3)</translation>
+    </message>
+    <message>
+        <source>Force, cycle %1: root mean square error</source>
+        <translation>Kraft, Periode %1: quadratischer Mittelwert des Fehlers</translation>
+    </message>
+    <message>
+        <source>Force, mean of the cycles</source>
+        <translation>Kraft, Mittel der Perioden</translation>
+    </message>
+    <message>
+        <source>Orientation, mean error of %1 poses</source>
+        <translation>Neigung, mittlerer Fehler aus %1 Stellungen</translation>
+    </message>
+    <message>
+        <source>Orientation, standard deviation</source>
+        <translation>Neigung, Standardabweichung</translation>
+    </message>
+    <message>
+        <source>Force error</source>
+        <translation>Fehler der Kraft</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>When one thing gets worse</source>
+        <translation>Wenn eines schlechter wird</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>Wie viel</translation>
+    </message>
+    <message>
+        <source>Orientation error</source>
+        <translation>Fehler der Neigung</translation>
     </message>
 </context>
 <context>
@@ -4493,77 +4625,6 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     <message>
         <source>The procedure was not done to its end.</source>
         <translation>Der Eingriff wurde nicht bis zum Ende durchgeführt.</translation>
-    </message>
-</context>
-<context>
-    <name>Words</name>
-    <message>
-        <source>Beside the published figures</source>
-        <translation>Neben den veröffentlichten Werten</translation>
-    </message>
-    <message>
-        <source>Figure</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>By its own sensors</source>
-        <translation>Nach den eigenen Sensoren</translation>
-    </message>
-    <message>
-        <source>What was really so</source>
-        <translation>Was wirklich war</translation>
-    </message>
-    <message>
-        <source>Published (P3)</source>
-        <translation>Veröffentlicht (P3)</translation>
-    </message>
-    <message>
-        <source>Force, cycle %1: root mean square error</source>
-        <translation>Kraft, Periode %1: quadratischer Mittelwert des Fehlers</translation>
-    </message>
-    <message>
-        <source>Force, mean of the cycles</source>
-        <translation>Kraft, Mittel der Perioden</translation>
-    </message>
-    <message>
-        <source>Orientation, mean error of %1 poses</source>
-        <translation>Neigung, mittlerer Fehler aus %1 Stellungen</translation>
-    </message>
-    <message>
-        <source>Orientation, standard deviation</source>
-        <translation>Neigung, Standardabweichung</translation>
-    </message>
-    <message>
-        <source>When one thing gets worse</source>
-        <translation>Wenn eines schlechter wird</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Was</translation>
-    </message>
-    <message>
-        <source>How much</source>
-        <translation>Wie viel</translation>
-    </message>
-    <message>
-        <source>Force error</source>
-        <translation>Fehler der Kraft</translation>
-    </message>
-    <message>
-        <source>Orientation error</source>
-        <translation>Fehler der Neigung</translation>
-    </message>
-    <message>
-        <source>Better than published</source>
-        <translation>Besser als veröffentlicht</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>ja</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>nein</translation>
     </message>
 </context>
 <context>
@@ -7573,8 +7634,8 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Fingerkuppen-Plattform</translation>
     </message>
     <message>
-        <source>Force and position verification as published: a sine of 1 N over three cycles, then random orientations.</source>
-        <translation>Prüfung von Kraft und Lage wie veröffentlicht: ein Sinus von 1 N über drei Perioden, dann zufällige Neigungen.</translation>
+        <source>Verification of the simulated platform: the published sine and orientations, steps of force, and the most that the pad gets, on eight simulated fingers.</source>
+        <translation>Prüfung der simulierten Plattform: die veröffentlichte Sinusschwingung und Neigungen, Kraftsprünge und die größte Kraft an der Fingerkuppe, an acht simulierten Fingern.</translation>
     </message>
     <message>
         <source>An administrator can run it here.</source>
@@ -7597,8 +7658,8 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Die Prüfung war nicht möglich: %1</translation>
     </message>
     <message>
-        <source>Verification of the fingertip platform</source>
-        <translation>Prüfung der Fingerkuppen-Plattform</translation>
+        <source>Verification of the simulated fingertip platform</source>
+        <translation>Prüfung der simulierten Fingerkuppen-Plattform</translation>
     </message>
 </context>
 <context>

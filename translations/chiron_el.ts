@@ -1715,14 +1715,6 @@ Details: %2</source>
         <translation>× %1</translation>
     </message>
     <message>
-        <source>Passed: force follows within %1 and orientation within %2, both better than published.</source>
-        <translation>Επιτυχία: η δύναμη ακολουθεί εντός %1 και ο προσανατολισμός εντός %2, και τα δύο καλύτερα από τα δημοσιευμένα.</translation>
-    </message>
-    <message>
-        <source>Not passed: force follows within %1 and orientation within %2; published were %3 and %4.</source>
-        <translation>Αποτυχία: η δύναμη ακολουθεί εντός %1 και ο προσανατολισμός εντός %2· τα δημοσιευμένα ήταν %3 και %4.</translation>
-    </message>
-    <message>
         <source>This is the simulated platform, with a plant that is as bad as such parts are: force noise of %1 mN and %2 bits of the converter, hysteresis of %3 %, a delay of %4 ms from sensor to controller, gear friction of %5 N a drive, backlash of %6 µm, an orientation sensor with %7° bias and %8° noise.</source>
         <translation>Αυτή είναι η προσομοιωμένη πλατφόρμα, τόσο ατελής όσο τέτοια εξαρτήματα: θόρυβος δύναμης %1 mN και %2 bit του μετατροπέα, υστέρηση %3 %, καθυστέρηση %4 ms από αισθητήρα σε ελεγκτή, τριβή γραναζιών %5 N ανά κινητήρα, τζόγος %6 µm, αισθητήρας προσανατολισμού με απόκλιση %7° και θόρυβο %8°.</translation>
     </message>
@@ -1737,6 +1729,146 @@ Details: %2</source>
     <message>
         <source>Noise and offset of the orientation sensor</source>
         <translation>Θόρυβος και απόκλιση του αισθητήρα προσανατολισμού</translation>
+    </message>
+    <message>
+        <source>A simulation: the simulated platform stays within its bounds on %1 of %2 simulated fingers. At worst, the pad&apos;s force is off by %3 (root mean square), the orientation by %4, a step overshoots by %5 % of the force, and the pad gets at most %6 (%7). A real platform has to be measured on its own.</source>
+        <translation>Προσομοίωση: η προσομοιωμένη πλατφόρμα μένει εντός των ορίων της σε %1 από %2 προσομοιωμένα δάκτυλα. Στη χειρότερη περίπτωση η δύναμη στο δάκτυλο αποκλίνει κατά %3 (μέση τετραγωνική τιμή), ο προσανατολισμός κατά %4, ένα βήμα υπερβαίνει κατά %5 % της δύναμης, και το δάκτυλο δέχεται το πολύ %6 (%7). Μια πραγματική πλατφόρμα πρέπει να μετρηθεί χωριστά.</translation>
+    </message>
+    <message>
+        <source>bounds: %1, %2, %3 %, %4</source>
+        <translation>όρια: %1, %2, %3 %, %4</translation>
+    </message>
+    <message>
+        <source>Half as stiff</source>
+        <translation>Μισή δυσκαμψία</translation>
+    </message>
+    <message>
+        <source>Twice as stiff</source>
+        <translation>Διπλάσια δυσκαμψία</translation>
+    </message>
+    <message>
+        <source>Thick</source>
+        <translation>Παχύ</translation>
+    </message>
+    <message>
+        <source>Thin</source>
+        <translation>Λεπτό</translation>
+    </message>
+    <message>
+        <source>Its force relaxes by 40 %</source>
+        <translation>Η δύναμή του χαλαρώνει κατά 40 %</translation>
+    </message>
+    <message>
+        <source>Half as stiff, thick, relaxing</source>
+        <translation>Μισή δυσκαμψία, παχύ, χαλαρώνει</translation>
+    </message>
+    <message>
+        <source>Twice as stiff, thin, relaxing</source>
+        <translation>Διπλάσια δυσκαμψία, λεπτό, χαλαρώνει</translation>
+    </message>
+    <message>
+        <source>The finger that is assumed</source>
+        <translation>Το δάκτυλο που θεωρείται δεδομένο</translation>
+    </message>
+    <message>
+        <source>On other fingers: what the pad really got</source>
+        <translation>Σε άλλα δάκτυλα: τι δέχθηκε πραγματικά το δάκτυλο</translation>
+    </message>
+    <message>
+        <source>Simulated finger</source>
+        <translation>Προσομοιωμένο δάκτυλο</translation>
+    </message>
+    <message>
+        <source>Gain, phase</source>
+        <translation>Κέρδος, φάση</translation>
+    </message>
+    <message>
+        <source>Overshoot of a step</source>
+        <translation>Υπέρβαση ενός βήματος</translation>
+    </message>
+    <message>
+        <source>Asked for 1 N, at most</source>
+        <translation>Με ζητούμενο 1 N, το πολύ</translation>
+    </message>
+    <message>
+        <source>Asked for 4 N, at most</source>
+        <translation>Με ζητούμενα 4 N, το πολύ</translation>
+    </message>
+    <message>
+        <source>Within its bounds</source>
+        <translation>Εντός ορίων</translation>
+    </message>
+    <message>
+        <source>%1, %2°</source>
+        <translation>%1, %2°</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Beside the published figures</source>
+        <translation>Δίπλα στις δημοσιευμένες τιμές</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Μέγεθος</translation>
+    </message>
+    <message>
+        <source>By its own sensors</source>
+        <translation>Με τους δικούς της αισθητήρες</translation>
+    </message>
+    <message>
+        <source>What was really so</source>
+        <translation>Τι ίσχυε πραγματικά</translation>
+    </message>
+    <message>
+        <source>Published (P3)</source>
+        <translation>Δημοσιευμένο (P3)</translation>
+    </message>
+    <message>
+        <source>Force, cycle %1: root mean square error</source>
+        <translation>Δύναμη, κύκλος %1: μέσο τετραγωνικό σφάλμα</translation>
+    </message>
+    <message>
+        <source>Force, mean of the cycles</source>
+        <translation>Δύναμη, μέσος όρος των κύκλων</translation>
+    </message>
+    <message>
+        <source>Orientation, mean error of %1 poses</source>
+        <translation>Προσανατολισμός, μέσο σφάλμα %1 στάσεων</translation>
+    </message>
+    <message>
+        <source>Orientation, standard deviation</source>
+        <translation>Προσανατολισμός, τυπική απόκλιση</translation>
+    </message>
+    <message>
+        <source>Force error</source>
+        <translation>Σφάλμα δύναμης</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ναι</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>όχι</translation>
+    </message>
+    <message>
+        <source>When one thing gets worse</source>
+        <translation>Όταν κάτι χειροτερεύει</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Τι</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>Πόσο</translation>
+    </message>
+    <message>
+        <source>Orientation error</source>
+        <translation>Σφάλμα προσανατολισμού</translation>
     </message>
 </context>
 <context>
@@ -4493,77 +4625,6 @@ Recording and scores are kept; they count for nothing.</source>
     <message>
         <source>The procedure was not done to its end.</source>
         <translation>Η διαδικασία δεν έγινε ως το τέλος της.</translation>
-    </message>
-</context>
-<context>
-    <name>Words</name>
-    <message>
-        <source>Beside the published figures</source>
-        <translation>Δίπλα στις δημοσιευμένες τιμές</translation>
-    </message>
-    <message>
-        <source>Figure</source>
-        <translation>Μέγεθος</translation>
-    </message>
-    <message>
-        <source>By its own sensors</source>
-        <translation>Με τους δικούς της αισθητήρες</translation>
-    </message>
-    <message>
-        <source>What was really so</source>
-        <translation>Τι ίσχυε πραγματικά</translation>
-    </message>
-    <message>
-        <source>Published (P3)</source>
-        <translation>Δημοσιευμένο (P3)</translation>
-    </message>
-    <message>
-        <source>Force, cycle %1: root mean square error</source>
-        <translation>Δύναμη, κύκλος %1: μέσο τετραγωνικό σφάλμα</translation>
-    </message>
-    <message>
-        <source>Force, mean of the cycles</source>
-        <translation>Δύναμη, μέσος όρος των κύκλων</translation>
-    </message>
-    <message>
-        <source>Orientation, mean error of %1 poses</source>
-        <translation>Προσανατολισμός, μέσο σφάλμα %1 στάσεων</translation>
-    </message>
-    <message>
-        <source>Orientation, standard deviation</source>
-        <translation>Προσανατολισμός, τυπική απόκλιση</translation>
-    </message>
-    <message>
-        <source>When one thing gets worse</source>
-        <translation>Όταν κάτι χειροτερεύει</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Τι</translation>
-    </message>
-    <message>
-        <source>How much</source>
-        <translation>Πόσο</translation>
-    </message>
-    <message>
-        <source>Force error</source>
-        <translation>Σφάλμα δύναμης</translation>
-    </message>
-    <message>
-        <source>Orientation error</source>
-        <translation>Σφάλμα προσανατολισμού</translation>
-    </message>
-    <message>
-        <source>Better than published</source>
-        <translation>Καλύτερα από τα δημοσιευμένα</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>ναι</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>όχι</translation>
     </message>
 </context>
 <context>
@@ -7573,8 +7634,8 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Πλατφόρμα δακτύλου</translation>
     </message>
     <message>
-        <source>Force and position verification as published: a sine of 1 N over three cycles, then random orientations.</source>
-        <translation>Έλεγχος δύναμης και θέσης όπως δημοσιεύθηκε: ημίτονο 1 N σε τρεις κύκλους και έπειτα τυχαίοι προσανατολισμοί.</translation>
+        <source>Verification of the simulated platform: the published sine and orientations, steps of force, and the most that the pad gets, on eight simulated fingers.</source>
+        <translation>Επαλήθευση της προσομοιωμένης πλατφόρμας: το δημοσιευμένο ημίτονο και οι προσανατολισμοί, βήματα δύναμης και η μέγιστη δύναμη στο δάκτυλο, σε οκτώ προσομοιωμένα δάκτυλα.</translation>
     </message>
     <message>
         <source>An administrator can run it here.</source>
@@ -7597,8 +7658,8 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Ο έλεγχος δεν ήταν δυνατός: %1</translation>
     </message>
     <message>
-        <source>Verification of the fingertip platform</source>
-        <translation>Έλεγχος της πλατφόρμας δακτύλου</translation>
+        <source>Verification of the simulated fingertip platform</source>
+        <translation>Επαλήθευση της προσομοιωμένης πλατφόρμας δακτύλου</translation>
     </message>
 </context>
 <context>

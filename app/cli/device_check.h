@@ -13,11 +13,15 @@ namespace chiron::cli {
 struct FingertipCheck {
     std::uint64_t seed = 1;
     mechanisms::FingertipVerification verification;
+    std::vector<mechanisms::FingertipOnFinger> fingers; ///< the same on seven others
     mechanisms::FingertipFriction friction;
     double damping_Ns_per_m = 0.0;  ///< b + B in the cap of the stiffness
     double stiffnessCap_N_per_m = 0.0;
     std::vector<mechanisms::FingertipDegradation> degradation; ///< empty unless asked for
 };
+
+/// Holds on the finger that is assumed and on the seven others.
+bool holds(const FingertipCheck& check) noexcept;
 
 /// As JSON and as a table beside P3's figures; exit 1 where the check does not hold.
 CommandOutput describeFingertipCheck(const FingertipCheck& check, bool withSeries);

@@ -4,13 +4,18 @@
 #include "core/tool_state.h"
 #include "mechanisms/finger_pad.h"
 
+#include <array>
+
 namespace chiron::mechanisms {
 
 /// What drives the three motors (FingertipControlParameters). The lean goes to the position loop alone; the force loop moves the
 /// height at which that lean is held:
-///   z_ref = height at which the pad that was measured gives F_ref at this lean + u,  u˙ = Kp(F_ref − F) + Kd d/dt(F_ref − F),
-///   f = PID(q(z_ref, β, α) − q_encoder) + G⁻ᵀ F_ref ∂δ/∂x.
-/// Haptic thread; no allocation. Source: P3 §2.1 (PID for the position, PD for the force).
+///   F_ref = min(F_wanted, limit/(1 + doubt)),  d* = depth at which the pad that was identified gives F_ref,
+///   s follows d* with bounded speed and acceleration,  F_s = force of that pad at s: what is to be expected,
+///   z_ref = height at which this lean presses by s + u,  u˙ = Kp e + Kd ė,  e = F_s (as late as the reading) − F,
+///   f = PID(q(z_ref, β, α) − q_encoder) + G⁻ᵀ F_s ∂δ/∂x + m/3 · G ẍ_ref + friction's share along q˙_ref.
+/// Without the bounds on s a step of 1 N put 1.9 N on the pad; without F_s the loop would sum up the lag as an error. Haptic
+/// thread; no allocation. Source: P3 §2.1 (PID for the position, PD for the force).
 class FingertipController {
 public:
     FingertipController(const FingertipGeometry& geometry, const FingertipDriveParameters& drive,
@@ -23,8 +28,17 @@ public:
     core::Vec3 tick(const core::DisplayPose& wanted, double force_N, bool fresh, const core::Vec3& encoders_m) noexcept;
     const FingertipPose& reference() const noexcept { return m_reference; }
 
+    double mostWanted_N() const noexcept { ///< larger wishes are cut to it; less while the platform turns
+        return m_c.padLimit_N / (1.0 + m_c.forceDoubt + m_c.turningDoubt * m_turning);
+    }
+
 private:
-    void moveReference(const core::DisplayPose& wanted) noexcept;
+    void shape(double wanted_N) noexcept;
+    double unhysteretic(double reading_N, double expected_N) noexcept;
+    void correct(double reading_N) noexcept;
+    void turn(const core::DisplayPose& wanted) noexcept;
+    void moveReference() noexcept;
+    std::size_t lateIndex() const noexcept;
 
     FingertipKinematics m_kinematics;
     FingertipControlParameters m_c;
@@ -36,9 +50,23 @@ private:
     core::Vec3 m_integral = core::Vec3::Zero();
     core::Vec3 m_before = core::Vec3::Zero(); ///< encoders
     core::Vec3 m_speed = core::Vec3::Zero();
+    double m_depth_m = 0.0;            ///< s
+    double m_depthRate_m_per_s = 0.0;
+    double m_depthAcceleration_m_per_s2 = 0.0;
+    double m_expected_N = 0.0;         ///< F_s
+    std::array<double, 2> m_lean{};    ///< pitch, roll
+    std::array<double, 2> m_leanRate{};
+    std::array<double, 2> m_leanAcceleration{};
+    double m_turning = 0.0;            ///< 0 where the platform leans as it should, 1 from 3° off
+    static constexpr std::size_t kLine = 64;
+    std::array<double, kLine> m_expectedLine{};
+    std::size_t m_now = 0;
+    double m_expectedBefore_N = 0.0;
+    double m_turn = 0.0;               ///< of the resistors' hysteresis, −1..1
     double m_correction_m = 0.0;
     double m_errorBefore_N = 0.0;
     bool m_started = false;
+    bool m_limited = false; ///< the three motors together press as hard as they may
 };
 
 } // namespace chiron::mechanisms

@@ -21,7 +21,9 @@ void FingertipPlant::reset(const FingertipPose& pose) noexcept {
     m_rates = m_motorRate = m_motorForce = Vec3::Zero();
     for (LugreFriction& friction : m_friction)
         friction.reset();
-    m_padForce_N = m_pad.elasticForce(m_pad.penetration(m_loop));
+    m_relaxation.reset();
+    m_shift_m = 0.0;
+    m_padForce_N = m_pad.elasticForce(depth());
     m_saturated = false;
 }
 
@@ -49,7 +51,9 @@ void FingertipPlant::step(double dt_s, const Vec3& motorForces) noexcept {
         m_motor[i] += dt_s * m_motorRate[i];
     }
     const Vec3 gradient = m_pad.gradient(m_loop);
-    m_padForce_N = m_pad.force(m_pad.penetration(m_loop), gradient.dot(m_rates));
+    const double pressed = depth();
+    m_relaxation.advance(m_p.pad, m_pad.elasticForce(pressed), dt_s);
+    m_padForce_N = m_pad.force(pressed, gradient.dot(m_rates), m_relaxation.force_N());
     const Vec3 joints(0.0, a.jointDamping_Nms_per_rad * m_rates[1], a.jointDamping_Nms_per_rad * m_rates[2]);
     const Vec3 force = m_loop.jacobian.transpose() * gear - m_padForce_N * gradient -
                        m_band.cwiseProduct(m_pose.vector()) - joints;
@@ -77,7 +81,7 @@ void FingertipPlant::stopAtEnds() noexcept {
 
 double FingertipPlant::energy_J() const noexcept {
     double energy = 0.5 * m_rates.dot(m_mass.cwiseProduct(m_rates)) + 0.5 * m_p.drive.motorMass_kg * m_motorRate.squaredNorm() +
-                    m_pad.energy_J(m_pad.penetration(m_loop)) + 0.5 * m_pose.vector().dot(m_band.cwiseProduct(m_pose.vector()));
+                    m_pad.energy_J(depth()) + 0.5 * m_pose.vector().dot(m_band.cwiseProduct(m_pose.vector()));
     for (int i = 0; i < 3; ++i)
         energy += 0.5 * m_p.drive.gearStiffness_N_per_m * gearStretch(i) * gearStretch(i) +
                   0.5 * m_p.drive.friction.bristleStiffness * m_friction[static_cast<std::size_t>(i)].bristle() *

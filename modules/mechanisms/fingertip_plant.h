@@ -23,10 +23,11 @@ public:
     const FingertipPose& pose() const noexcept { return m_pose; }
     const FingertipLoop& loop() const noexcept { return m_loop; }
     const core::Vec3& motors() const noexcept { return m_motor; } ///< q_m, m
+    void shiftFinger(double up_m) noexcept { m_shift_m = up_m; } ///< the finger moves in its holder, along z, m
     double padForce_N() const noexcept { return m_padForce_N; }   ///< along the platform's normal, ≥ 0
     core::Vec2 padPlace() const noexcept { return m_pad.place(m_loop); }
     bool saturated() const noexcept { return m_saturated; } ///< in the last step
-    double energy_J() const noexcept; ///< kinetic, gears, bands, pad
+    double energy_J() const noexcept; ///< kinetic, gears, bands, pad; of a pad that does not relax
 
     FingertipPose& poseForTests() noexcept { return m_pose; }
     core::Vec3& ratesForTests() noexcept { return m_rates; }
@@ -34,6 +35,7 @@ public:
 private:
     void stopAtEnds() noexcept;
     double gearStretch(int drive) const noexcept;
+    double depth() const noexcept { return m_pad.penetration(m_loop) - m_shift_m * m_loop.normal.z(); } ///< of the pad, m
 
     FingertipPlatformParameters m_p;
     FingertipKinematics m_kinematics;
@@ -47,6 +49,8 @@ private:
     core::Vec3 m_motorRate = core::Vec3::Zero();
     core::Vec3 m_motorForce = core::Vec3::Zero(); ///< after the amplifier
     std::array<LugreFriction, 3> m_friction{};
+    PadRelaxation m_relaxation;
+    double m_shift_m = 0.0;
     double m_padForce_N = 0.0;
     bool m_saturated = false;
 };

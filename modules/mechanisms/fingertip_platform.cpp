@@ -12,7 +12,7 @@ FingertipPlatform::FingertipPlatform(const FingertipPlatformParameters& paramete
 }
 
 void FingertipPlatform::reset() noexcept {
-    const FingertipPose clear{-m_parameters.control.clearance_m, 0.0, 0.0};
+    const FingertipPose clear{m_parameters.control.pad.surface_m - m_parameters.control.clearance_m, 0.0, 0.0};
     m_plant.reset(clear);
     m_force.reset();
     m_imu.reset();

@@ -25,6 +25,8 @@ public:
     double sensedRoll_rad() const noexcept { return m_imu.roll_rad(); }
     bool saturated() const noexcept { return m_saturated; } ///< a motor ran at its limit in the last tick
 
+    /// The finger moves in its holder, along z, m: towards the platform is negative.
+    void shiftFinger(double up_m) noexcept { m_plant.shiftFinger(up_m); }
     const FingertipPlant& plant() const noexcept { return m_plant; }
     const FingertipForceSensors& forceSensors() const noexcept { return m_force; }
 

@@ -4,18 +4,24 @@
 #include "mechanisms/fingertip_kinematics.h"
 #include "mechanisms/lugre_friction.h"
 
+#include <array>
+
 namespace chiron::mechanisms {
 
 /// The finger's pad as a ball of radius R that the flat platform presses: with penetration δ
 ///   F = (a/β)(e^{βδ} − 1) + b δ˙ min(1, δ/0.2 mm), never below 0.
 /// A plane against a viscoelastic ball with exponential stiffness is the form that Pawluk & Howe found for 0–2 N (Dynamic
 /// contact of the human fingerpad against a flat surface, J. Biomech. Eng. 121(6), 1999, 605–611). The numbers are
-/// ASSUMPTIONS: 0.3 N/mm at first touch, 1.8 N/mm at 1 N.
+/// ASSUMPTIONS: 0.3 N/mm at first touch, 1.8 N/mm at 1 N. The same authors found that the pad's force relaxes (Dynamic lumped
+/// element response of the human fingerpad, J. Biomech. Eng. 121(2), 1999, 178–183); share and times are ASSUMPTIONS too.
 struct FingerPadParameters {
     double radius_m = 0.008;
     double stiffness_N_per_m = 300.0; ///< a
     double hardening_per_m = 1500.0;  ///< β
     double damping_Ns_per_m = 1.5;    ///< b
+    double surface_m = 0.0;           ///< z₀: height of the platform, level, that just touches: a thick finger lies lower
+    double relaxation = 0.0;          ///< c, share of the elastic force that goes in time, 0..1
+    std::array<double, 2> relaxationTimes_s{0.07, 1.4};
 
     static constexpr FingerPadParameters soft() noexcept { return {0.009, 150.0, 1000.0, 1.0}; }
     static constexpr FingerPadParameters stiff() noexcept { return {0.007, 900.0, 2500.0, 3.0}; }
@@ -69,7 +75,8 @@ struct FingertipImuParameters {
 
 /// The loops. Position: PID on the three drives through the inverse kinematics, 1 kHz. Force: PD on the summed force, 500 Hz;
 /// its answer is the rate at which the wanted height moves, so that gear friction leaves no lasting error. P3 names PID and PD
-/// and no gains: ours.
+/// and no gains: ours. Numbers of the plant that stand here (mass, friction, delay) are what its maker says of it, and are not
+/// told the plant that it really is.
 struct FingertipControlParameters {
     double proportional_N_per_m = 2500.0;
     double integral_N_per_ms = 6.0e4;
@@ -83,7 +90,32 @@ struct FingertipControlParameters {
     double clearance_m = 0.0003;            ///< between platform and pad where nothing is displayed
     double fastest_m_per_s = 0.15;          ///< of the wanted height
     double fastest_rad_per_s = 7.0;         ///< of the wanted angles: 400°/s
-    FingerPadParameters pad;                ///< what the controller takes the finger to be: measured when it is put on
+    double acceleration_m_per_s2 = 12.0;    ///< of the wanted depth: a sixth of what the motors could
+    /// Of the wanted angles. A tremor of 8 to 12 Hz over a lump asks for ±6° at its own pace, by an IMU that steps at 100 Hz: at
+    /// 400 rad/s² a palpation's lean was off by 1.5° truly, at 1000 by 0.8°.
+    double acceleration_rad_per_s2 = 1000.0;
+    double turningStiffness_N_per_m = 3000.0; ///< of the pad, from which on the angles turn slower, by as much as it is stiffer
+    double approach_per_s = 180.0;          ///< rate at which the last of the way is gone
+    double smoothing_per_s = 600.0;         ///< rate at which the wanted speed is taken up
+    double leanApproach_per_s = 540.0;      ///< the same two of the angles, which overshoot less than a force: a third of the lag
+    double leanSmoothing_per_s = 990.0;     ///< below 1 a tick, where it would begin to swing
+    double fastest_N_per_s = 100.0;         ///< of the wanted force upwards: what may come within the delay of the sensors
+    /// Of the three motors together, along the pad, whatever the sensors say: what the pad may get, less what its movement adds. At
+    /// 4.3 N a pad twice as stiff as known got 4.03 N while the platform turned; at 3.9 N friction kept 3.4 N from being reached.
+    double pressingLimit_N = 3.95;
+    double movedMass_kg = 0.136;            ///< rotors, carriages and platform, along z; a third on each drive
+    double friction_N = 0.16;               ///< fed forward on each drive: less than there is, so that it never pushes by itself
+    double frictionTurns_m_per_s = 0.003;   ///< speed over which it turns round: at 2 mm/s a pad three times stiffer than known rippled
+    /// Taken out of the readings: half of what the data sheet lets expect, since a force that is held turns it round bit by bit.
+    double sensorHysteresis = 0.025;
+    double sensorHysteresisForce_N = 0.3;   ///< of the three together
+    int senseDelay_ticks = 4;               ///< from the pad to the reading, mean: half a period of sampling included
+    double padLimit_N = 4.0;                ///< P3: never more than this on the pad
+    /// Share by which the pad may get more than the resistors say: three times the gain's SD over √3 (3.5 %), hysteresis (5 %),
+    /// creep (3 %), and 3 % for what a pad that relaxes gives while it is pressed fast. What is wanted stops at padLimit_N/(1 + this).
+    double forceDoubt = 0.15;
+    double turningDoubt = 0.40;             ///< more while it turns: gear friction turns round, a quarter newton on 2.5 N/mm of each drive
+    FingerPadParameters pad;                ///< what the controller takes the finger to be: identified when it is put on
 };
 
 struct FingertipPlatformParameters {

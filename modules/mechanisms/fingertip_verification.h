@@ -25,6 +25,17 @@ struct FingertipVerificationSettings {
     double peak_N = 1.0;         ///< P3; > 0, ≤ 4
     int poses = 100;             ///< N_s, 1..10000
     double settle_s = 0.6;       ///< from the command of a pose to its reading, 0.1..5
+    /// By how much the finger moves in its holder at 0.3 Hz while the sine runs, by the muscles and the pulse; 0..0.001 m. ASSUMPTION.
+    double fingerMoves_m = 0.00015;
+    bool feedback = true;        ///< false: the force loop is cut, which the verification has to notice
+};
+
+/// What the platform has to meet on every finger, judged on what the pad truly got.
+struct FingertipBounds {
+    static constexpr double kLimit_N = 4.0;    ///< P3's largest force, at the pad
+    /// Beyond what was asked, or where it settles if that is more, as a share of that force: the Weber fraction of force, 7 to
+    /// 10 % (Jones, Matching forces: constant errors and differential thresholds, Perception 18, 1989), is what a person notices.
+    static constexpr double kOvershootOfForce = 0.10;
 };
 
 /// One tick of the sine, or one pose: what was wanted, what the device's own sensors say, what was really so.
@@ -39,33 +50,64 @@ struct FingertipPosed {
 
 struct FingertipVerification {
     FingertipVerificationSettings settings;
+    FingerPadParameters pad;        ///< the finger that was there
+    FingerPadParameters identified; ///< what the platform took it for, by its own sensors
     std::array<double, 3> rmse_N{};     ///< of each cycle, by the force sensors (as P3)
     std::array<double, 3> rmseTrue_N{}; ///< of each cycle, of what the pad really got
     double meanRmse_N = 0.0, meanRmseTrue_N = 0.0;
+    double gain = 0.0, phase_deg = 0.0; ///< of the true force's first harmonic over the reference's; a lag is negative
     double meanError_deg = 0.0, sdError_deg = 0.0;         ///< eq. 4 by the IMU (as P3), with N_s terms
     double meanErrorTrue_deg = 0.0, sdErrorTrue_deg = 0.0; ///< of where the platform really was
-    double latency_s = 0.0;  ///< from a step of 0.5 N on 1 N to a tenth of it on the pad
+    /// Largest of the steps of 0 to 1, 1 to 1.5 and 2 to 3 N, three each, true: beyond what was asked, or where it settles if that
+    /// is more, as a share of the step and of the force.
+    double overshoot = 0.0, overshootOfForce = 0.0;
+    double staticError = 0.0;   ///< largest of these steps: where the true force settles, as a share of what was asked
+    double oneNewton_N = 0.0;   ///< the most that the pad got in the steps from 0 to 1 N
+    double largest_N = 0.0;     ///< the most that the pad got of anything, mean over a tick: 4 N at once, from 2 N, leaning, and as a sine
+    double latency_s = 0.0;     ///< from a step of 0.5 N on 1 N to a tenth of it on the pad
     FingertipSeries series;
     std::vector<FingertipPosed> poses;
-    /// Better than both of P3's figures, as it measured them.
+    /// Better than both of P3's figures, by its own sensors as P3 measured them and truly, and within FingertipBounds.
     bool holds() const noexcept {
-        return meanRmse_N < FingertipPublished::kMeanRmse_N && meanError_deg < FingertipPublished::kMeanError_deg;
+        return meanRmse_N < FingertipPublished::kMeanRmse_N && meanError_deg < FingertipPublished::kMeanError_deg &&
+               meanRmseTrue_N < FingertipPublished::kMeanRmse_N && meanErrorTrue_deg < FingertipPublished::kMeanError_deg &&
+               overshootOfForce <= FingertipBounds::kOvershootOfForce && largest_N <= FingertipBounds::kLimit_N;
     }
 };
 
-/// P3 §3 on the simulated platform: three cycles of r_f = ½ peak (1 − cos 2πft) from a platform that stands off the pad, RMSE
-/// of each cycle and their mean; then N_s random orientations within ±30°, ±20°, nothing pressed,
+/// P3 §3 on the simulated platform, on the finger `parameters.pad`, after the platform has identified it (identifyPad): three
+/// cycles of r_f = ½ peak (1 − cos 2πft) from a platform that stands off the pad, RMSE of each cycle and their mean, while the
+/// finger moves in its holder; then N_s random orientations within ±30°, ±20°, nothing
+/// pressed,
 ///   e_p = 1/N_s Σ √((α_ref − α_m)² + (β_ref − β_m)²)
-/// with N_s terms (P3's sum runs from 0 to N_s, one too many). The same seed gives the same bits. Allocates; not in the tick.
-/// Failure: badInput for settings out of range.
+/// with N_s terms (P3's sum runs from 0 to N_s, one too many); then steps, and what is asked at most. The same seed gives the
+/// same bits. Allocates; not in the tick. Failure: badInput for settings out of range, or where no finger is found.
 core::Result<FingertipVerification> verifyFingertip(const FingertipPlatformParameters& parameters, std::uint64_t seed,
                                                     const FingertipVerificationSettings& settings = {});
+
+/// Seven fingers other than `assumed`: half and twice the stiffness, a thick and a thin finger (softer and harder with depth,
+/// lying lower and higher), one whose force relaxes by 40 %, and two with several of these together.
+struct FingertipFinger {
+    std::string finger; ///< "half", "double", "thick", "thin", "relaxing", "softest", "stiffest"
+    FingerPadParameters pad;
+};
+std::vector<FingertipFinger> otherFingers(const FingerPadParameters& assumed);
+
+/// verifyFingertip on the fingers other than the one that the controller begins with.
+struct FingertipOnFinger {
+    std::string finger; ///< as FingertipFinger
+    FingertipVerification verified;
+};
+core::Result<std::vector<FingertipOnFinger>> verifyFingertipOnFingers(const FingertipPlatformParameters& parameters, std::uint64_t seed,
+                                                                      const FingertipVerificationSettings& settings = {});
+bool holdsOnAll(const std::vector<FingertipOnFinger>& fingers) noexcept; ///< false where there are none
 
 /// What the figures do when one thing of the plant gets worse: factors 0, 1, 2, 4 (of the converter: 16 bits, 10, 9, 8).
 struct FingertipDegradation {
     std::string what; ///< "force_noise", "adc", "delay", "friction", "backlash", "imu"
     double factor = 1.0;
     double rmse_N = 0.0, rmseTrue_N = 0.0, meanError_deg = 0.0, meanErrorTrue_deg = 0.0;
+    double largest_N = 0.0; ///< as FingertipVerification
     bool holds = false;
 };
 core::Result<std::vector<FingertipDegradation>> degradeFingertip(const FingertipPlatformParameters& parameters, std::uint64_t seed,

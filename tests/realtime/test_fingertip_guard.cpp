@@ -47,7 +47,7 @@ private slots:
             most = std::max(most, second->platform().truth().normalForce_N);
         }
         QVERIFY2(forbiddenCounts().total() == 0, words(forbiddenCounts()));
-        QVERIFY(most > 3.5);
+        QVERIFY2(most > 3.3 && most <= 4.0, qPrintable(QString::number(most))); // asked for 4.2 N: the pad's limit was met and kept
         first->close();
         second->close();
     }

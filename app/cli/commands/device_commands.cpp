@@ -71,6 +71,10 @@ core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::opti
     FingertipCheck check;
     check.seed = *seed;
     check.verification = std::move(*verified);
+    auto fingers = mechanisms::verifyFingertipOnFingers(plant, *seed, settings);
+    if (!fingers)
+        return tl::unexpected(fingers.error());
+    check.fingers = std::move(*fingers);
     check.friction = mechanisms::identifyFingertipFriction(plant);
     check.damping_Ns_per_m = damping.value_or(mechanisms::fingertipDamping_Ns_per_m(check.friction, plant));
     check.stiffnessCap_N_per_m = mechanisms::stiffnessCap_N_per_m(check.damping_Ns_per_m, core::kTickSeconds, check.verification.latency_s);

@@ -23,7 +23,7 @@ PlatformCard::PlatformCard(const Theme& theme, const QLocale& locale, bool mayRu
     column->setContentsMargins(theme.px(16), theme.px(14), theme.px(16), theme.px(14));
     column->setSpacing(theme.px(8));
     column->addWidget(kit::label(theme, tr("Fingertip platform"), TextStyle::title));
-    column->addWidget(kit::label(theme, tr("Force and position verification as published: a sine of 1 N over three cycles, then random orientations."),
+    column->addWidget(kit::label(theme, tr("Verification of the simulated platform: the published sine and orientations, steps of force, and the most that the pad gets, on eight simulated fingers."),
                                  TextStyle::body, "muted"));
     m_results->setSpacing(theme.px(8));
     column->addLayout(m_results);
@@ -70,12 +70,13 @@ void PlatformCard::showError(const core::Error& error) {
 void PlatformCard::show(PlatformCheck check) {
     clear();
     m_check = std::move(check);
-    auto* verdict = kit::notice(m_theme, m_check->verified.holds() ? "good" : "bad", platformVerdict(*m_check, m_locale));
+    auto* verdict = kit::notice(m_theme, m_check->holds() ? "info" : "warning", platformVerdict(*m_check, m_locale));
     verdict->setObjectName(QStringLiteral("station.verdict"));
     m_results->addWidget(verdict);
     for (const QString& fact : platformFacts(*m_check, m_locale))
         m_results->addWidget(kit::label(m_theme, fact));
     addTable(platformFigures(*m_check, m_locale), "station.figures");
+    addTable(platformFingers(*m_check, m_locale), "station.fingers");
     addPlots();
     if (!m_check->worse.empty())
         addTable(platformDegradation(*m_check, m_locale), "station.worse");
@@ -123,11 +124,11 @@ core::Result<void> PlatformCard::writeRecord(const QString& path, const QString&
     auto poses = platformPosePlot(*m_check, paper);
     auto errors = platformErrorPlot(*m_check, paper);
     report::CheckRecord record;
-    record.title = tr("Verification of the fingertip platform");
+    record.title = tr("Verification of the simulated fingertip platform");
     record.when = when;
     record.verdict = platformVerdict(*m_check, m_locale);
     record.facts = platformFacts(*m_check, m_locale);
-    record.tables = {platformFigures(*m_check, m_locale)};
+    record.tables = {platformFigures(*m_check, m_locale), platformFingers(*m_check, m_locale)};
     if (!m_check->worse.empty())
         record.tables.push_back(platformDegradation(*m_check, m_locale));
     record.plots = {sine.get(), poses.get(), errors.get()};

@@ -8,7 +8,7 @@
 namespace chiron::desktop {
 
 core::Result<PlatformCheck> runPlatformCheck(const PlatformCheckLength& length, WorkToken& token) {
-    constexpr int kSteps = 3;
+    constexpr int kSteps = 4;
     const auto stopped = [] { return core::fail(core::ErrorCode::cancelled, "stopped by the person"); };
     PlatformCheck check;
     mechanisms::FingertipVerificationSettings settings;
@@ -21,10 +21,17 @@ core::Result<PlatformCheck> runPlatformCheck(const PlatformCheckLength& length, 
     token.setProgress(1, kSteps);
     if (token.cancelled())
         return stopped();
+    auto fingers = mechanisms::verifyFingertipOnFingers(check.plant, length.seed, settings);
+    if (!fingers)
+        return tl::unexpected(fingers.error());
+    check.fingers = std::move(*fingers);
+    token.setProgress(2, kSteps);
+    if (token.cancelled())
+        return stopped();
     check.friction = mechanisms::identifyFingertipFriction(check.plant);
     check.stiffnessCap_N_per_m = mechanisms::stiffnessCap_N_per_m(mechanisms::fingertipDamping_Ns_per_m(check.friction, check.plant),
                                                                   core::kTickSeconds, check.verified.latency_s);
-    token.setProgress(2, kSteps);
+    token.setProgress(3, kSteps);
     if (token.cancelled())
         return stopped();
     if (!length.degrade)

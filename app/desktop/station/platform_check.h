@@ -9,12 +9,14 @@
 
 namespace chiron::desktop {
 
-/// P3's verification of the fingertip platform, and what goes with it.
+/// P3's verification of the simulated fingertip platform, and what goes with it.
 struct PlatformCheck {
     mechanisms::FingertipPlatformParameters plant;
     mechanisms::FingertipVerification verified;
+    std::vector<mechanisms::FingertipOnFinger> fingers; ///< the same on seven others
     mechanisms::FingertipFriction friction;
     double stiffnessCap_N_per_m = 0.0; ///< with the damping of drives and pad at the measured delay
+    bool holds() const noexcept { return verified.holds() && mechanisms::holdsOnAll(fingers); }
     std::vector<mechanisms::FingertipDegradation> worse; ///< one thing of the plant made worse at a time
 };
 

@@ -2,18 +2,22 @@
 #include "desktop/station/platform_words.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace chiron::desktop {
 
 namespace {
 
 using mechanisms::FingertipPublished;
+using report::CheckTable; // unqualified below: lupdate takes the texts of a function with a qualified type for another context's
 
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(PlatformCheck)
 };
 
 QString newtons(double value, const QLocale& locale) { return Words::tr("%1 N").arg(locale.toString(value, 'f', 4)); }
+
+QString shortNewtons(double value, const QLocale& locale) { return Words::tr("%1 N").arg(locale.toString(value, 'f', 2)); }
 
 QString degrees(double value, const QLocale& locale) { return Words::tr("%1°").arg(locale.toString(value, 'f', 2)); }
 
@@ -33,6 +37,24 @@ QString plantPart(const std::string& what) {
     return QString::fromStdString(what);
 }
 
+QString fingerName(const std::string& finger) {
+    if (finger == "half")
+        return Words::tr("Half as stiff");
+    if (finger == "double")
+        return Words::tr("Twice as stiff");
+    if (finger == "thick")
+        return Words::tr("Thick");
+    if (finger == "thin")
+        return Words::tr("Thin");
+    if (finger == "relaxing")
+        return Words::tr("Its force relaxes by 40 %");
+    if (finger == "softest")
+        return Words::tr("Half as stiff, thick, relaxing");
+    if (finger == "stiffest")
+        return Words::tr("Twice as stiff, thin, relaxing");
+    return Words::tr("The finger that is assumed");
+}
+
 QString factorText(const mechanisms::FingertipDegradation& row, const QLocale& locale) {
     if (row.what == "adc")
         return row.factor == 0.0 ? Words::tr("16 bits") : Words::tr("× %1 as coarse").arg(locale.toString(row.factor, 'g', 3));
@@ -42,12 +64,25 @@ QString factorText(const mechanisms::FingertipDegradation& row, const QLocale& l
 } // namespace
 
 QString platformVerdict(const PlatformCheck& check, const QLocale& locale) {
+    using mechanisms::FingertipBounds;
     const auto& v = check.verified;
-    const QString force = newtons(v.meanRmse_N, locale);
-    const QString angle = degrees(v.meanError_deg, locale);
-    return v.holds() ? Words::tr("Passed: force follows within %1 and orientation within %2, both better than published.").arg(force, angle)
-                     : Words::tr("Not passed: force follows within %1 and orientation within %2; published were %3 and %4.")
-                           .arg(force, angle, newtons(FingertipPublished::kMeanRmse_N, locale), degrees(FingertipPublished::kMeanError_deg, locale));
+    const QString bounds = Words::tr("bounds: %1, %2, %3 %, %4")
+                               .arg(newtons(FingertipPublished::kMeanRmse_N, locale), degrees(FingertipPublished::kMeanError_deg, locale),
+                                    locale.toString(100.0 * FingertipBounds::kOvershootOfForce, 'f', 0), shortNewtons(FingertipBounds::kLimit_N, locale));
+    double force = v.meanRmseTrue_N, angle = v.meanErrorTrue_deg, overshoot = v.overshootOfForce, most = v.largest_N;
+    int held = v.holds() ? 1 : 0;
+    for (const mechanisms::FingertipOnFinger& on : check.fingers) {
+        force = std::max(force, on.verified.meanRmseTrue_N);
+        angle = std::max(angle, on.verified.meanErrorTrue_deg);
+        overshoot = std::max(overshoot, on.verified.overshootOfForce);
+        most = std::max(most, on.verified.largest_N);
+        held += on.verified.holds() ? 1 : 0;
+    }
+    const int fingers = 1 + static_cast<int>(check.fingers.size());
+    return Words::tr("A simulation: the simulated platform stays within its bounds on %1 of %2 simulated fingers. At worst, the pad's force is off by %3 (root mean square), "
+                     "the orientation by %4, a step overshoots by %5 % of the force, and the pad gets at most %6 (%7). A real platform has to be measured on its own.")
+        .arg(locale.toString(held), locale.toString(fingers), newtons(force, locale), degrees(angle, locale), locale.toString(100.0 * overshoot, 'f', 1),
+             shortNewtons(most, locale), bounds);
 }
 
 QStringList platformFacts(const PlatformCheck& check, const QLocale& locale) {
@@ -64,9 +99,9 @@ QStringList platformFacts(const PlatformCheck& check, const QLocale& locale) {
                 .arg(number(1e3 * check.verified.latency_s), number(1e-3 * check.stiffnessCap_N_per_m, 2))};
 }
 
-report::CheckTable platformFigures(const PlatformCheck& check, const QLocale& locale) {
+CheckTable platformFigures(const PlatformCheck& check, const QLocale& locale) {
     const auto& v = check.verified;
-    report::CheckTable table{Words::tr("Beside the published figures"),
+    CheckTable table{Words::tr("Beside the published figures"),
                              {{Words::tr("Figure"), Words::tr("By its own sensors"), Words::tr("What was really so"), Words::tr("Published (P3)")}}};
     for (std::size_t i = 0; i < v.rmse_N.size(); ++i)
         table.lines.push_back({Words::tr("Force, cycle %1: root mean square error").arg(locale.toString(static_cast<int>(i) + 1)), newtons(v.rmse_N[i], locale),
@@ -78,9 +113,25 @@ report::CheckTable platformFigures(const PlatformCheck& check, const QLocale& lo
     return table;
 }
 
-report::CheckTable platformDegradation(const PlatformCheck& check, const QLocale& locale) {
-    report::CheckTable table{Words::tr("When one thing gets worse"),
-                             {{Words::tr("What"), Words::tr("How much"), Words::tr("Force error"), Words::tr("Orientation error"), Words::tr("Better than published")}}};
+CheckTable platformFingers(const PlatformCheck& check, const QLocale& locale) {
+    CheckTable table{Words::tr("On other fingers: what the pad really got"),
+                             {{Words::tr("Simulated finger"), Words::tr("Force error"), Words::tr("Gain, phase"), Words::tr("Overshoot of a step"),
+                               Words::tr("Asked for 1 N, at most"), Words::tr("Asked for 4 N, at most"), Words::tr("Within its bounds")}}};
+    const auto add = [&](const std::string& name, const mechanisms::FingertipVerification& v) {
+        table.lines.push_back({fingerName(name), newtons(v.meanRmseTrue_N, locale),
+                               Words::tr("%1, %2°").arg(locale.toString(v.gain, 'f', 3), locale.toString(v.phase_deg, 'f', 1)),
+                               Words::tr("%1 %").arg(locale.toString(100.0 * v.overshoot, 'f', 0)), shortNewtons(v.oneNewton_N, locale),
+                               shortNewtons(v.largest_N, locale), v.holds() ? Words::tr("yes") : Words::tr("no")});
+    };
+    add({}, check.verified);
+    for (const mechanisms::FingertipOnFinger& on : check.fingers)
+        add(on.finger, on.verified);
+    return table;
+}
+
+CheckTable platformDegradation(const PlatformCheck& check, const QLocale& locale) {
+    CheckTable table{Words::tr("When one thing gets worse"),
+                             {{Words::tr("What"), Words::tr("How much"), Words::tr("Force error"), Words::tr("Orientation error"), Words::tr("Within its bounds")}}};
     for (const mechanisms::FingertipDegradation& row : check.worse)
         table.lines.push_back({plantPart(row.what), factorText(row, locale), newtons(row.rmse_N, locale), degrees(row.meanError_deg, locale),
                                row.holds ? Words::tr("yes") : Words::tr("no")});

@@ -16,6 +16,8 @@ QString platformVerdict(const PlatformCheck& check, const QLocale& locale);
 QStringList platformFacts(const PlatformCheck& check, const QLocale& locale);
 /// Ours beside P3's; the first line are the heads.
 report::CheckTable platformFigures(const PlatformCheck& check, const QLocale& locale);
+/// What the pad of each of the eight fingers got; the first line are the heads.
+report::CheckTable platformFingers(const PlatformCheck& check, const QLocale& locale);
 /// What the figures do when one thing gets worse; the first line are the heads.
 report::CheckTable platformDegradation(const PlatformCheck& check, const QLocale& locale);
 

@@ -28,7 +28,8 @@ PlatformCheck madeCheck(double rmse_N, double error_deg) {
         for (auto* values : {&check.verified.series.reference_N, &check.verified.series.measured_N, &check.verified.series.true_N})
             values->push_back(0.5);
     }
-    check.worse.push_back({"delay", 4.0, 0.09, 0.09, 1.2, 1.1, false});
+    check.worse.push_back({"delay", 4.0, 0.09, 0.09, 1.2, 1.1, 3.5, false});
+    check.fingers.push_back({"thick", check.verified});
     return check;
 }
 
@@ -52,6 +53,7 @@ private slots:
         QVERIFY(ended.wait(60'000));
         QVERIFY(button->isEnabled());
         QVERIFY(desktop.find<QWidget>(QStringLiteral("station.verdict")));
+        QCOMPARE(desktop.find<QTableWidget>(QStringLiteral("station.fingers"))->rowCount(), 8);
         QVERIFY(desktop.find<report::PlotView>(QStringLiteral("station.sine")));
         QCOMPARE(desktop.find<QTableWidget>(QStringLiteral("station.figures"))->rowCount(), 6);
         QTemporaryDir folder;
@@ -83,9 +85,19 @@ private slots:
 
     void theVerdictIsInWords() {
         const QLocale locale = QLocale::c();
-        QVERIFY(platformVerdict(madeCheck(0.05, 1.0), locale).startsWith(QStringLiteral("Passed")));
-        QVERIFY(platformVerdict(madeCheck(0.08, 1.0), locale).startsWith(QStringLiteral("Not passed")));
-        QVERIFY(platformVerdict(madeCheck(0.05, 2.0), locale).startsWith(QStringLiteral("Not passed")));
+        QVERIFY(platformVerdict(madeCheck(0.05, 1.0), locale).contains(QStringLiteral("on 2 of 2 simulated fingers")));
+        QVERIFY(platformVerdict(madeCheck(0.08, 1.0), locale).contains(QStringLiteral("on 0 of 2")));
+        QVERIFY(platformVerdict(madeCheck(0.05, 2.0), locale).contains(QStringLiteral("on 0 of 2")));
+        PlatformCheck one = madeCheck(0.05, 1.0);
+        one.fingers[0].verified.largest_N = 4.1;
+        QVERIFY(!one.holds() && platformVerdict(one, locale).contains(QStringLiteral("on 1 of 2")));
+        QVERIFY(platformVerdict(one, locale).contains(QStringLiteral("at most 4.10 N")));
+        for (const PlatformCheck& check : {madeCheck(0.05, 1.0), one}) { // never without saying what it is
+            QVERIFY(platformVerdict(check, locale).startsWith(QStringLiteral("A simulation")));
+            QVERIFY(!platformVerdict(check, locale).contains(QStringLiteral("better than published")));
+        }
+        for (const QStringList& line : platformFingers(one, locale).lines)
+            QCOMPARE(line.size(), 7);
         const auto table = platformDegradation(madeCheck(0.05, 1.0), locale);
         QCOMPARE(table.lines.at(1), QStringList({"Delay of the force sensors", "× 4", "0.0900 N", "1.20°", "no"}));
         for (const QStringList& line : platformFigures(madeCheck(0.05, 1.0), locale).lines)

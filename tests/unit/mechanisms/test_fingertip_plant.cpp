@@ -204,7 +204,7 @@ void TestFingertipPlant::isStableOnSoftAndStiffPads() {
     p.pad.hardening_per_m = hardening;
     p.pad.damping_Ns_per_m = damping;
     FingertipPlatform platform(p, 3);
-    for (const double force : {0.1, 0.5, 2.0, 4.0}) {
+    for (const double force : {0.1, 0.5, 2.0, 3.4}) {
         const Held held = hold(platform, {force, 0.2, -0.1}, 3000);
         QVERIFY2(std::abs(held.mean - force) < 0.01 + 0.03 * force, qPrintable(QString("%1 N: %2").arg(force).arg(held.mean)));
         QVERIFY2(held.most - held.least < 0.04 + 0.12 * force, qPrintable(QString("%1 N: %2..%3").arg(force).arg(held.least).arg(held.most)));
@@ -216,7 +216,8 @@ void TestFingertipPlant::forceAndLeanTogetherAtTheLimits() {
     for (const double side : {1.0, -1.0}) {
         const DisplayPose wanted{4.0, side * core::radFromDeg(30.0), -side * core::radFromDeg(20.0)};
         const Held held = hold(platform, wanted, 3000);
-        QVERIFY2(std::abs(held.mean - 4.0) < 0.15, qPrintable(QString::number(held.mean)));
+        // A limit is a limit at the pad: what the sensors cannot know of the force is left below 4 N.
+        QVERIFY2(held.most <= 4.0 && held.mean > 3.3, qPrintable(QString("%1, at most %2").arg(held.mean).arg(held.most)));
         QVERIFY(std::abs(platform.truth().pitch_rad - wanted.pitch_rad) < 0.02 && std::abs(platform.truth().roll_rad - wanted.roll_rad) < 0.02);
     }
 }

@@ -25,7 +25,8 @@ public:
         std::uint64_t seed = 1;             ///< of tremor and sensors
     };
 
-    /// Fails (badInput) when the start lies outside the arm's travel, a number makes no sense, or there is no strategy.
+    /// The platform identifies the finger (mechanisms::identifyPad) before it displays anything. Fails (badInput) when the start
+    /// lies outside the arm's travel, a number makes no sense, no finger is found, or there is no strategy.
     static core::Result<std::unique_ptr<SimulatedFingertipDevice>>
     create(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
     ~SimulatedFingertipDevice() override;

@@ -3,6 +3,7 @@
 #include "devices/axis_resolutions_setup.h"
 #include "devices/drivers/simulated/simulated_fingertip_device.h"
 #include "devices/drivers/simulated/simulated_second_finger.h"
+#include "mechanisms/fingertip_pad_identification.h"
 
 #include <cmath>
 #include <utility>
@@ -78,7 +79,12 @@ SimulatedFingertipDevice::create(const Configuration& configuration, std::unique
         return core::fail(core::ErrorCode::badInput, "simulated fingertip: a hand strategy is expected");
     if (auto sound = checked(configuration); !sound)
         return tl::unexpected(sound.error());
-    return std::unique_ptr<SimulatedFingertipDevice>(new SimulatedFingertipDevice(configuration, std::move(strategy)));
+    auto platform = mechanisms::worn(configuration.platform, configuration.seed); // the finger is put on
+    if (!platform)
+        return tl::unexpected(platform.error());
+    Configuration worn = configuration;
+    worn.platform = *platform;
+    return std::unique_ptr<SimulatedFingertipDevice>(new SimulatedFingertipDevice(worn, std::move(strategy)));
 }
 
 SimulatedFingertipDevice::SimulatedFingertipDevice(const Configuration& configuration,
@@ -104,6 +110,10 @@ SimulatedSecondFinger::create(const SimulatedFingertipDevice& first, const core:
         return core::fail(core::ErrorCode::badInput, "simulated fingertip: a second finger up to 0.2 m from the first is expected");
     SimulatedFingertipDevice::Configuration configuration = first.m_configuration;
     configuration.seed = seed;
+    auto platform = mechanisms::worn(configuration.platform, seed); // with its own sensors
+    if (!platform)
+        return tl::unexpected(platform.error());
+    configuration.platform = *platform;
     return std::unique_ptr<SimulatedSecondFinger>(new SimulatedSecondFinger(first, configuration, pad_T, std::move(strategy)));
 }
 
