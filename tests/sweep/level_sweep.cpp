@@ -138,7 +138,8 @@ private:
         m_open = false;
     }
 
-    /// No hand begins within tissue: each tool from where a fresh scene answers it with nothing.
+    /// No hand begins within tissue or under the table (z = 0): each tool from where a fresh scene answers it with nothing for half a second,
+    /// after which what is simulated more slowly has answered too.
     void beginInTheAir() {
         constexpr int kDraws = 1000;
         for (int draw = 0; draw < kDraws; ++draw) {
@@ -147,13 +148,15 @@ private:
             simulation::SceneOutput out;
             for (std::size_t i = 0; i < m_hands.size(); ++i)
                 m_in.tools.tools[i] = m_hands[i].now();
-            scene->respond(ticks.next(0), m_in, out);
             bool clear = true;
-            for (std::size_t i = 0; i < m_hands.size(); ++i) {
-                if (out.tissue.tools[i].force == Vec3::Zero() && out.contact[i] == 0)
-                    continue;
-                m_hands[i].drawStart();
-                clear = false;
+            for (int tick = 0; tick < 500 && clear; ++tick) {
+                scene->respond(ticks.next(0), m_in, out);
+                for (std::size_t i = 0; i < m_hands.size(); ++i) {
+                    if (out.tissue.tools[i].force == Vec3::Zero() && out.contact[i] == 0 && m_in.tools.tools[i].p_WT.z() > 0.0)
+                        continue;
+                    m_hands[i].drawStart();
+                    clear = false;
+                }
             }
             if (clear)
                 return;
