@@ -11,7 +11,7 @@ using tests::SweepResult;
 
 namespace {
 
-constexpr double kChange_N = 0.1; ///< in a tick, above stiffness times way: the allowance of issue 19
+constexpr double kChange_N = 0.1; ///< in a tick, above stiffness times way: what is allowed for rounding and for what a scene's bound leaves out
 
 #ifdef CHIRON_LONG_SWEEP
 constexpr bool kLong = true;
