@@ -4030,8 +4030,8 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Bedingungen werden verglichen, sobald die Studie entblindet ist: Ein Unterschied, dem man beim Wachsen zusieht, ist kein Test mehr.</translation>
     </message>
     <message>
-        <source>After the answers, what was assumed beforehand is still %1 as wide: near 0 % the answers decide, near 100 % the assumption.</source>
-        <translation>Nach den Antworten ist die Annahme von vornherein noch %1 so breit: Nahe 0 % entscheiden die Antworten, nahe 100 % die Annahme.</translation>
+        <source>The answers narrowed the prior to %1 of its width. Near 0 % the answers decide the result; near 100 % the prior does.</source>
+        <translation>Die Antworten haben die A-priori-Verteilung auf %1 ihrer Breite eingeengt. Nahe 0 % entscheiden die Antworten über das Ergebnis, nahe 100 % die A-priori-Verteilung.</translation>
     </message>
     <message>
         <source>Each answer decided what came next, so one person&apos;s trials are not independent: they have no interval and no p.</source>

@@ -4030,8 +4030,8 @@ Do you want to replace it?</source>
         <translation>Οι συνθήκες συγκρίνονται μετά την άρση της τύφλωσης: μια διαφορά που την παρακολουθεί κανείς να μεγαλώνει δεν είναι πια έλεγχος.</translation>
     </message>
     <message>
-        <source>After the answers, what was assumed beforehand is still %1 as wide: near 0 % the answers decide, near 100 % the assumption.</source>
-        <translation>Μετά τις απαντήσεις, ό,τι είχε υποτεθεί από πριν έχει ακόμη το %1 του πλάτους του: κοντά στο 0 % αποφασίζουν οι απαντήσεις, κοντά στο 100 % η υπόθεση.</translation>
+        <source>The answers narrowed the prior to %1 of its width. Near 0 % the answers decide the result; near 100 % the prior does.</source>
+        <translation>Οι απαντήσεις στένεψαν την εκ των προτέρων κατανομή στο %1 του πλάτους της. Κοντά στο 0 % το αποτέλεσμα το καθορίζουν οι απαντήσεις, κοντά στο 100 % η εκ των προτέρων κατανομή.</translation>
     </message>
     <message>
         <source>Each answer decided what came next, so one person&apos;s trials are not independent: they have no interval and no p.</source>

@@ -47,7 +47,7 @@ QString comparisonSealed() {
 QString influenceWords(double influence, const QLocale& locale) {
     if (!std::isfinite(influence))
         return {};
-    return Words::tr("After the answers, what was assumed beforehand is still %1 as wide: near 0 % the answers decide, near 100 % the assumption.")
+    return Words::tr("The answers narrowed the prior to %1 of its width. Near 0 % the answers decide the result; near 100 % the prior does.")
         .arg(study_report_words::percent(influence, locale));
 }
 
