@@ -11849,6 +11849,10 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>✗  Nicht bestanden</translation>
     </message>
     <message>
+        <source>%1 has no value (%2), pass mark %3</source>
+        <translation>%1 hat keinen Wert (%2), Bestehensgrenze %3</translation>
+    </message>
+    <message>
         <source>%1 was %2, pass mark %3</source>
         <translation>%1: %2, Bestehensgrenze %3</translation>
     </message>

@@ -11849,6 +11849,10 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>✗  Αποτυχία</translation>
     </message>
     <message>
+        <source>%1 has no value (%2), pass mark %3</source>
+        <translation>%1: χωρίς τιμή (%2), όριο επιτυχίας %3</translation>
+    </message>
+    <message>
         <source>%1 was %2, pass mark %3</source>
         <translation>%1: %2, όριο επιτυχίας %3</translation>
     </message>

@@ -25,6 +25,14 @@ QString besides(const MetricRow& row, const QLocale& locale) {
     const QString band = formatBand(row, locale);
     return band.isEmpty() ? chanceWords(row, locale) : band;
 }
+QString missedMark(const MetricRow& row, const QLocale& locale) {
+    const QString name = row.name.isEmpty() ? row.id : row.name;
+    const QString gate = formatGate(row, locale);
+    if (!row.value && !row.reason.isEmpty())
+        return Words::tr("%1 has no value (%2), pass mark %3").arg(name, row.reason, gate);
+    return Words::tr("%1 was %2, pass mark %3").arg(name, formatValue(row.value, row.unit, locale), gate);
+}
+
 } // namespace
 
 ReportBlocks::ReportBlocks(const ReportData& data, const PlotTheme& theme, double width)
@@ -98,10 +106,7 @@ void ReportBlocks::addVerdict() {
         QStringList failed;
         for (const MetricRow& row : m_data.metrics) {
             if (row.passed && !*row.passed)
-                failed << Words::tr("%1 was %2, pass mark %3")
-                              .arg(row.name.isEmpty() ? row.id : row.name,
-                                   formatValue(row.value, row.unit, m_theme.locale),
-                                   formatGate(row, m_theme.locale));
+                failed << missedMark(row, m_theme.locale);
         }
         if (!failed.isEmpty())
             words += QStringLiteral(": ") + failed.join(QStringLiteral(" · ")); // no semicolon: it asks a question in Greek

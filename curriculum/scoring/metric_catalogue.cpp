@@ -12,6 +12,7 @@ namespace chiron::scoring {
     METRIC(pathLengthMetric)                                                                                 \
     METRIC(pathInefficiencyMetric)                                                                           \
     METRIC(pathInefficiencyMetric2)                                                                          \
+    METRIC(pathInefficiencyMetric3)                                                                          \
     METRIC(sparcMetric)                                                                                      \
     METRIC(ldljMetric)                                                                                       \
     METRIC(forceMaxMetric)                                                                                   \

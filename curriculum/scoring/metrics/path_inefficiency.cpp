@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/endoscope_cues.h"
+#include "core/laparoscopy_cues.h"
 #include "scoring/metric.h"
+#include "scoring/metrics/handling_samples.h"
 #include "scoring/prepared_trial.h"
 
 #include <algorithm>
@@ -90,19 +92,85 @@ private:
     const InsertionSeries& m_series;
 };
 
+/// Way of the tip and the straight distance in each step of a task that asks for one thing after another (grasp, lift, carry ...).
+class StepsOfTask {
+public:
+    StepsOfTask(const PreparedTrial& trial, const QuantityTrace& step) : m_trial(trial), m_step(step) {}
+
+    /// 100 (L/D − 1) over the steps whose ends are 5 mm apart, without those that ask for a still hand; nothing where none is.
+    std::optional<double> percent() {
+        for (const MotionRun& run : m_trial.motion.runs) { // a pause ends a step
+            m_first.reset();
+            for (std::size_t i = 0; i < run.p_WT_m.size(); ++i)
+                follow(run.p_WT_m[i], stepAt(run.t_s[i]));
+            end();
+        }
+        return m_straight_m > 0.0 ? std::optional(100.0 * (m_length_m / m_straight_m - 1.0)) : std::nullopt;
+    }
+
+private:
+    double stepAt(double t_s) {
+        while (m_at + 1 < m_trial.tool->t_s.size() && m_trial.tool->t_s[m_at + 1] <= t_s)
+            ++m_at;
+        return m_step.values[m_at];
+    }
+    void follow(const core::Vec3& p_WT_m, double step) {
+        if (m_first && step != m_now)
+            end();
+        if (!m_first) {
+            m_first = m_last = p_WT_m;
+            m_now = step;
+            m_own_m = 0.0;
+        }
+        m_own_m += (p_WT_m - m_last).norm();
+        m_last = p_WT_m;
+    }
+    void end() {
+        const double straight_m = m_first ? (m_last - *m_first).norm() : 0.0;
+        const bool still = m_now == static_cast<double>(core::LaparoscopyStep::hold);
+        if (straight_m >= kShortest_m && !still) {
+            m_straight_m += straight_m;
+            m_length_m += m_own_m;
+        }
+        m_first.reset();
+    }
+
+    const PreparedTrial& m_trial;
+    const QuantityTrace& m_step;
+    std::size_t m_at = 0;
+    std::optional<core::Vec3> m_first; ///< where the present step began
+    core::Vec3 m_last = core::Vec3::Zero();
+    double m_now = 0.0;
+    double m_own_m = 0.0;
+    double m_length_m = 0.0;
+    double m_straight_m = 0.0;
+};
+
+Measurement meanOverTrials(std::span<const PreparedTrial> trials, std::optional<double> (*percentOf)(const PreparedTrial&)) {
+    double sum_percent = 0.0;
+    int counted = 0;
+    for (const PreparedTrial& trial : trials)
+        if (const auto percent = percentOf(trial)) {
+            sum_percent += *percent;
+            ++counted;
+        }
+    return counted > 0 ? Measurement::of(sum_percent / counted) : Measurement::undefined("start and end are less than 5 mm apart");
+}
+
 /// In a canal by its stages, elsewhere as version 1.
 Measurement measurePathInefficiency2(std::span<const PreparedTrial> trials) {
     const auto inCanal = [](const PreparedTrial& trial) { return trial.tool != nullptr && trial.trial->insertion; };
     if (trials.empty() || !std::all_of(trials.begin(), trials.end(), inCanal))
         return measurePathInefficiency(trials);
-    double sum_percent = 0.0;
-    int counted = 0;
-    for (const PreparedTrial& trial : trials)
-        if (const auto percent = StagesOfCanal(trial).percent()) {
-            sum_percent += *percent;
-            ++counted;
-        }
-    return counted > 0 ? Measurement::of(sum_percent / counted) : Measurement::undefined("start and end are less than 5 mm apart");
+    return meanOverTrials(trials, [](const PreparedTrial& trial) { return StagesOfCanal(trial).percent(); });
+}
+
+/// A task of steps by them, elsewhere as version 2.
+Measurement measurePathInefficiency3(std::span<const PreparedTrial> trials) {
+    const auto inSteps = [](const PreparedTrial& trial) { return quantityOf(trial, "step") != nullptr; };
+    if (trials.empty() || !std::all_of(trials.begin(), trials.end(), inSteps))
+        return measurePathInefficiency2(trials);
+    return meanOverTrials(trials, [](const PreparedTrial& trial) { return StepsOfTask(trial, *quantityOf(trial, "step")).percent(); });
 }
 
 } // namespace
@@ -130,6 +198,17 @@ MetricDefinition pathInefficiencyMetric2() {
                         "trials where D is at least 5 mm.";
     metric.source = "models.md §6 and §8";
     metric.measure = measurePathInefficiency2;
+    return metric;
+}
+
+MetricDefinition pathInefficiencyMetric3() {
+    MetricDefinition metric = pathInefficiencyMetric2();
+    metric.version = 3;
+    metric.definition = "100 (L/D - 1). In a task of recorded steps (grasp, lift, carry ...): L the tip's path and D the straight distance, both added up "
+                        "over the unbroken stretches of one step whose ends are at least 5 mm apart, without holding still. In a canal of the stages "
+                        "insertion and withdrawal together: D the tip's way along the centre-line. Elsewhere D is the straight distance between the "
+                        "trial's ends. The mean over the trials that have such a D.";
+    metric.measure = measurePathInefficiency3;
     return metric;
 }
 

@@ -68,6 +68,7 @@ private slots:
     void overStretchesAreRearmed();
     void dropsAreReleasesBeforeTheEnd();
     void pausesAreLeftOut();
+    void thePathIsMeasuredStepByStep();
     void undefinedWithItsReason();
     void sessionsPoolTheirTrials();
 };
@@ -181,6 +182,44 @@ void TestTubeMetrics::sessionsPoolTheirTrials() {
     QVERIFY(isNear(valueOf(trace, "tension_error_rms"), std::sqrt(0.5 * (0.0009 + 0.0081)), 1e-9));
     QVERIFY(isNear(valueOf(trace, "tension_error_sd"), 0.0, 1e-9)); // each was steady
     QVERIFY(isNear(valueOf(trace, "time_in_band"), 2.0 / 3.0, 1e-9));
+}
+
+/// Straight to the tube and by a half circle back to where it began, between them a hand that wanders while it holds: 100 (π/2 − 1) for the half
+/// circle alone, diluted by the straight way. Version 1 sees a trial that ends where it began.
+void TestTubeMetrics::thePathIsMeasuredStepByStep() {
+    const double reach_m = 0.1;
+    const auto stepAt = [](double t) { return t < 2.0 ? Step::grasp : t < 4.0 ? Step::hold : Step::stretch; };
+    TrialTrace trial = tubeTrial(6.0, [&](double t) { return TubeSample{.step = stepAt(t)}; });
+    ToolTrace& tool = trial.tools.front();
+    for (std::size_t i = 0; i < tool.t_s.size(); ++i) {
+        const double t = tool.t_s[i], half = 0.5 * reach_m;
+        core::Vec3& p = tool.p_WT_m[i];
+        if (stepAt(t) == Step::grasp)
+            p = core::Vec3(0.5 * reach_m * (1.0 - std::cos(0.5 * std::numbers::pi * t)), 0.0, 0.0);
+        else if (stepAt(t) == Step::hold)
+            p = core::Vec3(reach_m, 0.002 * std::sin(std::numbers::pi * (t - 2.0)), 0.0);
+        else
+            p = core::Vec3(half + half * std::cos(0.5 * std::numbers::pi * (t - 4.0)), half * std::sin(0.5 * std::numbers::pi * (t - 4.0)), 0.0);
+    }
+    const double expected = 100.0 * ((1.0 + std::numbers::pi / 2.0) / 2.0 - 1.0);
+    const auto session = tubeSession({trial});
+    const double steps = *metricOf(session, "path_inefficiency", 3).value;
+    QVERIFY2(isNear(steps, expected, 0.5), qPrintable(QString::number(steps)));
+    QVERIFY(!metricOf(session, "path_inefficiency", 1).value);
+
+    // A pause on the way ends a step: nobody's path is what happens in it.
+    for (std::size_t i = 0; i < tool.t_s.size(); ++i)
+        if (tool.t_s[i] > 0.9 && tool.t_s[i] < 1.1) {
+            tool.paused[i] = 1;
+            trial.tools.front().p_WT_m[i].z() = 0.03;
+        }
+    QVERIFY(*metricOf(tubeSession({trial}), "path_inefficiency", 3).value < 40.0);
+    // Without steps it is the former measure, to the bit.
+    std::erase_if(trial.quantities, [](const QuantityTrace& q) { return q.id == "step"; });
+    for (core::Vec3& p : tool.p_WT_m)
+        p.x() *= 0.5;
+    tool.p_WT_m.back() = core::Vec3(0.02, 0.0, 0.0);
+    QCOMPARE(*metricOf(tubeSession({trial}), "path_inefficiency", 3).value, *metricOf(tubeSession({trial}), "path_inefficiency", 1).value);
 }
 
 QTEST_APPLESS_MAIN(TestTubeMetrics)
