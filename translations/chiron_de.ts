@@ -2025,6 +2025,34 @@ Einzelheiten: %2</translation>
         <translation>Der Rückzug beginnt</translation>
     </message>
     <message>
+        <source>Step: take hold</source>
+        <translation>Schritt: greifen</translation>
+    </message>
+    <message>
+        <source>Step: stretch</source>
+        <translation>Schritt: dehnen</translation>
+    </message>
+    <message>
+        <source>Step: hold still</source>
+        <translation>Schritt: ruhig halten</translation>
+    </message>
+    <message>
+        <source>Step: hand over</source>
+        <translation>Schritt: übergeben</translation>
+    </message>
+    <message>
+        <source>Step: lift</source>
+        <translation>Schritt: anheben</translation>
+    </message>
+    <message>
+        <source>Step: carry to the target</source>
+        <translation>Schritt: zum Ziel führen</translation>
+    </message>
+    <message>
+        <source>Step: set down</source>
+        <translation>Schritt: ablegen</translation>
+    </message>
+    <message>
         <source>The next stage begins</source>
         <translation>Die nächste Phase beginnt</translation>
     </message>

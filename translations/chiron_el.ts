@@ -2025,6 +2025,34 @@ Details: %2</source>
         <translation>Αρχίζει η απόσυρση</translation>
     </message>
     <message>
+        <source>Step: take hold</source>
+        <translation>Βήμα: πιάσιμο</translation>
+    </message>
+    <message>
+        <source>Step: stretch</source>
+        <translation>Βήμα: τέντωμα</translation>
+    </message>
+    <message>
+        <source>Step: hold still</source>
+        <translation>Βήμα: σταθερό κράτημα</translation>
+    </message>
+    <message>
+        <source>Step: hand over</source>
+        <translation>Βήμα: παράδοση στο άλλο χέρι</translation>
+    </message>
+    <message>
+        <source>Step: lift</source>
+        <translation>Βήμα: ανύψωση</translation>
+    </message>
+    <message>
+        <source>Step: carry to the target</source>
+        <translation>Βήμα: μεταφορά στον στόχο</translation>
+    </message>
+    <message>
+        <source>Step: set down</source>
+        <translation>Βήμα: απόθεση</translation>
+    </message>
+    <message>
         <source>The next stage begins</source>
         <translation>Αρχίζει το επόμενο στάδιο</translation>
     </message>

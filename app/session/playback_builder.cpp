@@ -2,6 +2,7 @@
 #include "session/playback_builder.h"
 
 #include "core/contact_bits.h"
+#include "core/laparoscopy_cues.h"
 #include "session/device_time.h"
 #include "session/exercise_kind.h"
 #include "session/insertion_marks.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace chiron::session {
 
@@ -179,6 +181,36 @@ void noteMisses(PlaybackTrack& track) {
     track.marks = std::move(marks);
 }
 
+/// Stored token of a step, as PlaybackMark::detail says it; empty for what is no step to be done.
+std::string_view tokenOf(core::LaparoscopyStep step) {
+    switch (step) {
+    case core::LaparoscopyStep::grasp: return "grasp";
+    case core::LaparoscopyStep::stretch: return "stretch";
+    case core::LaparoscopyStep::hold: return "hold";
+    case core::LaparoscopyStep::handOver: return "hand_over";
+    case core::LaparoscopyStep::lift: return "lift";
+    case core::LaparoscopyStep::carry: return "carry";
+    case core::LaparoscopyStep::place: return "place";
+    case core::LaparoscopyStep::none:
+    case core::LaparoscopyStep::done: break;
+    }
+    return {};
+}
+
+/// Where the steps of a task were recorded, a change says which step began.
+void nameSteps(PlaybackTrack& track) {
+    const PlaybackQuantity* step = track.quantity("step");
+    if (step == nullptr)
+        return;
+    for (PlaybackMark& mark : track.marks) {
+        if (mark.kind != PlaybackMarkKind::stageChanged)
+            continue;
+        const auto at = std::find_if(track.moments.begin(), track.moments.end(), [&](const PlaybackMoment& moment) { return moment.tick >= mark.tick; });
+        if (at != track.moments.end())
+            mark.detail = tokenOf(static_cast<core::LaparoscopyStep>(std::lround(step->values[static_cast<std::size_t>(at - track.moments.begin())])));
+    }
+}
+
 void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace) {
     const bool any = std::any_of(trace.trials.begin(), trace.trials.end(), [](const auto& trial) { return trial.insertion.has_value(); });
     if (!any)
@@ -211,6 +243,7 @@ core::Result<PlaybackTrack> buildPlaybackTrack(StoredSession& session, const Pla
     PlaybackTrack track = builder.take();
     if (std::holds_alternative<simulation::SphereApexParameters>(session.setup().level.parameters))
         noteMisses(track);
+    nameSteps(track);
     if ((*kind)->pointerTool() != PointerTool::endoscope)
         return track;
     auto trace = session.trace(); // what is scored from the whole of it is marked from the same

@@ -28,10 +28,17 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kGuards{{
     {"passivity", QT_TRANSLATE_NOOP("PlaybackMarks", "Force damped to keep it stable")},
     {"device_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: the device reported one")},
 }};
-constexpr std::array<std::pair<const char*, const char*>, 3> kStages{{
+constexpr std::array<std::pair<const char*, const char*>, 10> kStages{{
     {"insertion", QT_TRANSLATE_NOOP("PlaybackMarks", "The insertion begins")},
     {"inspection", QT_TRANSLATE_NOOP("PlaybackMarks", "The inspection begins")},
     {"withdrawal", QT_TRANSLATE_NOOP("PlaybackMarks", "The withdrawal begins")},
+    {"grasp", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: take hold")},
+    {"stretch", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: stretch")},
+    {"hold", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: hold still")},
+    {"hand_over", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: hand over")},
+    {"lift", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: lift")},
+    {"carry", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: carry to the target")},
+    {"place", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: set down")},
 }};
 // clang-format on
 

@@ -259,8 +259,11 @@ void TestEveryDebrief::debrief(database::SessionId id, const std::string& exerci
 void TestEveryDebrief::playback(database::SessionId id, const std::string& exercise, const QString& language) {
     m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
     QTRY_VERIFY(tests::isLoaded(*m_site));
-    const QStringList foreign = foreignWords(readable(screen()), exercise, language);
+    const QStringList texts = readable(screen());
+    const QStringList foreign = foreignWords(texts, exercise, language);
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
+    const QString unnamed = QCoreApplication::translate("PlaybackMarks", "The next stage begins");
+    QVERIFY2(texts.filter(unnamed).isEmpty(), "a stage began, and the events do not say which");
 }
 
 void TestEveryDebrief::results(const std::string& exercise, int level, const QString& language) {
