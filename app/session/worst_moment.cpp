@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/worst_moment.h"
 
+#include "scoring/prepared_trial.h"
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -30,7 +32,7 @@ std::optional<WorstMoment> largestForce(const PlaybackTrack& track) {
             continue;
         for (int k = 0; k < track.toolCount; ++k) {
             const double force_N = track.tool(i, k).tissue_N.norm();
-            if (!worst || force_N > worst->value)
+            if (force_N > (worst ? worst->value : scoring::kContactForce_N))
                 worst = WorstMoment{moment.t_s, moment.trial, force_N, "N", "force_max", false};
         }
     }

@@ -25,7 +25,8 @@ struct WorstMoment {
 /// and reversals the largest one's beginning; for counted events (over-stretches, drops, lumps missed, false alarms) the first one; for a
 /// squeeze its largest; for offset, alignment and torque of an insertion the sample where it was largest, of means too. Only where
 /// none has one: the trial that tore, or the end of the trial with the worst value. Without a failed gate the largest tissue force
-/// of all trials. Pauses and the time between trials do not count. Nothing on a track without a trial. Pure.
+/// of all trials. Pauses and the time between trials do not count. Nothing on a track without a trial, and where
+/// nothing was touched and no gate has a moment. Pure.
 std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring::ScoreCard& card,
                                        std::span<const scoring::Gate> gates);
 

@@ -161,6 +161,9 @@ private slots:
         const auto none = worstMoment(track, {}, gates);
         QCOMPARE(none->t_s, 2.0);
         QCOMPARE(none->value, 3.0);
+        for (PlaybackTool& tool : track.tools)
+            tool.tissue_N *= 0.005; // noise of a force that was never felt
+        QVERIFY(!worstMoment(track, {}, gates));
     }
 
     void eachCountedEventOfATaskHasItsMoment_data() {
