@@ -56,6 +56,7 @@ QString contentKey(const QString& field) {
         {"wallStiffness_N_per_m3", "wall_stiffness_N_per_m3"},
         {"wallStiffening_per_m", "wall_stiffening_per_m"},
         {"viscosity_Ns_per_m2", "viscosity_N_s_per_m2"},
+        {"wallRetardation_s", "wall_retardation_ms"},
         {"freeLength_m", "free_length_mm"},
         {"freeBlend_m", "free_blend_mm"},
         {"angularStiffness_Nm_per_rad", "angular_stiffness_N_m_per_rad"},

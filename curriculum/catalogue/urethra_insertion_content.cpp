@@ -43,6 +43,7 @@ constexpr Number kNumbers[] = {
     {"wall_stiffening_per_m", [](Parameters& p) -> double& { return p.anatomy.wallStiffening_per_m; }, 1.0},
     {"friction", [](Parameters& p) -> double& { return p.anatomy.friction; }, 1.0},
     {"viscosity_N_s_per_m2", [](Parameters& p) -> double& { return p.anatomy.viscosity_Ns_per_m2; }, 1.0},
+    {"wall_retardation_ms", [](Parameters& p) -> double& { return p.anatomy.wallRetardation_s; }, 1000.0},
     {"free_length_mm", [](Parameters& p) -> double& { return p.anatomy.freeLength_m; }, kMm},
     {"free_blend_mm", [](Parameters& p) -> double& { return p.anatomy.freeBlend_m; }, kMm},
     {"free_hold_N_per_m", [](Parameters& p) -> double& { return p.anatomy.freeHold_N_per_m; }, 1.0},

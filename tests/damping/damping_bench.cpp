@@ -92,7 +92,7 @@ public:
         case BenchLoad::canal: {
             const Vec3 along = v.dot(m_way.along_D) * m_way.along_D;
             const Vec3 off = from - from.dot(m_way.along_D) * m_way.along_D;
-            force += friction(along, 0.5 * b) - 0.5 * b * along - kAcross_N_per_m * off;
+            force += friction(along, 0.5 * b) - 0.5 * b * along - kAcross_N_per_m * off - b * (v - along); // the wall damps across it
             out.storedEnergy_J = 0.5 * kAcross_N_per_m * off.squaredNorm();
             out.contactStiffness_N_per_m = kAcross_N_per_m;
             break;

@@ -15,7 +15,7 @@ enum class BenchLoad {
     viscous,  ///< f = −b v
     friction, ///< f = −F v/√(v² + (F/b)²), F = 2.7 N as in the stricture
     both,     ///< half of each
-    canal,    ///< both, along the way, and 1120 N/m across it (models.md §1.2, the stiffest canal)
+    canal,    ///< both, along the way; 1120 N/m and b across it (models.md §1.2, the stiffest canal)
     wall,     ///< a wall of 1 kN/m that the hand presses, with contact damping b
 };
 

@@ -161,7 +161,10 @@ void UrethraReferenceForces::springs(const Foot& f, ReferenceResponse& r, double
             dW = dB = 0.5 * kPi / l * std::sin(kPi * x / l);
         }
         const double most = W * at.gap + at.a * B * std::sqrt(f.ex * f.ex + f.en * f.en);
-        opened += W * at.ds * std::min(1.0, std::max(0.0, most / 0.0005));
+        const double touching = std::min(1.0, std::max(0.0, most / 0.0005));
+        opened += W * at.ds * touching;
+        for (const double cosine : m_cos) // a ring that is pressed aside, as if all of it touched
+            r.yielding += at.k * at.a * at.a * B * B * cosine * cosine * (1.0 + 2.0 * beta * std::max(0.0, W * at.gap)) * touching;
         for (std::size_t j = 0; j < m_cos.size(); ++j) {
             const double eu = f.ex * m_cos[j] + f.en * m_sin[j];
             const double d = W * at.gap + at.a * B * eu;
@@ -235,10 +238,10 @@ ReferenceResponse UrethraReferenceForces::respond(const simulation::EndoscopeMot
 
     const double off = std::sqrt(f.ex * f.ex + f.en * f.en) - 0.010; // what holds the free part
     if (off > 0.0 && m_anatomy.freeHold_N_per_m > 0.0) {
-        const double hold = m_anatomy.freeHold_N_per_m, l = m_scope.beak_m, d = m_anatomy.freeBlend_m;
-        const double in = (f.s + l) / l, on = (f.s - m_anatomy.freeLength_m + d) / (2.0 * d);
+        const double hold = m_anatomy.freeHold_N_per_m, d = m_anatomy.freeBlend_m, rise = m_scope.beak_m + m_anatomy.freeLength_m - d;
+        const double in = (f.s + m_scope.beak_m) / rise, on = (f.s - m_anatomy.freeLength_m + d) / (2.0 * d);
         r.U += 0.5 * hold * off * off * smooth(in) * (1.0 - smooth(on));
-        slope += 0.5 * hold * off * off * (smoothSlope(in) / l * (1.0 - smooth(on)) - smooth(in) * smoothSlope(on) / (2.0 * d));
+        slope += 0.5 * hold * off * off * (smoothSlope(in) / rise * (1.0 - smooth(on)) - smooth(in) * smoothSlope(on) / (2.0 * d));
         gx += hold * off * smooth(in) * (1.0 - smooth(on)) * f.ex / (off + 0.010);
         gn += hold * off * smooth(in) * (1.0 - smooth(on)) * f.en / (off + 0.010);
     }
@@ -254,7 +257,10 @@ ReferenceResponse UrethraReferenceForces::respond(const simulation::EndoscopeMot
     r.F1 = -muN * v / root;
     r.F2 = -m_anatomy.viscosity_Ns_per_m2 * opened * v;
     r.Tz = -muN * re * w * re / root - m_anatomy.viscosity_Ns_per_m2 * opened * re * re * w;
-    r.force = r.lateral - slope * f.ds + (r.F1 + r.F2) * a;
+    const Vec3 sideways = m.v_A - v * a;
+    const double dashpot = std::min(m_anatomy.wallRetardation_s * r.yielding, m.mostDamping_Ns_per_m);
+    r.wall = dashpot * sideways.norm();
+    r.force = r.lateral - slope * f.ds + (r.F1 + r.F2) * a - dashpot * sideways;
     // virtual work: a turn by δ about the unit vector i moves the axis by i × a
     for (int i = 0; i < 3; ++i) {
         const Vec3 da = Vec3::Unit(i).cross(a);

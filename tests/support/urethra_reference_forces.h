@@ -15,6 +15,7 @@ struct ReferenceResponse {
     double N = 0.0, F1 = 0.0, F2 = 0.0, elastic = 0.0;
     double Tx = 0.0, Ty = 0.0, Tz = 0.0;
     double U = 0.0;
+    double yielding = 0.0, wall = 0.0; ///< N/m, N
     core::Vec3 lateral = core::Vec3::Zero();
     core::Vec3 force = core::Vec3::Zero();
     core::Vec3 torque = core::Vec3::Zero();

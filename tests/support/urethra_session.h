@@ -42,6 +42,7 @@ inline simulation::UrethraInsertionParameters standardInsertion() {
     p.anatomy.pivotSpan_m = 0.020;
     p.meatus_m = 0.005;
     p.anatomy.freeHold_N_per_m = 600.0;
+    p.anatomy.wallRetardation_s = 0.005;
     p.yield = {8.0, 0.040};
     p.cues = {"object", "tool", "guidance", "overview"};
     return p;

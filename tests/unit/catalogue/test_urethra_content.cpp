@@ -35,7 +35,7 @@ bool near(double a, double b) { return a == b || std::abs(a - b) <= 1e-12 * std:
 std::vector<double> numbers(const Parameters& p) {
     const auto& a = p.anatomy;
     std::vector<double> n{a.curvature_per_m, a.straight_m, a.pivotSpan_m, a.zEnd_m, a.radius_m, a.wallStiffness_N_per_m3, a.wallStiffening_per_m, a.friction,
-                          a.viscosity_Ns_per_m2, a.freeLength_m, a.freeBlend_m, a.freeHold_N_per_m, a.angularStiffness_Nm_per_rad, a.angularCorner_m,
+                          a.viscosity_Ns_per_m2, a.wallRetardation_s, a.freeLength_m, a.freeBlend_m, a.freeHold_N_per_m, a.angularStiffness_Nm_per_rad, a.angularCorner_m,
                           a.bladderRadius_m, a.bladderStiffness_N_per_m, a.bladderOpening_rad, a.bladderOpeningEdge_rad,
                           p.endoscope.radius_m, p.endoscope.beak_m, p.endoscope.behind_m, p.endoscope.fieldOfView_rad,
                           p.forces.count_m, p.forces.maximumStep_m, p.forces.maximumDamping_Ns_per_m, double(p.forces.basicSections),
@@ -117,7 +117,7 @@ void TestUrethraContent::everyParameterKeyReachesTheStruct() {
     QJsonObject document = json(stored);
     QJsonObject level = document["level"].toObject();
     const QJsonObject parameters = level["parameters"].toObject();
-    QCOMPARE(parameters.size(), qsizetype{48});
+    QCOMPARE(parameters.size(), qsizetype{49});
     for (const QString& key : parameters.keys()) {
         QJsonObject changed = parameters;
         const QJsonValue value = parameters[key];
@@ -156,7 +156,7 @@ void TestUrethraContent::schemaDefaultsAreTheStructs() {
     for (std::size_t i = 0; i < read.size(); ++i)
         QVERIFY2(near(read[i], defaults[i]), qPrintable(QStringLiteral("%1: %2, %3").arg(i).arg(read[i]).arg(defaults[i])));
     const QJsonObject resolved = json(catalogue->find("urethra_insertion", 4)->resolvedJson)["level"].toObject();
-    QCOMPARE(resolved["parameters"].toObject().size(), qsizetype{48});
+    QCOMPARE(resolved["parameters"].toObject().size(), qsizetype{49});
 }
 
 void TestUrethraContent::levelOverridesItsPreset() {

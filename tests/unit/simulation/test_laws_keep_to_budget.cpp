@@ -170,6 +170,7 @@ void TestLawsKeepToBudget::urethra() {
     for (const double viscosity : {36.0, 400.0}) { // the level's, and one that would use all of it
         UrethraAnatomy anatomy = strictured();
         anatomy.viscosity_Ns_per_m2 = viscosity;
+        anatomy.wallRetardation_s = viscosity > 36.0 ? 0.1 : 0.005; // likewise
         const UrethraForces forces(anatomy, {});
         double most = 0.0;
         for (int n = 0; n < 20000; ++n) {

@@ -34,7 +34,8 @@ double disagreement(const UrethraResponse& r, const chiron::testing::ReferenceRe
                      difference(r.phiX_rad, p.phiX), difference(r.phiY_rad, p.phiY), difference(r.normal_N, p.N),
                      difference(r.friction_N, p.F1), difference(r.viscous_N, p.F2), difference(r.elastic_N, p.elastic),
                      difference(r.torqueX_Nm, p.Tx), difference(r.torqueY_Nm, p.Ty), difference(r.torqueZ_Nm, p.Tz),
-                     difference(r.energy_J, p.U), difference(r.lateral_A, p.lateral),
+                     difference(r.energy_J, p.U), difference(r.wallDamped_N, p.wall),
+                     difference(r.lateral_A, p.lateral),
                      difference(r.wrench_A.force, p.force), difference(r.wrench_A.torque, p.torque)});
 }
 

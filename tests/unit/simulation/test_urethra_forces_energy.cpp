@@ -157,21 +157,25 @@ void TestUrethraForcesEnergy::loopsMakeNoEnergy() {
 
 void TestUrethraForcesEnergy::restHasNoFriction() {
     core::Random random(23);
-    const UrethraForces forces(strictured(), {});
+    UrethraAnatomy anatomy = strictured();
+    anatomy.wallRetardation_s = 0.005;
+    const UrethraForces forces(anatomy, {});
     for (int n = 0; n < 5000; ++n) {
         EndoscopeMotion motion = randomMotion(random, forces.centreline());
         motion.v_A.setZero();
         motion.w_A.setZero();
         const UrethraResponse r = forces.respond(motion);
-        QVERIFY(r.friction_N == 0.0 && r.viscous_N == 0.0 && r.torqueZ_Nm == 0.0);
+        QVERIFY(r.friction_N == 0.0 && r.viscous_N == 0.0 && r.wallDamped_N == 0.0 && r.torqueZ_Nm == 0.0);
     }
 }
 
 void TestUrethraForcesEnergy::frictionAndViscosityNeverDoWork() {
     core::Random random(24);
-    const UrethraForces forces(strictured(), {});
+    UrethraAnatomy anatomy = strictured();
+    anatomy.wallRetardation_s = 0.005;
+    const UrethraForces forces(anatomy, {});
     const double dt = 0.001;
-    double absorbed = 0.0;
+    double absorbed = 0.0, byTheWall = 0.0;
     EndoscopeMotion motion = randomMotion(random, forces.centreline());
     for (int n = 0; n < 1'000'000; ++n) {
         if (n % 100 == 0)
@@ -183,9 +187,15 @@ void TestUrethraForcesEnergy::frictionAndViscosityNeverDoWork() {
         const UrethraResponse r = forces.respond(motion);
         const double along = v.dot(motion.axis_A), spin = w.dot(motion.axis_A);
         QVERIFY(r.friction_N * along <= 0.0 && r.viscous_N * along <= 0.0 && r.torqueZ_Nm * spin <= 0.0);
+        const Vec3 damped_A = r.wrench_A.force - r.lateral_A - r.elastic_N / r.foot.gradientOfS_A.dot(r.foot.at.t_A) * r.foot.gradientOfS_A -
+                              (r.friction_N + r.viscous_N) * motion.axis_A;
+        const Vec3 across = v - along * motion.axis_A;
+        QVERIFY((damped_A * across.norm() + r.wallDamped_N * across).norm() <= 1e-9); // straight against what is left of the motion
+        byTheWall += r.wallDamped_N * across.norm() * dt;
         absorbed -= (r.friction_N + r.viscous_N) * along * dt + r.torqueZ_Nm * spin * dt;
     }
     QVERIFY2(absorbed > 10.0, qPrintable(QString::number(absorbed)));
+    QVERIFY2(byTheWall > 10.0, qPrintable(QString::number(byTheWall)));
 }
 
 QTEST_APPLESS_MAIN(TestUrethraForcesEnergy)

@@ -49,6 +49,7 @@ void addWalls() {
     row("wallStiffness_N_per_m3", "-1", [](Urethra& u) { u.anatomy.wallStiffness_N_per_m3 = -1.0; });
     row("wallStiffening_per_m", "-1", [](Urethra& u) { u.anatomy.wallStiffening_per_m = -1.0; });
     row("friction", "-0.1", [](Urethra& u) { u.anatomy.friction = -0.1; });
+    row("wallRetardation_s", "-1", [](Urethra& u) { u.anatomy.wallRetardation_s = -1.0; });
     row("viscosity_Ns_per_m2", "-1", [](Urethra& u) { u.anatomy.viscosity_Ns_per_m2 = -1.0; });
     row("angularStiffness_Nm_per_rad", "-1",
         [](Urethra& u) { u.anatomy.angularStiffness_Nm_per_rad = -1.0; });

@@ -89,6 +89,7 @@ inline UrethraAnatomy bentAtB() {
     anatomy.straight_m = 0.035;
     anatomy.zEnd_m = 0.100;
     anatomy.pivotSpan_m = 0.020;
+    anatomy.wallRetardation_s = 0.005;
     return anatomy;
 }
 

@@ -50,7 +50,8 @@ double largestStretch(double across, double along, double mixed) noexcept {
 }
 
 /// The free part follows the shaft, but it hangs on the body: beyond the reach it is held by ½ k (‖e‖ − reach)² w(s), with w from 0 at
-/// the first contact to 1 at the entrance, and back to 0 where the wall's own springs take over.
+/// the first contact to 1 where the wall's own springs set in, and back to 0 where they have taken over. Of a part that hangs on its root the end
+/// yields most; and what is held aside there comes out without a kick (over the beak alone its 30 mJ pushed with 6 N).
 struct FreeHold {
     double energy_J = 0.0, slope_N = 0.0, stiffness_N_per_m = 0.0, axial_N_per_m = 0.0, cross_N_per_m = 0.0;
     core::Vec2 gradient_N = core::Vec2::Zero();
@@ -61,16 +62,16 @@ FreeHold holdFreePart(const UrethraForces::Tables& tables, const CentrelineFoot&
     const double offset = std::sqrt(foot.ex_m * foot.ex_m + foot.en_m * foot.en_m), beyond = offset - core::kCanalReach_m;
     if (!(tables.freeHold_N_per_m > 0.0 && beyond > 0.0))
         return hold;
-    const double s = foot.at.s_m, in = 1.0 + s / tables.ahead_m, on = 0.5 + 0.5 * (s - tables.freeFrom_m) / tables.freeBlend_m;
+    const double s = foot.at.s_m, in = (s + tables.ahead_m) / tables.freeRise_m, on = 0.5 + 0.5 * (s - tables.freeFrom_m) / tables.freeBlend_m;
     const double rise = smoothstep(in), fall = 1.0 - smoothstep(on);
     const double k = tables.freeHold_N_per_m, half = 0.5 * k * beyond * beyond;
     hold.energy_J = half * rise * fall;
-    const double weightSlope = smoothstepSlope(in) / tables.ahead_m * fall - rise * smoothstepSlope(on) * 0.5 / tables.freeBlend_m;
+    const double weightSlope = smoothstepSlope(in) / tables.freeRise_m * fall - rise * smoothstepSlope(on) * 0.5 / tables.freeBlend_m;
     hold.slope_N = half * weightSlope;
     hold.cross_N_per_m = k * beyond * std::abs(weightSlope);
     hold.gradient_N = k * beyond * rise * fall / offset * core::Vec2(foot.ex_m, foot.en_m);
     hold.stiffness_N_per_m = k * rise * fall;
-    const double steep = 6.0 * (1.0 / (tables.ahead_m * tables.ahead_m) + 0.25 / (tables.freeBlend_m * tables.freeBlend_m)); // of smoothsteps
+    const double steep = 6.0 * (1.0 / (tables.freeRise_m * tables.freeRise_m) + 0.25 / (tables.freeBlend_m * tables.freeBlend_m)); // of smoothsteps
     hold.axial_N_per_m = (in > 0.0 && in < 1.0) || (on > 0.0 && on < 1.0) ? half * steep : 0.0;
     return hold;
 }
@@ -148,11 +149,15 @@ UrethraResponse UrethraForces::respond(const EndoscopeMotion& motion) const noex
     const double steepest = std::min(tables.maximumDamping_Ns_per_m, motion.mostDamping_Ns_per_m - viscous);
     const double v0 = steepest > 0.0 ? std::max(tables.leastSpeed_m_per_s, sums.friction_N / steepest) : std::numeric_limits<double>::infinity();
     const double coulomb = sums.friction_N / std::sqrt(along * along + around * around + v0 * v0);
-    r.damping_Ns_per_m = coulomb + viscous;
+    // The wall is no spring alone (Kelvin–Voigt). It damps across the axis, where friction and viscosity do nothing: each direction has the budget.
+    const double wall = std::min(tables.wallRetardation_s * sums.yielding_N_per_m, motion.mostDamping_Ns_per_m);
+    const core::Vec3 across_A = motion.v_A - along * a;
+    r.wallDamped_N = wall * across_A.norm();
+    r.damping_Ns_per_m = std::max(coulomb + viscous, wall);
     r.friction_N = -coulomb * along;
     r.viscous_N = -viscous * along;
     r.torqueZ_Nm = -(coulomb + viscous) * around * tables.scopeRadius_m;
-    r.wrench_A.force = r.lateral_A - slope * r.foot.gradientOfS_A + (r.friction_N + r.viscous_N) * a;
+    r.wrench_A.force = r.lateral_A - slope * r.foot.gradientOfS_A + (r.friction_N + r.viscous_N) * a - wall * across_A;
     r.wrench_A.torque += r.torqueZ_Nm * a;
     return r;
 }

@@ -29,7 +29,7 @@ struct EndoscopeMotion {
     core::Vec3 axis_A = core::Vec3::UnitZ();
     core::Vec3 v_A = core::Vec3::Zero(); ///< m/s, of the tip
     core::Vec3 w_A = core::Vec3::Zero(); ///< rad/s
-    double mostDamping_Ns_per_m = kUnboundedDamping; ///< the tool's budget: friction's slope and viscosity together keep to it
+    double mostDamping_Ns_per_m = kUnboundedDamping; ///< the tool's budget: friction's slope and viscosity together keep to it, and so does the wall's damping across
 };
 
 /// Everything that P1's Info window shows, and more. On the tool, A, SI.
@@ -41,6 +41,7 @@ struct UrethraResponse {
     double normal_N = 0.0;    ///< N = Σ k Δ(1+βΔ)
     double friction_N = 0.0;  ///< F1, along the axis (signed)
     double viscous_N = 0.0;   ///< F2, along the axis (signed)
+    double wallDamped_N = 0.0; ///< what the wall takes of a motion across the axis, against it; ≥ 0
     double elastic_N = 0.0;   ///< −F3: elastic force along t (signed; negative pushes out), without the bladder's wall
     core::Vec3 lateral_A = core::Vec3::Zero(); ///< −∂U/∂e, in the tip's section, plus the bladder's wall
     core::Vec3 bladder_A = core::Vec3::Zero(); ///< the bladder's wall alone
@@ -49,7 +50,7 @@ struct UrethraResponse {
     double torqueZ_Nm = 0.0;  ///< T_z, about the axis
     double energy_J = 0.0;    ///< U
     double stiffness_N_per_m = 0.0; ///< an upper bound of the stiffness of elastic forces now, across and along, for the passivity credit
-    double damping_Ns_per_m = 0.0; ///< what friction, at this speed, and viscosity use of the tool's budget
+    double damping_Ns_per_m = 0.0; ///< of the tool's budget: friction, at this speed, and viscosity along the axis, or the wall across it, whichever is more
     bool touching = false;    ///< the beak is in, or the bladder's wall is touched
 };
 

@@ -27,7 +27,7 @@ constexpr std::array<LawColumn, 12> kInputs{{{"px_m", "m"},
                                              {"wy_rad_per_s", "rad/s"},
                                              {"wz_rad_per_s", "rad/s"}}};
 
-constexpr std::array<LawColumn, 25> kOutputs{{{"s_m", "m"},
+constexpr std::array<LawColumn, 26> kOutputs{{{"s_m", "m"},
                                               {"ex_m", "m"},
                                               {"en_m", "m"},
                                               {"phi_x_rad", "rad"},
@@ -51,7 +51,8 @@ constexpr std::array<LawColumn, 25> kOutputs{{{"s_m", "m"},
                                               {"energy_J", "J"},
                                               {"stiffness_N_per_m", "N/m"},
                                               {"bladder_N", "N"},
-                                              {"touching", "1"}}};
+                                              {"touching", "1"},
+                                              {"wall_damped_N", "N"}}};
 
 /// A number of UrethraAnatomy, Endoscope or UrethraForceSettings with the name that the table shows.
 template <class Owner> struct Field {
@@ -62,7 +63,7 @@ template <class Owner> struct Field {
     double maximum;
 };
 
-constexpr std::array<Field<UrethraAnatomy>, 18> kAnatomy{{
+constexpr std::array<Field<UrethraAnatomy>, 19> kAnatomy{{
     {&UrethraAnatomy::curvature_per_m, "curvature_per_m", "1/m", 0.1, 100.0},
     {&UrethraAnatomy::zEnd_m, "z_end_m", "m", 0.03, 0.3},
     {&UrethraAnatomy::radius_m, "radius_m", "m", 0.0005, 0.01},
@@ -81,6 +82,7 @@ constexpr std::array<Field<UrethraAnatomy>, 18> kAnatomy{{
     {&UrethraAnatomy::freeHold_N_per_m, "free_hold_N_per_m", "N/m", 0.0, 5000.0},
     {&UrethraAnatomy::straight_m, "straight_m", "m", 0.0, 0.2},
     {&UrethraAnatomy::pivotSpan_m, "pivot_span_m", "m", 0.0, 0.2},
+    {&UrethraAnatomy::wallRetardation_s, "wall_retardation_s", "s", 0.0, 0.1},
 }};
 constexpr std::size_t kAnatomyCount = kAnatomy.size();
 
@@ -166,7 +168,8 @@ void write(const UrethraResponse& r, std::span<double> out) noexcept {
         r.normal_N,      r.friction_N,    r.viscous_N,     r.elastic_N,    r.lateral_A.x(),
         r.lateral_A.y(), r.lateral_A.z(), r.torqueX_Nm,    r.torqueY_Nm,   r.torqueZ_Nm,
         whole[0],        whole[1],        whole[2],        whole[3],       whole[4],
-        whole[5],        r.energy_J,      r.stiffness_N_per_m, r.bladder_A.norm(), r.touching ? 1.0 : 0.0};
+        whole[5],        r.energy_J,      r.stiffness_N_per_m, r.bladder_A.norm(), r.touching ? 1.0 : 0.0,
+        r.wallDamped_N};
     for (std::size_t i = 0; i < values.size(); ++i)
         out[i] = values[i];
 }

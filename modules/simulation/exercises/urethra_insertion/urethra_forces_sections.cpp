@@ -53,8 +53,9 @@ public:
 
     /// A section behind the tip, whose centre follows it by B.
     void addBehind(const UrethraForceSection& at, const UrethraForcePassed* centred, double B, double slopeOfB) noexcept {
-        const double b = at.constrained * B * m_offset_m;
-        m_sums.length_m += at.step_m * touchingWeight(at.squeeze_m + b) - at.dragged_m;
+        const double b = at.constrained * B * m_offset_m, touching = touchingWeight(at.squeeze_m + b);
+        m_sums.length_m += at.step_m * touching - at.dragged_m;
+        addYielding(at, at.squeeze_m, B, touching);
         if (b > at.squeeze_m) {
             const SpringResult r = slack(m_springs.compressed(at.squeeze_m, b), at.squeeze_m, b, m_beta);
             m_sums.energy_J += at.stiffness_N_per_m * r.energy - (centred[1].energy_J - centred[0].energy_J);
@@ -81,7 +82,9 @@ public:
         const SpringResult r = b <= A ? taut(A, b, m_beta) : slack(m_springs.compressed(A, b), A, b, m_beta);
         const double N = at.stiffness_N_per_m * r.normal;
         m_sums.energy_J += at.stiffness_N_per_m * r.energy;
-        m_sums.length_m += W * at.step_m * touchingWeight(A + b);
+        const double touching = touchingWeight(A + b);
+        m_sums.length_m += W * at.step_m * touching;
+        addYielding(at, A, W, touching);
         m_slope += slopeOfW * at.squeeze_m * N;
         addNormal(at, N);
         addLateral(at, r, W, slopeOfW);
@@ -103,6 +106,7 @@ public:
         const double ahead2 = core::kPi * core::kPi / (ahead_m * ahead_m), behind2 = core::kPi * core::kPi / (behind_m * behind_m);
         sums.axial_N_per_m = ahead2 * m_axialAhead + behind2 * (m_axialBehind + 2.0 * half2 * m_axialFollow);
         sums.cross_N_per_m = std::max(m_crossAhead, m_crossBehind + 2.0 * m_offset_m * std::abs(m_followSlope)); // of opposite signs
+        sums.yielding_N_per_m = 0.5 * RadialSprings::kCount * m_yielding;
         sums.stiffness_N_per_m = m_followSquare + std::max(m_alongSlope, m_acrossSlope) + m_coupling;
         return sums;
     }
@@ -111,6 +115,10 @@ private:
     void addNormal(const UrethraForceSection& at, double N) noexcept {
         m_sums.normal_N += N;
         m_sums.friction_N += at.friction * N;
+    }
+    void addYielding(const UrethraForceSection& at, double A, double B, double touching) noexcept {
+        const double aB = at.constrained * B;
+        m_yielding += at.stiffness_N_per_m * aB * aB * (1.0 + 2.0 * m_beta * std::max(0.0, A)) * touching;
     }
     void addLateral(const UrethraForceSection& at, const SpringResult& r, double B, double slopeOfB) noexcept {
         const double ka = at.stiffness_N_per_m * at.constrained;
@@ -133,6 +141,7 @@ private:
     double m_alongSlope = 0.0, m_acrossSlope = 0.0, m_coupling = 0.0;
     double m_axialAhead = 0.0, m_axialBehind = 0.0, m_axialFollow = 0.0;
     double m_crossAhead = 0.0, m_crossBehind = 0.0;
+    double m_yielding = 0.0;
 };
 
 } // namespace

@@ -16,6 +16,7 @@ struct UrethraSectionSums {
     double stiffness_N_per_m = 0.0; ///< bounds ∂²/∂e²: its greater diagonal entry plus the other one's coupling
     double axial_N_per_m = 0.0;     ///< bounds ∂²/∂s_t² at constant e
     double cross_N_per_m = 0.0;     ///< bounds ∂²/∂s_t∂e
+    double yielding_N_per_m = 0.0;  ///< Σ 8 k a² B² (1 + 2βA) c: the stiffness across, of whole rings, as far as they touch; sets in without a step
 };
 
 /// `tip_s_m`: s_t; e of the tip in its section, m. Pure; haptic thread.

@@ -109,9 +109,11 @@ UrethraForces::Tables::Tables(const UrethraCentreline& centreline, const Urethra
     scopeRadius_m = wall.endoscope().radius_m;
     stiffening_per_m = anatomy.wallStiffening_per_m;
     viscosity_Ns_per_m2 = anatomy.viscosity_Ns_per_m2;
+    wallRetardation_s = anatomy.wallRetardation_s;
     freeHold_N_per_m = anatomy.freeHold_N_per_m;
     freeFrom_m = anatomy.freeLength_m;
     freeBlend_m = std::max(anatomy.freeBlend_m, kShortest_m);
+    freeRise_m = ahead_m + std::max(0.0, freeFrom_m - freeBlend_m);
     leastSpeed_m_per_s = std::max(kLeastSpeed_m_per_s, settings.count_m / kVelocityWindow_s);
     maximumDamping_Ns_per_m = settings.maximumDamping_Ns_per_m;
     angular = angularStiffness(anatomy, length_m);

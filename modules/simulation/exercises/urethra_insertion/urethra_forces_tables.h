@@ -78,8 +78,10 @@ struct UrethraForces::Tables {
     UrethraBladder bladder;
     double stiffening_per_m = 0.0;     ///< β
     double viscosity_Ns_per_m2 = 0.0;  ///< b′
+    double wallRetardation_s = 0.0;    ///< τ
     double freeHold_N_per_m = 0.0;
     double freeFrom_m = 0.0, freeBlend_m = 0.0; ///< s_B, and a(s) over ± this
+    double freeRise_m = 0.0; ///< over this, from the first contact to s_B − the blend, the hold sets in; at least over the beak
     double ahead_m = 0.0;              ///< ℓ
     double behind_m = 0.0;             ///< ℓ_b
     double scopeRadius_m = 0.0;        ///< r_e

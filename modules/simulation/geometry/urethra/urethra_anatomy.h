@@ -33,6 +33,7 @@ struct UrethraAnatomy {
     double wallStiffening_per_m = 300.0;   ///< β
     double friction = 0.1;                 ///< μ
     double viscosity_Ns_per_m2 = 36.0;     ///< b′, per metre of canal
+    double wallRetardation_s = 0.0;        ///< τ = η/E of the wall as a Kelvin–Voigt solid, across the canal; 0: it does not damp
     double freeLength_m = 0.040;           ///< s_B: the canal before it is free to follow the shaft
     double freeBlend_m = 0.010;            ///< a(s) rises over s_B ± this
     double freeHold_N_per_m = 0.0;         ///< what holds the free part to the body, beyond core::kCanalReach_m; 0: nothing

@@ -61,6 +61,7 @@ void checkWallNumbers(Check& check, const UrethraAnatomy& a) {
     check.notNegative("wallStiffening_per_m", a.wallStiffening_per_m);
     check.notNegative("friction", a.friction);
     check.notNegative("viscosity_Ns_per_m2", a.viscosity_Ns_per_m2);
+    check.notNegative("wallRetardation_s", a.wallRetardation_s);
     check.notNegative("angularStiffness_Nm_per_rad", a.angularStiffness_Nm_per_rad);
 }
 
