@@ -12125,6 +12125,10 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Fehlversuch</translation>
     </message>
     <message>
+        <source>no mark: time was up</source>
+        <translation>keine Markierung: Zeit war um</translation>
+    </message>
+    <message>
         <source>No trial was marked</source>
         <translation>Kein Durchgang wurde markiert</translation>
     </message>

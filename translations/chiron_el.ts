@@ -12125,6 +12125,10 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>αστοχία</translation>
     </message>
     <message>
+        <source>no mark: time was up</source>
+        <translation>χωρίς σημείο: έληξε ο χρόνος</translation>
+    </message>
+    <message>
         <source>No trial was marked</source>
         <translation>Δεν σημειώθηκε καμία δοκιμή</translation>
     </message>

@@ -11,6 +11,8 @@ namespace chiron::report {
 
 namespace {
 
+constexpr int kLateShape = 2; // of addGroupMarkers: neither a mark's nor a miss's
+
 std::unique_ptr<PlotView> timePlot(const QString& title, const PlotAxis& yAxis, const SampleSeries& series,
                                    const PlotTheme& theme) {
     auto view = std::make_unique<PlotView>(theme);
@@ -144,13 +146,15 @@ std::unique_ptr<PlotView> apexScatterPlot(const std::vector<ApexError>& errors, 
     view->setYAxis({Words::tr("Error in y (% of radius)"), {}, {}});
     view->setEqualScale(true);
     view->addCircle(Words::tr("outline"), 100.0);
-    std::vector<PlotPoint> hits;
-    std::vector<PlotPoint> misses;
+    std::vector<PlotPoint> hits, misses, late;
     for (const ApexError& error : errors)
-        (error.miss ? misses : hits).push_back({error.x_percent, error.y_percent});
-    view->addMarkers(Words::tr("mark"), hits, PlotStyle::solidA);
+        (error.timedOut ? late : error.miss ? misses : hits).push_back({error.x_percent, error.y_percent});
+    if (!hits.empty() || errors.empty())
+        view->addMarkers(Words::tr("mark"), hits, PlotStyle::solidA);
     if (!misses.empty())
         view->addMarkers(Words::tr("miss"), misses, PlotStyle::solidA, true);
+    if (!late.empty())
+        view->addGroupMarkers(Words::tr("no mark: time was up"), late, kLateShape);
     if (errors.empty())
         view->setNote(Words::tr("No trial was marked"));
     return view;
@@ -162,19 +166,21 @@ std::unique_ptr<PlotView> apexTrialPlot(const std::vector<ApexError>& errors, co
     view->setXAxis({Words::tr("Trial"), {}, {}});
     view->setYAxis({Words::tr("Error (% of radius)"), {}, {}});
     std::vector<QString> names;
-    std::vector<PlotPoint> x, y, misses;
+    std::vector<PlotPoint> x, y, misses, late;
     for (const ApexError& error : errors) {
         const double place = static_cast<double>(names.size());
         names.push_back(QString::number(error.trial + 1));
         x.push_back({place, error.x_percent});
         y.push_back({place, error.y_percent});
-        if (error.miss)
-            misses.push_back({place, 0.0});
+        if (error.timedOut || error.miss)
+            (error.timedOut ? late : misses).push_back({place, 0.0});
     }
     view->addBars(QStringLiteral("x"), x, PlotStyle::solidA, 0, 2);
     view->addBars(QStringLiteral("y"), y, PlotStyle::dashedB, 1, 2);
     if (!misses.empty())
         view->addMarkers(Words::tr("miss"), misses, PlotStyle::solidA, true);
+    if (!late.empty())
+        view->addGroupMarkers(Words::tr("no mark: time was up"), late, kLateShape);
     view->setXCategories(names);
     if (errors.empty())
         view->setNote(Words::tr("No trial was marked"));

@@ -116,6 +116,27 @@ bool hasOwnWord(const QStringList& texts, const std::string& exercise, const QSt
     return std::any_of(texts.begin(), texts.end(), [&](const QString& text) { return words.match(text).hasMatch(); });
 }
 
+/// What the debrief and the playback say of a trial that time ended, in the language of now.
+struct TimeWasUp {
+    QString debrief;  ///< empty: the canal's plots are of how it went, and its metrics say that the procedure was not completed
+    QString playback;
+};
+
+TimeWasUp timeWasUp(const std::string& exercise) {
+    const auto of = [](const char* context, const char* text) { return QCoreApplication::translate(context, text); };
+    const std::map<std::string, TimeWasUp> said{
+        {"sphere_apex", {of("report", "no mark: time was up"), of("PlaybackMarks", "Time was up without a mark")}},
+        {"urethra_insertion", {{}, of("PlaybackMarks", "Time was up before the end of the procedure")}},
+        {"elastic_tube", {of("report", "✗ time was up"), of("PlaybackMarks", "Time was up before the tube was held as asked")}},
+        {"object_handling", {of("report", "✗ time was up"), of("PlaybackMarks", "Time was up before an object was set down in the target")}},
+        {"palpation", {of("PalpationFindings", "Time was up before the end was reported."), of("PlaybackMarks", "Time was up before the search was reported as done")}}};
+    return said.at(exercise);
+}
+
+bool isSaid(const QStringList& texts, const QString& words) {
+    return std::any_of(texts.begin(), texts.end(), [&](const QString& text) { return text.contains(words); });
+}
+
 QStringList linesOf(const QString& pdf) {
     QProcess reader;
     reader.start(QStringLiteral("pdftotext"), {QStringLiteral("-layout"), pdf, QStringLiteral("-")});
@@ -135,7 +156,7 @@ private slots:
 private:
     MadeSession scripted(const std::string& exercise, int level, double limit_s);
     void debrief(database::SessionId id, const std::string& exercise, Ending ending, const QString& language);
-    void playback(database::SessionId id, const std::string& exercise, const QString& language);
+    void playback(database::SessionId id, const std::string& exercise, Ending ending, const QString& language);
     void results(const std::string& exercise, int level, const QString& language);
     void paper(database::SessionId id, const std::string& exercise, const QString& language);
     QWidget* screen() { return m_site->window->screen(); }
@@ -203,6 +224,10 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
         tests::cutFrames(made.frames, made.frames.size() * 2 / 3, core::CommandKind::end);
     if (wanted == Ending::nothing)
         tests::cutFrames(made.frames, 40, core::CommandKind::end);
+    if (wanted == Ending::timedOut) // an operator on a sphere marks before its time is up
+        for (auto& frame : made.frames)
+            if ((frame.header.events & core::event_bits::kMarked) != 0)
+                frame.header.events = (frame.header.events & ~core::event_bits::kMarked) | core::event_bits::kTimedOut;
     made.ending.stopped = wanted == Ending::stopped || wanted == Ending::nothing;
     const database::SessionId session = tests::store(m_site->database(), *m_tina, made);
     // One language a row, by turns; all of them where all levels are walked.
@@ -213,7 +238,7 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
         m_site->settings.setLanguage(language);
         m_site->context.applyAppearance();
         debrief(session, id, wanted, language);
-        playback(session, id, language);
+        playback(session, id, wanted, language);
         results(id, level, language);
         paper(session, id, language);
         if (QTest::currentTestFailed())
@@ -248,6 +273,8 @@ void TestEveryDebrief::debrief(database::SessionId id, const std::string& exerci
             // An answer on a sphere is a finished trial's; what was begun of the others is shown.
             QCOMPARE(screen()->findChild<QWidget*>(plot) != nullptr,
                      other == exercise && ending != Ending::nothing && !(ending == Ending::stopped && exercise == "sphere_apex"));
+    if (const QString late = timeWasUp(exercise).debrief; !late.isEmpty())
+        QVERIFY2(isSaid(texts, late) == (ending == Ending::timedOut), qPrintable(late + QStringLiteral(": ") + texts.mid(texts.size() - 12).join(QLatin1Char('|'))));
     // What did not come to its end has no verdict: neither a card nor a mark that was met or not.
     const bool judged = ending == Ending::completed || ending == Ending::timedOut;
     QCOMPARE(!screen()->findChildren<QLabel*>(QStringLiteral("headline.verdict")).isEmpty(), judged);
@@ -256,7 +283,7 @@ void TestEveryDebrief::debrief(database::SessionId id, const std::string& exerci
             QVERIFY(judged || table->item(row, 4)->text().isEmpty());
 }
 
-void TestEveryDebrief::playback(database::SessionId id, const std::string& exercise, const QString& language) {
+void TestEveryDebrief::playback(database::SessionId id, const std::string& exercise, Ending ending, const QString& language) {
     m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
     QTRY_VERIFY(tests::isLoaded(*m_site));
     const QStringList texts = readable(screen());
@@ -264,6 +291,7 @@ void TestEveryDebrief::playback(database::SessionId id, const std::string& exerc
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
     const QString unnamed = QCoreApplication::translate("PlaybackMarks", "The next stage begins");
     QVERIFY2(texts.filter(unnamed).isEmpty(), "a stage began, and the events do not say which");
+    QVERIFY2(isSaid(texts, timeWasUp(exercise).playback) == (ending == Ending::timedOut), qPrintable(texts.join(QLatin1Char('|'))));
 }
 
 void TestEveryDebrief::results(const std::string& exercise, int level, const QString& language) {
