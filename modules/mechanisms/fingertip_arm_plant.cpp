@@ -2,7 +2,6 @@
 #include "mechanisms/fingertip_arm_plant.h"
 
 #include "core/units.h"
-#include "mechanisms/rotation_vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,83 +11,129 @@ namespace chiron::mechanisms {
 using core::Vec3;
 
 namespace {
-std::int32_t count(double value, double resolution) noexcept {
+constexpr int kJoints = FingertipArmParameters::kJoints;
+constexpr int kArm = FingertipArmParameters::kArm;
+constexpr int kHandle = FingertipArmParameters::kHandle;
+constexpr int kJaw = FingertipArmParameters::kJaw;
+
+std::int32_t countOf(double value, double resolution) noexcept {
     return static_cast<std::int32_t>(std::floor(value / resolution + 0.5));
 }
 } // namespace
 
 FingertipArmPlant::FingertipArmPlant(const FingertipArmParameters& parameters, std::uint64_t seed) noexcept
-    : m_parameters(parameters), m_seed(seed), m_random(core::Random::stream(seed, "fingertip/arm")) {
+    : m_parameters(parameters), m_dynamics(fingertipArmLinks(parameters)), m_seed(seed),
+      m_random(core::Random::stream(seed, "fingertip/arm")), m_imu(parameters.imu, seed) {
     m_parameters.substeps = std::max(parameters.substeps, 4);
-    m_parameters.imuPeriod_ticks = std::max(parameters.imuPeriod_ticks, 1);
-    reset(Vec3::Zero());
+    reset(0.5 * (parameters.boxMinimum_m + parameters.boxMaximum_m));
 }
 
 void FingertipArmPlant::reset(const Vec3& p_DT) noexcept {
-    m_motion = {};
-    m_motion.p_DT = p_DT;
-    m_random = core::Random::stream(m_seed, "fingertip/arm");
+    ArmPosture posture = fingertipArmPosture(m_parameters, p_DT, core::Quat::Identity());
+    if (posture.reach != ArmReach::reached)
+        posture = fingertipArmPosture(m_parameters, 0.5 * (m_parameters.boxMinimum_m + m_parameters.boxMaximum_m), core::Quat::Identity());
+    m_q = posture.q;
+    m_rates.setZero();
+    m_velocityBefore.setZero();
+    m_fingers_rad = 0.0;
+    m_dynamics.place(m_q);
     for (LugreFriction& friction : m_friction)
         friction.reset();
-    const double dt = core::kTickSeconds * m_parameters.imuPeriod_ticks;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        m_noise[axis] = MarkovNoise(m_parameters.imuNoise_rad, m_parameters.imuNoiseTime_s, dt, m_random);
-        m_drift[axis] = MarkovNoise(m_parameters.imuDrift_rad, m_parameters.imuDriftTime_s, dt, m_random);
-    }
-    m_sinceImu = 0;
-    readImu();
+    m_random = core::Random::stream(m_seed, "fingertip/arm");
+    for (auto& phases : m_runoutPhase_rad)
+        for (double& phase : phases)
+            phase = m_random.uniform(0.0, 2.0 * core::kPi);
+    m_imu.reset(motion().q_DT);
     readEncoders();
+}
+
+FingertipArmJoints FingertipArmPlant::stopTorques() const noexcept {
+    FingertipArmJoints tau = FingertipArmJoints::Zero();
+    for (int joint = 0; joint < kJoints; ++joint) {
+        const auto i = static_cast<std::size_t>(joint);
+        const double beyond = m_q[joint] - std::clamp(m_q[joint], m_parameters.minimum[i], m_parameters.maximum[i]);
+        if (beyond == 0.0)
+            continue;
+        const double inwards = beyond * m_rates[joint] > 0.0 ? m_rates[joint] : 0.0; // no pull on the way out
+        tau[joint] = -m_parameters.stopStiffness[i] * beyond - m_parameters.stopDamping[i] * inwards;
+    }
+    return tau;
 }
 
 void FingertipArmPlant::step(double dt_s, const core::Wrench& onTool_D) noexcept {
-    const FingertipArmParameters& a = m_parameters;
-    for (int axis = 0; axis < 3; ++axis) {
-        double& v = m_motion.v_DT[axis];
-        double& p = m_motion.p_DT[axis];
-        const double bristle = m_friction[static_cast<std::size_t>(axis)].advance(a.friction, v, dt_s);
-        v = (v + dt_s / a.mass_kg * (onTool_D.force[axis] + bristle)) / (1.0 + dt_s * a.friction.viscous / a.mass_kg);
-        p += dt_s * v;
-        const double inside = std::clamp(p, a.minimum_m[axis], a.maximum_m[axis]);
-        if (inside != p) { // the end of the travel
-            p = inside;
-            v = 0.0;
-        }
-    }
-    m_motion.w_DT = (m_motion.w_DT + dt_s / a.inertia_kgm2 * onTool_D.torque) /
-                    (1.0 + dt_s * a.turningViscous_Nms_per_rad / a.inertia_kgm2);
-    m_motion.q_DT = turned(m_motion.q_DT, dt_s * m_motion.w_DT);
+    const FingertipArmParameters& p = m_parameters;
+    FingertipArmDynamics::Matrix inertia = m_dynamics.inertia();
+    FingertipArmJoints load = m_dynamics.efforts(kHandle, place(), onTool_D) + stopTorques() -
+                              m_dynamics.inverseDynamics(m_rates, FingertipArmJoints::Zero(), (1.0 - p.counterbalance) * core::kStandardGravity);
+    load[kJaw] += p.fingerStiffness_Nm_per_rad * (m_fingers_rad - m_q[kJaw]);
+    for (int joint = 0; joint < kJoints; ++joint)
+        load[joint] += m_friction[static_cast<std::size_t>(joint)].advance(p.friction[static_cast<std::size_t>(joint)], m_rates[joint], dt_s);
+    // (M + dt D) q̇⁺ = M q̇ + dt τ: what is viscous never makes energy, however light a joint is.
+    const FingertipArmJoints momentum = inertia * m_rates + dt_s * load;
+    for (int joint = 0; joint < kJoints; ++joint)
+        inertia(joint, joint) += dt_s * p.friction[static_cast<std::size_t>(joint)].viscous;
+    inertia(kJaw, kJaw) += dt_s * p.fingerDamping_Nms_per_rad;
+    m_rates = FingertipArmDynamics::solve(inertia, momentum);
+    m_q += dt_s * m_rates;
+    m_dynamics.place(m_q);
+}
+
+ToolMotion FingertipArmPlant::motion() const noexcept {
+    ToolMotion motion;
+    motion.p_DT = place();
+    motion.q_DT = core::Quat(m_dynamics.orientation(kHandle));
+    m_dynamics.velocity(kHandle, motion.p_DT, m_rates, motion.v_DT, motion.w_DT);
+    return motion;
 }
 
 void FingertipArmPlant::endTick() noexcept {
+    const ToolMotion now = motion();
+    m_imu.tick(now.q_DT, now.w_DT, (now.v_DT - m_velocityBefore) / core::kTickSeconds);
+    m_velocityBefore = now.v_DT;
     readEncoders();
-    if (++m_sinceImu < m_parameters.imuPeriod_ticks)
-        return;
-    m_sinceImu = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        m_noise[axis].advance(m_random);
-        m_drift[axis].advance(m_random);
-    }
-    readImu();
 }
 
 void FingertipArmPlant::readEncoders() noexcept {
+    const double resolution = m_parameters.encoderResolution_rad();
+    for (int joint = 0; joint < kArm; ++joint) {
+        const double q = m_q[joint];
+        const auto& phase = m_runoutPhase_rad[joint];
+        const double seen = q + m_parameters.encoderRunout_rad[0] * std::sin(q + phase[0]) +
+                            m_parameters.encoderRunout_rad[1] * std::sin(2.0 * q + phase[1]) +
+                            m_parameters.encoderNoise_counts * resolution * m_random.normal();
+        m_counts[static_cast<std::size_t>(joint)] = countOf(seen, resolution);
+    }
     for (std::size_t axis = 0; axis < 3; ++axis)
-        m_counts[axis] = count(m_motion.p_DT[static_cast<int>(axis)], m_parameters.resolution_m);
-}
-
-void FingertipArmPlant::readImu() noexcept {
-    const Vec3 turn = rotationVectorOf(m_motion.q_DT);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        m_counts[axis + 3] = count(turn[static_cast<int>(axis)] + m_noise[axis].value() + m_drift[axis].value(),
-                                   m_parameters.imuResolution_rad);
+        m_counts[axis + kArm] = m_imu.counts()[axis];
+    m_jawCounts = std::clamp(countOf(m_q[kJaw], m_parameters.grasp.resolution_rad()), 0, m_parameters.grasp.steps);
 }
 
 double FingertipArmPlant::energy_J() const noexcept {
-    double bristles = 0.0;
-    for (const LugreFriction& friction : m_friction)
-        bristles += m_parameters.friction.bristleStiffness * friction.bristle() * friction.bristle();
-    return 0.5 * (m_parameters.mass_kg * m_motion.v_DT.squaredNorm() +
-                  m_parameters.inertia_kgm2 * m_motion.w_DT.squaredNorm() + bristles);
+    double energy = 0.5 * m_rates.dot(m_dynamics.inertia() * m_rates) + (1.0 - m_parameters.counterbalance) * m_dynamics.potential_J();
+    for (int joint = 0; joint < kJoints; ++joint) {
+        const auto i = static_cast<std::size_t>(joint);
+        const double beyond = m_q[joint] - std::clamp(m_q[joint], m_parameters.minimum[i], m_parameters.maximum[i]);
+        energy += 0.5 * (m_parameters.friction[i].bristleStiffness * m_friction[i].bristle() * m_friction[i].bristle() +
+                         m_parameters.stopStiffness[i] * beyond * beyond);
+    }
+    const double pinch = m_fingers_rad - m_q[kJaw];
+    return energy + 0.5 * m_parameters.fingerStiffness_Nm_per_rad * pinch * pinch;
 }
+
+double FingertipArmPlant::apparent(bool turning) const noexcept {
+    const FingertipArmDynamics::Jacobian j = m_dynamics.jacobian(kHandle, place());
+    const FingertipArmDynamics::Matrix inertia = m_dynamics.inertia();
+    core::Mat3 mobility; // J M⁻¹ Jᵀ of one half
+    for (int column = 0; column < 3; ++column) {
+        const FingertipArmJoints row = j.row(column + (turning ? 3 : 0)).transpose();
+        const FingertipArmJoints moved = FingertipArmDynamics::solve(inertia, row);
+        for (int other = 0; other < 3; ++other)
+            mobility(other, column) = j.row(other + (turning ? 3 : 0)).dot(moved);
+    }
+    return mobility.inverse().trace() / 3.0;
+}
+
+double FingertipArmPlant::apparentMass_kg() const noexcept { return apparent(false); }
+double FingertipArmPlant::apparentInertia_kgm2() const noexcept { return apparent(true); }
 
 } // namespace chiron::mechanisms

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mechanisms/fingertip_arm_parameters.h"
-#include "mechanisms/markov_noise.h"
+#include "mechanisms/fingertip_arm_chain.h"
 #include "mechanisms/plant.h"
 
 #include <array>
@@ -10,45 +9,66 @@
 
 namespace chiron::mechanisms {
 
-/// P3's arm as a hand moves it: a mass with friction along three axes and a body that turns against viscous friction,
-///   m v˙ = f_hand − LuGre(v) − σ₂ v,   I ω˙ = τ_hand − b ω,
-/// without motors and balanced: whatever effort is asked of it, none comes. Read by magnetic encoders (x, y, z) and by an IMU
-/// with noise and drift, which reports the rotation vector of q_DT at its own rate. Counts in that order. Semi-implicit Euler,
-/// viscous parts implicit. Haptic thread; no allocation. D, SI. Source: P3 §2.2; models.md §3, Arm.
+/// P3's console arm as a hand moves it, seven links in series:
+///   M(q) q̈ + c(q, q̇) + (1 − κ) g(q) = Jᵀ f_hand + τ_fingers + τ_stop − friction(q̇)   (LuGre, viscous part implicit),
+/// κ the share of weight that is balanced, τ_fingers a spring and a damper on the lever's joint. It has no motors: whatever effort is asked
+/// of it, none comes. Read by absolute magnetic encoders on the three arm joints (resolution, noise, run-out), by the handle's
+/// IMU (attitude_sensor.h) and, for the grasp, by a Hall sensor. Counts: yaw, shoulder, elbow, then the IMU's rotation vector. Ends of travel
+/// are rubber stops that damp on the way in only. Semi-implicit Euler. Deterministic; haptic thread; no allocation. D, SI.
+/// Source: P3 §2.2; devices.md §5; models.md §3, Arm.
 class FingertipArmPlant final : public Plant {
 public:
     static constexpr std::size_t kAxes = 6;
 
     FingertipArmPlant(const FingertipArmParameters& parameters, std::uint64_t seed) noexcept;
 
-    void reset(const core::Vec3& p_DT) noexcept; ///< at rest there, pad down (identity), sensors from their start
+    /// At rest there, pad down (identity), jaw closed, sensors from their start. A place out of reach: the middle of the box.
+    void reset(const core::Vec3& p_DT) noexcept;
 
     void beginTick(const AxisEfforts&, bool) noexcept override {} ///< no motors
+    void holdLever(double fingers_rad) noexcept { m_fingers_rad = fingers_rad; } ///< where the fingers hold the lever from now on
     void step(double dt_s, const core::Wrench& onTool_D) noexcept override;
     void endTick() noexcept override; ///< the sensors are read
 
-    ToolMotion motion() const noexcept override { return m_motion; }
+    ToolMotion motion() const noexcept override;
     std::span<const std::int32_t> encoderCounts() const noexcept override { return m_counts; }
+    std::int32_t jawCounts() const noexcept { return m_jawCounts; } ///< the Hall sensor's
     core::Wrench measured_D() const noexcept override { return {}; }
     bool saturated() const noexcept override { return false; }
     int substeps() const noexcept override { return m_parameters.substeps; }
     bool turns() const noexcept override { return true; }
 
-    double energy_J() const noexcept; ///< kinetic and of the bristles
+    const FingertipArmParameters& parameters() const noexcept { return m_parameters; }
+    const FingertipArmDynamics& dynamics() const noexcept { return m_dynamics; } ///< placed at q()
+    const FingertipArmJoints& q() const noexcept { return m_q; }
+    const FingertipArmJoints& rates() const noexcept { return m_rates; }
+    FingertipArmJoints& ratesForTests() noexcept { return m_rates; }
+    const AttitudeSensor& imu() const noexcept { return m_imu; }
+    double energy_J() const noexcept; ///< kinetic, of the weight that is not balanced, bristles, stops and the pinch
+
+    /// What a hand moves along with the handle where it stands now, kg and kg·m²: a third of the trace of (J M⁻¹ Jᵀ)⁻¹ for force and for torque.
+    double apparentMass_kg() const noexcept;
+    double apparentInertia_kgm2() const noexcept;
 
 private:
-    void readImu() noexcept;
+    FingertipArmJoints stopTorques() const noexcept;
+    core::Vec3 place() const noexcept { return m_dynamics.joint(FingertipArmParameters::kWrist); }
+    double apparent(bool turning) const noexcept;
     void readEncoders() noexcept;
 
     FingertipArmParameters m_parameters;
+    FingertipArmDynamics m_dynamics;
     std::uint64_t m_seed;
     core::Random m_random;
-    ToolMotion m_motion;
-    std::array<LugreFriction, 3> m_friction{};
-    std::array<MarkovNoise, 3> m_noise{};
-    std::array<MarkovNoise, 3> m_drift{};
+    AttitudeSensor m_imu;
+    std::array<double, 2> m_runoutPhase_rad[FingertipArmParameters::kArm]{};
+    std::array<LugreFriction, FingertipArmParameters::kJoints> m_friction{};
+    FingertipArmJoints m_q = FingertipArmJoints::Zero();
+    FingertipArmJoints m_rates = FingertipArmJoints::Zero();
+    core::Vec3 m_velocityBefore = core::Vec3::Zero();
+    double m_fingers_rad = 0.0;
     std::array<std::int32_t, kAxes> m_counts{};
-    int m_sinceImu = 0;
+    std::int32_t m_jawCounts = 0;
 };
 
 } // namespace chiron::mechanisms

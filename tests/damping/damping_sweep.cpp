@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints how much damping each simulated mechanism carries before it shakes: damping_sweep [SEEDS] [SECONDS]. Not a test: it asserts nothing.
+// Prints how much damping each simulated mechanism carries before it shakes: damping_sweep [SEEDS] [SECONDS] [MECHANISM]. Not a test: it asserts nothing.
 #include "damping/damping_bench.h"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i < std::size(dampings); ++i)
         std::printf("---|");
     std::printf("\n");
-    for (const std::string& mechanism : benchMechanisms())
+    const std::vector<std::string> mechanisms = argc > 3 ? std::vector<std::string>{argv[3]} : benchMechanisms();
+    for (const std::string& mechanism : mechanisms)
         for (const std::string& hand : benchHands())
             for (const BenchLoad load : benchLoads()) {
                 std::printf("| %s | %s | %s |", mechanism.c_str(), hand.c_str(), nameOf(load).c_str());

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mechanisms/fingertip_arm_plant.h"
 #include "mechanisms/fingertip_platform.h"
 
 #include <QtTest>
@@ -58,7 +57,6 @@ private slots:
     void forceAndLeanTogetherAtTheLimits();
     void motorsOffLetGo();
     void sameSeedSameBits();
-    void armLosesEnergyAndKeepsItsTravel();
 };
 
 void TestFingertipPlant::energyOfThePassivePlantFalls() {
@@ -252,27 +250,6 @@ void TestFingertipPlant::sameSeedSameBits() {
         fresh.tick({1.0, 0.1, 0.1}, true);
         QVERIFY(a.truth().normalForce_N == fresh.truth().normalForce_N && a.sensedForce_N() == fresh.sensedForce_N());
     }
-}
-
-void TestFingertipPlant::armLosesEnergyAndKeepsItsTravel() {
-    const mechanisms::FingertipArmParameters p;
-    mechanisms::FingertipArmPlant arm(p, 1);
-    core::Wrench push;
-    push.force = Vec3(2.0, -1.0, 0.5);
-    push.torque = Vec3(0.001, 0.0, -0.002);
-    for (int n = 0; n < 100; ++n)
-        arm.step(0.00025, push);
-    double before = arm.energy_J();
-    QVERIFY(before > 0.0);
-    for (int n = 0; n < 2000; ++n) {
-        arm.step(0.00025, {});
-        QVERIFY(arm.energy_J() <= before + 1e-9);
-        before = arm.energy_J();
-    }
-    for (int n = 0; n < 40000; ++n)
-        arm.step(0.00025, push);
-    QCOMPARE(arm.motion().p_DT.x(), p.maximum_m.x());
-    QCOMPARE(arm.motion().p_DT.y(), p.minimum_m.y());
 }
 
 QTEST_APPLESS_MAIN(TestFingertipPlant)

@@ -71,6 +71,7 @@ private slots:
     void whatItSaysOfItself();
     void kinematicsAreMadeAgainFromTheDescriptor();
     void descriptorsThatDoNotFitAreRefused();
+    void sessionsOfTheSlidingArmKeepTheirPose();
     void velocityIsTheDerivativeOfThePose();
     void theWrenchNeverPushesTheHand();
     void thePadIsPerceivedAndMeasured();
@@ -82,12 +83,12 @@ private slots:
 void TestSimulatedFingertip::whatItSaysOfItself() {
     const Rig rig;
     const devices::DeviceDescriptor& d = rig.first->descriptor();
-    const QStringList ids{"x", "y", "z", "wrist_x", "wrist_y", "wrist_z", "platform_pitch", "platform_roll"};
+    const QStringList ids{"yaw", "shoulder", "elbow", "wrist_x", "wrist_y", "wrist_z", "platform_pitch", "platform_roll"};
     QCOMPARE(d.axes.size(), std::size_t(8));
     for (std::size_t i = 0; i < 8; ++i) {
         QCOMPARE(QString::fromStdString(d.axes[i].id), ids[static_cast<int>(i)]);
         QCOMPARE(d.axes[i].continuousRating, 0.0); // no motor
-        QCOMPARE(d.axes[i].unit == devices::AxisUnit::metre, i < 3);
+        QVERIFY(d.axes[i].unit == devices::AxisUnit::radian);
     }
     QVERIFY(d.rendersForce && d.measuresForce && d.inProcess);
     QCOMPARE(d.maximumForce_N, 4.0);
@@ -120,9 +121,37 @@ void TestSimulatedFingertip::descriptorsThatDoNotFitAreRefused() {
     };
     QVERIFY(refused([](auto& d) { d.axes.pop_back(); }));
     QVERIFY(refused([](auto& d) { d.axes[4].resolution = 0.0; }));
-    QVERIFY(refused([](auto& d) { d.axes[2].unit = devices::AxisUnit::radian; }));
+    QVERIFY(refused([](auto& d) { d.axes[2].unit = devices::AxisUnit::metre; }));
     QVERIFY(refused([](auto& d) { d.kinematicsParameters = {0.0}; }));
     QVERIFY(refused([](auto& d) { d.kinematicsParameters[1] = std::nan(""); }));
+    QVERIFY(refused([](auto& d) { d.kinematicsParameters[7] = 0.0; })); // a forearm without length
+}
+
+/// As sessions of models id 1 and 2 have stored it: three sliding axes under the same id.
+void TestSimulatedFingertip::sessionsOfTheSlidingArmKeepTheirPose() {
+    devices::DeviceDescriptor d = Rig().first->descriptor();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        d.axes[axis] = {std::string(1, "xyz"[axis]), devices::AxisUnit::metre, 7.6699e-6, -0.15, 0.2, 0.0};
+        d.axes[axis + 3].resolution = 1.0908307824964559e-3;
+    }
+    d.kinematicsParameters = {0.018, 0.0, 0.0};
+    const auto made = devices::makeKinematics(d);
+    QVERIFY(made.has_value());
+    core::DeviceSample at;
+    at.counts = {1000, -2000, 3000, 0, 0, 500, 40, -30};
+    const core::ToolState tool = (*made)->pose(at);
+    const double angle = 500 * 1.0908307824964559e-3;
+    QVERIFY((tool.p_WT - Vec3(7.6699e-3 + 0.018 * std::cos(angle), -15.3398e-3 + 0.018 * std::sin(angle), 23.0097e-3)).norm() < 1e-12);
+    devices::AxisValues rate{};
+    rate[0] = 1000.0;
+    rate[5] = 100.0;
+    Vec3 v, w;
+    (*made)->velocity(at, rate, v, w);
+    const double spin = 0.10908307824964559;
+    QVERIFY((w - Vec3(0.0, 0.0, spin)).norm() < 1e-12);
+    QVERIFY((v - Vec3(7.6699e-3 - 0.018 * spin * std::sin(angle), 0.018 * spin * std::cos(angle), 0.0)).norm() < 1e-12);
+    d.kinematicsParameters.push_back(0.0);
+    QVERIFY(!devices::makeKinematics(d));
 }
 
 // Central difference over fractional counts is not possible, so steps of many counts; the pose is smooth.

@@ -16,7 +16,7 @@ Vec3 FingertipArmKinematics::triple(const core::DeviceSample& sample, std::size_
 core::ToolState FingertipArmKinematics::pose(const core::DeviceSample& sample) const noexcept {
     core::ToolState tool;
     tool.q_WT = mechanisms::turned(core::Quat::Identity(), triple(sample, kWrist));
-    tool.p_WT = triple(sample, 0) + tool.q_WT * m_pad_T;
+    tool.p_WT = m_place.place_D(triple(sample, 0)) + tool.q_WT * m_pad_T;
     tool.jaw_rad = sample.jawCounts * m_jawResolution_rad;
     tool.buttons = sample.buttons;
     return tool;
@@ -24,15 +24,15 @@ core::ToolState FingertipArmKinematics::pose(const core::DeviceSample& sample) c
 
 void FingertipArmKinematics::velocity(const core::DeviceSample& sample, const AxisValues& countRates, Vec3& v_DT,
                                       Vec3& w_DT) const noexcept {
-    Vec3 p_rate;
+    Vec3 q_rate;
     Vec3 r_rate;
     for (std::size_t i = 0; i < 3; ++i) {
-        p_rate[static_cast<int>(i)] = countRates[i] * m_resolution[i];
+        q_rate[static_cast<int>(i)] = countRates[i] * m_resolution[i];
         r_rate[static_cast<int>(i)] = countRates[i + kWrist] * m_resolution[i + kWrist];
     }
     const Vec3 r = triple(sample, kWrist);
     w_DT = leftJacobian(r) * r_rate;
-    v_DT = p_rate + w_DT.cross(mechanisms::turned(core::Quat::Identity(), r) * m_pad_T);
+    v_DT = m_place.jacobian(triple(sample, 0)) * q_rate + w_DT.cross(mechanisms::turned(core::Quat::Identity(), r) * m_pad_T);
 }
 
 } // namespace chiron::devices

@@ -4,15 +4,17 @@
 #include "core/result.h"
 #include "devices/api/device_descriptor.h"
 #include "devices/api/kinematics.h"
+#include "mechanisms/fingertip_arm_chain.h"
 
 namespace chiron::devices {
 
-/// Kinematics "fingertip_arm": P3's arm with a fingertip platform. Axes x, y, z (m), wrist_x, wrist_y, wrist_z (rad: the
-/// rotation vector that the wrist's IMU reports), platform_pitch, platform_roll (rad: what the platform's own IMU reports, which
-/// does not move the tool). Parameters: {x, y, z of this finger's pad from the arm's end, in T, m}.
-///   q_DT = exp(r),  p_DT = p_arm + q_DT·o,  w = J(r) r˙ (left Jacobian of SO(3)),  v = p˙_arm + w × q_DT·o.
+/// Kinematics "fingertip_arm": P3's console arm with a fingertip platform. Axes yaw, shoulder, elbow (rad, absolute encoders), wrist_x,
+/// wrist_y, wrist_z (rad: the rotation vector that the handle's IMU reports), platform_pitch, platform_roll (rad: what the platform's own IMU
+/// reports, which does not move the tool). Parameters: {x, y, z of this finger's pad from the wrist's middle, in T; x, y, z of the shoulder, in D;
+/// length of the upper arm, of the forearm; all m}. p_arm by mechanisms::FingertipArmPlace, J its Jacobian:
+///   q_DT = exp(r),  p_DT = p_arm(θ) + q_DT·o,  w = J_l(r) r˙ (left Jacobian of SO(3)),  v = J(θ) θ˙ + w × q_DT·o.
 /// T: identity is the pad facing down (−z_T), x_T across the finger. The arm has no motors: no axis takes part in any wrench, so
-/// every effort is zero. Pure; any thread. Source: P3 §2.2; models.md §3.
+/// every effort is zero. Pure; any thread. Source: P3 §2.2; models.md §3. (Stored sessions of models id 1 and 2: fingertip_sliding_kinematics.h.)
 class FingertipArmKinematics final : public IToolKinematics {
 public:
     static constexpr const char* kId = "fingertip_arm";
@@ -20,9 +22,9 @@ public:
     static constexpr std::size_t kWrist = 3;    ///< first axis of the wrist
     static constexpr std::size_t kPlatform = 6; ///< pitch, then roll
 
-    FingertipArmKinematics(const std::array<double, kAxes>& resolution, double jawResolution_rad,
-                           const core::Vec3& pad_T) noexcept
-        : m_resolution(resolution), m_jawResolution_rad(jawResolution_rad), m_pad_T(pad_T) {}
+    FingertipArmKinematics(const std::array<double, kAxes>& resolution, double jawResolution_rad, const core::Vec3& pad_T,
+                           const mechanisms::FingertipArmGeometry& geometry) noexcept
+        : m_resolution(resolution), m_jawResolution_rad(jawResolution_rad), m_pad_T(pad_T), m_place(geometry) {}
     /// Fails (badInput) where id, axes, units or parameters do not fit.
     static core::Result<FingertipArmKinematics> create(const DeviceDescriptor& descriptor);
     ~FingertipArmKinematics() override;
@@ -40,6 +42,7 @@ private:
     std::array<double, kAxes> m_resolution;
     double m_jawResolution_rad;
     core::Vec3 m_pad_T;
+    mechanisms::FingertipArmPlace m_place;
 };
 
 } // namespace chiron::devices

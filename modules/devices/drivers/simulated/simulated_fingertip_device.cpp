@@ -8,7 +8,13 @@ void SimulatedFingertipDevice::resetPlant() noexcept {
     m_finger.reset();
 }
 
+void SimulatedFingertipDevice::stepDisplay(const ForceCommand& command) noexcept {
+    m_arm.holdLever(jaw_rad()); // where the fingers are at the end of this tick: the lever follows in the next one
+    m_finger.tick(command);
+}
+
 void SimulatedFingertipDevice::addToSample(core::DeviceSample& sample) const noexcept {
+    sample.jawCounts = m_arm.jawCounts();
     m_finger.addToSample(m_kinematics, m_padMap, sample);
 }
 

@@ -19,14 +19,13 @@ public:
         mechanisms::FingertipArmParameters arm;
         mechanisms::FingertipPlatformParameters platform;
         mechanisms::HandParameters hand;
-        std::optional<mechanisms::JawParameters> grasp = mechanisms::JawParameters{}; ///< the Hall sensor's
         WorkspaceMapping mapping;           ///< to turn the cues into D and `measured` into W
-        core::Vec3 start_D{0.0, 0.0, 0.05}; ///< where the finger's pad, which is the arm's end, is at open(), m
+        core::Vec3 start_D{0.0, 0.0, 0.05}; ///< where the finger's pad, which is the middle of the wrist, is at open(), m
         std::uint64_t seed = 1;             ///< of tremor and sensors
     };
 
     /// The platform identifies the finger (mechanisms::identifyPad) before it displays anything. Fails (badInput) when the start
-    /// lies outside the arm's travel, a number makes no sense, no finger is found, or there is no strategy.
+    /// is out of the arm's reach, a number makes no sense, no finger is found, or there is no strategy.
     static core::Result<std::unique_ptr<SimulatedFingertipDevice>>
     create(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
     ~SimulatedFingertipDevice() override;
@@ -42,7 +41,7 @@ private:
     void resetPlant() noexcept override;
     void addToSample(core::DeviceSample& sample) const noexcept override;
     void addToPerception(mechanisms::HandPerception& seen) const noexcept override { m_finger.addToPerception(seen); }
-    void stepDisplay(const ForceCommand& command) noexcept override { m_finger.tick(command); }
+    void stepDisplay(const ForceCommand& command) noexcept override;
 
     Configuration m_configuration;
     FingertipArmKinematics m_kinematics;

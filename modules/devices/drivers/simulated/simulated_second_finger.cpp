@@ -18,7 +18,7 @@ core::DeviceSample SimulatedSecondFinger::read(const realtime::HapticTick& now) 
     const auto counts = m_first.arm().encoderCounts();
     for (std::size_t axis = 0; axis < counts.size(); ++axis)
         m_sample.counts[axis] = counts[axis];
-    m_sample.jawCounts = m_first.jawCounts();
+    m_sample.jawCounts = m_first.arm().jawCounts();
     m_sample.buttons = m_reaction.acting().buttons;
     m_sample.packet = static_cast<std::uint32_t>(now.index());
     m_sample.deviceTime_us = now.index() * 1000;
