@@ -58,7 +58,7 @@ core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::Exer
         return core::fail(core::ErrorCode::wrongUse, "mechanism " + session.mechanism + ": a trace is held by none; expected an operator");
     if (session.map != mechanisms::PolarMap::exact)
         return core::fail(core::ErrorCode::wrongUse, "force map as-published: a trace feels nothing; expected exact");
-    if (session.mounting.turned())
+    if (session.mounting.turned() || session.mounting.turnGiven)
         return core::fail(core::ErrorCode::wrongUse, "base turn: a trace is held by no device; expected an operator");
     return traceStation(*rows, kind.pointerTool(), kind.toolCount(level));
 }

@@ -88,41 +88,45 @@ tl::unexpected<core::Error> differingHands(const ExerciseKind& kind, std::size_t
                                                      std::to_string(tools) + " instruments");
 }
 
+WorkspaceChoice mountingOf(const catalogue::ExerciseLevel& level, int tool, const WorkspaceChoice& chosen) {
+    const auto index = static_cast<std::size_t>(tool);
+    return index < level.mounting.size() ? chosen.over(level.mounting[index]) : chosen;
+}
+
 /// A pointer has no base that could be turned.
 WorkspaceChoice ofPointer(WorkspaceChoice choice) {
     choice.turn_rad = {};
     return choice;
 }
 
-/// Each place with the base mounted as chosen, about that place.
-core::Result<void> mount(std::vector<devices::WorkspaceMapping>& places, const ExerciseKind& kind, const WorkspaceChoice& mounting) {
-    const auto chosen = mappingOf(mounting);
-    if (!chosen)
-        return tl::unexpected(chosen.error());
-    const bool any = mounting.turned() || mounting.leftHanded || mounting.scale != 1.0 || mounting.origin_m != std::array<double, 3>{};
+/// Where the devices of a level stand: the kind's places, each mounted as chosen or else as the level says, about that place.
+core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                                                              std::size_t hands, const WorkspaceChoice& chosen) {
+    const int tools = kind.toolCount(level);
+    if (tools < 1 || tools > core::kMaxTools || hands != static_cast<std::size_t>(tools))
+        return differingHands(kind, hands, static_cast<std::size_t>(std::max(tools, 0)));
+    if (auto valid = mappingOf(chosen); !valid)
+        return tl::unexpected(valid.error());
+    const WorkspaceChoice unchanged;
+    const bool any = chosen.turned() || chosen.leftHanded || chosen.scale != unchanged.scale || chosen.origin_m != unchanged.origin_m;
     if (any && !kind.operatorsKnowTheirPlace())
         return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) +
                                                          ": its scripted hands hold a device that stands as it is built; only those of "
                                                          "elastic_tube, object_handling and palpation can be mounted otherwise");
-    for (devices::WorkspaceMapping& place : places) {
-        for (std::size_t i = 0; i < 3; ++i)
-            place.origin_m[i] += chosen->origin_m[i];
-        place.scale *= chosen->scale;
-        place.leftHanded = place.leftHanded != chosen->leftHanded;
-        if (chosen->turned())
-            place.q_WD = chosen->q_WD;
-    }
-    return {};
-}
-
-core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
-                                                              std::size_t hands) {
-    const int tools = kind.toolCount(level);
-    if (tools < 1 || tools > core::kMaxTools || hands != static_cast<std::size_t>(tools))
-        return differingHands(kind, hands, static_cast<std::size_t>(std::max(tools, 0)));
     std::vector<devices::WorkspaceMapping> places;
-    for (int tool = 0; tool < tools; ++tool)
-        places.push_back(kind.toolPlace(level, tool));
+    for (int tool = 0; tool < tools; ++tool) {
+        const auto mounted = mappingOf(mountingOf(level, tool, chosen));
+        if (!mounted)
+            return tl::unexpected(mounted.error());
+        devices::WorkspaceMapping place = kind.toolPlace(level, tool);
+        for (std::size_t i = 0; i < 3; ++i)
+            place.origin_m[i] += mounted->origin_m[i];
+        place.scale *= mounted->scale;
+        place.leftHanded = place.leftHanded != mounted->leftHanded;
+        if (mounted->turned())
+            place.q_WD = mounted->q_WD;
+        places.push_back(place);
+    }
     return places;
 }
 
@@ -227,23 +231,38 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, Pointer
     return station;
 }
 
+namespace {
+/// A pointer is mounted nowhere: each tool stands where the kind puts it, with the workspace that the person chose.
+core::Result<std::vector<devices::WorkspaceMapping>> pointerPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
+                                                                   const WorkspaceChoice& choice) {
+    const auto chosen = mappingOf(choice);
+    if (!chosen)
+        return tl::unexpected(chosen.error());
+    const int tools = kind.toolCount(level);
+    if (tools < 1 || tools > core::kMaxTools)
+        return differingHands(kind, static_cast<std::size_t>(std::max(tools, 0)), static_cast<std::size_t>(std::max(tools, 0)));
+    std::vector<devices::WorkspaceMapping> places;
+    for (int tool = 0; tool < tools; ++tool) {
+        devices::WorkspaceMapping mapping = *chosen;
+        for (std::size_t i = 0; i < 3; ++i)
+            mapping.origin_m[i] += kind.toolPlace(level, tool).origin_m[i];
+        places.push_back(mapping);
+    }
+    return places;
+}
+} // namespace
+
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, const ExerciseKind& kind,
                                            const catalogue::ExerciseLevel& level) {
     const WorkspaceChoice choice = ofPointer(given);
     const bool fingers = kind.pointerTool() == PointerTool::point && kind.toolCount(level) > 1;
     if (kind.pointerTool() != PointerTool::grasper && !fingers)
         return keyboardMouseStation(choice, kind.pointerTool());
-    const auto chosen = mappingOf(choice);
-    if (!chosen)
-        return tl::unexpected(chosen.error());
-    const auto places = placesOf(kind, level, static_cast<std::size_t>(std::max(kind.toolCount(level), 0)));
+    const auto places = pointerPlaces(kind, level, choice);
     if (!places)
         return tl::unexpected(places.error());
     Station station;
-    for (const devices::WorkspaceMapping& place : *places) {
-        devices::WorkspaceMapping mapping = *chosen;
-        for (std::size_t i = 0; i < 3; ++i)
-            mapping.origin_m[i] += place.origin_m[i];
+    for (const devices::WorkspaceMapping& mapping : *places) {
         const auto settings = fingers ? devices::KeyboardMouseSettings{} : grasperSettings(mapping, choice.origin_m);
         auto device = makePointer<devices::KeyboardMouseDevice>(settings, choice.scale);
         if (!device)
@@ -265,11 +284,9 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
                                                          " is not done on it");
     // Hand and mind have streams of their own: the same person in another field trembles alike.
     const auto hands = static_cast<std::size_t>(std::max(kind.toolCount(level), 0));
-    auto places = placesOf(kind, level, hands);
+    auto places = placesOf(kind, level, hands, mounting);
     if (!places)
         return tl::unexpected(places.error());
-    if (auto mounted = mount(*places, kind, mounting); !mounted)
-        return tl::unexpected(mounted.error());
     auto trainee = kind.makeOperatorAt(*places, chosen, level, operatorName, core::Random::mix(seed, "operator"));
     if (!trainee)
         return tl::unexpected(trainee.error());

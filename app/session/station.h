@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base_mounting.h"
 #include "core/result.h"
 #include "devices/api/device.h"
 #include "devices/drivers/endoscope_pointer/endoscope_pointer_device.h"
@@ -32,22 +33,9 @@ struct Station {
                                                   ///< ends the session
 };
 
-/// How a person's workspace lies in W: what the set-up screen offers. SI units.
-struct WorkspaceChoice {
-    double scale = 1.0;                  ///< tool movement per hand movement, kSmallestScale..kLargestScale
-    std::array<double, 3> origin_m{};    ///< shift of the workspace in W, at most kLargestShift_m an axis
-    bool leftHanded = false;             ///< mirrored left to right
-    /// How the device's base is mounted (P2, "Flexible Mounting Options"): turned to the left about the vertical, then tilted away
-    /// from the person, then rolled to the right; at most kLargestTurn_rad each. Not for a pointer, which has no base.
-    std::array<double, 3> turn_rad{};
-
-    static constexpr double kSmallestScale = 0.25;
-    static constexpr double kLargestScale = 4.0;
-    static constexpr double kLargestShift_m = 0.030;
-    static constexpr double kLargestTurn_rad = 0.7853981633974483; ///< 45°: beyond it a gimbal no longer reaches the field
-
-    bool turned() const noexcept { return turn_rad != std::array<double, 3>{}; }
-};
+/// How a person's workspace lies in W: what the set-up screen and the command line offer. What it says takes the place of what the level
+/// says of every instrument (ExerciseLevel::mounting); a left-handed one mirrors that.
+using WorkspaceChoice = core::BaseMounting;
 
 /// The mapping of a choice. Failure: badInput naming the value and its range.
 core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice);
@@ -66,8 +54,8 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const 
 
 /// A simulated mechanism of the kind's (`mechanism`: its kinematics id; "": the usual one), one for each instrument of the level, with a scripted operator on it. Failure: that of the kind's makeOperator();
 /// wrongUse for a mechanism that does not exist, or that the kind is not done on.
-/// `map`: how a force becomes motor torques on P2's gimbal (models.md §2.1). `mounting`: how every base stands, beside the kind's
-/// places; badInput as mappingOf(), wrongUse where the kind's scripted hands take D for W.
+/// `map`: how a force becomes motor torques on P2's gimbal (models.md §2.1). `mounting`: how every base stands, instead of what the level
+/// says, beside the kind's places; badInput as mappingOf(), wrongUse where the kind's scripted hands take D for W.
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                       const std::string& operatorName, std::uint64_t seed,
                                       mechanisms::PolarMap map = mechanisms::PolarMap::exact, std::string_view mechanism = {},

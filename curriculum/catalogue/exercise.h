@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base_mounting.h"
 #include "scoring/score_card.h"
 #include "simulation/exercises/comparison/comparison_parameters.h"
 #include "simulation/exercises/elastic_tube/elastic_tube_parameters.h"
@@ -51,6 +52,9 @@ struct ExerciseLevel {
     bool needsForce = false; ///< no visible object: needs a device that renders force
     std::optional<ShownForceVariant> shownForce;
     ExerciseParameters parameters;
+    /// How the base of each instrument's device stands, in the order of the instruments, beside where the exercise puts it; those left out
+    /// stand there. A person or a command line may mount them otherwise.
+    std::vector<core::BaseMounting> mounting;
     std::vector<MetricChoice> metrics; ///< in the order shown
     std::vector<scoring::Gate> gates;
     std::string exercise; ///< id of the exercise

@@ -12,14 +12,21 @@
 
 namespace chiron::catalogue {
 
+namespace {
+template <class Parameters>
+int toolsOf(const ExerciseParameters& parameters) {
+    return std::get<Parameters>(parameters).tools();
+}
+} // namespace
+
 std::span<const ExerciseKind> exerciseKinds() {
     // One line a kind of exercise, in the order in which people are shown them.
     static constexpr auto kKinds = std::to_array<ExerciseKind>({
         {"sphere_apex", "sphere_apex_parameters", readSphereApex, checkSphereApex},
         {"urethra_insertion", "urethra_insertion_parameters", readUrethraInsertion, checkUrethraInsertion, "tissue"},
-        {"elastic_tube", "elastic_tube_parameters", readElasticTube, checkElasticTube},
-        {"object_handling", "object_handling_parameters", readObjectHandling, checkObjectHandling},
-        {"palpation", "palpation_parameters", readPalpation, checkPalpation},
+        {"elastic_tube", "elastic_tube_parameters", readElasticTube, checkElasticTube, "", toolsOf<simulation::ElasticTubeParameters>},
+        {"object_handling", "object_handling_parameters", readObjectHandling, checkObjectHandling, "", toolsOf<simulation::ObjectHandlingParameters>},
+        {"palpation", "palpation_parameters", readPalpation, checkPalpation, "", toolsOf<simulation::PalpationParameters>},
         {"comparison", "comparison_parameters", readComparison, checkComparison}, // studies: no file of content has one
     });
     return kKinds;

@@ -22,6 +22,8 @@ struct ExerciseKind {
     /// The parameter that names a preset of the exercise (exercises/<id>/presets/<name>.json), whose parameters hold where the
     /// level gives none of its own; "" where the kind has none.
     std::string_view presetKey = "";
+    /// How many instruments a level may say the mounting of: those of a kind whose hands know where their device stands; null: none.
+    int (*mountable)(const ExerciseParameters& parameters) = nullptr;
 };
 
 std::span<const ExerciseKind> exerciseKinds();

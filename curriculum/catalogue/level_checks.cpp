@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/level_checks.h"
 
+#include "catalogue/exercise_kinds.h"
 #include "scoring/metric_catalogue.h"
 
 #include <QJsonArray>
@@ -70,11 +71,27 @@ void checkGates(const ExerciseLevel& level, const QJsonArray& json, Problems& pr
     }
 }
 
+/// Hands that take the device's frame for the field cannot be mounted anywhere else.
+void checkMounting(const ExerciseLevel& level, Problems& problems) {
+    if (level.mounting.empty())
+        return;
+    const ExerciseKind* kind = findExerciseKind(level.exercise);
+    const int most = kind != nullptr && kind->mountable != nullptr ? kind->mountable(level.parameters) : 0;
+    const auto given = static_cast<int>(level.mounting.size());
+    if (most == 0)
+        problems.push_back({QStringLiteral("$.mounting"), QStringLiteral("given"),
+                            QStringLiteral("none: the devices of %1 stand as they are built").arg(QString::fromStdString(level.exercise))});
+    else if (given > most)
+        problems.push_back({QStringLiteral("$.mounting"), QStringLiteral("%1 bases").arg(given),
+                            QStringLiteral("at most one for each of the level's %1 instruments").arg(most)});
+}
+
 } // namespace
 
 void checkLevel(const ExerciseLevel& level, const QJsonObject& json, Problems& problems) {
     checkMetrics(level, problems);
     checkGates(level, json["gates"].toArray(), problems);
+    checkMounting(level, problems);
     if (!contains(level.cues, "object") && !level.needsForce)
         problems.push_back(
             {QStringLiteral("$.needs_force"), QStringLiteral("false"),

@@ -6,6 +6,7 @@
 #include "catalogue/exercise_kinds.h"
 #include "catalogue/json_file.h"
 #include "catalogue/object_reader.h"
+#include "core/units.h"
 
 namespace chiron::catalogue {
 
@@ -26,6 +27,15 @@ void readMetricsAndGates(const ObjectReader& json, ExerciseLevel& level) {
             out.maximum = gate.number("maximum");
         level.gates.push_back(std::move(out));
     });
+}
+
+core::BaseMounting readMounting(const ObjectReader& json) {
+    core::BaseMounting base;
+    base.scale = json.number("scale");
+    base.origin_m = {core::mFromMm(json.number("shift_x_mm")), core::mFromMm(json.number("shift_y_mm")), core::mFromMm(json.number("shift_z_mm"))};
+    base.leftHanded = json.boolean("mirrored");
+    base.turn_rad = {core::radFromDeg(json.number("turn_deg")), core::radFromDeg(json.number("tilt_deg")), core::radFromDeg(json.number("roll_deg"))};
+    return base;
 }
 
 } // namespace
@@ -55,6 +65,8 @@ ExerciseLevel levelFromResolved(const QJsonObject& document, Problems& problems)
         const ObjectReader shown = json.object("shown_force_variant");
         level.shownForce = ShownForceVariant{shown.texts("cues"), shown.translated("note")};
     }
+    if (json.has("mounting"))
+        json.eachObject("mounting", [&](const ObjectReader& base) { level.mounting.push_back(readMounting(base)); });
     readMetricsAndGates(json, level);
     if (const ExerciseKind* kind = findExerciseKind(level.exercise))
         level.parameters = kind->read(json.object("parameters"), level.cues);

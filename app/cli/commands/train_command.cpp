@@ -71,6 +71,7 @@ core::Result<std::vector<session::ScriptedSession>> plan(const Arguments& argume
     if (!turn)
         return tl::unexpected(turn.error());
     asked.mounting.turn_rad = *turn;
+    asked.mounting.turnGiven = arguments.has(QStringLiteral("base-turn"));
     std::vector<session::ScriptedSession> sessions;
     const int levels = static_cast<int>(exercise->levels.size());
     const bool all = arguments.value(QStringLiteral("level")) == QLatin1String("all");

@@ -14,24 +14,25 @@ namespace {
 constexpr double kLeastDepth_m = 0.0005; ///< less far in, nobody speaks of a stiffness: assumption
 }
 
-FingerSenses::FingerSenses(const PalpationPerceptionSettings& settings, const devices::WorkspaceMapping& place,
-                           std::uint64_t seed, const simulation::SurfaceShape& drawn)
-    : m_settings(settings), m_map(place), m_surface(drawn), m_random(core::Random::stream(seed, "palpation/senses")) {}
+FingerSenses::FingerSenses(const PalpationPerceptionSettings& settings, const mechanisms::HandParameters& hand,
+                           const devices::WorkspaceMapping& place, std::uint64_t seed, const simulation::SurfaceShape& drawn)
+    : m_settings(settings), m_map(place), m_surface(drawn), m_random(core::Random::stream(seed, "palpation/senses")), m_instrument(hand) {}
 
 /// Lean: models.md §3; roll is about y and tilts along x, pitch is about x and tilts against y (P3's platform).
-FingerSenses::Touch FingerSenses::touchOf(const mechanisms::HandPerception& real, const Vec3& normal_W) const noexcept {
+FingerSenses::Touch FingerSenses::padTouch(const mechanisms::HandPerception& real, const Vec3& normal_W) const noexcept {
+    const Vec3 across = m_map.orientationToW(real.q_DT) * Vec3::UnitX();
+    const Vec3 x = (across - across.dot(normal_W) * normal_W).normalized();
+    const core::DisplayPose pad = m_map.displayToW(real.pad);
     Touch out;
-    if (real.fingertip) {
-        const Vec3 across = m_map.orientationToW(real.q_DT) * Vec3::UnitX();
-        const Vec3 x = (across - across.dot(normal_W) * normal_W).normalized();
-        const core::DisplayPose pad = m_map.displayToW(real.pad);
-        out.force_N = pad.normalForce_N;
-        out.lean_rad = pad.roll_rad * x - pad.pitch_rad * normal_W.cross(x);
-        return out;
-    }
-    const Vec3 force = m_map.wrenchToW({real.f_T_D, Vec3::Zero()}).force;
-    out.force_N = force.dot(normal_W);
-    const Vec3 lateral = force - out.force_N * normal_W;
+    out.force_N = pad.normalForce_N;
+    out.lean_rad = pad.roll_rad * x - pad.pitch_rad * normal_W.cross(x);
+    return out;
+}
+
+FingerSenses::Touch FingerSenses::heldTouch(const Vec3& force_W, const Vec3& normal_W) const noexcept {
+    Touch out;
+    out.force_N = force_W.dot(normal_W);
+    const Vec3 lateral = force_W - out.force_N * normal_W;
     const double size = lateral.norm();
     if (size > 1e-9 && out.force_N > m_settings.touch_N)
         out.lean_rad = std::atan2(size, out.force_N) / size * lateral;
@@ -50,12 +51,14 @@ FingerSenses::Seen FingerSenses::seenAt(const Vec3& place_W, const FingerOrder& 
 }
 
 bool FingerSenses::feel(const mechanisms::HandPerception& real, const FingerOrder& order) noexcept {
-    const Touch touch = touchOf(real, order.normal_W);
-    const Vec3 place = m_map.pointToW(real.p_DT);
-    const Seen seen = seenAt(place, order);
-    if (!m_touching && touch.force_N >= m_settings.touch_N) {
+    if (!real.fingertip)
+        m_instrument.feel(real.p_DT, real.f_T_D);
+    const Seen seen = seenAt(m_map.pointToW(real.fingertip ? real.p_DT : m_instrument.tip()), order);
+    const Touch touch = real.fingertip ? padTouch(real, order.normal_W)
+                                       : heldTouch(m_map.wrenchToW({real.f_T_D, Vec3::Zero()}).force, order.normal_W);
+    if (!m_touching && touch.force_N >= m_settings.touch_N && (real.fingertip || seen.height_m <= 0.0)) {
         m_touching = true;
-        m_touchedAt_m = seen.height_m;
+        m_touchedAt_m = real.fingertip ? seen.height_m : 0.0;
     } else if (m_touching && touch.force_N < 0.5 * m_settings.touch_N) {
         m_touching = false;
     }

@@ -4,6 +4,7 @@
 #include "core/random.h"
 #include "devices/api/workspace_map.h"
 #include "mechanisms/hand_strategy.h"
+#include "operators/comparison/instrument_feel.h"
 #include "operators/palpation/finger_order.h"
 #include "operators/palpation/operator_settings.h"
 #include "operators/palpation/press.h"
@@ -15,11 +16,12 @@ namespace chiron::operators {
 
 /// Turns what really happens to one finger while it attends to a press into what is felt: force along the seen surface's normal,
 /// how far the finger went into the surface, as drawn, since it touched, lean. On a fingertip platform (HandPerception::fingertip) from what it does to the pad,
-/// else from the force on the hand. Seeded. Haptic thread, no allocation.
+/// whose every force is the tissue's. Of an instrument that `hand` holds, from the force on the hand: its tip is where the grip yields to (InstrumentFeel), and it
+/// touches where it is seen to, since its own friction and mass are felt before. Seeded. Haptic thread, no allocation.
 class FingerSenses {
 public:
-    FingerSenses(const PalpationPerceptionSettings& settings, const devices::WorkspaceMapping& place, std::uint64_t seed,
-                 const simulation::SurfaceShape& drawn = {});
+    FingerSenses(const PalpationPerceptionSettings& settings, const mechanisms::HandParameters& hand, const devices::WorkspaceMapping& place,
+                 std::uint64_t seed, const simulation::SurfaceShape& drawn = {});
     /// Every tick. True when a press is over and what was felt is ready in press().
     bool feel(const mechanisms::HandPerception& real, const FingerOrder& order) noexcept;
     const Press& press() const noexcept { return m_press; }
@@ -35,13 +37,15 @@ private:
         core::Vec3 foot_W = core::Vec3::Zero();
     };
     Seen seenAt(const core::Vec3& place_W, const FingerOrder& order) const noexcept;
-    Touch touchOf(const mechanisms::HandPerception& real, const core::Vec3& normal_W) const noexcept;
+    Touch padTouch(const mechanisms::HandPerception& real, const core::Vec3& normal_W) const noexcept;
+    Touch heldTouch(const core::Vec3& force_W, const core::Vec3& normal_W) const noexcept;
     void judge(bool platform, int pressure) noexcept;
 
     PalpationPerceptionSettings m_settings;
     devices::WorkspaceMap m_map;
     simulation::TissueSurface m_surface; ///< as drawn
     core::Random m_random;
+    InstrumentFeel m_instrument;
     bool m_touching = false;
     double m_touchedAt_m = 0.0; ///< height over the surface
     int m_attended = 0;         ///< presses that it has told of

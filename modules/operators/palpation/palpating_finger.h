@@ -16,7 +16,7 @@ namespace chiron::operators {
 /// in a tick, so what is thought in a tick moves the first finger in the next one. Haptic thread: no allocation after construction.
 class PalpatingFinger final : public mechanisms::HandStrategy {
 public:
-    PalpatingFinger(std::shared_ptr<PalpationTrainee> mind, std::size_t tool, const PalpationPerceptionSettings& perception,
+    PalpatingFinger(std::shared_ptr<PalpationTrainee> mind, std::size_t tool, const PalpationOperatorSettings& settings,
                     const devices::WorkspaceMapping& place, std::uint64_t seed, const simulation::SurfaceShape& drawn);
     ~PalpatingFinger() override;
     mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override;

@@ -135,7 +135,7 @@ makePalpationOperator(const PalpationOperatorSettings& settings, const Palpation
     const auto tools = static_cast<std::size_t>(briefing.hands * briefing.fingers);
     for (std::size_t tool = 0; tool < tools; ++tool)
         fingers.push_back(std::make_unique<PalpatingFinger>(
-            mind, tool, settings.perception, tool < briefing.places.size() ? briefing.places[tool] : devices::WorkspaceMapping{},
+            mind, tool, settings, tool < briefing.places.size() ? briefing.places[tool] : devices::WorkspaceMapping{},
             core::Random::mix(seed, "finger " + std::to_string(tool)), briefing.surface));
     return fingers;
 }
@@ -149,9 +149,9 @@ PalpationTrainee::PalpationTrainee(const PalpationOperatorSettings& settings, co
     m_rightFirst = briefing.hands > 1 && places.size() > second && places[0].origin_m[0] > places[second].origin_m[0];
 }
 
-PalpatingFinger::PalpatingFinger(std::shared_ptr<PalpationTrainee> mind, std::size_t tool, const PalpationPerceptionSettings& perception,
+PalpatingFinger::PalpatingFinger(std::shared_ptr<PalpationTrainee> mind, std::size_t tool, const PalpationOperatorSettings& settings,
                                  const devices::WorkspaceMapping& place, std::uint64_t seed, const simulation::SurfaceShape& drawn)
-    : m_mind(std::move(mind)), m_tool(tool), m_map(place), m_senses(perception, place, seed, drawn) {}
+    : m_mind(std::move(mind)), m_tool(tool), m_map(place), m_senses(settings.perception, settings.hand, place, seed, drawn) {}
 
 PalpatingFinger::~PalpatingFinger() = default;
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
+#include "core/units.h"
 #include "support/content_copy.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
@@ -43,6 +45,7 @@ private slots:
     void valuesReachTheStruct();
     void everyParameterKeyReachesTheStruct();
     void resolvedLevelRebuildsItself();
+    void mountingIsKept();
     void resolvedLevelReadsNoFile();
     void resolvedLevelHasEveryDefault();
     void olderContentKeepsItsMeaning();
@@ -114,6 +117,32 @@ void TestCatalogue::resolvedLevelRebuildsItself() {
         QCOMPARE(again->gates.size(), level.gates.size());
         QCOMPARE(again->metrics.size(), level.metrics.size());
     }
+}
+
+// P2's flexible mounting as content: origin, scale, mirror and turn of each base; stored content without it stands as it did.
+void TestCatalogue::mountingIsKept() {
+    const auto catalogue = Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+    QJsonObject document = json(catalogue->find("elastic_tube", 4)->resolvedJson);
+    QJsonObject level = document["level"].toObject();
+    level.remove("mounting"); // as of before there was one
+    document["level"] = level;
+    const auto before = fromResolvedJson(canonicalJson(document));
+    QVERIFY(before && before->mounting.empty());
+    const QJsonObject usual{{"shift_x_mm", 0}, {"shift_y_mm", 0}, {"shift_z_mm", 0}, {"scale", 1}, {"mirrored", false}, {"turn_deg", 0}, {"tilt_deg", 0}, {"roll_deg", 0}};
+    const QJsonObject turned{{"shift_x_mm", 4}, {"shift_y_mm", -5}, {"shift_z_mm", 6}, {"scale", 2}, {"mirrored", true}, {"turn_deg", 10}, {"tilt_deg", -20}, {"roll_deg", 30}};
+    level["mounting"] = QJsonArray{usual, turned};
+    document["level"] = level;
+    const auto after = fromResolvedJson(canonicalJson(document));
+    QVERIFY2(after.has_value(), after ? "" : after.error().message.c_str());
+    QCOMPARE(after->mounting.size(), std::size_t{2});
+    QVERIFY(!after->mounting[0].turned() && after->mounting[0].scale == 1.0 && !after->mounting[0].leftHanded);
+    const core::BaseMounting& base = after->mounting[1];
+    QVERIFY(std::abs(base.origin_m[0] - 0.004) < 1e-12 && std::abs(base.origin_m[1] + 0.005) < 1e-12 && std::abs(base.origin_m[2] - 0.006) < 1e-12);
+    QVERIFY(base.scale == 2.0 && base.leftHanded);
+    QVERIFY(std::abs(base.turn_rad[0] - core::radFromDeg(10.0)) < 1e-12 && std::abs(base.turn_rad[1] + core::radFromDeg(20.0)) < 1e-12 &&
+            std::abs(base.turn_rad[2] - core::radFromDeg(30.0)) < 1e-12);
+    QVERIFY(after->resolvedSha256 != before->resolvedSha256);
+    QCOMPARE(fromResolvedJson(after->resolvedJson)->resolvedSha256, after->resolvedSha256);
 }
 
 void TestCatalogue::resolvedLevelReadsNoFile() {

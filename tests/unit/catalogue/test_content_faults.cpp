@@ -58,6 +58,9 @@ void TestContentFaults::crossChecks_data() {
     row("gated twice", "\"metric\": \"apex_misses\", \"unit\": \"count\"",
         "\"metric\": \"apex_error_mean\", \"unit\": \"% of R\"", "$.gates[1].metric: \"apex_error_mean\"");
     row("nothing seen, no force", "\"needs_force\": true", "\"needs_force\": false", "$.needs_force: false");
+    row("mounting of a device that stands as it is built", "\"needs_force\": true,", "\"needs_force\": true, \"mounting\": [{\"turn_deg\": 5}],", "$.mounting: given");
+    row("base turned too far", "\"needs_force\": true,", "\"needs_force\": true, \"mounting\": [{\"tilt_deg\": 46}],", "$.mounting[0].tilt_deg: 46");
+    row("base without a shift in metres", "\"needs_force\": true,", "\"needs_force\": true, \"mounting\": [{\"shift_x_m\": 0.01}],", "$.mounting[0].shift_x_m: unknown key");
     row("variant shows the object", "\"cues\": [\"tool\", \"arrow\"", "\"cues\": [\"object\", \"arrow\"",
         "$.shown_force_variant.cues: \"object\"");
     row("unknown cue", "\"cues\": [\"tool\", \"arrow\"", "\"cues\": [\"tool\", \"arow\"",

@@ -19,6 +19,7 @@ class TestPalpationPerception : public QObject {
 private slots:
     void platformAndForceTellTheSame_data();
     void platformAndForceTellTheSame();
+    void frictionInTheAirIsNoTouch();
     void noiseIsWhatItSays();
     void mapFindsWhereItIs();
     void mapOfNoiseStaysBelow();
@@ -103,18 +104,18 @@ void TestPalpationPerception::platformAndForceTellTheSame() {
     mechanisms::HandPerception onPlatform;
     onPlatform.fingertip = true;
     onPlatform.pad = {1.5, -y, x}; // roll = + l·x, pitch = − l·y
-    FingerSenses one(noiseless(), {}, 1);
+    FingerSenses one(noiseless(), {}, {}, 1);
     const Press shown = pressOnce(one, onPlatform, 0.005, 1);
     devices::WorkspaceMapping left;
     left.leftHanded = true;
     onPlatform.pad.roll_rad = -x; // on the mirrored device
-    FingerSenses mirror(noiseless(), left, 1);
+    FingerSenses mirror(noiseless(), {}, left, 1);
     const Press mirrored = pressOnce(mirror, onPlatform, 0.005, 1);
     QVERIFY((mirrored.lean_rad - Vec2(x, y)).norm() < 1e-9);
     mechanisms::HandPerception pushed;
     const double size = std::hypot(x, y);
     pushed.f_T_D = {1.5 * std::tan(size) * x / size, 1.5 * std::tan(size) * y / size, 1.5};
-    FingerSenses other(noiseless(), {}, 1);
+    FingerSenses other(noiseless(), {}, {}, 1);
     const Press felt = pressOnce(other, pushed, 0.005, 1);
     QVERIFY((shown.lean_rad - Vec2(x, y)).norm() < 1e-9);
     QVERIFY((felt.lean_rad - Vec2(x, y)).norm() < 1e-9);
@@ -123,11 +124,35 @@ void TestPalpationPerception::platformAndForceTellTheSame() {
     QVERIFY(shown.depth_m < 0.005 && shown.depth_m > 0.005 * (1.0 - 0.05 / 1.5) - 0.00011);
 }
 
+// A held instrument answers the hand before it touches (friction), and the grip gives way: how far its tip went into the tissue is told all the same.
+void TestPalpationPerception::frictionInTheAirIsNoTouch() {
+    constexpr double kTissue_N_per_m = 600.0, kOwn_N = 0.1, kGrip_N_per_m = mechanisms::HandParameters{}.gripStiffness_N_per_m;
+    FingerSenses senses(noiseless(), {}, {}, 1);
+    FingerOrder order;
+    order.press = 1;
+    order.attendFrom_s = 1.2;
+    order.attendUntil_s = 1.5;
+    mechanisms::HandPerception seen;
+    bool told = false, touchedInTheAir = false;
+    for (int i = 0; i < 1600 && !told; ++i) {
+        seen.time_s = 0.001 * i;
+        const double tip_m = std::max(0.010 - 0.013 * i / 1000.0, -0.003); // down by 13 mm in a second
+        const double tissue_N = kTissue_N_per_m * std::max(0.0, -tip_m);
+        seen.f_T_D = {0.0, 0.0, tissue_N + kOwn_N};
+        seen.p_DT = {0.0, 0.0, tip_m - seen.f_T_D.z() / kGrip_N_per_m};
+        told = senses.feel(seen, order);
+        touchedInTheAir |= senses.touching() && tip_m > 0.0;
+    }
+    QVERIFY(told && !touchedInTheAir);
+    QVERIFY(std::abs(senses.press().force_N - kTissue_N_per_m * 0.003 - kOwn_N) < 1e-9);
+    QVERIFY2(std::abs(senses.press().depth_m - 0.003) < 1e-5, qPrintable(QString::number(senses.press().depth_m)));
+}
+
 // SD of felt stiffness over its mean: force, depth and memory together, and nothing else.
 void TestPalpationPerception::noiseIsWhatItSays() {
     PalpationPerceptionSettings settings;
     settings.hand.forceFloorSd_N = 0.0;
-    FingerSenses senses(settings, {}, 7);
+    FingerSenses senses(settings, {}, {}, 7);
     mechanisms::HandPerception seen;
     seen.fingertip = true;
     seen.pad.normalForce_N = 1.5;

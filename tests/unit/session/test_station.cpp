@@ -3,6 +3,7 @@
 #include "core/units.h"
 #include "devices/api/workspace_map.h"
 #include "scoring/trace_csv.h"
+#include "catalogue/catalogue.h"
 #include "session/station.h"
 
 #include <QtTest>
@@ -136,6 +137,35 @@ private slots:
         QCOMPARE(refused.error().code, core::ErrorCode::wrongUse);
         const auto pointer = session::keyboardMouseStation(turned);
         QVERIFY(pointer && !pointer->mappings.front().turned()); // a mouse has no base
+    }
+
+    /// What a level says of its bases holds, each beside where the exercise puts it, until somebody says otherwise.
+    void aLevelMountsItsBases() {
+        const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+        catalogue::ExerciseLevel level = *catalogue->find("elastic_tube", 4);
+        const auto kind = session::exerciseKind("elastic_tube");
+        level.mounting.clear();
+        const auto station = [&](const session::WorkspaceChoice& chosen) {
+            auto made = session::scriptedStation(**kind, level, "expert", 5, mechanisms::PolarMap::exact, {}, chosen);
+            return made ? made->mappings : std::vector<devices::WorkspaceMapping>{};
+        };
+        const auto usual = station({});
+        QVERIFY(usual.size() == 2 && !usual[0].turned());
+        level.mounting = {{}, {.scale = 0.9, .origin_m = {0.01, 0.0, 0.002}, .leftHanded = false, .turn_rad = {0.2, 0.1, 0.0}}};
+        const auto mounted = station({});
+        QCOMPARE(mounted.size(), std::size_t{2});
+        QVERIFY(mounted[0].q_WD == usual[0].q_WD && mounted[0].origin_m == usual[0].origin_m);
+        QVERIFY(std::abs(mounted[1].origin_m[0] - usual[1].origin_m[0] - 0.01) < 1e-12 && mounted[1].scale == 0.9);
+        QVERIFY(mounted[1].q_WD == session::mappingOf(level.mounting[1])->q_WD);
+        const auto otherwise = station({.scale = 1.0, .origin_m = {}, .leftHanded = false, .turn_rad = {-0.3, 0.0, 0.0}});
+        QVERIFY(otherwise[0].q_WD == otherwise[1].q_WD && otherwise[1].q_WD == session::mappingOf({.turn_rad = {-0.3, 0.0, 0.0}})->q_WD);
+        QVERIFY(otherwise[1].scale == 0.9); // of that nothing was said
+        const auto straight = station({.scale = 1.0, .origin_m = {}, .leftHanded = false, .turn_rad = {}, .turnGiven = true});
+        QVERIFY(!straight[1].turned());
+        const auto pointer = session::keyboardMouseStation({}, **kind, level);
+        QVERIFY(pointer && !pointer->mappings[1].turned() && pointer->mappings[1].scale == 1.0); // a mouse is mounted nowhere
+        level.mounting[1].turn_rad[0] = 1.0; // stored content that no schema saw
+        QVERIFY(station({}).empty());
     }
 
     void theScriptedOperatorHoldsTheMechanismOfTheExercise() {
