@@ -2,7 +2,7 @@
 // laparoscopy_pictures FOLDER [light] [NAME ...]: tube and ovaries, one PNG a state and theme, in 3D and flat.
 // laparoscopy_pictures FOLDER figures: the README's rows of three. Under Xvfb or on a screen.
 #include "desktop/scene3d/scene_loader.h"
-#include "gui/scene3d/laparoscopy_samples.h"
+#include "gui/scene3d/picture_states.h"
 
 #include <QApplication>
 #include <QDir>
@@ -20,53 +20,14 @@ using chiron::simulation::TubeTask;
 
 namespace {
 
-struct Picture {
-    const char* name;
-    SceneSetup setup;
-    SceneState state;
-};
+using samples::Picture;
+using samples::laparoscopyPictures;
 
 void pass(int milliseconds) {
     QElapsedTimer timer;
     timer.start();
     while (timer.elapsed() < milliseconds)
         QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-}
-
-std::vector<Picture> pictures() {
-    SceneState torn = samples::tubeState({0.030, -0.012, 0.078}, true);
-    torn.laparoscopy.torn = true;
-    torn.laparoscopy.tension_N = 0.0;
-    torn.tool[0].force_N.setZero();
-    SceneState mark = samples::tubeState({0.020, -0.016, 0.046}, true);
-    mark.laparoscopy.targetShown = true;
-    SceneState squeezed = samples::handlingState(true);
-    squeezed.laparoscopy.squeeze_N[0] = 2.4;
-    squeezed.laparoscopy.body[1].squeeze_m = 0.006;
-    SceneSetup organ = samples::handlingSetup();
-    auto& bed = std::get<chiron::simulation::ObjectHandlingParameters>(organ.parameters);
-    bed.organBed = true;
-    bed.bedMesh.shape = chiron::simulation::MeshSource::Shape::ellipsoid;
-    bed.bedMesh.halfAxisX_m = bed.bedMesh.halfAxisY_m = 0.090;
-    bed.bedMesh.halfAxisZ_m = 0.014;
-    bed.bedMesh.edge_m = 0.006;
-    bed.bedMesh.bumpHeight_m = 0.0004;
-    bed.bedMesh.bumpWavelength_m = 0.040;
-    SceneState onOrgan = samples::handlingState(false);
-    for (int i = 0; i < 3; ++i)
-        onOrgan.laparoscopy.body[std::size_t(i)].p_W[2] = 0.007;
-    return {{"ovary_organ", organ, onOrgan},
-            {"tube_lying", samples::tubeSetup(), samples::tubeState({0.030, -0.022, 0.003}, false)},
-            {"tube_slack", samples::tubeSetup(), samples::tubeState({0.016, -0.014, 0.024}, true)},
-            {"tube_taut", samples::tubeSetup(), samples::tubeState({0.026, -0.016, 0.052}, true)},
-            {"tube_mark", samples::tubeSetup(TubeTask::stretch), mark},
-            {"tube_torn", samples::tubeSetup(TubeTask::stretch), torn},
-            {"tube_two_handed", samples::tubeSetup(TubeTask::twoHanded), samples::twoHanded(0.064)},
-            {"tube_two_slack", samples::tubeSetup(TubeTask::twoHanded), samples::twoHanded(0.034)},
-            {"tube_transfer", samples::tubeSetup(TubeTask::transfer), samples::handOver()},
-            {"ovary_lying", samples::handlingSetup(), samples::handlingState(false)},
-            {"ovary_carried", samples::handlingSetup(), samples::handlingState(true)},
-            {"ovary_squeezed", samples::handlingSetup(), squeezed}};
 }
 
 QPixmap taken(Picture& picture, bool flat) {
@@ -87,7 +48,7 @@ QPixmap taken(Picture& picture, bool flat) {
 }
 
 void takeAll(bool flat, const QString& theme, const SceneColours& colours, const QDir& folder, const QStringList& wanted) {
-    for (Picture& picture : pictures()) {
+    for (Picture& picture : laparoscopyPictures()) {
         if (!wanted.isEmpty() && !wanted.contains(QLatin1String(picture.name)))
             continue;
         picture.setup.colours = colours;
@@ -103,7 +64,7 @@ void takeFigure(const QDir& folder, const QString& file, const QStringList& name
     QImage row(int(names.size()) * kEach.width(), kEach.height(), QImage::Format_RGB32);
     QPainter painter(&row);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    for (Picture& picture : pictures())
+    for (Picture& picture : laparoscopyPictures())
         if (const qsizetype at = names.indexOf(QLatin1String(picture.name)); at >= 0)
             painter.drawPixmap(QPoint(int(at) * kEach.width(), 0), taken(picture, false).scaled(kEach, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     painter.end();

@@ -2,7 +2,7 @@
 // palpation_pictures FOLDER [light] [NAME ...]: tissues, fingers, findings and maps, one PNG a state and theme, in 3D and flat.
 // palpation_pictures FOLDER figures: the README's sheets. Under Xvfb or on a screen.
 #include "desktop/scene3d/scene_loader.h"
-#include "gui/scene3d/palpation_samples.h"
+#include "gui/scene3d/picture_states.h"
 
 #include <QApplication>
 #include <QDir>
@@ -21,82 +21,14 @@ using samples::Tissue;
 
 namespace {
 
-struct Picture {
-    const char* name;
-    SceneSetup setup;
-    SceneState state;
-    simulation::SurfaceMap map;
-    bool mapShown = false;
-};
+using samples::Picture;
+using samples::palpationPictures;
 
 void pass(int milliseconds) {
     QElapsedTimer timer;
     timer.start();
     while (timer.elapsed() < milliseconds)
         QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-}
-
-Picture visibleLump() {
-    Picture picture{"pad_visible", samples::palpationSetup(Tissue::pad), {}, {}, true};
-    samples::addLump(picture.state, picture.setup, {0.012, 0.010}, 0.012, 0.0075, false);
-    samples::pressFinger(picture.state, picture.setup, 0, {0.004, 0.004}, 0.004, {-0.5, -0.2});
-    picture.map = samples::searched(picture.setup, 0.45);
-    return picture;
-}
-
-Picture hidden() {
-    Picture picture{"pad_hidden", samples::palpationSetup(Tissue::pad), {}, {}, false};
-    samples::pressFinger(picture.state, picture.setup, 0, {-0.016, 0.012}, -0.012);
-    samples::addFinding(picture.state, picture.setup, 0, {0.018, 0.014}, FindingOutcome::open);
-    return picture;
-}
-
-Picture prostate() {
-    Picture picture{"prostate", samples::palpationSetup(Tissue::prostate), {}, {}, false};
-    samples::pressFinger(picture.state, picture.setup, 0, {0.011, -0.002}, 0.0035, {0.7, 1.3});
-    samples::addFinding(picture.state, picture.setup, 0, {-0.013, 0.006}, FindingOutcome::open);
-    return picture;
-}
-
-Picture twoHands() {
-    Picture picture{"breast_two_hands", samples::palpationSetup(Tissue::breast, 2), {}, {}, false};
-    samples::pressFinger(picture.state, picture.setup, 0, {0.022, -0.004}, 0.005, {0.3, 0.3});
-    samples::pressFinger(picture.state, picture.setup, 1, {-0.020, 0.006}, 0.004, {-0.3, 0.1});
-    picture.state.activeTool = 0;
-    samples::addFinding(picture.state, picture.setup, 0, {-0.008, 0.026}, FindingOutcome::open);
-    return picture;
-}
-
-Picture pattern() {
-    Picture picture{"breast_pattern", samples::palpationSetup(Tissue::breast, 1, 2), {}, {}, true};
-    samples::pressFinger(picture.state, picture.setup, 0, {0.004, -0.006}, 0.005, {0.2, 0.2});
-    samples::pressFinger(picture.state, picture.setup, 1, {-0.014, -0.006}, 0.005, {0.1, 0.2});
-    picture.map = samples::searched(picture.setup, 0.6);
-    return picture;
-}
-
-Picture playback(core::SurfaceMapKind kind) {
-    Picture picture{kind == core::SurfaceMapKind::force ? "playback_force" : "playback_coverage", samples::palpationSetup(Tissue::breast, 2), {}, {}, true};
-    picture.state.mapKind = kind;
-    samples::addLump(picture.state, picture.setup, {-0.020, 0.016}, 0.012, 0.0075, false);
-    samples::addLump(picture.state, picture.setup, {0.022, -0.014}, 0.010, 0.005, true);
-    samples::addFinding(picture.state, picture.setup, 0, {-0.017, 0.019}, FindingOutcome::hit);
-    samples::addFinding(picture.state, picture.setup, 1, {0.014, 0.024}, FindingOutcome::falseAlarm);
-    picture.map = samples::searched(picture.setup, 0.8);
-    return picture;
-}
-
-Picture shown() {
-    Picture picture{"pad_pseudo", samples::palpationSetup(Tissue::pad), {}, {}, false};
-    samples::pressFinger(picture.state, picture.setup, 0, {0.0, 0.0}, 0.009);
-    picture.state.tool[0].drawnAtSurface = true;
-    picture.state.ghost = picture.state.tool[0];
-    picture.state.ghost.p_WProxy = picture.state.ghost.p_WT = {0.022, 0.012, 0.004};
-    return picture;
-}
-
-std::list<Picture> pictures() {
-    return {visibleLump(), hidden(), prostate(), twoHands(), pattern(), playback(core::SurfaceMapKind::coverage), playback(core::SurfaceMapKind::force), shown()};
 }
 
 QPixmap taken(Picture& picture, bool flat) {
@@ -119,7 +51,7 @@ QPixmap taken(Picture& picture, bool flat) {
 }
 
 void takeAll(bool flat, const QString& theme, const SceneColours& colours, const QDir& folder, const QStringList& wanted) {
-    for (Picture& picture : pictures()) {
+    for (Picture& picture : palpationPictures()) {
         if (!wanted.isEmpty() && !wanted.contains(QLatin1String(picture.name)))
             continue;
         picture.setup.colours = colours;
@@ -136,7 +68,7 @@ void takeFigure(const QDir& folder, const QString& file, const QStringList& name
     QImage sheet(kColumns * kEach.width(), int((names.size() + kColumns - 1) / kColumns) * kEach.height(), QImage::Format_RGB32);
     QPainter painter(&sheet);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    for (Picture& picture : pictures())
+    for (Picture& picture : palpationPictures())
         for (const bool flat : {false, true}) {
             const qsizetype at = names.indexOf(QLatin1String(flat ? "flat " : "") + QLatin1String(picture.name));
             if (at >= 0)

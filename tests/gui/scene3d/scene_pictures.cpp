@@ -2,7 +2,7 @@
 // scene_pictures FOLDER [WIDTH HEIGHT]: what the scene looks like, one PNG a state and theme. Under Xvfb or
 // on a screen.
 #include "desktop/scene3d/scene_loader.h"
-#include "gui/scene3d/scene_samples.h"
+#include "gui/scene3d/picture_states.h"
 
 #include <QApplication>
 #include <QDir>
@@ -23,40 +23,6 @@ void pass(int milliseconds) {
     timer.start();
     while (timer.elapsed() < milliseconds)
         QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-}
-
-std::map<QString, SceneState> states() {
-    std::map<QString, SceneState> all;
-    all["air"] = samples::inAir();
-    all["contact"] = samples::pressed(2.0);
-    all["over"] = samples::pressed(5.2);
-    all["pseudo"] = samples::pressed(3.0);
-    all["pseudo"].tool[0].drawnAtSurface = true;
-    all["hidden"] = samples::inAir();
-    all["hidden"].objectShown = false;
-    all["playback"] = samples::pressed(1.2);
-    all["playback"].marked = true;
-    all["playback"].p_WMark = {0.017, 0.003, 0.019};
-    all["playback"].ghost = samples::inAir().tool[0];
-    all["playback"].ghost.p_WT = {-0.022, -0.025, 0.012};
-    all["playback"].ghost.q_WT = chiron::core::Quat(Eigen::AngleAxisd(-0.25, chiron::core::Vec3::UnitY()));
-    all["z_turned"] = samples::inAir();
-    all["z_turned"].tool[0].q_WT = chiron::core::Quat(Eigen::AngleAxisd(0.3, chiron::core::Vec3::UnitX()));
-    all["z_turned"].tool[0].jaw_rad = 0.6;
-    all["z_turned"].tool[1] = all["z_turned"].tool[0];
-    all["z_turned"].tool[1].p_WT = {0.05, -0.03, 0.02};
-    all["z_turned"].tool[1].q_WT = chiron::core::Quat(Eigen::AngleAxisd(0.3, chiron::core::Vec3(0, 1, 0)));
-    all["dimple"] = all["air"];
-    all["dimple"].dimpleShown = true;
-    all["dimple"].dimpleCentre_m = {0.006, -0.002};
-    all["plane"] = samples::inAir();
-    all["plane"].tool[0].p_WT = {-0.030, -0.030, -0.006};
-    all["plane"].tool[0].p_WProxy = {-0.030, -0.030, 0.0};
-    all["plane"].tool[0].force_N = {0.0, 0.0, 3.0};
-    all["rim"] = samples::inAir();
-    all["rim"].tool[0].p_WT = {0.026, -0.004, 0.003};
-    all["rim"].tool[0].force_N = {1.5, -1.2, 0.3};
-    return all;
 }
 
 } // namespace
@@ -93,7 +59,7 @@ int main(int argc, char** argv) {
                               ? qEnvironmentVariable("SCENE_SCALE").toDouble()
                               : 1.0;
             scene.view->change(setup);
-            for (const auto& [name, state] : states()) {
+            for (const auto& [name, state] : samples::apexStates()) {
                 scene.view->show(state);
                 pass(200);
                 scene.view->show(state);

@@ -3,8 +3,7 @@
 // screen. With NAME only those whose names contain it.
 // urethra_pictures FOLDER figures: those of the exercise's README, like P1's figures 4 and 5.
 #include "desktop/scene3d/scene_loader.h"
-#include "gui/scene3d/scene_samples.h"
-#include "gui/scene3d/urethra_samples.h"
+#include "gui/scene3d/picture_states.h"
 
 #include <QApplication>
 #include <QDir>
@@ -21,64 +20,15 @@ using namespace chiron::scene3d;
 
 namespace {
 
+using samples::shippedCanal;
+using samples::urethraPictures;
+using Picture = samples::UrethraPicture;
+
 void pass(int milliseconds) {
     QElapsedTimer timer;
     timer.start();
     while (timer.elapsed() < milliseconds)
         QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-}
-
-/// With the shape that the levels have: straight to B, then the bend.
-SceneSetup shippedCanal() {
-    SceneSetup setup = samples::urethraSetup();
-    auto& anatomy = std::get<chiron::simulation::UrethraInsertionParameters>(setup.parameters).anatomy;
-    anatomy.straight_m = 0.035;
-    anatomy.zEnd_m = 0.100;
-    anatomy.pivotSpan_m = 0.020;
-    return setup;
-}
-
-struct Picture {
-    SceneSetup setup = shippedCanal();
-    SceneState state;
-};
-
-Picture picture(const samples::ScopePose& pose, bool depthOfField = false) {
-    Picture made;
-    made.setup.depthOfField = depthOfField;
-    made.state = samples::urethraState(made.setup, pose);
-    return made;
-}
-
-std::map<QString, Picture> pictures() {
-    constexpr double kDegree = chiron::core::kPi / 180.0;
-    std::map<QString, Picture> all;
-    all["a_entrance"] = picture({.s_m = 0.0005});
-    all["a_before"] = picture({.s_m = -0.012});
-    all["b_up"] = picture({.s_m = 0.030, .pitch_rad = 14 * kDegree});
-    all["c_left"] = picture({.s_m = 0.030, .yaw_rad = 14 * kDegree});
-    all["d_middle"] = picture({.s_m = 0.060});
-    all["d_middle_focus"] = picture({.s_m = 0.060}, true);
-    all["e_offset"] = picture({.s_m = 0.080, .ex_m = 0.002, .en_m = -0.002, .pitch_rad = -0.15});
-    all["e_offset"].state.tool[0].force_N = {0.8, -0.6, 1.4};
-    all["f_neck"] = picture({.s_m = 0.132});
-    all["g_bladder"] = picture({.s_m = 0.152});
-    all["g_bladder_focus"] = picture({.s_m = 0.152}, true);
-    all["h_ureters"] = picture({.s_m = 0.160, .pitch_rad = -45 * kDegree});
-    all["h_ureters_focus"] = picture({.s_m = 0.160, .pitch_rad = -45 * kDegree}, true);
-    all["i_seen"] = all["h_ureters"];
-    all["i_seen"].state.endoscope.landmarksSeen = 1U << 3;
-    all["i_seen"].state.endoscope.dwell = 0.6;
-    all["i_seen"].state.endoscope.toLumen_T = {};
-    all["j_over"] = all["e_offset"];
-    all["j_over"].state.tool[0].force_N = {3.4, -2.6, 2.4};
-    all["k_off"] = all["d_middle"];
-    all["k_off"].setup.cues.object = false;
-    all["l_unguided"] = all["d_middle"];
-    all["l_unguided"].setup.cues = {.tool = true, .arrow = false, .object = true};
-    all["m_dark"] = all["e_offset"];
-    all["m_dark"].setup.colours = samples::dark();
-    return all;
 }
 
 /// The scene in a window of this size, and what it shows of a picture.
@@ -132,7 +82,7 @@ QImage row(const std::vector<QImage>& images) {
 
 /// The overview alone, with P1's coarse mesh of figure 4, at several places of the tip.
 QImage deformation() {
-    Picture what = picture({});
+    Picture what = samples::urethraPicture({});
     auto& p = std::get<chiron::simulation::UrethraInsertionParameters>(what.setup.parameters);
     p.mesh.n = 9;
     p.mesh.w = 13;
@@ -148,7 +98,7 @@ QImage deformation() {
 }
 
 void figures(const QDir& folder) {
-    const std::map<QString, Picture> all = pictures();
+    const std::map<QString, Picture> all = urethraPictures();
     {
         Camera camera(alone(shippedCanal()), QSize(340, 340));
         const auto taken = [&](const char* name) {
@@ -175,7 +125,7 @@ int main(int argc, char** argv) {
         return 0;
     }
     Camera camera(shippedCanal(), QSize(argc > 3 ? atoi(argv[2]) : 1024, argc > 3 ? atoi(argv[3]) : 768));
-    for (const auto& [name, what] : pictures()) {
+    for (const auto& [name, what] : urethraPictures()) {
         if (argc > 4 && !name.contains(QLatin1String(argv[4])))
             continue;
         camera.take(what).save(folder.filePath((camera.flat() ? "flat_urethra_" : "urethra_") + name + ".png"));
