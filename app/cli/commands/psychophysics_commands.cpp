@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_groups.h"
+#include "cli/psychophysics/fit_data.h"
 #include "cli/psychophysics/handlers.h"
 
 namespace chiron::cli {
@@ -16,24 +17,39 @@ CommandSpec command(const char* verb, const char* summary, const char* example, 
     return row;
 }
 
+void append(std::vector<OptionSpec>& options, const std::vector<OptionSpec>& more) { options.insert(options.end(), more.begin(), more.end()); }
+
 CommandSpec fitting() {
     CommandSpec row = command("fit", "fit a psychometric function", "chiron-cli psychophysics fit DATA.csv --function weibull --method bayes --guess 0.5 --lapse free --json", fitCurve);
-    row.operands = {{"DATA.csv", "columns intensity,n_correct,n_total; rows of one intensity are put together"}};
-    row.options = {{"function", "NAME", "logistic, gauss, weibull, gumbel, rgumbel, logn, hyperbolic or tdist; default: gauss"},
-                   {"method", "WORD", "bayes (psignifit's priors) or ml; default: bayes"},
-                   {"prior", "WORD", "bayes, of the width: psignifit, wide (from a step to nine ranges), or auto (psignifit's, and intervals of the wide one where the answers disagree with it); default: auto"},
-                   {"guess", "G", "a proportion, free, or equal (as the lapse); default: 0.5"},
-                   {"lapse", "L", "a proportion or free; default: free"},
-                   {"scale", "WORD", "axis it is fitted on: linear, ln, log10, db; default: ln for weibull and logn, else linear"},
-                   {"confidence", "C", "of the intervals; default: 0.95"},
-                   {"threshold-at", "P", "also the intensity at this proportion (of the curve with guess and lapse)"},
-                   {"unscaled", {}, "--threshold-at means the curve without guess and lapse"},
-                   {"reference", "R", "also the Weber fraction JND/R"},
-                   {"bootstrap", "N", "ml: intervals from so many bootstrap fits (BCa) instead of the likelihood's profile"},
-                   {"nonparametric", {}, "--bootstrap draws from each level's answers, not from the fitted curve"},
-                   {"monte-carlo", "N", "p_value from so many simulated data sets, not from chi-square"},
-                   {"curve", "N", "also the fitted curve and its band at so many points"},
-                   {"seed", "S", "of what is drawn; default: 1"}};
+    row.operands = {{"DATA.csv", "columns intensity,n_correct,n_total; rows of one intensity are put together; or single trials, see --correct"}};
+    row.options = curveOptions();
+    append(row.options, {{"by", "COLUMN[,COLUMN]", "one fit for each value there (participants, conditions)"}});
+    append(row.options, answerOptions());
+    append(row.options,
+           {{"method", "WORD", "bayes (psignifit's priors) or ml; default: bayes"},
+            {"prior", "WORD", "bayes, of the width: psignifit, open_below (down to a step), open_above (to nine ranges), wide (both), or auto (psignifit's, and intervals open at the ends at which it, and not the answers, would decide); default: auto"},
+            {"confidence", "C", "of the intervals; default: 0.95"},
+            {"threshold-at", "P", "also the intensity at this proportion (of the curve with guess and lapse)"},
+            {"unscaled", {}, "--threshold-at means the curve without guess and lapse"},
+            {"reference", "R", "also the Weber fraction JND/R"},
+            {"bootstrap", "N", "ml: intervals from so many bootstrap fits (BCa) instead of the likelihood's profile"},
+            {"nonparametric", {}, "--bootstrap draws from each level's answers, not from the fitted curve"},
+            {"monte-carlo", "N", "p_value from so many simulated data sets, not from chi-square"},
+            {"curve", "N", "also the fitted curve and its band at so many points"},
+            {"seed", "S", "of what is drawn; default: 1"}});
+    return row;
+}
+
+CommandSpec comparing() {
+    CommandSpec row = command("compare", "do groups differ in threshold, width, lapse or guess: likelihood ratio and AIC of two models, of answers at intensities that were fixed beforehand",
+                              "chiron-cli psychophysics compare TRIALS.csv --by condition --test threshold --shared width,lapse --monte-carlo 1000 --json", compareModels);
+    row.operands = {{"DATA.csv", "as of fit: columns intensity,n_correct,n_total, or single trials"}};
+    row.options = {{"by", "COLUMN[,COLUMN]", "the groups that are compared, 2 to 50", true},
+                   {"test", "A,B,...", "what may differ: threshold, width, lapse, guess; the smaller model has it in common, the larger each group's own; default: threshold"},
+                   {"shared", "A,B,...", "what groups have in common in both models: the same words, or none; default: lapse,guess"}};
+    append(row.options, curveOptions());
+    append(row.options, answerOptions());
+    append(row.options, {{"monte-carlo", "N", "p_value from so many sets of answers drawn from the smaller model, not from chi-square"}, {"seed", "S", "of what is drawn; default: 1"}});
     return row;
 }
 
@@ -74,7 +90,7 @@ CommandSpec ranking() {
 } // namespace
 
 std::vector<CommandSpec> psychophysicsCommands() {
-    return {fitting(), adapting(), detecting(), ranking()};
+    return {fitting(), comparing(), adapting(), detecting(), ranking()};
 }
 
 } // namespace chiron::cli

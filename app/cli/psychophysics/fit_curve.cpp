@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/csv_table.h"
 #include "cli/messages.h"
+#include "cli/psychophysics/fit_data.h"
 #include "cli/psychophysics/handlers.h"
 #include "cli/text_table.h"
 #include "psychophysics/fits/fit.h"
-#include "psychophysics/fits/prepared_levels.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -19,84 +18,6 @@ using namespace psychophysics;
 constexpr int kDrawsOfDerived = 2000; ///< of the posterior, for the interval of a threshold at another proportion
 
 QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
-
-QStringList sigmoidNames() {
-    QStringList names;
-    for (int i = 0; i < kSigmoids; ++i)
-        names << text(token(static_cast<Sigmoid>(i)));
-    return names;
-}
-
-struct ReadLevels {
-    PsychometricData data;
-    QString leftOut; ///< where the rows are that cannot be used; empty: all can
-};
-
-/// "DATA.csv: lines 3, 7": a few of them, since a column of another kind makes all of them so.
-QString placesOf(const CsvTable& table, const std::vector<std::size_t>& rows) {
-    constexpr std::size_t kMostNamed = 5;
-    QStringList lines;
-    for (std::size_t i = 0; i < std::min(rows.size(), kMostNamed); ++i)
-        lines << QString::number(table.lines[rows[i]]);
-    return rows.empty() ? QString()
-                        : QStringLiteral("%1: %2 %3%4").arg(table.name, rows.size() == 1 ? QStringLiteral("line") : QStringLiteral("lines"), lines.join(QStringLiteral(", ")),
-                                                           rows.size() > kMostNamed ? QStringLiteral(" ...") : QString());
-}
-
-core::Result<ReadLevels> readLevels(const QString& path) {
-    const auto table = readCsvTable(path);
-    if (!table)
-        return tl::unexpected(table.error());
-    std::array<int, 3> columns{};
-    const std::array<QString, 3> names{QStringLiteral("intensity"), QStringLiteral("n_correct"), QStringLiteral("n_total")};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        columns[i] = table->column(names[i]);
-        if (columns[i] < 0)
-            return badInput(QStringLiteral("%1:1: column %2 is missing; expected intensity,n_correct,n_total").arg(path, names[i]));
-    }
-    ReadLevels read;
-    double trials = 0.0;
-    std::vector<std::size_t> unusable;
-    for (std::size_t row = 0; row < table->rows.size(); ++row) {
-        std::array<double, 3> values{};
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const auto value = table->number(row, columns[i]);
-            if (!value)
-                return tl::unexpected(value.error());
-            values[i] = *value;
-        }
-        constexpr double kMostTrials = 1e9; // of a level: beyond, a posterior is narrower than any grid
-        if (std::isfinite(values[2]) && values[2] > kMostTrials)
-            return table->fault(row, columns[2], QStringLiteral("at most 1e9"));
-        trials += values[2] > 0.0 ? values[2] : 0.0;
-        if (trials > kMostTrials) // of all levels together, or the grid takes all memory
-            return table->fault(row, columns[2], QStringLiteral("at most 1e9 of all rows together"));
-        read.data.x.push_back(values[0]);
-        read.data.k.push_back(values[1]);
-        read.data.n.push_back(values[2]);
-        if (!isUsableRow(values[0], values[1], values[2]))
-            unusable.push_back(row);
-    }
-    read.leftOut = placesOf(*table, unusable);
-    return read;
-}
-
-/// A proportion, "free", or (where `equal` may be) "equal".
-core::Result<Asymptote> asymptote(const Arguments& arguments, const QString& option, bool equal, Asymptote fallback) {
-    if (!arguments.has(option))
-        return fallback;
-    const QString given = arguments.value(option);
-    if (given == u"free")
-        return Asymptote::fitted();
-    if (equal && given == u"equal")
-        return Asymptote::equalToLapse();
-    bool ok = false;
-    const double value = given.toDouble(&ok);
-    if (!ok || !(value >= 0.0 && value < 1.0))
-        return wrongUse(QStringLiteral("--%1: %2: expected a proportion from 0 to below 1%3 or free")
-                            .arg(option, quoted(given), equal ? QStringLiteral(", equal") : QString()));
-    return Asymptote::fixedAt(value);
-}
 
 core::Result<void> readSimulations(const Arguments& arguments, FitOptions& options) {
     constexpr qint64 kMost = 1'000'000;
@@ -122,31 +43,16 @@ core::Result<void> readSimulations(const Arguments& arguments, FitOptions& optio
 }
 
 core::Result<FitOptions> readOptions(const Arguments& arguments) {
-    FitOptions options;
-    const auto function = arguments.choice(QStringLiteral("function"), sigmoidNames(), QStringLiteral("gauss"));
-    const auto scale = arguments.choice(QStringLiteral("scale"), {"linear", "ln", "log10", "db"}, {});
-    if (!function || !scale)
-        return tl::unexpected(function ? scale.error() : function.error());
-    options.function = *sigmoidFromToken(function->toStdString());
-    const auto prior = arguments.choice(QStringLiteral("prior"), {"auto", "psignifit", "wide"}, QStringLiteral("auto"));
+    auto read = readCurve(arguments);
+    if (!read)
+        return read;
+    FitOptions options = *read;
+    const auto prior = arguments.choice(QStringLiteral("prior"), {"auto", "psignifit", "open_below", "open_above", "wide"}, QStringLiteral("auto"));
     if (!prior)
         return tl::unexpected(prior.error());
-    options.widthPrior = *prior == u"wide" ? WidthPrior::wide : *prior == u"psignifit" ? WidthPrior::psignifit : WidthPrior::automatic;
-    if (!scale->isEmpty())
-        options.scale = stimulusScaleFromToken(scale->toStdString());
-    const auto guess = asymptote(arguments, QStringLiteral("guess"), true, Asymptote::fixedAt(0.5));
-    const auto lapse = asymptote(arguments, QStringLiteral("lapse"), false, Asymptote::fitted());
-    if (!guess || !lapse)
-        return tl::unexpected(guess ? lapse.error() : guess.error());
-    options.guess = *guess;
-    options.lapse = *lapse;
-    if (guess->rule == Asymptote::Rule::equal && lapse->rule == Asymptote::Rule::fixed && !(lapse->value < 0.5))
-        return wrongUse(QStringLiteral("--guess equal, --lapse %1: expected a lapse below 0.5, which both are").arg(lapse->value));
-    const bool bothFixed = guess->rule == Asymptote::Rule::fixed && lapse->rule == Asymptote::Rule::fixed;
-    if (bothFixed && !(guess->value + lapse->value < 1.0))
-        return wrongUse(QStringLiteral("--guess %1, --lapse %2: expected less than 1 together").arg(guess->value).arg(lapse->value));
-    if (auto read = readSimulations(arguments, options); !read)
-        return tl::unexpected(read.error());
+    options.widthPrior = *widthPriorFromToken(prior->toStdString());
+    if (auto simulations = readSimulations(arguments, options); !simulations)
+        return tl::unexpected(simulations.error());
     if (arguments.has(QStringLiteral("threshold-at")))
         options.draws = kDrawsOfDerived;
     return options;
@@ -190,7 +96,7 @@ QJsonObject fitJson(const FitResult& fit) {
                      {"error", parameterErrors(fit)}, {"log_likelihood", fit.logLikelihood}, {"aic", fit.aic}, {"levels", levelsJson(fit)}, {"warnings", warnings}};
     if (fit.method == FitMethod::bayesian) {
         json.insert("mean", parameters(fit.mean, fit.scale));
-        json.insert("interval_prior", fit.intervalPrior == WidthPrior::wide ? "wide" : "psignifit");
+        json.insert("interval_prior", QLatin1String(widthPriorToken(fit.intervalPrior)));
         json.insert("prior_influence", influenceJson(fit.priorInfluence));
     }
     if (!fit.curve.empty()) {
@@ -286,6 +192,43 @@ QString fitText(const QJsonObject& json) {
     return words;
 }
 
+/// One group's fit: what --json prints of it.
+core::Result<QJsonObject> fitOf(const Arguments& arguments, bool likelihood, const AnswersOf& answers, const FitOptions& options) {
+    FitResult fit = likelihood ? fitMaximumLikelihood(answers.data, options) : fitBayesian(answers.data, options);
+    for (std::string& warning : fit.warnings)
+        if (warning.starts_with("unusable_rows"))
+            warning += " (" + answers.leftOut.toStdString() + ")";
+    if (fit.fitted && likelihood && options.bootstrap == Bootstrap::none && (options.curvePoints > 1 || arguments.has(QStringLiteral("threshold-at"))))
+        fit.warnings.emplace_back("no_interval: a curve and a threshold at another proportion have intervals with --bootstrap only, by this method");
+    QJsonObject json = fitJson(fit);
+    if (auto added = addDerived(arguments, fit, json); !added)
+        return tl::unexpected(added.error());
+    return json;
+}
+
+/// A row a group, then what each is warned of.
+QString groupsText(const QStringList& by, const QJsonArray& groups) {
+    QStringList headings = by;
+    headings << ">threshold" << ">low" << ">high" << ">width" << ">low" << ">high" << ">lapse" << ">p" << ">warnings";
+    TextTable table(headings);
+    QString words;
+    const auto shown = [](const QJsonValue& value) { return shortNumber(value.toDouble(std::nan(""))); };
+    for (const QJsonValue& value : groups) {
+        const QJsonObject group = value.toObject(), ci = group["ci"].toObject();
+        QStringList row;
+        for (const QString& column : by)
+            row << group["group"][column].toString();
+        const QString name = row.join(QStringLiteral(", "));
+        for (const char* parameter : {"threshold", "width"})
+            row << shown(group[QLatin1String(parameter)]) << shown(ci[QLatin1String(parameter)][0]) << shown(ci[QLatin1String(parameter)][1]);
+        const QJsonArray warnings = group["warnings"].toArray();
+        table.add(row << shown(group["lapse"]) << shown(group["p_value"]) << QString::number(warnings.size()));
+        for (const QJsonValue& warning : warnings)
+            words += QStringLiteral("! %1: %2\n").arg(name, warning.toString());
+    }
+    return table.toText() + words;
+}
+
 } // namespace
 
 core::Result<CommandOutput> fitCurve(const Arguments& arguments) {
@@ -299,19 +242,20 @@ core::Result<CommandOutput> fitCurve(const Arguments& arguments) {
         return wrongUse(QStringLiteral("--prior: expected with --method bayes; maximum likelihood has none"));
     if (*method == u"bayes" && options->bootstrap != Bootstrap::none)
         return wrongUse(QStringLiteral("--bootstrap: expected with --method ml; a Bayesian fit has credible intervals"));
-    const auto levels = readLevels(arguments.operand(0));
-    if (!levels)
-        return tl::unexpected(levels.error());
-    FitResult fit = *method == u"ml" ? fitMaximumLikelihood(levels->data, *options) : fitBayesian(levels->data, *options);
-    for (std::string& warning : fit.warnings)
-        if (warning.starts_with("unusable_rows"))
-            warning += " (" + levels->leftOut.toStdString() + ")";
-    if (fit.fitted && *method == u"ml" && options->bootstrap == Bootstrap::none && (options->curvePoints > 1 || arguments.has(QStringLiteral("threshold-at"))))
-        fit.warnings.emplace_back("no_interval: a curve and a threshold at another proportion have intervals with --bootstrap only, by this method");
-    QJsonObject json = fitJson(fit);
-    if (auto added = addDerived(arguments, fit, json); !added)
-        return tl::unexpected(added.error());
-    return CommandOutput{QJsonDocument(json), fitText(json), 0};
+    const auto answers = readAnswers(arguments);
+    if (!answers)
+        return tl::unexpected(answers.error());
+    QJsonArray groups;
+    for (const AnswersOf& group : answers->groups) {
+        auto json = fitOf(arguments, *method == u"ml", group, *options);
+        if (!json)
+            return tl::unexpected(json.error());
+        if (answers->by.isEmpty())
+            return CommandOutput{QJsonDocument(*json), fitText(*json), 0};
+        json->insert("group", groupJson(answers->by, group.group));
+        groups.append(*json);
+    }
+    return CommandOutput{QJsonDocument(QJsonObject{{"by", QJsonArray::fromStringList(answers->by)}, {"groups", groups}}), groupsText(answers->by, groups), 0};
 }
 
 } // namespace chiron::cli

@@ -8,6 +8,8 @@ namespace chiron::cli {
 
 // What the psychophysics commands do; each a handler of a row in commands/psychophysics_commands.cpp.
 core::Result<CommandOutput> fitCurve(const Arguments& arguments);
+/// Do groups differ in a parameter: likelihood ratio and AIC of two models.
+core::Result<CommandOutput> compareModels(const Arguments& arguments);
 /// Prints JSON Lines while it runs: the one command that writes to stdout itself.
 core::Result<CommandOutput> runAdaptive(const Arguments& arguments);
 core::Result<CommandOutput> detectionTables(const Arguments& arguments);

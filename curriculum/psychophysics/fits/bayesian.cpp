@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/fits/fit.h"
 
+#include "psychophysics/fits/chi_square.h"
 #include "psychophysics/fits/fit_summary.h"
 #include "psychophysics/fits/likelihood_search.h"
 #include "psychophysics/fits/posterior_mode.h"
@@ -43,17 +44,43 @@ void addGoodnessOfFit(FitResult& result, const PsychometricData& data, FitOption
     }
 }
 
-/// Whether answers and psignifit's prior of the width disagree: most of the posterior lies where the prior falls towards its upper end; or much lies
-/// where it falls towards its lower end, while a step, which it rules out, explains the answers almost as well as any curve. The three bounds
-/// are such that none of the 39 published sets of psignifit's own tests is concerned (README).
-bool priorDisagrees(const std::vector<DensityGrid>& parts, const PosteriorModel& model) {
-    constexpr double kMostAbove = 0.8, kMuchBelow = 0.15, kStepNearlyAsLikely = 3.0;
-    const FitPriors& priors = model.priors;
-    if (1.0 - widthBelow(parts, priors.fullWidthTo()) > kMostAbove) {
-        return true;
+/// The answers' model with another prior of the width, and its posterior.
+struct Posterior {
+    PosteriorModel model;
+    std::vector<DensityGrid> parts;
+};
+
+Posterior posteriorWith(const PosteriorModel& like, WidthPrior width) {
+    PosteriorModel model = like;
+    model.priors.ofWidth = width;
+    std::vector<DensityGrid> parts = posteriorParts(model, kFine);
+    return {model, std::move(parts)};
+}
+
+/// Whether psignifit's prior, and not the answers, puts an end to how flat the curve may be: most of the posterior lies where the prior falls. The
+/// bound is such that none of the 39 published sets of psignifit's own tests is concerned (README).
+bool endsAbove(const Posterior& psignifit) {
+    constexpr double kMostAbove = 0.8;
+    return 1.0 - widthBelow(psignifit.parts, psignifit.model.priors.fullWidthTo()) > kMostAbove;
+}
+
+/// Whether it puts an end to how steep the curve may be: with the prior open there, the 95 % interval of the width begins at half as much or less.
+/// That holds whatever confidence is asked for, so that intervals of less confidence lie within those of more.
+bool endsBelow(const Posterior& psignifit, const Posterior& open) {
+    constexpr double kHalf = 0.5, kTail = 0.025;
+    return widthQuantile(open.parts, kTail) < kHalf * widthQuantile(psignifit.parts, kTail);
+}
+
+/// What intervals are taken from: psignifit's prior, with each end open that would decide.
+Posterior forIntervals(Posterior psignifit) {
+    constexpr double kNothingBelow = 0.003; // of the posterior: then no opening halves the lower end of a 95 % interval
+    const bool above = endsAbove(psignifit);
+    if (widthBelow(psignifit.parts, psignifit.model.priors.fullWidthFrom()) > kNothingBelow) {
+        if (Posterior open = posteriorWith(psignifit.model, above ? WidthPrior::wide : WidthPrior::openBelow); endsBelow(psignifit, open)) {
+            return open;
+        }
     }
-    return widthBelow(parts, priors.fullWidthFrom()) > kMuchBelow &&
-           likelihoodRatioOfStep(model.levels, model.sigmoid, model.free, model.lapse, model.guess) < kStepNearlyAsLikely;
+    return above ? posteriorWith(psignifit.model, WidthPrior::openAbove) : psignifit;
 }
 
 /// What the priors leave open at their ends: nothing that a fit says of the answers helps there.
@@ -72,17 +99,39 @@ void warnOfPriors(FitResult& result, const std::vector<DensityGrid>& parts, cons
     }
 }
 
-void takeIntervals(FitResult& result, const std::vector<DensityGrid>& parts, const PosteriorModel& model, const FitOptions& options) {
-    result.intervalPrior = model.priors.wide ? WidthPrior::wide : WidthPrior::psignifit;
-    addIntervals(result, parts, model.priors, model.levels, options);
-    if (model.priors.wide && options.widthPrior == WidthPrior::automatic) {
-        result.warnings.push_back("prior_widened: the curve may well be steeper or flatter than psignifit's prior expects, so the intervals are those of a prior that "
-                                  "leaves the width open; threshold and width themselves are psignifit's");
-    } else if (options.widthPrior == WidthPrior::psignifit && priorDisagrees(parts, model)) {
-        result.warnings.push_back("prior_edge: the curve may well be steeper or flatter than psignifit's prior expects, which then ends the interval of the width; "
-                                  "fit with the wide prior");
+/// Where psignifit's prior and not the answers would end an interval.
+void warnOfWidthPrior(FitResult& result, const Posterior& posterior, const FitOptions& options) {
+    const FitPriors& priors = posterior.model.priors;
+    if (options.widthPrior == WidthPrior::automatic && priors.ofWidth != WidthPrior::psignifit) {
+        const char* as = priors.ofWidth == WidthPrior::wide ? "steeper or flatter" : priors.openBelow() ? "steeper" : "flatter";
+        result.warnings.push_back(std::string("prior_widened: the curve may well be ") + as + " than psignifit's prior expects, so the intervals are those of a prior that "
+                                  "leaves the width open there; threshold and width themselves are psignifit's");
+        return;
     }
-    warnOfPriors(result, parts, model);
+    const bool above = !priors.openAbove() && endsAbove(posterior);
+    const bool below = !priors.openBelow() && options.widthPrior != WidthPrior::automatic &&
+                       endsBelow(posterior, posteriorWith(posterior.model, priors.openAbove() ? WidthPrior::wide : WidthPrior::openBelow));
+    if (above || below) {
+        result.warnings.push_back(std::string("prior_edge: the curve may well be ") + (!above ? "steeper" : below ? "steeper or flatter" : "flatter") +
+                                  " than psignifit's prior expects, which then ends the interval of the width; fit with the wide prior");
+    }
+}
+
+/// Where the prior is open to a step, and a step explains the answers within what chance does, the interval of the width begins at 0: the lower
+/// quantile of a posterior that is highest there would say that the curve is not that steep, which no answer does.
+void beginAtStep(FitResult& result, const PosteriorModel& model, const FitOptions& options) {
+    if (model.priors.openBelow() &&
+        likelihoodRatioOfStep(model.levels, model.sigmoid, model.free, model.lapse, model.guess) < chiSquareQuantileOne(options.confidence)) {
+        result.ci.width.low = 0.0;
+    }
+}
+
+void takeIntervals(FitResult& result, const Posterior& posterior, const FitOptions& options) {
+    result.intervalPrior = posterior.model.priors.ofWidth;
+    addIntervals(result, posterior.parts, posterior.model.priors, posterior.model.levels, options);
+    beginAtStep(result, posterior.model, options);
+    warnOfWidthPrior(result, posterior, options);
+    warnOfPriors(result, posterior.parts, posterior.model);
 }
 
 } // namespace
@@ -104,25 +153,18 @@ FitResult fitBayesian(const PsychometricData& data, const FitOptions& given) {
         return result;
     }
     const FreeParameters free = freeParameters(options);
-    const auto modelOf = [&](bool wide) {
-        return PosteriorModel{levels, options.function, priorsFor(levels, options, result.scale, wide), free, free.lapse ? 0.0 : options.lapse.value,
-                              free.guess || free.equal ? 0.0 : options.guess.value, options.overdispersion};
-    };
-    const PosteriorModel model = modelOf(options.widthPrior == WidthPrior::wide);
+    const WidthPrior width = options.widthPrior == WidthPrior::automatic ? WidthPrior::psignifit : options.widthPrior;
+    const PosteriorModel model{levels, options.function, priorsFor(levels, options, result.scale, width), free, free.lapse ? 0.0 : options.lapse.value,
+                               free.guess || free.equal ? 0.0 : options.guess.value, options.overdispersion};
     const CurveParameters mode = posteriorMode(model, modeStarts(model, DensityGrid(model, wholeSpace(model, kStarts))));
-    const std::vector<DensityGrid> parts = posteriorParts(model, kFine);
+    Posterior posterior{model, posteriorParts(model, kFine)};
     result.fitted = true;
     result.best = fromUnitAxis(mode, levels);
     result.logPosterior = model.logDensity(mode);
     result.freeParameters = free.count();
     summarise(result, levels);
-    addMeans(result, parts, levels, options);
-    if (options.widthPrior == WidthPrior::automatic && priorDisagrees(parts, model)) {
-        const PosteriorModel wide = modelOf(true);
-        takeIntervals(result, posteriorParts(wide, kFine), wide, options);
-    } else {
-        takeIntervals(result, parts, model, options);
-    }
+    addMeans(result, posterior.parts, levels, options);
+    takeIntervals(result, options.widthPrior == WidthPrior::automatic ? forIntervals(std::move(posterior)) : posterior, options);
     addCurve(result, levels, options);
     addGoodnessOfFit(result, data, options);
     addWarnings(result, levels, options);

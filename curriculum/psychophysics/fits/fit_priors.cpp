@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace chiron::psychophysics {
 namespace {
@@ -30,7 +32,26 @@ double standardDeviation(double low, double high, Density&& logDensity, Value&& 
     return std::sqrt(std::max(0.0, squares / total - sum * sum / (total * total)));
 }
 
+constexpr std::pair<std::string_view, WidthPrior> kTokens[] = {{"auto", WidthPrior::automatic},
+                                                              {"psignifit", WidthPrior::psignifit},
+                                                              {"open_below", WidthPrior::openBelow},
+                                                              {"open_above", WidthPrior::openAbove},
+                                                              {"wide", WidthPrior::wide}};
+
 } // namespace
+
+std::string_view widthPriorToken(WidthPrior prior) noexcept {
+    return std::find_if(std::begin(kTokens), std::end(kTokens) - 1, [prior](const auto& one) { return one.second == prior; })->first;
+}
+
+std::optional<WidthPrior> widthPriorFromToken(std::string_view token) noexcept {
+    for (const auto& [name, prior] : kTokens) {
+        if (name == token) {
+            return prior;
+        }
+    }
+    return std::nullopt;
+}
 
 double priorThresholdSd(const FitPriors& priors) noexcept {
     return standardDeviation(
@@ -67,9 +88,9 @@ double FitPriors::logWidth(double width) const noexcept {
 
 double FitPriors::logShare(double share) const noexcept { return (beta - 1.0) * std::log1p(-share); }
 
-FitPriors priorsFor(const PreparedLevels& levels, const FitOptions& options, StimulusScale scale, bool wide) noexcept {
+FitPriors priorsFor(const PreparedLevels& levels, const FitOptions& options, StimulusScale scale, WidthPrior width) noexcept {
     FitPriors priors;
-    priors.wide = wide;
+    priors.ofWidth = width;
     priors.beta = options.betaPrior;
     const auto unit = [&](double x) { return (toScale(x, scale) - levels.centre) / levels.range; };
     if (options.lowest && options.highest) {

@@ -5,25 +5,27 @@
 
 namespace chiron::psychophysics {
 
-/// psignifit's priors (Schütt et al. 2016), on the unit axis (threshold, and width in ranges of the levels), and one that is wide in the width.
+/// psignifit's priors (Schütt et al. 2016), on the unit axis (threshold, and width in ranges of the levels), and ones whose width is open at either end.
 ///
 /// Threshold: 1 inside the range, a half cosine down to 0 at half a range beyond either end. Width, with d the smallest spacing and R
 /// the range: 0 below d, half a cosine up to 1 at 2d, 1 to R, a quarter cosine down to 0 at 3R. Lapse, guess and η: Beta(1, b), that is
-/// proportional to (1 − p)^(b − 1). The wide one: 1 from d/100 to 3R, a quarter cosine down to 0 at 9R, since an observer three times as steep or
-/// flat as a design expects lies outside of psignifit's. Where the guess equals the lapse its prior counts once.
+/// proportional to (1 − p)^(b − 1). Open below: 1 from d/100; open above: 1 up to 3R, a quarter cosine down to 0 at 9R, since an observer three times
+/// as steep or flat as a design expects lies outside of psignifit's. Where the guess equals the lapse its prior counts once.
 struct FitPriors {
     double low = -0.5, high = 0.5; ///< range of the stimuli
     double spacing = 0.1;
     double beta = 10.0;
-    bool wide = false; ///< in the width
+    WidthPrior ofWidth = WidthPrior::psignifit; ///< never automatic
 
     double range() const noexcept { return high - low; }
     double lowestThreshold() const noexcept { return low - 0.5 * range(); }
     double highestThreshold() const noexcept { return high + 0.5 * range(); }
-    double lowestWidth() const noexcept { return wide ? 0.01 * spacing : spacing; }
-    double largestWidth() const noexcept { return (wide ? 9.0 : 3.0) * range(); }
-    double fullWidthFrom() const noexcept { return wide ? lowestWidth() : 2.0 * spacing; } ///< between these two the prior is at its full height
-    double fullWidthTo() const noexcept { return (wide ? 3.0 : 1.0) * range(); }
+    bool openBelow() const noexcept { return ofWidth == WidthPrior::openBelow || ofWidth == WidthPrior::wide; }
+    bool openAbove() const noexcept { return ofWidth == WidthPrior::openAbove || ofWidth == WidthPrior::wide; }
+    double lowestWidth() const noexcept { return openBelow() ? 0.01 * spacing : spacing; }
+    double largestWidth() const noexcept { return (openAbove() ? 9.0 : 3.0) * range(); }
+    double fullWidthFrom() const noexcept { return openBelow() ? lowestWidth() : 2.0 * spacing; } ///< between these two the prior is at its full height
+    double fullWidthTo() const noexcept { return (openAbove() ? 3.0 : 1.0) * range(); }
     double logThreshold(double threshold) const noexcept; ///< −∞ where impossible
     double logWidth(double width) const noexcept;
     double logShare(double share) const noexcept;          ///< of lapse, guess or η
@@ -33,7 +35,6 @@ double priorThresholdSd(const FitPriors& priors) noexcept;
 double priorLogWidthSd(const FitPriors& priors) noexcept;
 double priorShareSd(const FitPriors& priors, double largest) noexcept;
 
-/// `wide`: in the width.
-FitPriors priorsFor(const PreparedLevels& levels, const FitOptions& options, StimulusScale scale, bool wide = false) noexcept;
+FitPriors priorsFor(const PreparedLevels& levels, const FitOptions& options, StimulusScale scale, WidthPrior width = WidthPrior::psignifit) noexcept;
 
 } // namespace chiron::psychophysics

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace chiron::psychophysics {
@@ -34,9 +35,12 @@ enum class FitMethod : std::uint8_t { maximumLikelihood, bayesian };
 /// Bootstrap of a maximum-likelihood fit: from the fitted curve, or from each level's own answers.
 enum class Bootstrap : std::uint8_t { none, parametric, nonparametric };
 /// What a Bayesian fit expects of the width before it has seen an answer. psignifit: nothing below the smallest spacing of the levels, little
-/// below twice that and beyond their range, nothing beyond three ranges. wide: all alike down to a hundredth of the spacing (a step) and up to
-/// three ranges, falling to nothing at nine. automatic: psignifit's, and intervals of the wide one where answers and psignifit's disagree.
-enum class WidthPrior : std::uint8_t { automatic, psignifit, wide };
+/// below twice that and beyond their range, nothing beyond three ranges. openBelow: all alike down to a hundredth of the spacing (a step).
+/// openAbove: all alike up to three ranges, falling to nothing at nine. wide: both. automatic: psignifit's; intervals with each end open at which
+/// psignifit's prior and not the answers would decide.
+enum class WidthPrior : std::uint8_t { automatic, psignifit, openBelow, openAbove, wide };
+std::string_view widthPriorToken(WidthPrior prior) noexcept; ///< automatic: auto
+std::optional<WidthPrior> widthPriorFromToken(std::string_view token) noexcept;
 enum class CredibleMethod : std::uint8_t { percentile, projection }; ///< of the marginals; of the joint region of highest density
 
 struct FitOptions {
@@ -112,7 +116,7 @@ struct FitResult {
     CurveParameters expectedError;///< standard errors from expected information, as Fisher scoring (glm) gives; maximum likelihood only
     double thresholdWidthCovariance = kNotKnown; ///< of the observed information
     ParameterIntervals ci;        ///< threshold in given units
-    WidthPrior intervalPrior = WidthPrior::psignifit; ///< of `ci`, `draws` and the band: psignifit or wide; Bayesian only
+    WidthPrior intervalPrior = WidthPrior::psignifit; ///< of `ci`, `draws` and the band, never automatic; Bayesian only
     /// How much the prior decided: the posterior's standard deviation over the prior's (of the width: of its logarithm). Near 0 the answers
     /// decide, near 1 the prior. Not numbers where a parameter is fixed, and in maximum likelihood, which has no prior.
     CurveParameters priorInfluence{kNotKnown, kNotKnown, kNotKnown, kNotKnown, kNotKnown};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/fits/model_comparison.h"
 
+#include "psychophysics/fits/binomial_sampler.h"
 #include "psychophysics/fits/chi_square.h"
 #include "psychophysics/fits/fit_summary.h"
 #include "psychophysics/fits/likelihood_search.h"
@@ -231,16 +232,66 @@ ConditionsFit fitConditions(const std::vector<PsychometricData>& conditions, con
     return fit;
 }
 
-ModelComparison compareConditions(const std::vector<PsychometricData>& conditions, const FitOptions& options, const SharedParameters& shared,
-                                  const SharedParameters& tested) {
+namespace {
+
+/// ψ at an intensity in given units.
+double proportionOf(const CurveParameters& p, double x, const FitOptions& options) {
+    const SigmoidUnits units = unitsOf(options.function);
+    const double axis = toScale(x, *options.scale);
+    const double z = std::isfinite(axis) ? units.spread * (axis - p.threshold) / p.width : -1e300;
+    return p.guess + (1.0 - p.lapse - p.guess) * sigmoidAt(options.function, units.middle + z).rise;
+}
+
+double likelihoodRatio(const ConditionsFit& smaller, const ConditionsFit& larger) noexcept {
+    return smaller.fitted && larger.fitted ? std::max(0.0, 2.0 * (larger.logLikelihood - smaller.logLikelihood)) : kNotKnown;
+}
+
+/// Share of answers drawn from the smaller model whose ratio is as large.
+void simulate(ModelComparison& comparison, const std::vector<PsychometricData>& conditions, const FitOptions& options, const SharedParameters& both,
+              const SharedParameters& shared) {
+    struct Row {
+        std::size_t condition, row;
+        BinomialSampler sampler;
+    };
+    std::vector<Row> rows;
+    for (std::size_t c = 0; c < conditions.size(); ++c) {
+        for (std::size_t i = 0; i < conditions[c].x.size(); ++i) {
+            if (isUsableRow(conditions[c].x[i], conditions[c].k[i], conditions[c].n[i])) {
+                const double share = std::clamp(proportionOf(comparison.smaller.conditions[c], conditions[c].x[i], options), 0.0, 1.0);
+                rows.push_back({c, i, BinomialSampler(conditions[c].n[i], share)});
+            }
+        }
+    }
+    core::Random random = core::Random::stream(options.seed, "comparison of models");
+    std::vector<PsychometricData> drawn = conditions;
+    int asLarge = 0;
+    for (int i = 0; i < options.monteCarlo; ++i) {
+        for (const Row& row : rows) {
+            drawn[row.condition].k[row.row] = row.sampler.draw(random);
+        }
+        const double ratio = likelihoodRatio(fitConditions(drawn, options, both), fitConditions(drawn, options, shared));
+        comparison.simulated += std::isfinite(ratio) ? 1 : 0;
+        asLarge += ratio >= comparison.likelihoodRatio - 1e-9 ? 1 : 0;
+    }
+    comparison.pValue = (1.0 + asLarge) / (1.0 + comparison.simulated);
+}
+
+} // namespace
+
+ModelComparison compareConditions(const std::vector<PsychometricData>& conditions, const FitOptions& given, const SharedParameters& shared, const SharedParameters& tested) {
+    FitOptions options = settled(given);
+    options.scale = options.scale.value_or(ownScale(options.function));
     const SharedParameters both{shared.threshold || tested.threshold, shared.width || tested.width, shared.lapse || tested.lapse,
                                 shared.guess || tested.guess};
     ModelComparison comparison{fitConditions(conditions, options, both), fitConditions(conditions, options, shared)};
     if (comparison.smaller.fitted && comparison.larger.fitted) {
-        comparison.likelihoodRatio = std::max(0.0, 2.0 * (comparison.larger.logLikelihood - comparison.smaller.logLikelihood));
+        comparison.likelihoodRatio = likelihoodRatio(comparison.smaller, comparison.larger);
         comparison.freedom = comparison.larger.freeParameters - comparison.smaller.freeParameters;
-        comparison.pValue = chiSquareTail(comparison.likelihoodRatio, comparison.freedom);
+        comparison.pValue = comparison.chiSquareP = chiSquareTail(comparison.likelihoodRatio, comparison.freedom);
         comparison.aicDifference = comparison.smaller.aic - comparison.larger.aic;
+        if (options.monteCarlo > 0) {
+            simulate(comparison, conditions, options, both, shared);
+        }
     }
     return comparison;
 }

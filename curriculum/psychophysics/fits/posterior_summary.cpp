@@ -186,6 +186,10 @@ void addIntervals(FitResult& result, const std::vector<DensityGrid>& grids, cons
 
 double widthBelow(const std::vector<DensityGrid>& grids, double width) { return shareBelow(grids, Axes::logWidth, std::log(width)); }
 
+double widthQuantile(const std::vector<DensityGrid>& grids, double share) {
+    return std::exp(percentiles(partsOf(grids), Axes::logWidth, 1.0 - 2.0 * share).low);
+}
+
 double thresholdBelow(const std::vector<DensityGrid>& grids, double threshold) { return shareBelow(grids, Axes::threshold, threshold); }
 
 } // namespace chiron::psychophysics

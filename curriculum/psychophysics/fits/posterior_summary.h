@@ -13,6 +13,8 @@ void addIntervals(FitResult& result, const std::vector<DensityGrid>& grids, cons
 
 /// Share of the posterior whose width (threshold), on the unit axis, lies below so much.
 double widthBelow(const std::vector<DensityGrid>& grids, double width);
+/// The width, on the unit axis, below which so much of the posterior lies.
+double widthQuantile(const std::vector<DensityGrid>& grids, double share);
 double thresholdBelow(const std::vector<DensityGrid>& grids, double threshold);
 
 } // namespace chiron::psychophysics

@@ -186,6 +186,13 @@ void TestFitFunctions::conditionsCompared() {
     const ModelComparison same = compareConditions({kData, kData}, options, {}, {.threshold = true, .width = true});
     QCOMPARE(same.freedom, 2);
     QVERIFY(same.likelihoodRatio < 1e-6 && same.pValue > 0.999);
+    options.monteCarlo = 99;
+    const ModelComparison drawn = compareConditions({kData, harder}, options, {.width = true}, {.threshold = true});
+    QCOMPARE(drawn.pValue, 0.01); // none of 99 as large
+    QCOMPARE(drawn.simulated, 99);
+    QCOMPARE(drawn.chiSquareP, differ.pValue);
+    QVERIFY(compareConditions({kData, kData}, options, {}, {.threshold = true, .width = true}).pValue > 0.9);
+    options.monteCarlo = 0;
     // Nothing in common: as if fitted alone.
     const ConditionsFit apart = fitConditions({kData, harder}, options, {});
     const FitResult first = fitMaximumLikelihood(kData, options), second = fitMaximumLikelihood(harder, options);

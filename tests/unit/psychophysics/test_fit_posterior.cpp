@@ -118,14 +118,16 @@ void TestFitPosterior::intervalsAreTheIntegrals() {
 
 void TestFitPosterior::steepAndFlatObservers_data() {
     QTest::addColumn<double>("width");
-    for (const double width : {0.05, 0.10, 0.14, 0.17, 2.7})
-        QTest::addRow("width %g", width) << width;
+    QTest::addColumn<bool>("within"); // psignifit's prior allows for it
+    for (const double width : {0.001, 0.05, 0.10, 0.14, 0.17, 0.20, 0.25, 2.0, 2.7})
+        QTest::addRow("width %g", width) << width << (width > 0.18 && width < 2.5);
 }
 
 /// Eight levels of 40 trials at a spacing of 0.143: psignifit's prior has nothing below that width, and nearly nothing at 2.7 of the range, so that its
-/// intervals hold none of these observers (1 of 40 at 0.17). 12 fresh answers each: at least 9 held (fewer by chance: 1 in 4,000), and each is warned.
+/// intervals hold none of the observers beyond it (1 of 40 at 0.17). 12 fresh answers each: at least 9 held (fewer by chance: 1 in 4,000), and those beyond are warned.
 void TestFitPosterior::steepAndFlatObservers() {
     QFETCH(double, width);
+    QFETCH(bool, within);
     constexpr int kRuns = 12;
     int held = 0, heldByPsignifit = 0, warned = 0;
     for (int seed = 1; seed <= kRuns; ++seed) {
@@ -154,8 +156,8 @@ void TestFitPosterior::steepAndFlatObservers() {
         warned += fit.warnings.empty() || narrow.warnings.empty() ? 0 : 1;
     }
     qInfo("width %g: %d of %d held (psignifit's prior %d), %d warned", width, held, kRuns, heldByPsignifit, warned);
-    QVERIFY(held >= 9 && warned >= 11);
-    QVERIFY(heldByPsignifit <= 5);
+    QVERIFY(held >= 9);
+    QVERIFY(within || (heldByPsignifit <= 5 && warned >= 11));
 }
 
 /// 1 where nothing was answered to speak of, near 0 after thousands of answers; not a number of what is fixed.

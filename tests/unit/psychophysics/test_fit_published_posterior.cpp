@@ -39,13 +39,27 @@ double fittedRange(const PsychometricData& data, StimulusScale scale) {
 
 FitInterval onAxis(const FitResult& fit) { return {toScale(fit.ci.threshold.low, fit.scale), toScale(fit.ci.threshold.high, fit.scale)}; }
 
+/// By default only the interval of the width is another's, and only where psignifit's prior alone decides how steep the curve may be; then it says so.
+void compareWithDefault(Tally& tally, const FitResult& own, const FitResult& byDefault) {
+    const bool widened = std::any_of(byDefault.warnings.begin(), byDefault.warnings.end(), [](const std::string& w) { return w.starts_with("prior_widened: "); });
+    const FitInterval &now = byDefault.ci.width, &psignifit = own.ci.width;
+    tally.require("open at the steep end alone, and said", byDefault.intervalPrior == (widened ? WidthPrior::openBelow : WidthPrior::psignifit));
+    tally.require("the same where nothing is said", widened || (now.low == psignifit.low && now.high == psignifit.high));
+    tally.require("mode and mean", byDefault.best.width == own.best.width && byDefault.mean.width == own.mean.width && byDefault.mean.threshold == own.mean.threshold);
+    tally.require("low end of the width", now.low <= psignifit.low);
+    tally.require("high end of the width", now.high <= psignifit.high + 0.02 * (psignifit.high - psignifit.low));
+}
+
 /// Tolerances as the file's source suggests: the largest differences between psignifit's own two implementations.
 void compareMatlab(Tally& tally, const QJsonObject& expected) {
     const PsychometricData data = rows(expected["data_x_k_n"]);
     FitOptions options;
     options.function = sigmoidNamed(expected["sigmoid"].toString(), false);
     setExperiment(options, expected["experiment"].toString());
+    const FitResult byDefault = fitBayesian(data, options);
+    options.widthPrior = WidthPrior::psignifit;
     const FitResult fit = fitBayesian(data, options);
+    compareWithDefault(tally, fit, byDefault);
     const double range = fittedRange(data, fit.scale);
     const QJsonObject map = expected["expected_MAP"].toObject(), mean = expected["expected_posterior_mean"].toObject();
     tally.compare("MAP threshold", fit.best.threshold, map["threshold"].toDouble(), 0.003 * range);
@@ -63,6 +77,10 @@ void compareMatlab(Tally& tally, const QJsonObject& expected) {
         const auto widths = numbers(expected["expected_CI"]["width"][QLatin1String(key)]);
         tally.compare("CI threshold low", onAxis(at).low, threshold.at(0), 0.025 * range);
         tally.compare("CI threshold high", onAxis(at).high, threshold.at(1), 0.025 * range);
+        if (confidence == fit.confidence) {
+            tally.compare("CI threshold low, default", onAxis(byDefault).low, threshold.at(0), 0.025 * range);
+            tally.compare("CI threshold high, default", onAxis(byDefault).high, threshold.at(1), 0.025 * range);
+        }
         tally.compare("CI width low", at.ci.width.low, widths.at(0), 0.07 * range);
         tally.compare("CI width high", at.ci.width.high, widths.at(1), 0.07 * range);
     }
@@ -76,7 +94,10 @@ void comparePython(Tally& tally, const QJsonObject& expected) {
     setExperiment(options, asked["experiment_type"].toString());
     options.credible = asked["CI_method"].toString() == QLatin1String("project") ? CredibleMethod::projection : CredibleMethod::percentile;
     const QJsonObject map = expected["expected_MAP"].toObject(), mean = expected["expected_posterior_mean"].toObject();
+    const FitResult byDefault = fitBayesian(data, options);
+    options.widthPrior = WidthPrior::psignifit;
     const FitResult fit = fitBayesian(data, options);
+    compareWithDefault(tally, fit, byDefault);
     const double width = map["width"].toDouble();
     tally.compare("MAP threshold", fit.threshold, map["threshold"].toDouble(), 0.01 * width);
     tally.compare("MAP width", fit.width, width, 0.02 * width);
@@ -91,6 +112,10 @@ void comparePython(Tally& tally, const QJsonObject& expected) {
         const auto widths = numbers(expected["expected_CI"]["width"][QLatin1String(key)]);
         tally.compare("CI threshold low", at.ci.threshold.low, threshold.at(0), 0.06 * width);
         tally.compare("CI threshold high", at.ci.threshold.high, threshold.at(1), 0.06 * width);
+        if (confidence == fit.confidence) {
+            tally.compare("CI threshold low, default", byDefault.ci.threshold.low, threshold.at(0), 0.06 * width);
+            tally.compare("CI threshold high, default", byDefault.ci.threshold.high, threshold.at(1), 0.06 * width);
+        }
         tally.compare("CI width low", at.ci.width.low, widths.at(0), 0.06 * width);
         tally.compare("CI width high", at.ci.width.high, widths.at(1), 0.06 * width);
     }
@@ -143,6 +168,7 @@ void TestFitPublishedPosterior::intervalsHaveConverged() {
         const QString experiment = object["options"]["experiment_type"].toString();
         options.function = sigmoidNamed(object["options"]["sigmoid"].toString(), true);
         setExperiment(options, experiment);
+        options.widthPrior = WidthPrior::psignifit;
         if (experiment == QLatin1String("yes/no")) {
             continue; // twice the nodes along five axes would take seconds each
         }
