@@ -56,6 +56,7 @@ private:
     std::uint64_t m_lastTick = 0;
     std::uint32_t m_guards = 0;
     std::array<bool, core::kMaxTools> m_over{};
+    std::array<double, core::kMaxTools> m_torque_Nm{}; ///< likewise the torque
     std::array<double, core::kMaxTools> m_force_N{}; ///< tissue force of the tick before: how hard was pushed when tissue gave way
     bool m_finished = false;
     bool m_faulted = false;

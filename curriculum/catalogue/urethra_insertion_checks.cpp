@@ -126,6 +126,7 @@ private:
 
     void forces() {
         checkYield(m_p.yield, m_p.maximumForce_N, m_path, m_problems);
+        checkYieldTorque(m_p.yield, m_p.maximumTorque_Nm, m_path, m_problems);
         if (m_p.anatomy.bladderRadius_m < 3.0 * m_p.endoscope.radius_m)
             add("bladder_radius_mm", mm(m_p.anatomy.bladderRadius_m),
                 QStringLiteral("at least three times the endoscope's radius, %1").arg(mm(3.0 * m_p.endoscope.radius_m)));

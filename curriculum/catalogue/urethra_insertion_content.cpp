@@ -135,6 +135,7 @@ void refuseUnknownKeys(const ObjectReader& parameters) {
         known.push_back(QLatin1String(key));
     for (const char* key : kYieldKeys)
         known.push_back(QLatin1String(key));
+    known.push_back(QLatin1String(kYieldTorqueKey));
     for (const QString& key : parameters.json().keys())
         if (std::find(known.begin(), known.end(), key) == known.end())
             parameters.problems().push_back({memberPath(parameters.path(), key), QStringLiteral("unknown key"),

@@ -12,6 +12,8 @@ namespace chiron::catalogue {
 /// The keys by which a level says when what is touched gives way. Left out, or a force of 0: never, as in sessions from before there was
 /// such a law.
 inline constexpr std::array<const char*, 2> kYieldKeys{"yield_force_N", "yield_fall_ms"};
+/// The same for a torque, of those exercises that turn the tool back.
+inline constexpr const char* kYieldTorqueKey = "yield_torque_mN_m";
 
 inline void readYield(const ObjectReader& parameters, simulation::YieldLaw& law) {
     if (parameters.has(QLatin1String(kYieldKeys[0])))
@@ -19,6 +21,9 @@ inline void readYield(const ObjectReader& parameters, simulation::YieldLaw& law)
             law.force_N = force_N;
     if (parameters.has(QLatin1String(kYieldKeys[1])))
         law.fall_s = parameters.number(QLatin1String(kYieldKeys[1])) / 1000.0;
+    if (parameters.has(QLatin1String(kYieldTorqueKey)))
+        if (const double torque_mNm = parameters.number(QLatin1String(kYieldTorqueKey)); torque_mNm > 0.0)
+            law.torque_Nm = torque_mNm / 1000.0;
 }
 
 /// Tissue gives way beyond the force that is still right, and at three times that force at the latest.
@@ -28,6 +33,14 @@ inline void checkYield(const simulation::YieldLaw& law, double limit_N, const QS
         return;
     problems.push_back({memberPath(path, kYieldKeys[0]), QString::number(law.force_N),
                         QStringLiteral("more than maximum_force_N = %1, and at most %2 times that").arg(limit_N).arg(kMost)});
+}
+
+inline void checkYieldTorque(const simulation::YieldLaw& law, double limit_Nm, const QString& path, Problems& problems) {
+    constexpr double kMost = 3.0;
+    if (!std::isfinite(law.torque_Nm) || (law.torque_Nm > limit_Nm && law.torque_Nm <= kMost * limit_Nm))
+        return;
+    problems.push_back({memberPath(path, kYieldTorqueKey), QString::number(1000.0 * law.torque_Nm),
+                        QStringLiteral("more than maximum_torque_mN_m = %1, and at most %2 times that").arg(1000.0 * limit_Nm).arg(kMost)});
 }
 
 } // namespace chiron::catalogue

@@ -43,17 +43,22 @@ std::optional<double> inContent(const QJsonValue& value, const QString& key) {
 
 struct ContentNumbers {
     double yield_N = 0.0;          ///< 0: never
+    double yield_Nm = 0.0;         ///< 0: never
     double fall_ms = 20.0;
     double bristle_N_per_m = 0.0;  ///< stick of friction: a stiffness across, which a scene does not report
     double largest_Ns_per_m = 50.0; ///< b_max: with a change of speed a force may change by that much
     double damping_Ns_per_m = 0.0; ///< faded in with depth: at a speed v a stiffness of b v / fade_m at most
     double fade_m = 0.0005;
+    double turn_Nm_per_rad = 0.0;  ///< how stiff the tissue turns the tool back; 0: not at all
+    double turn_Nm_per_m = 0.0;    ///< the same for a way: the canal turns along it, the pivot's lever, and it gets stiffer
+    double shaft_m = 0.0;          ///< radius: at which forces turn the tool
 };
 
 ContentNumbers numbersOf(const catalogue::ExerciseLevel& level) {
     const QJsonObject all = QJsonDocument::fromJson(QByteArray::fromStdString(level.resolvedJson)).object();
     ContentNumbers numbers;
     numbers.yield_N = inContent(all, QStringLiteral("yield_force_N")).value_or(0.0);
+    numbers.yield_Nm = inContent(all, QStringLiteral("yield_torque_mN_m")).value_or(0.0) / 1000.0;
     numbers.fall_ms = inContent(all, QStringLiteral("yield_fall_ms")).value_or(numbers.fall_ms);
     numbers.bristle_N_per_m = inContent(all, QStringLiteral("bristle_stiffness_N_per_m")).value_or(0.0);
     numbers.damping_Ns_per_m = inContent(all, QStringLiteral("damping_N_s_per_m")).value_or(0.0) +
@@ -62,13 +67,22 @@ ContentNumbers numbersOf(const catalogue::ExerciseLevel& level) {
         numbers.damping_Ns_per_m = palpation->tissue.damping_Ns_per_m.maxCoeff();
         numbers.fade_m = palpation->tissue.dampingDepth_m / kSteepest; // a smoothstep
     }
+    if (const auto* urethra = std::get_if<simulation::UrethraInsertionParameters>(&level.parameters)) {
+        constexpr double kMostTwist_rad = 1.5;
+        const simulation::UrethraAnatomy& anatomy = urethra->anatomy;
+        const double span_m = anatomy.pivotSpan_m, turning_m = simulation::UrethraCentreline(anatomy).length_m() - anatomy.straight_m;
+        numbers.turn_Nm_per_rad = anatomy.angularStiffness_Nm_per_rad;
+        numbers.turn_Nm_per_m = numbers.turn_Nm_per_rad * (2.0 * anatomy.curvature_per_m + (span_m > 0.0 ? 0.5 / span_m : 0.0) + kMostTwist_rad / turning_m);
+        numbers.shaft_m = urethra->endoscope.radius_m;
+    }
     return numbers;
 }
 
 /// One tool's tick before.
 struct Before {
     bool known = false;
-    Vec3 p = Vec3::Zero(), force = Vec3::Zero(), v = Vec3::Zero();
+    Vec3 p = Vec3::Zero(), force = Vec3::Zero(), v = Vec3::Zero(), torque = Vec3::Zero(), w = Vec3::Zero();
+    core::Quat q = core::Quat::Identity();
 };
 
 class Sweep {
@@ -90,14 +104,17 @@ public:
         m_result.level = level.exercise + "/" + std::to_string(level.number) + " " + level.id;
         m_result.limit_N = m_kind->forceLimit_N(level);
         m_result.yieldStated = m_numbers.yield_N > 0.0;
-        if (const auto* urethra = std::get_if<simulation::UrethraInsertionParameters>(&level.parameters))
+        if (const auto* urethra = std::get_if<simulation::UrethraInsertionParameters>(&level.parameters)) {
             wayInto(*urethra);
+            m_result.limit_Nm = urethra->maximumTorque_Nm;
+        }
         if (m_result.yieldStated)
             m_result.yieldForce_N = m_numbers.yield_N;
+        m_result.yieldTorque_Nm = m_numbers.yield_Nm;
     }
 
     SweepResult run() {
-        for (int path = 0; path < m_settings.paths; ++path) {
+        for (int path = m_settings.firstPath; path < m_settings.firstPath + m_settings.paths; ++path) {
             if (path % m_settings.pathsPerScene == 0 || m_out.phase == core::TrialPhase::finished)
                 appear(path);
             follow(static_cast<std::uint64_t>(path));
@@ -126,19 +143,33 @@ private:
         for (std::size_t i = 0; i < m_reach.size(); ++i)
             m_hands.emplace_back(m_reach[i], core::Random::stream(m_setup.seed, "sweep hand " + std::to_string(i)));
         beginInTheAir();
+        for (std::size_t i = 0; i < m_hands.size(); ++i)
+            m_clear[i] = m_hands[i].now().p_WT;
+        if (!m_settings.onlyInTheAir && (path / m_settings.pathsPerScene) % 2 == 1)
+            beginAnywhere();
         m_scene = m_kind->makeScene(m_setup);
         m_out = {};
         m_met.fill(std::nullopt);
         m_guess = core::Random::stream(m_setup.seed, "sweep guess");
         m_before.assign(m_reach.size(), {});
         m_bitsBefore = {};
-        for (std::size_t i = 0; i < m_hands.size(); ++i)
-            m_clear[i] = m_hands[i].now().p_WT;
         m_stiffnessBefore = 0.0;
         m_open = false;
     }
 
-    /// No hand begins within tissue or under the table (z = 0): each tool from where a fresh scene answers it with nothing for half a second,
+    /// Within tissue, too, and under the table: each tool from where its mechanism reaches, next to what lies about the origin of W if it reaches that.
+    void beginAnywhere() {
+        constexpr int kDraws = 200;
+        for (HandPath& hand : m_hands)
+            for (int draw = 0; draw < kDraws; ++draw) {
+                hand.drawStart();
+                const Vec3& p = hand.now().p_WT;
+                if (p.head<2>().norm() < 0.050 && p.z() > -0.030 && p.z() < 0.030)
+                    break;
+            }
+    }
+
+    /// Neither within tissue nor under the table (z = 0): each tool from where a fresh scene answers it with nothing for half a second,
     /// after which what is simulated more slowly has answered too.
     void beginInTheAir() {
         constexpr int kDraws = 1000;
@@ -234,19 +265,32 @@ private:
                 const double faded = m_numbers.damping_Ns_per_m * std::max(tool.v_WT.norm(), before.v.norm()) / m_numbers.fade_m;
                 const double allowed = m_numbers.largest_Ns_per_m * (tool.v_WT - before.v).norm() + (stiffest + m_numbers.bristle_N_per_m + faded) * (moved.norm() + escaped);
                 const double change = (force - before.force).norm();
-                if (((bits | m_bitsBefore[i]) & core::contact_bits::kThrough) != 0)
+                const double turned = turnChange(before, tool, m_out.tissue.tools[i].torque, allowed);
+                if (((bits | m_bitsBefore[i]) & core::contact_bits::kThrough) != 0) {
                     keep(m_result.fall, change - allowed - kSteepest * m_result.yieldForce_N / m_numbers.fall_ms, path, tick, i, tool.p_WT);
-                else
+                    keep(m_result.torqueFall, turned - kSteepest * m_result.yieldTorque_Nm / m_numbers.fall_ms, path, tick, i, tool.p_WT);
+                } else {
                     keep(m_result.change, change - allowed, path, tick, i, tool.p_WT);
+                    keep(m_result.torqueChange, turned, path, tick, i, tool.p_WT);
+                }
                 work += 0.5 * (force + before.force).dot(moved);
             }
-            before = {true, tool.p_WT, force, tool.v_WT};
+            before = {true, tool.p_WT, force, tool.v_WT, m_out.tissue.tools[i].torque, tool.w_WT, tool.q_WT};
             m_bitsBefore[i] = bits;
         }
         m_result.touching += touching ? 1 : 0;
         count(touching, appeared, work, path, tick);
         m_stiffnessBefore = m_out.contactStiffness_N_per_m;
         m_phaseBefore = m_out.phase;
+    }
+
+    /// By how much the torque changed more than it may; `allowed_N`: what the force may change by.
+    double turnChange(const Before& before, const core::ToolState& tool, const Vec3& torque, double allowed_N) const {
+        constexpr double kLeaning = 4.0 / 3.0; // 1/cos² of 30°, as far as tilts are checked
+        const double turn = before.q.angularDistance(tool.q_WT), way = (tool.p_WT - before.p).norm();
+        const double spin = m_numbers.largest_Ns_per_m * m_numbers.shaft_m * m_numbers.shaft_m * (tool.w_WT - before.w).norm();
+        return (torque - before.torque).norm() - kLeaning * (m_numbers.turn_Nm_per_rad * turn + m_numbers.turn_Nm_per_m * way) -
+               m_numbers.shaft_m * allowed_N - spin;
     }
 
     /// How far any loose object went since the tick before, m: the way is that between tool and object.
@@ -314,16 +358,16 @@ SweepResult sweepLevel(const catalogue::ExerciseLevel& level, const SweepSetting
 }
 
 std::string SweepResult::heading() {
-    return "level                                     F max N  yields at N   over the bound N  over fall N   in air N   made uJ  torque mNm   yields  beyond %  contact %";
+    return "level                                     F max N  yields at N   over the bound N  over fall N   in air N   made uJ   T max mNm  yields at  over bound  over fall   yields  beyond %  contact %";
 }
 
 std::string SweepResult::line() const {
-    char text[400];
+    char text[480];
     const double all = static_cast<double>(std::max<std::uint64_t>(1, ticks));
-    std::snprintf(text, sizeof text, "%-40s %8.3f  %11.2f  %17.3f  %10.3f  %9.4f  %8.3f  %10.1f  %7llu  %8.2f  %9.1f", level.c_str(), shown(force), yieldForce_N,
-                  shown(change), shown(fall), shown(inAir), shown(made, 1e6), shown(torque, 1e3), static_cast<unsigned long long>(yields),
+    std::snprintf(text, sizeof text, "%-40s %8.3f  %11.2f  %17.3f  %10.3f  %9.4f  %8.3f  %10.1f  %9.1f  %10.3f  %9.3f  %7llu  %8.2f  %9.1f", level.c_str(), shown(force), yieldForce_N,
+                  shown(change), shown(fall), shown(inAir), shown(made, 1e6), shown(torque, 1e3), 1e3 * yieldTorque_Nm, shown(torqueChange, 1e3), shown(torqueFall, 1e3), static_cast<unsigned long long>(yields),
                   100.0 * static_cast<double>(beyondChecked) / all, 100.0 * static_cast<double>(touching) / all);
-    return std::string(text) + "\n    F" + at(force) + "  change" + at(change) + "  fall" + at(fall) + "  air" + at(inAir);
+    return std::string(text) + "\n    F" + at(force) + "  change" + at(change) + "  fall" + at(fall) + "  air" + at(inAir) + "  T" + at(torque) + "  T change" + at(torqueChange);
 }
 
 } // namespace chiron::tests

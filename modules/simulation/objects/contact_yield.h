@@ -4,7 +4,6 @@
 #include "core/contact_bits.h"
 #include "simulation/yield.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -21,11 +20,7 @@ public:
     /// One tick of `dt_s`. `wanted_N` ≥ 0: what the law answers; `outside`: the tool touches nothing of the body; `breached`: it is
     /// where the law has no place.
     double step(double wanted_N, bool outside, bool breached, double dt_s) noexcept {
-        if (outside)
-            m_yield = TissueYield(m_law);
-        else if (breached && !m_yield.through())
-            m_yield = TissueYield({std::min(m_law.force_N, wanted_N * (1.0 - kJust)), m_law.fall_s});
-        const double factor = m_yield.step(wanted_N, outside, dt_s);
+        const double factor = m_yield.step(wanted_N, outside, dt_s, 0.0, breached);
         m_gone = m_yield.through() && factor * wanted_N == 0.0;
         return factor;
     }
@@ -39,7 +34,6 @@ public:
     void reset() noexcept { *this = ContactYield(m_law); } ///< whole tissue
 
 private:
-    static constexpr double kJust = 1e-12; ///< so that a force is more than itself: yielding asks for more, not for as much
     YieldLaw m_law;
     TissueYield m_yield;
     bool m_gone = false;

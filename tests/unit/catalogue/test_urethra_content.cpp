@@ -44,7 +44,7 @@ std::vector<double> numbers(const Parameters& p) {
                           p.goalDepth_m, double(p.withdraws), p.landmarkHalfAngle_rad, p.landmarkDistance_m, p.landmarkHold_s,
                           p.landmarkSpeed_m_per_s, p.trialLimit_s, p.maximumForce_N, p.maximumTorque_Nm, p.lateralLimit_N,
                           double(p.depthOfField), double(p.depthOfFieldFixed),
-                          p.meatus_m, p.yield.force_N, p.yield.fall_s};
+                          p.meatus_m, p.yield.force_N, p.yield.fall_s, p.yield.torque_Nm};
     n.push_back(double(a.changeCount));
     for (std::size_t i = 0; i < a.changeCount; ++i)
         n.insert(n.end(), {a.changes[i].centre_m, a.changes[i].length_m, a.changes[i].edge_m, a.changes[i].radius_m,
@@ -244,6 +244,11 @@ void TestUrethraContent::faults_data() {
     row("force sections", "\"force_sections\": \"coarse\"", "$.parameters.force_sections: \"coarse\": expected one of fine, p1_basic");
     row("misspelt key", "\"restradius_mm\": 2", "$.parameters.restradius_mm: unknown key");
     row("torque beyond the device", "\"maximum_torque_mN_m\": 151", "$.parameters.maximum_torque_mN_m: 151: expected");
+    row("gives way within its limit of torque", "\"yield_torque_mN_m\": 150",
+        "$.parameters.yield_torque_mN_m: 150: expected more than maximum_torque_mN_m = 150");
+    row("gives way far beyond it", "\"yield_torque_mN_m\": 301, \"maximum_torque_mN_m\": 100",
+        "$.parameters.yield_torque_mN_m: 301: expected more than maximum_torque_mN_m = 100, and at most 3 times that");
+    row("never gives way under a torque", "\"yield_torque_mN_m\": 0", "");
     row("force beyond the device", "\"maximum_force_N\": 4.6", "$.parameters.maximum_force_N: 4.6: expected");
 }
 

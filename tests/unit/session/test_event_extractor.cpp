@@ -138,10 +138,14 @@ void TestEventExtractor::tissueThatGaveWay() {
     frames[5].tool[1].status |= core::contactStatus(core::contact_bits::kYielded | core::contact_bits::kThrough);
     for (std::size_t i = 6; i < 9; ++i)
         frames[i].tool[1].status |= core::contactStatus(core::contact_bits::kThrough);
+    frames[10].tool[0].tissue = {0.0, 2.0, 0.0, 0.0, 0.0, 0.213};
+    frames[10].tool[0].status |= core::contactStatus(core::contact_bits::kYielded | core::contact_bits::kThrough);
     const auto extractor = extracted(frames, 2);
     int found = 0;
     for (const database::EventRecord& event : extractor.events())
-        if (event.kind == "tissue_yielded") {
+        if (event.kind == "tissue_yielded" && event.tool == 0) {
+            QCOMPARE(event.detailJson, std::string("{\"trial\":0,\"force_mN\":2000,\"torque_mN_m\":213}"));
+        } else if (event.kind == "tissue_yielded") {
             ++found;
             QCOMPARE(event.tick, frames[5].header.index);
             QCOMPARE(event.tool, 1);

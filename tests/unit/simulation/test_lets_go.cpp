@@ -4,6 +4,7 @@
 #include "simulation/exercises/object_handling/object_handling_scene.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
 #include "simulation/objects/contact_yield.h"
+#include "simulation/objects/felt_place.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -94,6 +95,12 @@ class TestLetsGo : public QObject {
     Q_OBJECT
 private slots:
     void theFactorOfAContact();
+    void torqueYieldsToo();
+    void whatIsFoundDeepIsNotEntered();
+    void aPlaceIsFeltWithoutJumps();
+    void aSheetThatIsFoundDeepLetsOut();
+    void upFromUnderneath_data();
+    void upFromUnderneath();
     void outOnTheOtherSideOfTheDome_data();
     void outOnTheOtherSideOfTheDome();
     void pressedHarderThanItBears_data();
@@ -108,7 +115,7 @@ void TestLetsGo::theFactorOfAContact() {
     QCOMPARE(yield.step(6.0, false, false, 0.001), 1.0);
     QCOMPARE(int(yield.bits()), 0);
     double before_N = 3.0;
-    QCOMPARE(yield.step(3.0, false, true, 0.001) * 3.0, 3.0 * (1.0 - 1e-12)); // where it is, and down from there
+    QCOMPARE(yield.step(3.0, false, true, 0.001) * 3.0, 3.0); // where it is, and down from there
     QCOMPARE(int(yield.bits()), int(contact::kYielded | contact::kThrough | contact::kBeyondChecked));
     for (int i = 0; i < 20; ++i) {
         QVERIFY(!yield.gone());
@@ -123,6 +130,132 @@ void TestLetsGo::theFactorOfAContact() {
     QCOMPARE(yield.step(0.0, true, false, 0.001), 1.0);
     QCOMPARE(yield.step(5.9, false, false, 0.001), 1.0); // whole again, as strong as before
     QCOMPARE(6.5 * yield.step(6.5, false, false, 0.001), 6.0);
+}
+
+// Under a torque as under a force: never more than it bears of either, by one curve, told once.
+void TestLetsGo::torqueYieldsToo() {
+    TissueYield yield({8.0, kFall_s, 0.2});
+    QCOMPARE(yield.step(7.9, false, 0.001, 0.19), 1.0);
+    QVERIFY(!yield.through());
+    double before_Nm = 0.2;
+    for (int i = 0; i <= 20; ++i) {
+        const double force_N = 2.0, torque_Nm = 0.25;
+        const double factor = yield.step(force_N, false, 0.001, torque_Nm);
+        QCOMPARE(yield.yielded(), i == 0);
+        QVERIFY(torque_Nm * factor <= 0.2 * (1.0 + 1e-12) && torque_Nm * factor <= before_Nm * (1.0 + 1e-12));
+        QVERIFY(before_Nm - torque_Nm * factor <= 1.5 * 0.2 / 20.0 + 1e-12);
+        before_Nm = torque_Nm * factor;
+    }
+    QCOMPARE(before_Nm, 0.0);
+    QCOMPARE(yield.step(0.0, true, 0.001), 1.0);
+    QCOMPARE(yield.step(2.0, false, 0.001, 0.2), 1.0); // whole again
+    TissueYield byForce({8.0, kFall_s});               // no torque stated: as it was
+    byForce.step(1.0, true, 0.001);
+    QCOMPARE(byForce.step(2.0, false, 0.001, 5.0), 1.0);
+    QCOMPARE(byForce.step(16.0, false, 0.001, 5.0), 0.5);
+}
+
+// Who is in tissue before he was seen, deeper than it holds, has not broken it: 0 N until he is out, and no event.
+void TestLetsGo::whatIsFoundDeepIsNotEntered() {
+    ContactYield yield({6.0, kFall_s});
+    for (int i = 0; i < 50; ++i) {
+        QCOMPARE(yield.step(20.0, false, false, 0.001), 0.0);
+        QVERIFY(yield.through() && yield.gone() && !(yield.bits() & contact::kYielded));
+    }
+    yield.step(0.0, true, false, 0.001);
+    QCOMPARE(yield.step(5.0, false, false, 0.001), 1.0);
+    QCOMPARE(6.5 * yield.step(6.5, false, false, 0.001), 6.0);
+    QVERIFY(yield.bits() & contact::kYielded);
+    yield.reset(); // another trial
+    QCOMPARE(yield.step(4.0, false, false, 0.001), 1.0); // what holds, holds: the supervisor arms it
+    yield.reset();
+    QCOMPARE(yield.step(4.0, false, true, 0.001), 0.0);
+}
+
+namespace {
+ContactPlace at(double depth_m, const Vec3& normal = Vec3::UnitZ()) {
+    ContactPlace place;
+    place.depth_m = depth_m;
+    place.normal = normal;
+    place.depthGradient = -normal;
+    return place;
+}
+} // namespace
+
+// Whatever a geometry says, the way out changes by no more than the tool's way and 0.05 mm a tick, and is the geometry's again soon.
+void TestLetsGo::aPlaceIsFeltWithoutJumps() {
+    FeltPlace felt;
+    Vec3 p(0.0, 0.0, 0.001);
+    QCOMPARE(felt.step(at(-0.001), p, false).depth_m, -0.001);
+    Vec3 before = Vec3::Zero();
+    for (int i = 1; i <= 1100; ++i) { // down 5 mm; from tick 500 the surface says another depth, then another way out
+        const double way_m = i <= 600 ? 1e-5 : 0.0;
+        p.z() -= way_m;
+        const Vec3 normal = i < 800 ? Vec3(Vec3::UnitZ()) : Vec3(Vec3::UnitX());
+        const ContactPlace place = felt.step(at((i < 500 ? 0.0 : 0.003) - p.z(), normal), p, false);
+        const Vec3 out = place.depth_m > 0.0 ? Vec3(place.depth_m * place.normal) : Vec3(Vec3::Zero());
+        QVERIFY((out - before).norm() <= way_m + FeltPlace::kCatchUp_m + 1e-12);
+        QVERIFY(std::abs(place.normal.norm() - 1.0) < 1e-12 && place.depthGradient == -place.normal);
+        if (i < 500 || i == 799 || i == 1100)
+            QVERIFY(std::abs(place.depth_m - felt.geometric_m()) < 1e-12);
+        before = out;
+    }
+    for (int i = 0; i < 3; ++i) // a surface that goes away at once lags, and then nothing is left
+        QVERIFY(felt.step(at(-0.001), p, false).depth_m > 0.0);
+    for (int i = 0; i < 300; ++i)
+        felt.step(at(-0.001), p, false);
+    QCOMPARE(felt.felt_m(), -0.001);
+    QCOMPARE(felt.less_m(), 0.0);
+}
+
+// Found 5 mm deep behind a sheet that it did not go in by: nothing where it is, the sheet's stiffness from there on, nothing on the way out.
+void TestLetsGo::aSheetThatIsFoundDeepLetsOut() {
+    FeltPlace felt;
+    Vec3 p(0.0, 0.0, -0.005);
+    felt.step(at(0.0001), p, false);
+    p.x() += 1e-5;
+    QVERIFY(felt.step(at(0.005), p, true).depth_m <= 1e-4 + 1e-5 + FeltPlace::kCatchUp_m + 1e-12);
+    const double first_m = felt.felt_m();
+    for (int i = 0; i < 100; ++i) {
+        p.z() -= 2e-5;
+        felt.step(at(-p.z()), p, false);
+    }
+    QVERIFY(std::abs(felt.felt_m() - first_m - 0.002) < 1e-12);
+    for (int i = 0; i < 1000; ++i) { // and out
+        const double before_m = felt.felt_m();
+        p.z() += 1e-5;
+        felt.step(at(-p.z()), p, false);
+        QVERIFY(felt.felt_m() <= before_m && felt.felt_m() <= std::max(0.0, first_m + 0.002 - 1e-5 * (i + 1)) + 1e-12);
+    }
+    for (int i = 0; i < 500; ++i) {
+        p.z() -= 1e-5;
+        felt.step(at(-p.z()), p, false);
+        QVERIFY(std::abs(felt.felt_m() + p.z()) < 1e-12 || p.z() > 0.0); // it has been out: the sheet itself
+    }
+}
+
+void TestLetsGo::upFromUnderneath_data() {
+    QTest::addColumn<int>("surface");
+    QTest::addColumn<double>("yield_N");
+    QTest::addRow("exact") << static_cast<int>(ApexSurface::exact) << 6.0;
+    QTest::addRow("mesh") << static_cast<int>(ApexSurface::mesh) << 6.0;
+    QTest::addRow("organ") << static_cast<int>(ApexSurface::organ) << 6.0;
+}
+
+// A hand that is under the table when the trial begins touches nothing there, breaks nothing, and finds all of it whole when it has come out.
+void TestLetsGo::upFromUnderneath() {
+    QFETCH(int, surface);
+    QFETCH(double, yield_N);
+    for (const Vec3& start : {Vec3(0.0, 0.0, -0.050), Vec3(0.010, 0.010, -0.017), Vec3(0.028, 0.0, -0.025), Vec3(0.031, 0.0, -0.016), Vec3(0.060, 0.0, -0.030)}) {
+        Led led(std::make_unique<SphereApexScene>(dome(static_cast<ApexSurface>(surface), yield_N), 7), start);
+        for (const Vec3& place : {Vec3(0.045, 0.010, -0.020), Vec3(-0.005, 0.025, -0.016), Vec3(0.0, -0.010, -0.004), Vec3(0.045, 0.0, -0.002), Vec3(0.015, 0.0, -0.002), Vec3(0.005, 0.0, 0.010), Vec3(0.0, 0.0, 0.030)})
+            led.to(place, 0.1);
+        QCOMPARE(led.largest_N, 0.0);
+        QCOMPARE(led.yields, 0);
+        QVERIFY(led.free());
+        led.to(Vec3(0.0, 0.0, 0.018), 0.02);
+        QVERIFY(led.force().z() > 0.5); // whole
+    }
 }
 
 void TestLetsGo::outOnTheOtherSideOfTheDome_data() {

@@ -171,7 +171,7 @@ void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) n
     ContactPlace place = bedPlace(SoftBed::kTip, tool.p_W, tool.v_W, 0.0, m_bed.reach_m());
     place.mostDamping_Ns_per_m = m_budget.left_Ns_per_m();
     ObjectContactResponse touch = m_bed.respond(place, kT, m_tipOnBed);
-    const bool out = m_soft != nullptr && touch.inContact && m_soft->isOutElsewhere(SoftBed::kTip, tool.p_W, place);
+    const bool out = m_soft != nullptr && touch.inContact && m_soft->isOutElsewhere(SoftBed::kTip, tool.p_W);
     const double holds = m_bedYield.step(touch.force.norm(), !touch.inContact && !m_bedYield.through(), out, kT);
     answer.contact |= m_bedYield.bits();
     scale(touch, holds);

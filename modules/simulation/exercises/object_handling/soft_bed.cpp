@@ -36,13 +36,13 @@ ContactPlace SoftBed::place(std::size_t who, const Vec3& p, const Vec3& v, doubl
     const double inFloor_m = radius_m - (p.z() - m_floor_m);
     toucher.onFloor = inFloor_m > -reach_m && inFloor_m > place.depth_m;
     if (!toucher.onFloor)
-        return place;
+        return toucher.felt.step(place, p, foot.track == MeshTrack::acquired);
     ContactPlace floor;
     floor.depth_m = inFloor_m;
     floor.foot = Vec3(p.x(), p.y(), m_floor_m);
     floor.position = p;
     floor.velocity = v;
-    return floor;
+    return toucher.felt.step(floor, p, false);
 }
 
 void SoftBed::touched(std::size_t who, const Vec3& p, double radius_m, const ContactPlace& place,
@@ -55,7 +55,7 @@ void SoftBed::touched(std::size_t who, const Vec3& p, double radius_m, const Con
     touch.triangle = foot.place.triangle;
     touch.weights = array(foot.place.weights);
     touch.normal = array(place.normal);
-    touch.p_Tool = array(p + Vec3(0.0, 0.0, m_lift_m) - radius_m * place.normal); // the ball's nearest point
+    touch.p_Tool = array(p + Vec3(0.0, 0.0, m_lift_m) - (radius_m - m_touchers[who].felt.less_m()) * place.normal); // the ball's nearest point
     touch.stiffness_N_per_m = felt.stiffness_N_per_m;
 }
 
@@ -68,12 +68,13 @@ bool SoftBed::isClear(const Vec3& p) const noexcept {
     return p.z() > m_floor_m && nearestOnMesh(*m_organ, Vec3(p + Vec3(0.0, 0.0, m_lift_m))).signedDistance_m > 0.0;
 }
 
-bool SoftBed::isOutElsewhere(std::size_t who, const Vec3& p, const ContactPlace& place) const noexcept {
+bool SoftBed::isOutElsewhere(std::size_t who, const Vec3& p) const noexcept {
     constexpr double kSure_m = 2e-4; // nearer to the sheet, being out is leaving it
     const Toucher& toucher = m_touchers[who];
-    if (toucher.onFloor || !(place.depth_m > 0.0))
+    const double depth_m = std::max(toucher.felt.geometric_m(), toucher.felt.felt_m());
+    if (toucher.onFloor || !(depth_m > 0.0))
         return false;
-    return (place.depth_m > kSure_m || toucher.tracker.foot().track == MeshTrack::followed) && isClear(p);
+    return (depth_m > kSure_m || toucher.tracker.foot().track == MeshTrack::followed) && isClear(p);
 }
 
 double SoftBed::restHeight_m(const core::Vec2& place_m) const noexcept {

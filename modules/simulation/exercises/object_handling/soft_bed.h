@@ -5,6 +5,7 @@
 #include "simulation/deformable/deformable_organ.h"
 #include "simulation/exercises/object_handling/object_handling_parameters.h"
 #include "simulation/geometry/mesh/mesh_tracker.h"
+#include "simulation/objects/felt_place.h"
 #include "simulation/objects/object_contact.h"
 
 #include <array>
@@ -41,8 +42,8 @@ public:
     void release(std::size_t who) noexcept;
     /// In free air: over the floor and out of the organ as it is shown.
     bool isClear(const core::Vec3& p) const noexcept;
-    /// Whether somebody of no size has come out of the organ elsewhere than he went in, being `place`.
-    bool isOutElsewhere(std::size_t who, const core::Vec3& p, const ContactPlace& place) const noexcept;
+    /// Whether somebody of no size has come out of the organ elsewhere than he went in, by the last place().
+    bool isOutElsewhere(std::size_t who, const core::Vec3& p) const noexcept;
     /// Once a tick after the contacts: asks the slow model when it is time.
     void ask(std::uint64_t tick) noexcept { m_organ->ask(tick, m_touches); }
 
@@ -58,6 +59,7 @@ private:
 
     struct Toucher {
         MeshTracker tracker;
+        FeltPlace felt;
         core::Vec3 carried = core::Vec3::Zero(); ///< how far the touched places have moved with the surface, m
         bool onFloor = false;                    ///< the floor is what it touches: the organ hears nothing of it
     };

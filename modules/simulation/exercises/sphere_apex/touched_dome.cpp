@@ -70,7 +70,7 @@ ContactPlace TouchedDome::placeOn(const Surface& surface, Tool& tool, const core
     tool.onPlane = across >= m_blendTo_m || (wasOnPlane && tool.yield.everYields() && p.z() < -m_deepest_m);
     plane.position = p - tool.carried;
     if (tool.onPlane)
-        return plane;
+        return tool.felt.step(plane, p, false, 1.0 + turnsPerWay(tool.felt.felt_m()));
     if (wasOnPlane) { // comes in under the plane: from above, or the plate's other side would be the nearest
         tool.tracker.reset();
         tool.tracker.update(surface, core::Vec3(p.x(), p.y(), std::max(p.z(), 0.0)), 0.0, reach_m);
@@ -91,7 +91,12 @@ ContactPlace TouchedDome::placeOn(const Surface& surface, Tool& tool, const core
         place.foot += s * (plane.foot - place.foot);
     }
     place.depthGradient = -place.normal;
-    return place;
+    return tool.felt.step(place, p, !wasOnPlane && foot.track == MeshTrack::acquired, 1.0 + turnsPerWay(tool.felt.felt_m()));
+}
+
+/// The force turns with the ball's nearest place, by 1/(R − d) a way; between facets by up to twice that.
+double TouchedDome::turnsPerWay(double depth_m) const noexcept {
+    return 2.0 * std::max(0.0, depth_m) / std::max(m_radius_m - depth_m, m_radius_m - m_deepest_m);
 }
 
 /// In free air: over the plane and out of the dome.
@@ -104,13 +109,14 @@ bool TouchedDome::isClear(const core::Vec3& p) const noexcept {
 }
 
 /// Out on another side than that which it went in by, or deeper than the dome's law has its place.
-bool TouchedDome::isBreached(const Tool& tool, const ContactPlace& place, const core::Vec3& p) const noexcept {
+bool TouchedDome::isBreached(const Tool& tool, const core::Vec3& p) const noexcept {
     constexpr double kSure_m = 2e-4; // nearer to the sheet, being out is leaving it
-    if (!(place.depth_m > 0.0))
+    const double depth_m = std::max(tool.felt.geometric_m(), tool.felt.felt_m());
+    if (!(depth_m > 0.0))
         return false;
-    if (tool.yield.everYields() && place.depth_m > m_deepest_m)
+    if (tool.yield.everYields() && depth_m > m_deepest_m)
         return true;
-    const bool elsewhere = !tool.onPlane && (place.depth_m > kSure_m || tool.tracker.foot().track == MeshTrack::followed);
+    const bool elsewhere = !tool.onPlane && (depth_m > kSure_m || tool.tracker.foot().track == MeshTrack::followed);
     return elsewhere && isClear(p);
 }
 
@@ -133,12 +139,12 @@ ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, c
     const ObjectContactResponse felt = at.contact.respond(place, core::kTickSeconds, state.object);
 
     const bool outside = !felt.inContact && !state.yield.through();
-    const double holds = state.yield.step(felt.force.norm(), outside, isBreached(state, place, p), core::kTickSeconds);
+    const double holds = state.yield.step(felt.force.norm(), outside, isBreached(state, p), core::kTickSeconds);
 
     ContactResponse response;
     response.surfacePoint = p_WT;
     response.bits = state.yield.bits();
-    if (felt.depth_m > kChecked_m)
+    if (std::max(felt.depth_m, state.felt.geometric_m()) > kChecked_m)
         response.bits |= core::contact_bits::kBeyondChecked;
     OrganTouch& touch = m_touches[tool];
     touch.touching = felt.inContact && !state.onPlane && holds > 0.0;
@@ -147,7 +153,7 @@ ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, c
     touch.triangle = state.tracker.foot().place.triangle;
     touch.weights = array(state.tracker.foot().place.weights);
     touch.normal = array(place.normal);
-    touch.p_Tool = array(p);
+    touch.p_Tool = array(core::Vec3(p + state.felt.less_m() * place.normal));
     touch.stiffness_N_per_m = holds * felt.stiffness_N_per_m;
     response.inContact = true;
     response.force = turned(at.cosine, at.sine, felt.force);
@@ -156,8 +162,8 @@ ContactResponse TouchedDome::respond(std::size_t tool, const core::Vec3& p_WT, c
     response.normalForce_N = felt.normalForce_N;
     response.energy_J = felt.energy_J;
     response.damping_Ns_per_m = felt.damping_Ns_per_m;
-    // The force turns with the ball's nearest place, by 1/(R − d) a way; between facets by up to twice that.
-    response.stiffness_N_per_m = felt.stiffness_N_per_m + 2.0 * felt.force.norm() / std::max(m_deepest_m / kDeepestShare - felt.depth_m, m_deepest_m / kDeepestShare - m_deepest_m);
+    const double perDepth_N_per_m = felt.depth_m > 0.0 ? felt.force.norm() / felt.depth_m : 0.0;
+    response.stiffness_N_per_m = felt.stiffness_N_per_m + perDepth_N_per_m * turnsPerWay(felt.depth_m);
     if (holds > 0.0)
         response.surfacePoint = p_WT + felt.depth_m * turned(at.cosine, at.sine, place.normal);
     response.inContact = holds > 0.0;

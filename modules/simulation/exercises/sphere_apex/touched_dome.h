@@ -9,6 +9,7 @@
 #include "simulation/geometry/mesh/mesh_source.h"
 #include "simulation/geometry/mesh/mesh_tracker.h"
 #include "simulation/objects/contact_yield.h"
+#include "simulation/objects/felt_place.h"
 #include "simulation/objects/object_contact.h"
 
 #include <array>
@@ -63,11 +64,12 @@ public:
 private:
     struct Tool {
         MeshTracker tracker;
+        FeltPlace felt;
         ObjectContactState object;
         core::Vec3 carried = core::Vec3::Zero(); ///< how far the touched places have moved with the surface, m
         ContactYield yield;
         bool used = false;
-        bool onPlane = false;                    ///< beyond the mesh
+        bool onPlane = true;                     ///< beyond the mesh; of a tool not seen before: it can only have come in from above
     };
     struct Place {
         core::Vec2 centre_m = core::Vec2::Zero();
@@ -80,7 +82,8 @@ private:
     ContactPlace placeOn(const Surface& surface, Tool& tool, const core::Vec3& p, const core::Vec3& v,
                          double reach_m) noexcept;
     bool isClear(const core::Vec3& p) const noexcept;
-    bool isBreached(const Tool& tool, const ContactPlace& place, const core::Vec3& p) const noexcept;
+    bool isBreached(const Tool& tool, const core::Vec3& p) const noexcept;
+    double turnsPerWay(double depth_m) const noexcept;
     core::Vec3 toMesh(const Place& place, const core::Vec3& p_W) const noexcept;
 
     TriangleMesh m_mesh;
@@ -88,6 +91,7 @@ private:
     std::vector<Place> m_places; ///< one a trial
     YieldLaw m_yield;
     double m_planeHeight_m = 0.0;
+    double m_radius_m = 0.0;
     double m_deepest_m = 0.0; ///< deeper, the dome gives way
     double m_blendFrom_m = 0.0; ///< horizontal distance from which the plane comes in ...
     double m_blendTo_m = 0.0;   ///< ... and from which it is alone

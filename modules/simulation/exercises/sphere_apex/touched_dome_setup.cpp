@@ -92,6 +92,7 @@ core::Result<std::unique_ptr<TouchedDome>> TouchedDome::make(const SphereApexPar
     dome->m_blendFrom_m = dome->m_blendTo_m - kBlend_m;
     dome->m_planeHeight_m = parameters.planeHeight_m;
     dome->m_yield = parameters.yield;
+    dome->m_radius_m = parameters.radius_m;
     dome->m_deepest_m = kDeepestShare * parameters.radius_m;
     for (const SphereApexTrial& trial : trials) {
         Place place;

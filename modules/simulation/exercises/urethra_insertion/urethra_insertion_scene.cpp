@@ -127,7 +127,11 @@ void UrethraInsertionScene::answer(const core::ToolStates& tools, SceneOutput& o
     if (touching != m_touching)
         out.events |= touching ? bits::kContactBegan : bits::kContactEnded;
     m_touching = touching;
-    const double whole = m_yield.step(touching ? m_response.wrench_A.force.norm() : 0.0, !touching, core::kTickSeconds);
+    if (!felt)
+        m_yield.reset(); // nobody is seen there yet
+    const double whole = !felt ? 1.0
+                               : m_yield.step(touching ? m_response.wrench_A.force.norm() : 0.0, !touching, core::kTickSeconds,
+                                              touching ? m_response.wrench_A.torque.norm() : 0.0);
     if (!touching)
         return;
     namespace contact = core::contact_bits;

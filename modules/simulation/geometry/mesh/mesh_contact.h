@@ -4,6 +4,7 @@
 #include "core/units.h"
 #include "simulation/geometry/mesh/mesh_dents.h"
 #include "simulation/geometry/mesh/mesh_tracker.h"
+#include "simulation/objects/felt_place.h"
 #include "simulation/objects/object_contact.h"
 
 #include <cstdint>
@@ -13,6 +14,7 @@ namespace chiron::simulation {
 /// What one tool has done to one mesh so far: where it is on it, its bristle, its dent.
 struct MeshContactState {
     MeshTracker tracker;
+    FeltPlace felt;
     ObjectContactState object;
     core::Vec3 carried = core::Vec3::Zero(); ///< how far the touched places have moved with the surface, m
     double depth_m = 0.0;                    ///< of the tick before
@@ -58,6 +60,7 @@ public:
         place.foot = out.foot.point;
         place.position = p - state.carried;
         place.velocity = v - out.foot.surfaceMotion / core::kTickSeconds;
+        place = state.felt.step(place, p, out.foot.track == MeshTrack::acquired, MeshTracker::kFollowFast);
         const bool dented = dents != nullptr && dents->any() && out.foot.within();
         if (dented) {
             const SurfaceTriangle& triangle = surface.triangle(out.foot.place.triangle);
@@ -69,7 +72,7 @@ public:
         state.depth_m = out.contact.depth_m;
         if (dented)
             dents->set(surface.triangle(out.foot.place.triangle), out.foot.place.weights, state.object.dent.stretch_m(), tick, core::kTickSeconds);
-        out.surfaced = out.contact.inContact ? core::Vec3(p + out.contact.depth_m * out.foot.normal) : p;
+        out.surfaced = out.contact.inContact ? core::Vec3(p + out.contact.depth_m * place.normal) : p;
         return out;
     }
 
