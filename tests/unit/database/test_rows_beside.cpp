@@ -25,6 +25,8 @@ private slots:
     void aRunningSessionKeepsItsParticipantAlone();
     void aRestoreErasesThatParticipantAlone();
     void aRestoredErasureNamesAnAdministratorOfTheSite();
+    void aSittingIsClosedByItsOwnStudy();
+    void aTrialIsOfTheDeviceOfItsSession();
     void aRestoreAsksOnlyAdministratorsWhoCanAgree_data();
     void aRestoreAsksOnlyAdministratorsWhoCanAgree();
 
@@ -304,6 +306,62 @@ void TestRowsBeside::aRestoredErasureNamesAnAdministratorOfTheSite() {
     QCOMPARE(erasures->size(), std::size_t{2});
     for (const Erasure& erasure : *erasures)
         QCOMPARE(erasure.administrator, m_admin.personId());
+}
+
+// A blinded study beside one that was unblinded: by its trials, and before those by its title.
+void TestRowsBeside::aSittingIsClosedByItsOwnStudy() {
+    const auto open = makeStudies(*m->database, m_ruth, "open"), closed = makeStudies(*m->database, m_ruth, "closed");
+    REQUIRE(open);
+    REQUIRE(closed);
+    REQUIRE(studies([&](StudyRepository& s, Connection&) { return s.unblindStudy(open->frozen, "all are done"); }));
+    const auto titled = [&](const std::string& key, StudyNumber study) {
+        NewSession setup = someSession();
+        setup.exercise = "comparison";
+        setup.contentJson = R"({"level":{"title":{"en":")" + key + " / " + codeOf(*reader(), study, "hard") + R"("}}})";
+        return sessions([&](SessionRepository& s) { return s.beginSession(setup); }).value_or(0);
+    };
+    const auto ofTrial = [&](StudyRunNumber run) {
+        const SessionId id = sessions([](SessionRepository& s) { return s.beginSession(someSession()); }).value_or(0);
+        const auto stored = studies([&](StudyRepository& s, Connection&) { return s.storeStudyTrial(someTrial(run, 1, id)); });
+        return stored ? id : 0;
+    };
+    const SessionId openTitle = titled("open", open->frozen), closedTitle = titled("closed", closed->frozen), crossed = titled("open", closed->frozen);
+    const SessionId openTrial = ofTrial(open->run), closedTrial = ofTrial(closed->run);
+    const SessionId free = storeSession(*m->database, m_ruth, 1).value_or(0);
+    const auto connection = reader();
+    for (const auto& [id, sealed] : {std::pair{openTitle, false}, {closedTitle, true}, {crossed, false}, {openTrial, false}, {closedTrial, true}, {free, false}}) {
+        QVERIFY(id > 0);
+        const auto session = SessionReader(*connection, m_ruth).session(id);
+        QCOMPARE(!session, sealed);
+        QVERIFY(session || session.error().code == core::ErrorCode::notAllowed);
+    }
+}
+
+void TestRowsBeside::aTrialIsOfTheDeviceOfItsSession() {
+    const auto made = makeStudies(*m->database, m_ruth, "devices");
+    REQUIRE(made);
+    const auto on = [&](bool felt, const std::string& device) {
+        NewSession setup = someSession();
+        setup.felt = felt;
+        setup.deviceJson = device;
+        return sessions([&](SessionRepository& s) { return s.beginSession(setup); }).value_or(0);
+    };
+    const std::array<SessionId, 3> of{on(true, R"({"tools":[{"model":"first","driver":"x"}]})"), on(false, R"({"tools":[{"driver":"second"}]})"), on(true, R"({"tools":[{"model":"third"},{"model":"other"}]})")};
+    const std::array<std::size_t, 3> order{2, 1, 0}; // not the order in which they were stored
+    for (int i = 0; i < 3; ++i)
+        REQUIRE(studies([&](StudyRepository& s, Connection&) { return s.storeStudyTrial(someTrial(made->run, i + 1, of[order[static_cast<std::size_t>(i)]])); }));
+    REQUIRE(studies([&](StudyRepository& s, Connection&) { return s.unblindStudy(made->frozen, "all are done"); }));
+    const auto trials = StudyReader(*reader(), m_ruth).studyTrials(made->run);
+    REQUIRE(trials);
+    QCOMPARE(trials->size(), std::size_t{4});
+    QVERIFY(!trials->at(0).felt && trials->at(0).device.empty()); // of no session
+    const std::array<const char*, 3> names{"third", "second", "first"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const StudyTrial& trial = trials->at(i + 1);
+        QCOMPARE(trial.session, of[order[i]]);
+        QCOMPARE(trial.felt.value_or(false), i != 1);
+        QVERIFY2(trial.device.find(names[i]) != std::string::npos, trial.device.c_str());
+    }
 }
 
 void TestRowsBeside::aRestoreAsksOnlyAdministratorsWhoCanAgree_data() {
