@@ -14,6 +14,7 @@ class TestRowsBeside : public QObject {
     Q_OBJECT
 private slots:
     void init();
+    void wrongWordsAreCountedForTheirPersonAlone();
     void aMomentIsOfItsSession();
     void eventsAreNumberedWithinTheirSession();
     void onlyWhoIsThereIsErased();
@@ -105,6 +106,35 @@ void TestRowsBeside::tamper(const std::string& sql, std::vector<Value> values) {
     auto query = Query::run(**connection, sql, std::move(values));
     REQUIRE(query);
     REQUIRE(query->next());
+}
+
+void TestRowsBeside::wrongWordsAreCountedForTheirPersonAlone() {
+    const auto tim = m->person(m_admin, "tim", {Role::trainee}), zoe = m->person(m_admin, "zoe", {Role::trainee});
+    AccountService accounts(*m->database);
+    const std::array<std::pair<const Actor*, int>, 2> wrong{std::pair{&*tim, 3}, std::pair{&*zoe, 1}};
+    for (const auto& [who, times] : wrong)
+        for (int i = 0; i < times; ++i) {
+            QVERIFY(!accounts.login(who->name(), "not the word 12"));
+            m->clock->advance_s(3600);
+        }
+    for (const auto& [who, times] : wrong) {
+        const auto held = PrivacyRepository(*reader(), m_admin).exportPerson(who->personId());
+        REQUIRE(held);
+        QCOMPARE(held->failedLogins, times);
+        QVERIFY(held->hasPassword);
+    }
+    QCOMPARE(PrivacyRepository(*reader(), m_admin).exportPerson(m_ruth.personId())->failedLogins, 0);
+    for (const auto& [who, times] : wrong) {
+        REQUIRE(accounts.login(who->name(), kPassword));
+        QCOMPARE(selectText(*reader(), "SELECT detail_json FROM audit WHERE action = 'login' AND target_id = ? ORDER BY sequence DESC LIMIT 1", {who->personId()})->value_or(""),
+                 "{\"wrong_before\":" + std::to_string(times) + "}");
+        QCOMPARE(PrivacyRepository(*reader(), m_admin).exportPerson(who->personId())->failedLogins, 0);
+    }
+    // The tombstone vouches for who was there by that person's own digest.
+    const auto digest = selectText(*reader(), "SELECT lower(hex(digest)) FROM person WHERE id = ?", {tim->personId()})->value_or("");
+    REQUIRE(accounts.erasePerson(m_admin, kPassword, tim->personId(), "wish", false));
+    const auto digests = selectText(*reader(), "SELECT digests_json FROM erasure WHERE person_id = ?", {tim->personId()})->value_or("");
+    QVERIFY2(!digest.empty() && digests.find("\"person\":\"" + digest + "\"") != std::string::npos, digests.c_str());
 }
 
 void TestRowsBeside::aMomentIsOfItsSession() {
@@ -227,6 +257,14 @@ void TestRowsBeside::oneParticipantIsErasedAlone() {
     QCOMPARE(selectText(*connection, "SELECT text FROM session_comment WHERE session_id = ?", {*free})->value_or(""), std::string("a Reiher flew past"));
     const auto digests = selectText(*connection, "SELECT digests_json FROM participant_erasure WHERE id = ?", {gone.who.id})->value_or("");
     QVERIFY2(!keyHash.empty() && digests.find("\"key\":\"" + keyHash + "\"") != std::string::npos, digests.c_str());
+    auto answers = Query::run(*connection, "SELECT participant_id, id, lower(hex(answer_hash)) FROM questionnaire_answer");
+    int own = 0;
+    for (auto row = answers->next(); row && *row; row = answers->next()) {
+        const std::string entry = "\"" + answers->text(1) + "\":\"" + answers->text(2) + "\"";
+        QCOMPARE(digests.find(entry) != std::string::npos, answers->integer(0) == gone.who.id);
+        own += answers->integer(0) == gone.who.id ? 1 : 0;
+    }
+    QCOMPARE(own, 2);
     QVERIFY2(!seal.empty() && digests.find("\"sessions\":{\"" + std::to_string(gone.session) + "\":\"" + seal + "\"}") != std::string::npos, digests.c_str());
 }
 
