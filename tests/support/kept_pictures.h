@@ -17,7 +17,7 @@ namespace chiron::tests {
 
 /// Holds pictures against those that somebody looked at and kept, as mean colours of 16 × 12 fields in tenths of 1/255, in a file that
 /// is read once. What is drawn by hand (scenes, plots, gauges) is told by no number; a change of it is looked at, then kept anew:
-/// with CHIRON_KEEP_PICTURES set nothing is compared, and the file is written at the end. CHIRON_PICTURES=<folder> saves what is drawn.
+/// with CHIRON_STORE_PICTURES set nothing is compared, and the file is written at the end. CHIRON_PICTURES=<folder> saves what is drawn.
 class KeptPictures {
 public:
     explicit KeptPictures(QString file) : m_file(std::move(file)) {
@@ -47,7 +47,7 @@ public:
             return {};
         const QJsonArray kept = m_kept[name].toArray();
         if (kept.size() != now.size())
-            return name + QStringLiteral(": no such picture is kept. Look at it (CHIRON_PICTURES=<folder>), then run once with CHIRON_KEEP_PICTURES=1");
+            return name + QStringLiteral(": no such picture is kept. Look at it (CHIRON_PICTURES=<folder>), then run once with CHIRON_STORE_PICTURES=1");
         double most = 0.0;
         qsizetype where = 0;
         for (qsizetype i = 0; i < now.size(); ++i)
@@ -58,7 +58,7 @@ public:
         if (most <= tolerance)
             return {};
         return QStringLiteral("%1: not as it was looked at: by %2 of 255 in column %3 of %4, row %5 of %6. If it should look so, look at it "
-                              "(CHIRON_PICTURES=<folder>), then run once with CHIRON_KEEP_PICTURES=1")
+                              "(CHIRON_PICTURES=<folder>), then run once with CHIRON_STORE_PICTURES=1")
             .arg(name).arg(most, 0, 'f', 1).arg(where % kColumns + 1).arg(kColumns).arg(where / kColumns + 1).arg(kRows);
     }
 
@@ -66,7 +66,7 @@ public:
 
 private:
     static constexpr int kColumns = 16, kRows = 12;
-    static bool keeps() { return qEnvironmentVariableIsSet("CHIRON_KEEP_PICTURES"); }
+    static bool keeps() { return qEnvironmentVariableIsSet("CHIRON_STORE_PICTURES"); }
 
     static QJsonArray fieldsOf(const QImage& picture) {
         const QImage image = picture.convertToFormat(QImage::Format_RGB32);

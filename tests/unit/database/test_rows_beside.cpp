@@ -14,6 +14,7 @@ class TestRowsBeside : public QObject {
     Q_OBJECT
 private slots:
     void init();
+    void wrongWordsAreCountedForTheirPersonAlone();
     void aMomentIsOfItsSession();
     void eventsAreNumberedWithinTheirSession();
     void onlyWhoIsThereIsErased();
@@ -25,6 +26,8 @@ private slots:
     void aRunningSessionKeepsItsParticipantAlone();
     void aRestoreErasesThatParticipantAlone();
     void aRestoredErasureNamesAnAdministratorOfTheSite();
+    void aSittingIsClosedByItsOwnStudy();
+    void aTrialIsOfTheDeviceOfItsSession();
     void aRestoreAsksOnlyAdministratorsWhoCanAgree_data();
     void aRestoreAsksOnlyAdministratorsWhoCanAgree();
 
@@ -103,6 +106,35 @@ void TestRowsBeside::tamper(const std::string& sql, std::vector<Value> values) {
     auto query = Query::run(**connection, sql, std::move(values));
     REQUIRE(query);
     REQUIRE(query->next());
+}
+
+void TestRowsBeside::wrongWordsAreCountedForTheirPersonAlone() {
+    const auto tim = m->person(m_admin, "tim", {Role::trainee}), zoe = m->person(m_admin, "zoe", {Role::trainee});
+    AccountService accounts(*m->database);
+    const std::array<std::pair<const Actor*, int>, 2> wrong{std::pair{&*tim, 3}, std::pair{&*zoe, 1}};
+    for (const auto& [who, times] : wrong)
+        for (int i = 0; i < times; ++i) {
+            QVERIFY(!accounts.login(who->name(), "not the word 12"));
+            m->clock->advance_s(3600);
+        }
+    for (const auto& [who, times] : wrong) {
+        const auto held = PrivacyRepository(*reader(), m_admin).exportPerson(who->personId());
+        REQUIRE(held);
+        QCOMPARE(held->failedLogins, times);
+        QVERIFY(held->hasPassword);
+    }
+    QCOMPARE(PrivacyRepository(*reader(), m_admin).exportPerson(m_ruth.personId())->failedLogins, 0);
+    for (const auto& [who, times] : wrong) {
+        REQUIRE(accounts.login(who->name(), kPassword));
+        QCOMPARE(selectText(*reader(), "SELECT detail_json FROM audit WHERE action = 'login' AND target_id = ? ORDER BY sequence DESC LIMIT 1", {who->personId()})->value_or(""),
+                 "{\"wrong_before\":" + std::to_string(times) + "}");
+        QCOMPARE(PrivacyRepository(*reader(), m_admin).exportPerson(who->personId())->failedLogins, 0);
+    }
+    // The tombstone vouches for who was there by that person's own digest.
+    const auto digest = selectText(*reader(), "SELECT lower(hex(digest)) FROM person WHERE id = ?", {tim->personId()})->value_or("");
+    REQUIRE(accounts.erasePerson(m_admin, kPassword, tim->personId(), "wish", false));
+    const auto digests = selectText(*reader(), "SELECT digests_json FROM erasure WHERE person_id = ?", {tim->personId()})->value_or("");
+    QVERIFY2(!digest.empty() && digests.find("\"person\":\"" + digest + "\"") != std::string::npos, digests.c_str());
 }
 
 void TestRowsBeside::aMomentIsOfItsSession() {
@@ -225,6 +257,14 @@ void TestRowsBeside::oneParticipantIsErasedAlone() {
     QCOMPARE(selectText(*connection, "SELECT text FROM session_comment WHERE session_id = ?", {*free})->value_or(""), std::string("a Reiher flew past"));
     const auto digests = selectText(*connection, "SELECT digests_json FROM participant_erasure WHERE id = ?", {gone.who.id})->value_or("");
     QVERIFY2(!keyHash.empty() && digests.find("\"key\":\"" + keyHash + "\"") != std::string::npos, digests.c_str());
+    auto answers = Query::run(*connection, "SELECT participant_id, id, lower(hex(answer_hash)) FROM questionnaire_answer");
+    int own = 0;
+    for (auto row = answers->next(); row && *row; row = answers->next()) {
+        const std::string entry = "\"" + answers->text(1) + "\":\"" + answers->text(2) + "\"";
+        QCOMPARE(digests.find(entry) != std::string::npos, answers->integer(0) == gone.who.id);
+        own += answers->integer(0) == gone.who.id ? 1 : 0;
+    }
+    QCOMPARE(own, 2);
     QVERIFY2(!seal.empty() && digests.find("\"sessions\":{\"" + std::to_string(gone.session) + "\":\"" + seal + "\"}") != std::string::npos, digests.c_str());
 }
 
@@ -304,6 +344,62 @@ void TestRowsBeside::aRestoredErasureNamesAnAdministratorOfTheSite() {
     QCOMPARE(erasures->size(), std::size_t{2});
     for (const Erasure& erasure : *erasures)
         QCOMPARE(erasure.administrator, m_admin.personId());
+}
+
+// A blinded study beside one that was unblinded: by its trials, and before those by its title.
+void TestRowsBeside::aSittingIsClosedByItsOwnStudy() {
+    const auto open = makeStudies(*m->database, m_ruth, "open"), closed = makeStudies(*m->database, m_ruth, "closed");
+    REQUIRE(open);
+    REQUIRE(closed);
+    REQUIRE(studies([&](StudyRepository& s, Connection&) { return s.unblindStudy(open->frozen, "all are done"); }));
+    const auto titled = [&](const std::string& key, StudyNumber study) {
+        NewSession setup = someSession();
+        setup.exercise = "comparison";
+        setup.contentJson = R"({"level":{"title":{"en":")" + key + " / " + codeOf(*reader(), study, "hard") + R"("}}})";
+        return sessions([&](SessionRepository& s) { return s.beginSession(setup); }).value_or(0);
+    };
+    const auto ofTrial = [&](StudyRunNumber run) {
+        const SessionId id = sessions([](SessionRepository& s) { return s.beginSession(someSession()); }).value_or(0);
+        const auto stored = studies([&](StudyRepository& s, Connection&) { return s.storeStudyTrial(someTrial(run, 1, id)); });
+        return stored ? id : 0;
+    };
+    const SessionId openTitle = titled("open", open->frozen), closedTitle = titled("closed", closed->frozen), crossed = titled("open", closed->frozen);
+    const SessionId openTrial = ofTrial(open->run), closedTrial = ofTrial(closed->run);
+    const SessionId free = storeSession(*m->database, m_ruth, 1).value_or(0);
+    const auto connection = reader();
+    for (const auto& [id, sealed] : {std::pair{openTitle, false}, {closedTitle, true}, {crossed, false}, {openTrial, false}, {closedTrial, true}, {free, false}}) {
+        QVERIFY(id > 0);
+        const auto session = SessionReader(*connection, m_ruth).session(id);
+        QCOMPARE(!session, sealed);
+        QVERIFY(session || session.error().code == core::ErrorCode::notAllowed);
+    }
+}
+
+void TestRowsBeside::aTrialIsOfTheDeviceOfItsSession() {
+    const auto made = makeStudies(*m->database, m_ruth, "devices");
+    REQUIRE(made);
+    const auto on = [&](bool felt, const std::string& device) {
+        NewSession setup = someSession();
+        setup.felt = felt;
+        setup.deviceJson = device;
+        return sessions([&](SessionRepository& s) { return s.beginSession(setup); }).value_or(0);
+    };
+    const std::array<SessionId, 3> of{on(true, R"({"tools":[{"model":"first","driver":"x"}]})"), on(false, R"({"tools":[{"driver":"second"}]})"), on(true, R"({"tools":[{"model":"third"},{"model":"other"}]})")};
+    const std::array<std::size_t, 3> order{2, 1, 0}; // not the order in which they were stored
+    for (int i = 0; i < 3; ++i)
+        REQUIRE(studies([&](StudyRepository& s, Connection&) { return s.storeStudyTrial(someTrial(made->run, i + 1, of[order[static_cast<std::size_t>(i)]])); }));
+    REQUIRE(studies([&](StudyRepository& s, Connection&) { return s.unblindStudy(made->frozen, "all are done"); }));
+    const auto trials = StudyReader(*reader(), m_ruth).studyTrials(made->run);
+    REQUIRE(trials);
+    QCOMPARE(trials->size(), std::size_t{4});
+    QVERIFY(!trials->at(0).felt && trials->at(0).device.empty()); // of no session
+    const std::array<const char*, 3> names{"third", "second", "first"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const StudyTrial& trial = trials->at(i + 1);
+        QCOMPARE(trial.session, of[order[i]]);
+        QCOMPARE(trial.felt.value_or(false), i != 1);
+        QVERIFY2(trial.device.find(names[i]) != std::string::npos, trial.device.c_str());
+    }
 }
 
 void TestRowsBeside::aRestoreAsksOnlyAdministratorsWhoCanAgree_data() {

@@ -2,8 +2,11 @@
 #include "report/plot_canvas.h"
 #include "report/report_writer.h"
 #include "report/session_plots.h"
+#include "support/kept_pictures.h"
 
 #include <QFontDatabase>
+#include <QProcess>
+#include <QStandardPaths>
 #include <QtTest>
 #include <cmath>
 
@@ -25,6 +28,7 @@ private slots:
 
 private:
     QString path(const QString& name) const { return m_folder + QLatin1Char('/') + name; }
+    tests::KeptPictures m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/report/kept_reports.json")};
     QTemporaryDir m_temporary;
     QString m_folder;
 };
@@ -191,6 +195,17 @@ void TestReportOutput::sessionReport() {
     QVERIFY(bytes.contains("pdfaid:part"));      // archive metadata
     QVERIFY(!bytes.contains("/Subtype /Image")); // plots are vectors
     QVERIFY(bytes.contains("/FontFile"));        // embedded
+    // Each page as it was looked at, where there is a program that paints it.
+    const QString painter = QStandardPaths::findExecutable(QStringLiteral("pdftoppm"));
+    if (painter.isEmpty())
+        return;
+    const QString pages = path(QStringLiteral("page_%1").arg(QLatin1String(QTest::currentDataTag())));
+    QCOMPARE(QProcess::execute(painter, {QStringLiteral("-r"), QStringLiteral("60"), QStringLiteral("-png"), file, pages}), 0);
+    const QFileInfo about(pages);
+    for (const QFileInfo& page : about.dir().entryInfoList({about.fileName() + QStringLiteral("*.png")}, QDir::Files, QDir::Name)) {
+        const QString differs = m_kept.differs(page.completeBaseName(), QImage(page.filePath()));
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
+    }
 }
 
 void TestReportOutput::pictures() {
@@ -202,6 +217,8 @@ void TestReportOutput::pictures() {
         const QImage image(file);
         QVERIFY2(image.width() >= 1800, qPrintable(file)); // twice the logical size
         QCOMPARE(image.pixelColor(0, 0), theme.paper);
+        const QString differs = m_kept.differs(QFileInfo(file).completeBaseName(), image);
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
     const auto empty = writeSessionPngs(path(QStringLiteral("empty")), ReportData(), theme);
     QVERIFY(empty.has_value());
@@ -241,7 +258,10 @@ void TestReportOutput::comparison() {
                         QStringLiteral("published mean, 14.2 %")};
     const PlotTheme theme = lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom));
     QVERIFY(writeComparisonPng(path(QStringLiteral("comparison.png")), data, theme).has_value());
-    QVERIFY(QImage(path(QStringLiteral("comparison.png"))).width() >= 1800);
+    const QImage image(path(QStringLiteral("comparison.png")));
+    QVERIFY(image.width() >= 1800);
+    const QString differs = m_kept.differs(QStringLiteral("comparison"), image);
+    QVERIFY2(differs.isEmpty(), qPrintable(differs));
     QVERIFY(writeComparisonPng(path(QStringLiteral("comparison_empty.png")), {}, theme).has_value());
 }
 

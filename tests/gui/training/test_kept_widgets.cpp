@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the desktop paints by hand, as it was looked at (support/kept_pictures.h): bars, dials, plots that scroll, charts, pictures of exercises.
+#include "catalogue/catalogue.h"
+#include "desktop/debrief/band_bar.h"
+#include "desktop/home/exercise_picture.h"
+#include "desktop/playback/scrubber.h"
+#include "desktop/station/lateness_chart.h"
+#include "desktop/study_run/places_view.h"
+#include "desktop/training/force_bar.h"
+#include "desktop/training/lean_dial.h"
+#include "desktop/training/live_plot.h"
+#include "desktop/training/signed_bar.h"
+#include "desktop/training/size_row.h"
+#include "desktop/training/sound_sign.h"
+#include "desktop/training/target_bar.h"
+#include "session/playback_track.h"
+#include "support/kept_pictures.h"
+
+#include <QtTest>
+#include <cmath>
+
+using namespace chiron;
+using namespace chiron::desktop;
+
+namespace {
+
+using Made = std::unique_ptr<QWidget>;
+
+std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const catalogue::Catalogue& catalogue) {
+    std::map<QString, Made> all;
+    // ---- bars ----
+    for (const auto& [name, value] : {std::pair{"low", 0.7}, {"near", 3.9}, {"over", 5.2}, {"none", 0.0}}) {
+        auto bar = std::make_unique<ForceBar>(theme, locale, ForceBar::Quantity{QStringLiteral("Force"), QStringLiteral("N"), 4.0, 2}, true);
+        bar->setValue(value);
+        all[QStringLiteral("force_bar_%1").arg(QLatin1String(name))] = std::move(bar);
+    }
+    auto silent = std::make_unique<ForceBar>(theme, locale, ForceBar::Quantity{QStringLiteral("Force"), QStringLiteral("N"), 4.0, 2}, false);
+    silent->setValue(2.0);
+    all[QStringLiteral("force_bar_no_number")] = std::move(silent);
+    for (const auto& [name, value] : {std::pair{"below", 0.6}, {"in", 1.2}, {"above", 1.9}, {"over", 2.8}}) {
+        auto bar = std::make_unique<TargetBar>(theme, locale, TargetBar::Quantity{QStringLiteral("Tension"), QStringLiteral("N"), 3.0, 2}, true);
+        bar->setBand(1.05, 1.35);
+        bar->setLimit(2.5);
+        bar->setValue(value);
+        all[QStringLiteral("target_bar_%1").arg(QLatin1String(name))] = std::move(bar);
+    }
+    for (const auto& [name, value] : {std::pair{"left", -1.4}, {"right", 0.8}, {"over", -2.6}}) {
+        auto bar = std::make_unique<SignedBar>(theme, locale, SignedBar::Quantity{QStringLiteral("Fx"), QStringLiteral("Force along x"), QStringLiteral("N"), 2.0, 2}, true, true);
+        bar->setValue(value);
+        all[QStringLiteral("signed_bar_%1").arg(QLatin1String(name))] = std::move(bar);
+    }
+    // ---- of a finger ----
+    auto one = std::make_unique<LeanDial>(theme, locale, 1);
+    one->setLean(0, 0.2, -0.15, false);
+    all[QStringLiteral("lean_dial_one")] = std::move(one);
+    auto two = std::make_unique<LeanDial>(theme, locale, 2);
+    two->setLean(0, -0.3, 0.1, false);
+    two->setLean(1, 0.1, 0.5, true);
+    all[QStringLiteral("lean_dial_two")] = std::move(two);
+    for (const double radius_m : {0.0, 0.003, 0.015}) {
+        auto row = std::make_unique<SizeRow>(theme, locale, 0.0075);
+        row->setRadius(radius_m);
+        all[QStringLiteral("size_row_%1").arg(qRound(1e3 * radius_m))] = std::move(row);
+    }
+    for (const auto& [name, force] : {std::pair{"quiet", 0.0}, {"low", 0.8}, {"high", 3.7}, {"over", 4.4}}) {
+        auto sign = std::make_unique<SoundSign>(theme);
+        SoundCues cues;
+        cues.force_N = force;
+        cues.contacts = force > 0.0 ? 1 : 0;
+        sign->show(cues, true, 1'000'000'000);
+        all[QStringLiteral("sound_sign_%1").arg(QLatin1String(name))] = std::move(sign);
+    }
+    // ---- plots and charts ----
+    for (const bool banded : {false, true}) {
+        auto plot = std::make_unique<LivePlot>(theme, locale, QStringLiteral("Force (N)"), 2.0, banded ? std::optional<double>() : std::optional<double>(4.0));
+        if (banded)
+            plot->setBand(1.05, 1.35);
+        for (int i = 0; i < 14'000; ++i)
+            if (i < 9000 || i > 9600) // a pause
+                plot->add(1e-3 * i, (banded ? 1.2 : 2.6) * (1.0 + std::sin(2e-3 * i)));
+        all[banded ? QStringLiteral("live_plot_band") : QStringLiteral("live_plot_limit")] = std::move(plot);
+    }
+    auto chart = std::make_unique<LatenessChart>(theme, locale);
+    session::LatenessBins bins;
+    bins.counts = {40, 3000, 52'000, 31'000, 9000, 700, 90, 12, 3, 0, 1};
+    chart->setBins(bins);
+    all[QStringLiteral("lateness_chart")] = std::move(chart);
+    report::MetricRow row;
+    row.value = 14.0;
+    row.unit = QStringLiteral("%");
+    row.gateMaximum = 10.0;
+    row.bandLow = 2.9;
+    row.bandHigh = 25.5;
+    all[QStringLiteral("band_bar_gate")] = std::make_unique<BandBar>(theme, row);
+    row.gateMaximum.reset();
+    row.gateMinimum = 12.0;
+    row.bandLow.reset();
+    row.bandHigh.reset();
+    all[QStringLiteral("band_bar_minimum")] = std::make_unique<BandBar>(theme, row);
+    auto scrubber = std::make_unique<Scrubber>(theme);
+    session::PlaybackTrack track;
+    track.duration_s = 40.0;
+    for (int i = 0; i < 2; ++i) {
+        session::PlaybackTrial trial;
+        trial.index = i;
+        trial.start_s = 2.0 + 20.0 * i;
+        trial.end_s = 18.0 + 20.0 * i;
+        track.trials.push_back(trial);
+    }
+    track.paused = {{9.0, 12.0}};
+    using session::PlaybackMarkKind;
+    for (const auto& [t_s, end_s, kind] : {std::tuple{5.0, 6.5, PlaybackMarkKind::overLimit}, {18.0, 18.0, PlaybackMarkKind::marked}, {30.0, 30.0, PlaybackMarkKind::slipped},
+                                           {38.0, 38.0, PlaybackMarkKind::timedOut}}) {
+        session::PlaybackMark mark;
+        mark.t_s = t_s;
+        mark.end_s = end_s;
+        mark.kind = kind;
+        track.marks.push_back(mark);
+    }
+    scrubber->setTrack(track, simulation::SphereApexParameters{});
+    scrubber->setComments({25.0});
+    scrubber->setPosition(14.0);
+    all[QStringLiteral("scrubber")] = std::move(scrubber);
+    // ---- what an exercise and a comparison look like ----
+    for (const catalogue::Exercise& exercise : catalogue.exercises())
+        for (const std::size_t i : {std::size_t{0}, exercise.levels.size() - 1})
+            all[QStringLiteral("picture_%1_%2").arg(QString::fromStdString(exercise.id)).arg(exercise.levels[i].number)] =
+                std::make_unique<ExercisePicture>(theme, exercise.levels[i], QSize(theme.px(240), theme.px(150)));
+    for (const bool hooked : {false, true}) {
+        PlacesSetup setup;
+        setup.hooked = hooked;
+        setup.names = {QStringLiteral("left"), QStringLiteral("middle"), QStringLiteral("right")};
+        auto view = std::make_unique<PlacesView>(theme, setup);
+        haptics::DisplayState state;
+        state.tools = 1;
+        state.tool[0].p_WT_m = state.tool[0].p_WProxy_m = {0.012, -0.004, 0.020};
+        PlacesView::Now now;
+        now.objects = true;
+        now.touched = 5;
+        now.place = hooked ? 1 : 2;
+        now.feltNothing = hooked;
+        now.force_N = 2.2;
+        view->show(state, now);
+        view->setMarks({QStringLiteral("2nd"), {}, QStringLiteral("1st")});
+        all[hooked ? QStringLiteral("places_hooked") : QStringLiteral("places_pads")] = std::move(view);
+    }
+    return all;
+}
+
+} // namespace
+
+class TestKeptWidgets : public QObject {
+    Q_OBJECT
+private slots:
+    void isAsItWasLookedAt_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<int>("theme");
+        QTest::addColumn<double>("scale");
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        for (const auto& [name, widget] : widgets(theme, QLocale::c(), m_catalogue)) {
+            QTest::newRow(qPrintable(name)) << name << static_cast<int>(ThemeName::light) << 1.0;
+            QTest::newRow(qPrintable(name + QStringLiteral(" dark, larger"))) << name << static_cast<int>(ThemeName::dark) << 1.5;
+        }
+    }
+    void isAsItWasLookedAt() {
+        QFETCH(QString, name);
+        QFETCH(int, theme);
+        QFETCH(double, scale);
+        const Theme look = Theme::load(static_cast<ThemeName>(theme), scale).value();
+        qApp->setFont(look.font(TextStyle::body));
+        qApp->setPalette(look.palette());
+        qApp->setStyleSheet(look.styleSheet());
+        auto all = widgets(look, QLocale(QLocale::English, QLocale::UnitedKingdom), m_catalogue);
+        QWidget& widget = *all.at(name);
+        const QSize size = widget.sizeHint().expandedTo(widget.minimumSizeHint()).expandedTo(QSize(look.px(60), look.px(16)));
+        widget.resize(name.startsWith(QLatin1String("places")) ? QSize(look.px(640), look.px(420))
+                      : size.width() < look.px(200) && size.width() < size.height() * 4 ? size
+                                                                                        : QSize(look.px(420), std::max(size.height(), look.px(24))));
+        const QString differs = m_kept.differs(QLatin1String(QTest::currentDataTag()), widget.grab().toImage());
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
+    }
+
+private:
+    catalogue::Catalogue m_catalogue = *catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+    tests::KeptPictures m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/training/kept_widgets.json")};
+};
+
+QTEST_MAIN(TestKeptWidgets)
+#include "test_kept_widgets.moc"
