@@ -120,8 +120,7 @@ void checkVouchedRows(Connection& connection, const std::map<Target, std::string
     }
 }
 
-// A row that somebody without the key put there, digest and all: each of these tables notes its rows when
-// they are made. Only the built-in account is older than the chain.
+// A row that somebody without the key put there, digest and all: each of these tables notes its rows when they are made.
 void checkUnknownRows(Connection& connection, const std::map<Target, std::string>& rows,
                       VerifyReport& report) {
     const int version = schemaVersionOf(connection);
@@ -130,10 +129,7 @@ void checkUnknownRows(Connection& connection, const std::map<Target, std::string
         if (vouched.since > version) {
             continue;
         }
-        auto query =
-            Query::run(connection, "SELECT id FROM " + table +
-                                       (table == "person" ? " WHERE kind <> 'simulated' OR id <> 1" : "") +
-                                       " ORDER BY id");
+        auto query = Query::run(connection, "SELECT id FROM " + table + " ORDER BY id");
         auto row = query ? query->next() : tl::unexpected(query.error());
         for (; row && *row; row = query->next()) {
             if (!rows.contains({table, query->integer(0)})) {
