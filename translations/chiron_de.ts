@@ -2093,6 +2093,10 @@ Einzelheiten: %2</translation>
         <translation>Entglitten oder fallen gelassen</translation>
     </message>
     <message>
+        <source>Critical error: %1</source>
+        <translation>Kritischer Fehler: %1</translation>
+    </message>
+    <message>
         <source>The tissue gave way at %1</source>
         <translation>Das Gewebe gab bei %1 nach</translation>
     </message>

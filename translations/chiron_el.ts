@@ -2093,6 +2093,10 @@ Details: %2</source>
         <translation>Γλίστρημα ή πτώση</translation>
     </message>
     <message>
+        <source>Critical error: %1</source>
+        <translation>Κρίσιμο σφάλμα: %1</translation>
+    </message>
+    <message>
         <source>The tissue gave way at %1</source>
         <translation>Ο ιστός υποχώρησε στα %1</translation>
     </message>

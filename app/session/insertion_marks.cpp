@@ -17,7 +17,7 @@ namespace {
 constexpr double kNear_s = 0.002;
 
 void addEvents(PlaybackTrack& track, int trial, PlaybackMarkKind kind,
-               const std::vector<scoring::InsertionEvent>& events) {
+               const std::vector<scoring::InsertionEvent>& events, bool mayBeCritical = false) {
     for (const scoring::InsertionEvent& event : events) {
         PlaybackMark mark;
         mark.t_s = event.begin_s;
@@ -26,6 +26,7 @@ void addEvents(PlaybackTrack& track, int trial, PlaybackMarkKind kind,
         mark.kind = kind;
         mark.trial = trial;
         mark.value = event.value;
+        mark.critical = mayBeCritical && scoring::isCritical(event);
         track.marks.push_back(std::move(mark));
     }
 }
@@ -68,6 +69,15 @@ void completeMarks(PlaybackTrack& track, int trial, const scoring::InsertionSeri
     }
 }
 
+/// Tissue that gave way under a trauma that is an error is that one error.
+void countOnce(PlaybackTrack& track, int trial, const std::vector<scoring::InsertionEvent>& trauma) {
+    for (PlaybackMark& mark : track.marks)
+        if (mark.kind == PlaybackMarkKind::yielded && mark.trial == trial)
+            mark.critical = mark.critical && std::none_of(trauma.begin(), trauma.end(), [&mark](const scoring::InsertionEvent& event) {
+                return scoring::isCritical(event) && event.begin_s - kNear_s <= mark.t_s && mark.t_s <= event.end_s + kNear_s;
+            });
+}
+
 /// Only what a sample alone can exceed: a mean over the trial has no moment.
 void addStretches(PlaybackTrack& track, const scoring::TrialTrace& trial, std::span<const scoring::Gate> gates) {
     for (const scoring::Gate& gate : gates) {
@@ -93,7 +103,7 @@ void addPeaks(PlaybackTrack& track, const scoring::TrialTrace& trial) {
 } // namespace
 
 core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::SessionTrace& trace,
-                                     std::span<const scoring::Gate> gates) {
+                                     std::span<const scoring::Gate> gates, bool traumaIsCritical) {
     const auto scored = scoring::onStoredGrids(trace);
     if (!scored)
         return tl::unexpected(scored.error());
@@ -102,7 +112,9 @@ core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::Sessio
             continue;
         completeMarks(track, trial.trial, *trial.insertion);
         const scoring::InsertionEvents events = scoring::insertionEvents(trial);
-        addEvents(track, trial.trial, PlaybackMarkKind::trauma, events.trauma);
+        addEvents(track, trial.trial, PlaybackMarkKind::trauma, events.trauma, traumaIsCritical);
+        if (traumaIsCritical)
+            countOnce(track, trial.trial, events.trauma);
         addEvents(track, trial.trial, PlaybackMarkKind::reversal, events.reversals);
         addStretches(track, trial, gates);
         addPeaks(track, trial);

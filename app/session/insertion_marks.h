@@ -15,7 +15,8 @@ namespace chiron::session {
 /// torque_max allow, with their ends and sizes. Notes each trial's largest offset, misalignment and torque. Tells the marks that are there already
 /// which stage began and how many landmarks had been seen. Marks stay in the order of time; nothing changes where no trial
 /// has an insertion series. Failure: a trace that cannot be scored (trace_grid.h).
+/// `traumaIsCritical`: the session's critical_errors counts trauma that is long or hard (scoring::isCritical), and its marks say so.
 core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::SessionTrace& trace,
-                                     std::span<const scoring::Gate> gates);
+                                     std::span<const scoring::Gate> gates, bool traumaIsCritical = false);
 
 } // namespace chiron::session

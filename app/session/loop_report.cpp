@@ -65,6 +65,7 @@ std::string loopJson(const LoopReport& report) {
     put("p50_us", report.p50_us);
     put("p99_us", report.p99_us);
     put("max_us", report.max_us);
+    put("passivity_J", report.passivity_J);
     if (report.lateness) {
         QJsonArray edges;
         QJsonArray counts;
@@ -93,6 +94,7 @@ core::Result<LoopReport> loopReportFrom(const std::string& text) {
     report.p50_us = numberFrom(json, "p50_us");
     report.p99_us = numberFrom(json, "p99_us");
     report.max_us = numberFrom(json, "max_us");
+    report.passivity_J = numberFrom(json, "passivity_J");
     report.lateness = binsFrom(json);
     return report;
 }

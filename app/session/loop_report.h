@@ -32,6 +32,7 @@ struct LoopReport {
     bool realtime = false;
     bool priorityGranted = false;
     std::string priorityDetail;
+    std::optional<double> passivity_J;    ///< what the passivity controller kept from people (PassivityController::kept_J()); absent in sessions stored before
     std::optional<LatenessBins> lateness; ///< absent also in sessions stored before it was kept
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/contact_bits.h"
 #include "core/laparoscopy_cues.h"
+#include "scoring/insertion_events.h"
 #include "session/device_time.h"
 #include "session/exercise_kind.h"
 #include "session/insertion_marks.h"
@@ -249,7 +250,11 @@ core::Result<PlaybackTrack> buildPlaybackTrack(StoredSession& session, const Pla
     auto trace = session.trace(); // what is scored from the whole of it is marked from the same
     if (!trace)
         return tl::unexpected(trace.error());
-    if (auto done = addInsertionMarks(track, *trace, session.setup().level.gates); !done)
+    const auto& metrics = session.setup().level.metrics;
+    const bool traumaIsCritical = std::any_of(metrics.begin(), metrics.end(), [](const catalogue::MetricChoice& metric) {
+        return metric.id == "critical_errors" && metric.version >= scoring::kTraumaIsCriticalFrom;
+    });
+    if (auto done = addInsertionMarks(track, *trace, session.setup().level.gates, traumaIsCritical); !done)
         return tl::unexpected(done.error());
     addInsertion(track, *trace);
     return track;

@@ -144,7 +144,7 @@ void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
         const auto i = static_cast<std::size_t>(tool);
         const double tissue = tissueOf(frame.tool[i]);
         if (core::contactOfStatus(frame.tool[i].status) & core::contact_bits::kYielded)
-            note(frame, t_s, PlaybackMarkKind::yielded, tool).value = std::max(m_before_N[i], tissue);
+            noteYield(frame, t_s, tool, std::max(m_before_N[i], tissue));
         m_before_N[i] = tissue;
         follow(m_contact[i], tissue > kContact_N, frame, t_s, PlaybackMarkKind::contact, tool, kBridge_s);
         const bool over = scored && tissue > m_forceLimit_N;
@@ -155,6 +155,13 @@ void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
         }
         addLimited(frame, t_s, tool);
     }
+}
+
+/// What gives way before a trial runs, or while it is paused, is nobody's error.
+void MarkExtractor::noteYield(const core::HapticFrame& frame, double t_s, int tool, double force_N) {
+    PlaybackMark& mark = note(frame, t_s, PlaybackMarkKind::yielded, tool);
+    mark.value = force_N;
+    mark.critical = frame.header.phase == core::TrialPhase::running && frame.header.paused == 0;
 }
 
 void MarkExtractor::addLimited(const core::HapticFrame& frame, double t_s, int tool) {

@@ -57,6 +57,7 @@ struct PlaybackMark {
     PlaybackMarkKind kind = PlaybackMarkKind::marked;
     int trial = 0;                   ///< from 0
     int tool = 0;
+    bool critical = false;           ///< among what the session's metric critical_errors counts
     std::optional<double> value;     ///< overLimit: largest tissue force, N; others as the kind says
     /// guard, fault: stored token of the event ("watchdog", "over_velocity", ...); stageChanged: the stage's token
     /// ("inspection"), empty where it is not known; timedOut: kProcedure where no mark was asked for.
@@ -95,6 +96,7 @@ private:
     void addForces(const core::HapticFrame& frame, double t_s);
     void addGuards(const core::HapticFrame& frame, double t_s);
     void addStandstill(const core::HapticFrame& frame, double t_s);
+    void noteYield(const core::HapticFrame& frame, double t_s, int tool, double force_N);
     void addLimited(const core::HapticFrame& frame, double t_s, int tool);
 
     /// Why the clock stands still.

@@ -153,7 +153,9 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
         request.director->connect(inputs);
     const std::uint64_t tickLimit = request.live || request.director ? kNoTickLimit : kind.tickLimit(setup.level);
     RunTask task(**loop, inputs, sink, {tickLimit, request.station.trace, request.cancel, request.live, kind.traceEndIsMark()});
-    return request.realtime ? runRealtime(task, **loop, slowModel) : runAsFast(task, database.writer());
+    LoopReport report = request.realtime ? runRealtime(task, **loop, slowModel) : runAsFast(task, database.writer());
+    report.passivity_J = (*loop)->passivityKept_J();
+    return report;
 }
 
 } // namespace

@@ -83,10 +83,10 @@ std::optional<WorstMoment> worstTrial(const PlaybackTrack& track, const scoring:
 
 /// The mark with the largest value of its kind.
 std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkKind kind, double factor,
-                                       const char* unit) {
+                                       const char* unit, bool onlyCritical = false) {
     const PlaybackMark* found = nullptr;
     for (const PlaybackMark& mark : track.marks)
-        if (mark.kind == kind && mark.value && (found == nullptr || *mark.value > *found->value))
+        if (mark.kind == kind && mark.value && (mark.critical || !onlyCritical) && (found == nullptr || *mark.value > *found->value))
             found = &mark;
     if (found == nullptr)
         return std::nullopt;
@@ -163,7 +163,7 @@ std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::Me
         if (auto broken = largestMark(track, yielded, 1.0, "N"))
             return broken;
         auto spoiled = firstOf(track, {failed, damaged}, metric);
-        return spoiled ? spoiled : largestMark(track, trauma, 1.0, "N"); // too long or too hard against a wall that held
+        return spoiled ? spoiled : largestMark(track, trauma, 1.0, "N", true); // too long or too hard against a wall that held
     }
     if (id == "over_stretches")
         return firstOf(track, {damaged, failed}, metric);

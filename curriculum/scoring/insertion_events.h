@@ -14,6 +14,15 @@ struct InsertionEvent {
     double value = 0.0; ///< trauma: largest lateral force, N; reversal: how far back, m
 };
 
+/// A wall that is pressed that hard or that long is torn, not touched: a critical error (metric critical_errors, from version 2 on; playback marks
+/// it as one). 4 N is the cap of the site (models.md §5); 1 s an assumption.
+inline constexpr double kLongTrauma_s = 1.0;
+inline constexpr double kHardTrauma_N = 4.0;
+inline constexpr int kTraumaIsCriticalFrom = 2; ///< version of critical_errors
+inline bool isCritical(const InsertionEvent& trauma) noexcept {
+    return trauma.end_s - trauma.begin_s > kLongTrauma_s || trauma.value > kHardTrauma_N;
+}
+
 /// Both in the order of time.
 struct InsertionEvents {
     std::vector<InsertionEvent> trauma;

@@ -64,6 +64,8 @@ public:
     /// A snapshot every 256 ticks, while the loop runs.
     realtime::LatestValue<LoopStatistics>& statisticsTap() noexcept { return m_statisticsTap; }
     const LoopStatistics& statistics() const noexcept { return m_statistics; } ///< only while no tick runs
+    /// What the passivity controller has kept from people so far, J in W; only while no tick runs.
+    double passivityKept_J() const noexcept { return m_safe.energyKept_J; }
     std::uint64_t droppedFrames() const noexcept { return m_droppedFrames; }   ///< only while no tick runs
 
 private:

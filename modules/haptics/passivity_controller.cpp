@@ -38,6 +38,7 @@ void PassivityController::reset(const SafetySettings& settings) noexcept {
     m_bodyOf = {};
     m_used = {};
     m_smoothed = {};
+    m_kept_J = 0.0;
 }
 
 double PassivityController::supplied_J() const noexcept {
@@ -88,12 +89,18 @@ bool PassivityController::apply(const Limits& limits, int count, const core::Too
     }
     regroup(count, bodies);
     bool injected = false;
+    const Wrenches asked = wrenches;
     for (std::size_t body = 0; body < m_accounts.size(); ++body) {
         if (m_used[body]) {
             injected = applyTo(m_accounts[body], limits, count, states, bodies.contacts[body], wrenches) || injected;
         } else {
             m_accounts[body].close();
         }
+    }
+    for (std::size_t i = 0; injected && i < static_cast<std::size_t>(count); ++i) {
+        const core::ToolState& state = states.tools[i];
+        const double work_J = core::kTickSeconds * ((asked[i].force - wrenches[i].force).dot(state.v_WT) + (asked[i].torque - wrenches[i].torque).dot(state.w_WT));
+        m_kept_J += std::isfinite(work_J) ? work_J : 0.0;
     }
     return injected;
 }

@@ -92,6 +92,9 @@ public:
     double supplied_J() const noexcept; ///< the book W, with its credits, summed over the bodies that are touched; J in W
     double work_J() const noexcept;     ///< what people put in, -Σ f·Δx of each contact, untouched, summed alike
     double stored_J() const noexcept;   ///< U as rendered, summed alike
+    /// What it has kept from people since reset(): the work of the wrenches that were asked for less that of those it let through, by the tools'
+    /// estimated velocities; J in W.
+    double kept_J() const noexcept { return m_kept_J; }
 
     /// g U s(2-s) summed over the tools' shares.
     static double renderedEnergy_J(const PassivityContact& contact, double gain, int count) noexcept;
@@ -132,6 +135,7 @@ private:
     std::array<std::uint8_t, core::kMaxTools> m_bodyOf{};
     std::array<bool, core::kMaxTools> m_used{}; ///< bodies with members
     std::array<Smoothed, core::kMaxTools> m_smoothed{};
+    double m_kept_J = 0.0;
 };
 
 } // namespace chiron::haptics

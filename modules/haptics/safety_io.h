@@ -65,6 +65,7 @@ struct SafetyOutput {
     double gain = 0.0;       ///< 0..1, for the screen
     double energySupplied_J = 0.0; ///< see core::TickHeader
     double energyStored_J = 0.0;
+    double energyKept_J = 0.0; ///< PassivityController::kept_J()
     double energyBook_J = 0.0; ///< the passivity stage's own: supplied, with what was credited, forgiven and cut (passivity_controller.h)
 };
 

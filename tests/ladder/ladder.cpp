@@ -66,6 +66,7 @@ LadderSession runOne(SessionFixture& site, const catalogue::ExerciseLevel& level
     session.card = result->scores;
     session.ticks = result->loop.ticks;
     session.damped = witness.damped;
+    session.kept_J = result->loop.passivity_J.value_or(0.0);
     session.tissue_N = witness.tissue_N;
     session.commanded_N = witness.commanded_N;
     session.fast_N = witness.fast.worst_N();
@@ -202,8 +203,8 @@ std::vector<std::string> inverted(const LadderLevel& level) {
 }
 
 std::string heading() {
-    return "| level | operator | passed | 95 % | completed | tissue max., N | felt max., N | above 20 Hz, N rms | damped ticks | replay and score identical |\n"
-           "|---|---|---|---|---|---|---|---|---|---|\n";
+    return "| level | operator | passed | 95 % | completed | tissue max., N | felt max., N | above 20 Hz, N rms | damped ticks | kept by passivity, mJ | replay and score identical |\n"
+           "|---|---|---|---|---|---|---|---|---|---|---|\n";
 }
 
 std::string lines(const LadderLevel& level) {
@@ -214,7 +215,7 @@ std::string lines(const LadderLevel& level) {
         const auto& sessions = level.byOperator.at(name);
         const Rate rate = passRate(sessions);
         int completed = 0, checked = 0, same = 0;
-        double tissue = 0.0, felt = 0.0, fast = 0.0;
+        double kept_J = 0.0, tissue = 0.0, felt = 0.0, fast = 0.0;
         std::uint64_t damped = 0;
         for (const LadderSession& s : sessions) {
             completed += s.completed ? 1 : 0;
@@ -224,10 +225,11 @@ std::string lines(const LadderLevel& level) {
             felt = std::max(felt, s.commanded_N);
             fast = std::max(fast, s.fast_N);
             damped += s.damped;
+            kept_J += s.kept_J;
         }
-        text += print("| %s | %s | %d of %d | %.0f–%.0f %% | %d | %.2f | %.2f | %.3f | %llu | %d of %d |\n", level.level.c_str(), name.c_str(), rate.of,
-                      rate.n, 100.0 * rate.low(), 100.0 * rate.high(), completed, tissue, felt, fast, static_cast<unsigned long long>(damped), same,
-                      checked);
+        text += print("| %s | %s | %d of %d | %.0f–%.0f %% | %d | %.2f | %.2f | %.3f | %llu | %.3f | %d of %d |\n", level.level.c_str(), name.c_str(), rate.of,
+                      rate.n, 100.0 * rate.low(), 100.0 * rate.high(), completed, tissue, felt, fast, static_cast<unsigned long long>(damped), 1e3 * kept_J,
+                      same, checked);
     }
     return text;
 }

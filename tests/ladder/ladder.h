@@ -17,6 +17,7 @@ struct LadderSession {
     bool completed = false;
     scoring::ScoreCard card;
     std::uint64_t ticks = 0, damped = 0; ///< damped: ticks in which the passivity controller took part of the force
+    double kept_J = 0.0;                 ///< what it kept from the hand in those ticks
     double tissue_N = 0.0, commanded_N = 0.0; ///< largest of any tool
     double fast_N = 0.0;       ///< FastForce: the worst window's root mean square above 20 Hz
     bool checked = false;      ///< replayed and scored again

@@ -55,7 +55,7 @@ void MarkList::fill() {
             continue;
         if (mark.kind == session::PlaybackMarkKind::contact && !m_contacts->isChecked())
             continue;
-        auto* item = new QListWidgetItem(m_theme.icon(markIcon(mark.kind), markColour(mark.kind)),
+        auto* item = new QListWidgetItem(m_theme.icon(markIcon(mark), markColour(mark.kind)),
                                          tr("%1  %2").arg(clockText(mark.t_s, m_locale), markText(mark, m_level, m_locale)));
         item->setData(Qt::UserRole, mark.t_s);
         m_list->addItem(item);

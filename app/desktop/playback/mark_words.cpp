@@ -98,7 +98,9 @@ QString seconds(double span_s, const QLocale& locale) {
 
 } // namespace
 
-QString markText(const session::PlaybackMark& mark, const catalogue::ExerciseParameters& level, const QLocale& locale) {
+namespace {
+
+QString whatHappened(const session::PlaybackMark& mark, const catalogue::ExerciseParameters& level, const QLocale& locale) {
     const EndWords end = std::visit(EndWordsOf{}, level);
     const double span_s = mark.end_s - mark.t_s;
     switch (mark.kind) {
@@ -146,6 +148,15 @@ QString markText(const session::PlaybackMark& mark, const catalogue::ExercisePar
     }
     return {};
 }
+
+} // namespace
+
+QString markText(const session::PlaybackMark& mark, const catalogue::ExerciseParameters& level, const QLocale& locale) {
+    const QString what = whatHappened(mark, level, locale);
+    return mark.critical ? Words::tr("Critical error: %1").arg(what) : what;
+}
+
+QString markIcon(const session::PlaybackMark& mark) { return mark.critical ? QStringLiteral("dialog-error") : markIcon(mark.kind); }
 
 QString markIcon(PlaybackMarkKind kind) {
     switch (kind) {

@@ -14,6 +14,7 @@ namespace chiron::desktop {
 QString markText(const session::PlaybackMark& mark, const catalogue::ExerciseParameters& level, const QLocale& locale);
 /// Its sign (Breeze name) and colour.
 QString markIcon(session::PlaybackMarkKind kind);
+QString markIcon(const session::PlaybackMark& mark); ///< a critical error has the sign of an error, whatever its kind
 Colour markColour(session::PlaybackMarkKind kind);
 
 } // namespace chiron::desktop

@@ -11,9 +11,6 @@ namespace chiron::scoring {
 
 namespace {
 
-constexpr double kLongTrauma_s = 1.0; ///< a wall that is pressed that hard and that long is torn, not touched
-constexpr double kHardTrauma_N = 4.0; ///< the cap of the site (models.md §5)
-
 /// When tissue gave way under one tool. It stays given way for longer than any device's packet takes, so that each time has a
 /// sample; one from before the trial is none of its own.
 std::vector<double> yieldsOf(const ToolTrace& tool) {
@@ -39,7 +36,7 @@ Measurement measureCriticalErrors(std::span<const PreparedTrial> trials) {
 /// Trauma that is no slip any more, and tissue that gave way outside of such.
 std::size_t errorsOf(const TrialTrace& trial) {
     std::vector<InsertionEvent> grave = insertionEvents(trial).trauma;
-    std::erase_if(grave, [](const InsertionEvent& e) { return e.end_s - e.begin_s <= kLongTrauma_s && e.value <= kHardTrauma_N; });
+    std::erase_if(grave, [](const InsertionEvent& e) { return !isCritical(e); });
     std::size_t count = grave.size();
     for (const ToolTrace& tool : trial.tools)
         for (const double t_s : yieldsOf(tool))
@@ -71,7 +68,7 @@ MetricDefinition criticalErrorsMetric() {
 
 MetricDefinition criticalErrorsMetric2() {
     MetricDefinition metric = criticalErrorsMetric();
-    metric.version = 2;
+    metric.version = kTraumaIsCriticalFrom;
     metric.definition = "How often tissue gave way under an instrument or finger (the force passed the yield force of the content), or was pressed "
                         "aside in a canal, over the lateral limit, for more than 1 s or with more than 4 N.";
     metric.measure = measureCriticalErrors2;

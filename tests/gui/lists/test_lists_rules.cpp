@@ -137,6 +137,7 @@ private slots:
         session::LoopReport report;
         report.ticks = 1000;
         report.skipped = 10;
+        report.passivity_J = 0.0125;
         report.priorityDetail = "no \"priority\"";
         session::setPunctuality(report, statistics);
         QCOMPARE(report.late, std::uint64_t{10});
@@ -147,9 +148,10 @@ private slots:
         QVERIFY(back->lateness == report.lateness);
         QCOMPARE(back->priorityDetail, report.priorityDetail);
         QCOMPARE(back->p50_us, report.p50_us);
+        QCOMPARE(back->passivity_J, report.passivity_J);
         QVERIFY(!session::loopReportFrom("[]"));
         const auto old = session::loopReportFrom(R"({"ticks":5,"realtime":true,"p50_us":1.5})"); // stored before bins were kept
-        QVERIFY(old && !old->lateness && old->p50_us == 1.5);
+        QVERIFY(old && !old->lateness && !old->passivity_J && old->p50_us == 1.5);
     }
 
     void selfTestOnAVirtualClock() {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 using namespace chiron;
 using core::CommandKind;
@@ -173,6 +174,7 @@ void TestSafetyPassivity::aPassiveSpringIsUntouched() {
         }
         QCOMPARE(rig->out.guards & guard_bits::kPassivity, 0u);
         QVERIFY(rig->force() == bare->force()); // bit for bit
+        QCOMPARE(rig->out.energyKept_J, 0.0);
     }
 }
 
@@ -213,10 +215,12 @@ void TestSafetyPassivity::anActiveContactIsDamped() {
             x += v * kT;
             work += rig->force().x() * v * kT;
         }
-        return work;
+        return std::pair(work, rig->out.energyKept_J);
     };
-    const double with = returned(0);
-    const double without = returned(GuardMask::kPassivity);
+    const auto [with, kept] = returned(0);
+    const auto [without, keptWithout] = returned(GuardMask::kPassivity);
+    QCOMPARE(keptWithout, 0.0);
+    QVERIFY2(std::abs(kept - (without - with)) < 2e-4, qPrintable(QString::number(kept))); // told as what the hand did not get
     QVERIFY(std::abs(without - 0.010) < 2e-4); // 0.01 m · (2 N - 1 N), to within the turning tick
     // b_max = 50 N·s/m at 0.05 m/s can take all 2 N back; what one tick makes (0.1 mJ) is seen only after it.
     // The sum of 400 products is exact to far better than a nanojoule.

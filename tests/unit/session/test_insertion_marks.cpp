@@ -3,10 +3,13 @@
 #include "insertion_session.h"
 
 #include "scoring/score_calculator.h"
+#include "scoring/insertion_events.h"
 #include "session/insertion_marks.h"
 #include "session/worst_moment.h"
 
 #include <QtTest>
+#include <algorithm>
+#include <tuple>
 
 using namespace chiron;
 using core::ProcedureStage;
@@ -28,6 +31,7 @@ private slots:
     void trialsKeepTheirMarks();
     void timeUpOfAProcedure();
     void otherTracksStayAsTheyAre();
+    void longOrHardTraumaIsACriticalError();
     void penaltiesArePenalties();
     void worstMomentIsTheWorstEvent();
 };
@@ -165,6 +169,42 @@ void TestInsertionMarks::otherTracksStayAsTheyAre() {
     auto bad = trace();
     bad.trials[0].insertion->s_m.pop_back();
     QVERIFY(!session::addInsertionMarks(made, bad, {}));
+}
+
+// What the score counts as a critical error, playback marks as one; by a session's own version of the metric.
+void TestInsertionMarks::longOrHardTraumaIsACriticalError() {
+    const auto pressed = [](int ticks, double force_N) {
+        auto made = trace();
+        for (int i = 0; i < ticks; ++i)
+            made.trials[0].insertion->lateral_N[static_cast<std::size_t>(300 + i)] = force_N;
+        return made;
+    };
+    for (const auto& [ticks, force_N, critical] : {std::tuple{1100, 2.5, 1}, {400, 4.1, 1}, {400, 3.9, 0}, {990, 2.5, 0}})
+        for (const int version : {1, 2}) {
+            const auto session = pressed(ticks, force_N);
+            const std::vector<scoring::MetricRequest> wanted{{"critical_errors", version}};
+            const auto card = scoring::calculateScore(session, wanted, {}, true);
+            QVERIFY(card);
+            auto made = track();
+            QVERIFY(session::addInsertionMarks(made, session, {}, version >= scoring::kTraumaIsCriticalFrom));
+            const auto marked = std::count_if(made.marks.begin(), made.marks.end(), [](const PlaybackMark& mark) { return mark.critical; });
+            QCOMPARE(static_cast<double>(marked), *card->metrics[0].value);
+            QCOMPARE(int(marked), version == 1 ? 0 : critical);
+        }
+    auto made = track(); // the score's worst moment is that mark, though a shorter one was harder
+    auto session = pressed(450, 2.5);
+    session.trials[0].insertion->lateral_N.assign(2001, 0.0);
+    for (int i = 100; i < 1300; ++i)
+        session.trials[0].insertion->lateral_N[static_cast<std::size_t>(i)] = 2.5;
+    for (int i = 1500; i < 1600; ++i)
+        session.trials[0].insertion->lateral_N[static_cast<std::size_t>(i)] = 3.5;
+    QVERIFY(session::addInsertionMarks(made, session, {}, true));
+    const std::vector<scoring::MetricRequest> wanted{{"critical_errors", 2}};
+    const std::vector<scoring::Gate> gates{{"critical_errors", std::nullopt, 0.0}};
+    const auto card = scoring::calculateScore(session, wanted, gates, true);
+    QVERIFY(card);
+    const auto worst = session::worstMoment(made, *card, gates);
+    QVERIFY(worst && worst->reason == "critical_errors" && worst->t_s == 0.1);
 }
 
 void TestInsertionMarks::penaltiesArePenalties() {
