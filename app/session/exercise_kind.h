@@ -68,6 +68,8 @@ public:
     virtual int toolCount(const catalogue::ExerciseLevel&) const { return 1; }
     /// Of a kind whose mechanism is "fingertip_arm".
     virtual FingersOfHand fingers(const catalogue::ExerciseLevel&) const { return {}; }
+    /// How wide the jaw of a hand opens where its tool is a point that has one (mouse and keyboard), rad; 0: no jaw.
+    virtual double fingerJaw_rad(const catalogue::ExerciseLevel&) const { return 0.0; }
     /// Where the device base of an instrument stands in W when nothing else is said: its entry point in the abdomen's wall.
     virtual devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel&, int) const { return {}; }
     /// What the scene puts into `SceneOutput::quantities`, in that order; recorded with the session. At most core::kMaxQuantities.

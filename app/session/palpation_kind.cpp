@@ -96,6 +96,11 @@ bool wasMoved(const scoring::TrialTrace& trial) {
 
 int PalpationKind::toolCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).tools(); }
 
+double PalpationKind::fingerJaw_rad(const catalogue::ExerciseLevel& level) const {
+    const auto& p = parametersOf(level);
+    return p.pinch ? p.pinch->widest_rad : 0.0;
+}
+
 FingersOfHand PalpationKind::fingers(const catalogue::ExerciseLevel& level) const {
     return {parametersOf(level).fingers, parametersOf(level).fingerSpacing_m};
 }
@@ -109,7 +114,7 @@ devices::WorkspaceMapping PalpationKind::toolPlace(const catalogue::ExerciseLeve
     return place;
 }
 
-std::vector<core::QuantityDescription> PalpationKind::quantities(const catalogue::ExerciseLevel&) const {
+std::vector<core::QuantityDescription> PalpationKind::quantities(const catalogue::ExerciseLevel& level) const {
     std::vector<core::QuantityDescription> out{{"report_count", "1", 1.0},  {"report_field", "1", 1.0}, {"report_finding", "1", 1.0},
                                                {"report_value", "1", 1.0},  {"finding_x_m", "m", 1e-6}, {"finding_y_m", "m", 1e-6},
                                                {"finding_z_m", "m", 1e-6},  {"coverage", "1", 1e-4}};
@@ -119,6 +124,9 @@ std::vector<core::QuantityDescription> PalpationKind::quantities(const catalogue
         out.push_back({"lean_" + std::to_string(i) + "_rad", "rad", 1e-4});
     out.push_back({"lean_saturated", "1", 1.0});
     out.push_back({"lumps_moved", "1", 1.0});
+    if (parametersOf(level).pinch)
+        for (std::size_t hand = 0; hand < simulation::palpation_quantity::kSqueezes; ++hand)
+            out.push_back({"squeeze_" + std::to_string(hand) + "_N", "N", 1e-4});
     return out;
 }
 

@@ -13,6 +13,7 @@ public:
     std::vector<std::string_view> mechanisms() const override { return {"fingertip_arm", "gimbal_hprd"}; }
     bool traceEndIsMark() const noexcept override { return false; } ///< a mark is one finding of several
     FingersOfHand fingers(const catalogue::ExerciseLevel& level) const override;
+    double fingerJaw_rad(const catalogue::ExerciseLevel& level) const override; ///< where the level has a pinch
     int toolCount(const catalogue::ExerciseLevel& level) const override;
     /// Two hands come from the right (tool 0 on) and the left, over the middles of the two halves of the search area; a hand's
     /// second finger is beside its first, along +x (a right hand's middle finger, a left hand's index); one hand is over the middle. On P3's arm both are on the first one's.

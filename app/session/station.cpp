@@ -162,6 +162,13 @@ void playTogether(std::vector<std::vector<devices::TracePoint>>& tools) {
     }
 }
 
+/// A finger's reach, and the jaw that its hand can close; 0: none.
+devices::KeyboardMouseSettings fingerSettings(double widestJaw_rad) {
+    devices::KeyboardMouseSettings settings;
+    settings.widestJaw_rad = widestJaw_rad;
+    return settings;
+}
+
 /// What all graspers reach, as seen from each tool's own place; each begins under its entry point, its jaw open.
 devices::KeyboardMouseSettings grasperSettings(const devices::WorkspaceMapping& mapping, const std::array<double, 3>& middle_m) {
     devices::KeyboardMouseSettings settings;
@@ -205,7 +212,7 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
     return mapping;
 }
 
-core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, PointerTool tool) {
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, PointerTool tool, double widestJaw_rad) {
     const WorkspaceChoice choice = ofPointer(given);
     auto mapping = mappingOf(choice);
     if (!mapping)
@@ -213,7 +220,7 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, Pointer
     Station station;
     station.mappings.push_back(*mapping);
     if (tool == PointerTool::point) {
-        auto device = makePointer<devices::KeyboardMouseDevice>(devices::KeyboardMouseSettings{}, choice.scale);
+        auto device = makePointer<devices::KeyboardMouseDevice>(fingerSettings(widestJaw_rad), choice.scale);
         if (!device)
             return tl::unexpected(device.error());
         station.pointer = &(*device)->mailbox();
@@ -257,13 +264,13 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, const E
     const WorkspaceChoice choice = ofPointer(given);
     const bool fingers = kind.pointerTool() == PointerTool::point && kind.toolCount(level) > 1;
     if (kind.pointerTool() != PointerTool::grasper && !fingers)
-        return keyboardMouseStation(choice, kind.pointerTool());
+        return keyboardMouseStation(choice, kind.pointerTool(), kind.fingerJaw_rad(level));
     const auto places = pointerPlaces(kind, level, choice);
     if (!places)
         return tl::unexpected(places.error());
     Station station;
     for (const devices::WorkspaceMapping& mapping : *places) {
-        const auto settings = fingers ? devices::KeyboardMouseSettings{} : grasperSettings(mapping, choice.origin_m);
+        const auto settings = fingers ? fingerSettings(kind.fingerJaw_rad(level)) : grasperSettings(mapping, choice.origin_m);
         auto device = makePointer<devices::KeyboardMouseDevice>(settings, choice.scale);
         if (!device)
             return tl::unexpected(device.error());

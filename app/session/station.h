@@ -43,7 +43,7 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
 /// A mouse and a keyboard (class "shown"). Whatever the scale, the tool reaches the same box of W: a larger scale makes the
 /// hand's part of it smaller. `tool`: the kind's pointerTool(). An endoscope begins before the entrance, looking in.
 /// Failure: badInput.
-core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {}, PointerTool tool = PointerTool::point);
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {}, PointerTool tool = PointerTool::point, double widestJaw_rad = 0.0);
 
 /// The same for a level of an exercise. Several points (fingers): one tool each, at the kind's places, every one with the same
 /// box round its own place, so that the fingers of a hand stay side by side at an edge too. Graspers: one tool for each instrument, jaws open, above the field under their entry

@@ -56,7 +56,7 @@ constexpr Flag kFlags[] = {
 
 constexpr const char* kOthers[] = {"tissue", "lump_kinds", "area_half_x_mm", "area_half_y_mm", "control_force_off",
                                    "control_move_after_s", "control_move_x_mm", "control_move_y_mm",
-                                   "yield_force_N", "yield_fall_ms"};
+                                   "yield_force_N", "yield_fall_ms", "pinch", "jaw_length_mm", "jaw_friction"};
 
 void take(const ObjectReader& json, const char* key, double& out, double perUnit) {
     if (json.has(QLatin1String(key)))
@@ -74,6 +74,15 @@ void readKinds(const ObjectReader& parameters, Parameters& p) {
         refuseUnknownKeys(one, {"radius_mm", "depth_mm", "ratio", "hardness"}, QStringLiteral("a number of a lump"));
         p.kinds.push_back(kind);
     });
+}
+
+std::optional<simulation::PinchParameters> readPinch(const ObjectReader& parameters) {
+    if (!parameters.has("pinch") || !parameters.boolean("pinch"))
+        return std::nullopt;
+    simulation::PinchParameters pinch;
+    take(parameters, "jaw_length_mm", pinch.jawLength_m, kMm);
+    take(parameters, "jaw_friction", pinch.friction, 1.0);
+    return pinch;
 }
 
 Control readControl(const ObjectReader& parameters) {
@@ -121,6 +130,7 @@ ExerciseParameters readPalpation(const ObjectReader& parameters, const std::vect
         p.tissue = readTissue(parameters.object("tissue"));
     if (parameters.has("lump_kinds"))
         readKinds(parameters, p);
+    p.pinch = readPinch(parameters);
     p.control = readControl(parameters);
     refuseUnknownKeys(parameters, knownKeys(), QStringLiteral("a parameter of palpation"));
     p.cues = cues;

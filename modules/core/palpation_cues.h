@@ -82,6 +82,9 @@ struct PalpationCues {
     std::array<double, kMaxTools> depth_m{};    ///< of each finger's tip in the tissue; cue "bars"
     std::array<double, kMaxTools> lean_rad{};   ///< α, unlimited; cue "bars"
     std::uint8_t leanSaturated = 0;             ///< one bit a tool: the device leans less than the force does
+
+    bool squeezeShown = false;           ///< cue "bars", where the jaws squeeze tissue
+    std::array<double, 2> squeeze_N{};   ///< of each hand's jaw
 };
 
 static_assert(std::is_trivially_copyable_v<PalpationCues>);

@@ -255,4 +255,18 @@ TissueResponse TissueContact::respond(const core::ToolState& tool, TissueTouch& 
     return out;
 }
 
+void TissueContact::addLumpsAcross(const core::Vec3& face_W, const core::Vec3& across, LumpsAcross& sum) const noexcept {
+    const double spread2 = 5.0 / 3.0 * m_parameters.contactRadius_m * m_parameters.contactRadius_m;
+    for (int i = 0; i < m_lumpCount; ++i) {
+        const PlacedLump& lump = m_lumps[static_cast<std::size_t>(i)];
+        const core::Vec3 r = face_W - lump.centre_W;
+        const double along = r.dot(across);
+        const double inverse = 1.0 / (r.squaredNorm() + spread2); // 1/S
+        const double base = lump.strength_m4 * inverse * inverse * inverse;
+        sum.gain += base * (along * along + spread2);
+        sum.slope_per_m += 8.0 * std::abs(base) * r.norm(); // ‖2 (r·t) t/S³ − 6 H² r/S⁴‖, H² ≤ S
+        sum.beyondChecked = sum.beyondChecked || r.squaredNorm() * 0.5625 < lump.radius_m * lump.radius_m;
+    }
+}
+
 } // namespace chiron::simulation

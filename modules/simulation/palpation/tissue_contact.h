@@ -10,6 +10,7 @@
 #include "simulation/palpation/tissue_parameters.h"
 #include "simulation/palpation/tissue_surface.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -43,6 +44,13 @@ struct TissueResponse {
     bool beyondChecked = false;                   ///< deeper than the lump's law, or nearer to the surface's centre of curvature, than is checked
 };
 
+/// By how much the lumps stiffen the tissue for faces that press in another direction than a finger: summed over the faces asked about.
+struct LumpsAcross {
+    double gain = 0.0;          ///< Σ χ
+    double slope_per_m = 0.0;   ///< bounds ‖∂gain/∂q‖
+    bool beyondChecked = false; ///< nearer to a lump's middle than R/0.75
+};
+
 /// P3's rendering (eq. 1–3) on a tissue with lumps: models.md §3. Contact frame: z = S_n, x = fibre direction projected on the
 /// plane, y = z × x. Defined, continuous and conservative (where its law is) at every depth: beyond the range of the lumps' law the
 /// finger sinks no nearer to them, and near the surface's centre of curvature the depth along the normal gives way to the depth
@@ -59,7 +67,13 @@ public:
     /// `touch` is the tool's own, `mostDamping_Ns_per_m` of its budget: B shrinks to it. Not finite: releases it and answers nothing.
     TissueResponse respond(const core::ToolState& tool, TissueTouch& touch, double mostDamping_Ns_per_m = kUnboundedDamping) const noexcept;
 
+    /// Adds what the lumps are for a face of the pad's radius at `face_W` that presses along `across` (at most 1 long): χ as in lump_law.h, with
+    /// that direction in place of the normal's.
+    void addLumpsAcross(const core::Vec3& face_W, const core::Vec3& across, LumpsAcross& sum) const noexcept;
+
     const TissueSurface& surface() const noexcept { return m_surface; }
+    /// Of what holds the finger sideways, N/m: the smaller of along and across the fibres.
+    double tangentStiffness_N_per_m() const noexcept { return std::min(m_parameters.tangentAlong_N_per_m, m_parameters.tangentAcross_N_per_m); }
     double normalStiffness_N_per_m() const noexcept { return m_normalStiffness; } ///< k, from layers where not given
 
 private:

@@ -3,8 +3,10 @@
 
 #include "core/geometry.h"
 #include "simulation/palpation/tissue_parameters.h"
+#include "simulation/palpation/tissue_pinch.h"
 #include "simulation/yield.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +58,7 @@ struct PalpationParameters {
     double betweenTrials_s = 1.0;
     double maximumForce_N = 4.0;
     YieldLaw yield;                   ///< when the tissue gives way under one finger; content of before has none
+    std::optional<PinchParameters> pinch; ///< jaws that squeeze tissue; content of before has none, and its jaws do nothing
     PalpationControl control;
     std::vector<std::string> cues;
 

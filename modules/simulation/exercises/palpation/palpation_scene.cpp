@@ -11,10 +11,10 @@ using core::TrialPhase;
 namespace bits = core::event_bits;
 
 namespace {
-std::uint8_t contactOf(const TissueYield& yield, const TissueResponse& response) noexcept {
+std::uint8_t contactOf(const TissueYield& yield, const TissueYield& pinchYield, const TissueResponse& response) noexcept {
     using namespace core::contact_bits;
-    return static_cast<std::uint8_t>((response.beyondChecked ? kBeyondChecked : 0) | (yield.yielded() ? kYielded : 0) |
-                                     (yield.through() ? kThrough : 0));
+    return static_cast<std::uint8_t>((response.beyondChecked ? kBeyondChecked : 0) | (yield.yielded() || pinchYield.yielded() ? kYielded : 0) |
+                                     (yield.through() || pinchYield.through() ? kThrough : 0));
 }
 } // namespace
 
@@ -134,10 +134,27 @@ void PalpationScene::giveWay(Finger& finger, double dt_s) const noexcept {
     response.stiffness_N_per_m *= factor;
     response.damping_Ns_per_m *= factor;
     response.inContact = factor > 0.0;
+    finger.squeeze_N *= factor;
 }
 
-void PalpationScene::touchWith(Finger& finger, const core::ToolState& tool, double mostDamping_Ns_per_m) const noexcept {
+/// What the jaws squeeze presses the pad, and what they hold pulls at the tool. Torn tissue is whole again once nothing is between the jaws.
+void PalpationScene::pinch(Finger& finger, const core::ToolState& tool, double dt_s) const noexcept {
+    TissueResponse& response = finger.response;
+    const PinchResponse pinched = pinchTissue(m_tissue, *m_parameters.pinch, tool, response, finger.pinched);
+    const double factor = finger.pinchYield.step(pinched.force_N, !(pinched.compression_m > 0.0), dt_s);
+    finger.squeeze_N = factor * pinched.force_N;
+    response.force += factor * pinched.hold;
+    response.display.normalForce_N += finger.squeeze_N;
+    response.energy_J += factor * pinched.energy_J;
+    response.stiffness_N_per_m += factor * pinched.stiffness_N_per_m;
+    response.beyondChecked = response.beyondChecked || (pinched.beyondChecked && finger.squeeze_N > 0.0);
+}
+
+void PalpationScene::touchWith(Finger& finger, bool jaw, const core::ToolState& tool, double mostDamping_Ns_per_m) const noexcept {
     finger.response = m_tissue.respond(tool, finger.touch, mostDamping_Ns_per_m);
+    finger.squeeze_N = 0.0;
+    if (jaw && !m_parameters.control.forceOff)
+        pinch(finger, tool, core::kTickSeconds);
     if (!m_parameters.control.forceOff)
         giveWay(finger, core::kTickSeconds);
     finger.above_m = finger.response.depth_m > 0.0 ? 0.0 : (tool.p_WT - finger.response.surfacePoint).norm();
@@ -160,14 +177,17 @@ void PalpationScene::touch(const SceneInput& in, int count, SceneOutput& out) no
         // A pose that is not a number touches nothing; the supervisor deals with the sample.
         finger.used = there && tissuePresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite() && tool.q_WT.coeffs().allFinite();
         if (finger.used) {
-            touchWith(finger, tool, in.dampingBudget_Ns_per_m[i]);
+            touchWith(finger, hasJaw(i), tool, in.dampingBudget_Ns_per_m[i]);
         } else {
             finger.touch.release();
+            finger.pinched.release();
             finger.response = TissueResponse{};
             finger.yield.reset();
+            finger.pinchYield.reset();
+            finger.squeeze_N = 0.0;
         }
         const TissueResponse& response = finger.response;
-        out.contact[i] = contactOf(finger.yield, response);
+        out.contact[i] = contactOf(finger.yield, finger.pinchYield, response);
         if (there)
             out.p_WProxy[i] = finger.used && response.inContact ? response.surfacePoint : tool.p_WT;
         out.tissue.tools[i].force = response.force;

@@ -7,8 +7,10 @@
 #include "simulation/exercises/palpation/report_queue.h"
 #include "simulation/palpation/surface_map.h"
 #include "simulation/palpation/tissue_contact.h"
+#include "simulation/palpation/tissue_pinch.h"
 #include "simulation/scene.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -30,6 +32,9 @@ namespace chiron::simulation {
 /// While paused clocks, map and reports stand still; contact still answers.
 ///
 /// Tissue that is pressed harder than the level's yield force gives way under that finger, and stays open until it has left.
+///
+/// Where the level has a pinch, the first finger of a hand is its grasper's: jaws that were open as they went into the tissue squeeze what is between
+/// them as they close (tissue_pinch.h). The squeeze presses that finger's pad, on top of what the tissue does to it, and gives way as the tissue does under a finger.
 ///
 /// Tool i is finger i: hand i / fingers, finger i % fingers of it. All fingers touch one tissue, so all energy is body 0's. The
 /// scene does not tell energy by body: an excess is answered by damping, not by a softer tissue, since how soft it is is what the
@@ -61,6 +66,9 @@ private:
         bool used = false;     ///< this tick: there, and its pose is a number
         bool touching = false; ///< of the tick before
         TissueYield yield;     ///< whether the tissue still holds under it
+        PinchTouch pinched;    ///< of a hand's first finger
+        TissueYield pinchYield; ///< whether the tissue between its jaws still holds
+        double squeeze_N = 0.0;
     };
 
     void advance(const SceneInput& in, SceneOutput& out) noexcept;
@@ -71,8 +79,10 @@ private:
     void moveLumps() noexcept;
 
     void touch(const SceneInput& in, int count, SceneOutput& out) noexcept;
-    void touchWith(Finger& finger, const core::ToolState& tool, double mostDamping_Ns_per_m) const noexcept;
+    void touchWith(Finger& finger, bool jaw, const core::ToolState& tool, double mostDamping_Ns_per_m) const noexcept;
     void giveWay(Finger& finger, double dt_s) const noexcept;
+    void pinch(Finger& finger, const core::ToolState& tool, double dt_s) const noexcept;
+    bool hasJaw(std::size_t finger) const noexcept { return m_parameters.pinch && static_cast<int>(finger) % std::max(1, m_parameters.fingers) == 0; }
     void follow(const SceneInput& in) noexcept;
     void search() noexcept;
 
@@ -83,6 +93,7 @@ private:
     void passReport() noexcept;
     int enter(const PalpationReport& report) noexcept;
 
+    double squeezeOf(std::size_t hand) const noexcept; ///< N, of its jaw
     void fillQuantities(SceneOutput& out) const noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
     void showLumps(core::PalpationCues& cues) const noexcept;

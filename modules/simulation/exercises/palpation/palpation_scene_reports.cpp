@@ -74,6 +74,11 @@ void PalpationScene::passReport() noexcept {
     std::copy(place.begin(), place.end(), m_told.begin() + q::kFindingPlace);
 }
 
+double PalpationScene::squeezeOf(std::size_t hand) const noexcept {
+    const std::size_t finger = hand * static_cast<std::size_t>(std::max(1, m_parameters.fingers));
+    return finger < m_fingers.size() ? m_fingers[finger].squeeze_N : 0.0;
+}
+
 void PalpationScene::fillQuantities(SceneOutput& out) const noexcept {
     namespace q = palpation_quantity;
     std::copy(m_told.begin(), m_told.end(), out.quantities.begin());
@@ -86,6 +91,10 @@ void PalpationScene::fillQuantities(SceneOutput& out) const noexcept {
     }
     out.quantities[q::kLeanSaturated] = static_cast<double>(saturated);
     out.quantities[q::kLumpsMoved] = m_moved ? 1.0 : 0.0;
+    static_assert(q::kSqueeze + q::kSqueezes <= core::kMaxQuantities);
+    if (m_parameters.pinch)
+        for (std::size_t hand = 0; hand < q::kSqueezes; ++hand)
+            out.quantities[q::kSqueeze + hand] = squeezeOf(hand);
 }
 
 void PalpationScene::showLumps(core::PalpationCues& cues) const noexcept {
@@ -108,6 +117,9 @@ void PalpationScene::showBars(core::PalpationCues& cues) const noexcept {
         if (m_fingers[i].response.leanSaturated)
             cues.leanSaturated = static_cast<std::uint8_t>(cues.leanSaturated | (1U << i));
     }
+    cues.squeezeShown = m_parameters.pinch.has_value();
+    for (std::size_t hand = 0; hand < cues.squeeze_N.size(); ++hand)
+        cues.squeeze_N[hand] = squeezeOf(hand);
 }
 
 void PalpationScene::fillCues(const SceneInput& in, SceneOutput& out) const noexcept {

@@ -28,7 +28,7 @@ PalpationScene::PalpationScene(const PalpationParameters& parameters, std::uint6
       m_showsLumps(has(parameters.cues, "object")), m_showsCoverage(has(parameters.cues, "coverage")),
       m_showsBars(has(parameters.cues, "bars")) {
     for (Finger& finger : m_fingers)
-        finger.yield = TissueYield(parameters.yield);
+        finger.yield = finger.pinchYield = TissueYield(parameters.yield);
 }
 
 PalpationScene::~PalpationScene() = default;
