@@ -64,6 +64,8 @@ public:
     /// Whether a trace that ends within a trial means its last position as the answer. Where a mark answers nothing by itself it
     /// does not, and the trial stays without its end.
     virtual bool traceEndIsMark() const noexcept { return true; }
+    /// SafetySettings::capKnee of its sessions. 0: a force is cut at the cap, so that all below it is felt as it is.
+    virtual double capKnee() const noexcept { return 0.0; }
     /// How many instruments a level is done with, 1..core::kMaxTools.
     virtual int toolCount(const catalogue::ExerciseLevel&) const { return 1; }
     /// Of a kind whose mechanism is "fingertip_arm".

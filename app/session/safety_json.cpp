@@ -4,6 +4,7 @@
 #include "session/json_reader.h"
 
 #include <limits>
+#include <string_view>
 #include <type_traits>
 
 namespace chiron::session {
@@ -17,6 +18,7 @@ void eachField(Settings& settings, Field&& field) {
     field("siteTorque_Nm", settings.siteTorque_Nm);
     field("exerciseForce_N", settings.exerciseForce_N);
     field("exerciseTorque_Nm", settings.exerciseTorque_Nm);
+    field("capKnee", settings.capKnee);
     field("slewForce_N_per_ms", settings.slewForce_N_per_ms);
     field("slewTorque_Nm_per_ms", settings.slewTorque_Nm_per_ms);
     field("armingForce_N", settings.armingForce_N);
@@ -67,7 +69,7 @@ core::Result<haptics::SafetySettings> safetyFromJson(const QJsonObject& json) {
         if constexpr (std::is_same_v<Value, bool>)
             value = in.boolean(name);
         else if constexpr (std::is_same_v<Value, double>)
-            value = in.number(name);
+            value = name == std::string_view("capKnee") ? in.number(name, 0.0) : in.number(name); // versions before cut forces off
         else
             value = static_cast<Value>(in.integer(name, 0, std::numeric_limits<Value>::max()));
     });

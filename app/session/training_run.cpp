@@ -165,6 +165,7 @@ haptics::SafetySettings headlessSafety(const catalogue::ExerciseLevel& level) {
     if (const auto kind = exerciseKind(level.exercise)) {
         safety.exerciseForce_N = (*kind)->forceLimit_N(level);
         safety.exerciseTorque_Nm = (*kind)->torqueLimit_Nm(level);
+        safety.capKnee = (*kind)->capKnee();
     }
     safety.heartbeatWatched = false; // no window whose freezing could matter
     return safety;

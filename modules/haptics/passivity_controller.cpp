@@ -2,6 +2,7 @@
 #include "haptics/passivity_controller.h"
 
 #include "core/units.h"
+#include "haptics/safety_caps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,8 @@ double PassivityController::renderedEnergy_J(const PassivityContact& contact, do
     for (int tool = 0; tool < count; ++tool) {
         const auto i = static_cast<std::size_t>(tool);
         const double s = std::min(1.0, contact.capRatio[i] / gain);
-        energy += contact.share[i] * gain * contact.stored_J * s * (2.0 - s);
+        const double held = contact.capKnee > 0.0 ? bentEnergy(gain / contact.capRatio[i], contact.capKnee) : s * (2.0 - s);
+        energy += contact.share[i] * gain * contact.stored_J * held;
     }
     return energy;
 }

@@ -20,6 +20,7 @@ struct PassivityContact {
     bool givesWay = false;                          ///< the scene keeps books by body: rendered softer, not damped
     std::array<bool, core::kMaxTools> members{};    ///< the tools at this body
     std::array<double, core::kMaxTools> capRatio{}; ///< of the requested wrench at full gain; see capRatio()
+    double capKnee = 0.0;                           ///< SafetySettings::capKnee
     std::array<double, core::kMaxTools> share{};    ///< of U, summing to 1 over the members (by ‖f‖²)
     std::array<double, core::kMaxTools> damping_Ns_per_m{}; ///< that the scene's laws use of the tool's budget already, in W
 };
@@ -35,7 +36,8 @@ struct PassivityBodies {
 ///
 /// U is taken of the force *as rendered*: with gain g and the cap ratio ρ of the requested force a linear
 /// spring holds g U s(2-s), s = min(1, ρ/g) (potential of a spring whose force stops rising at the cap), so
-/// that a capped spring, which is passive, is left alone. A change of gain is credited with the energy it
+/// that a capped spring, which is passive, is left alone; with a knee in the cap (bentToCap) it is g U bentEnergy(g/ρ). Capped along its own
+/// direction a force field stays a potential only where the cap acts by U alone: a scene whose force differs at the same U says so (load_N). A change of gain is credited with the energy it
 /// puts in or takes out at this place: ½Δk x² for the spring.
 ///
 /// Damping acts during the coming tick, so the excess is taken as it will be at its end: U - W + ½ g k

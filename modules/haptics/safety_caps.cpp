@@ -19,10 +19,10 @@ double ratio(double cap, double value) noexcept {
 } // namespace
 
 double capRatio(const SafetyToolLimits& limits, const core::DeviceSample& sample,
-                const core::Wrench& wrench_W) noexcept {
+                const core::Wrench& wrench_W, double load_N) noexcept {
     double result = std::numeric_limits<double>::infinity();
     if (limits.forceCap_N > 0.0) {
-        result = std::min(result, ratio(limits.forceCap_N, wrench_W.force.norm()));
+        result = std::min(result, ratio(limits.forceCap_N, std::max(wrench_W.force.norm(), load_N)));
     }
     if (limits.torqueCap_Nm > 0.0) {
         result = std::min(result, ratio(limits.torqueCap_Nm, wrench_W.torque.norm()));
@@ -46,12 +46,12 @@ double capRatio(const SafetyToolLimits& limits, const core::DeviceSample& sample
 }
 
 bool applyCaps(const SafetyToolLimits& limits, const core::DeviceSample& sample,
-               core::Wrench& wrench_W) noexcept {
-    const double room = capRatio(limits, sample, wrench_W);
-    if (room >= 1.0) {
+               core::Wrench& wrench_W, double load_N, double knee) noexcept {
+    const double room = capRatio(limits, sample, wrench_W, load_N);
+    if (room * (1.0 - knee) >= 1.0) {
         return false;
     }
-    const double scale = room * kInside;
+    const double scale = (knee > 0.0 && room > 0.0 ? room * bentToCap(1.0 / room, knee) : room) * kInside;
     wrench_W.force *= scale;
     wrench_W.torque *= scale;
     return true;

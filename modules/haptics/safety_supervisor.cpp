@@ -71,7 +71,7 @@ void SafetySupervisor::limit(const realtime::HapticTick&, const SafetyInput& in,
     }
     applyPassivity(in, requested, wrenches);
     applyOverVelocityDamping(in, wrenches);
-    applyCapsAndSlew(wrenches);
+    applyCapsAndSlew(in, wrenches);
     applyFiniteCheck(wrenches);
     publish(in, wrenches, withCompensation(in, wrenches), out);
     m_lastGain = gain;

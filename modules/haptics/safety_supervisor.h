@@ -72,7 +72,7 @@ private:
                      PassivityContact& contact) const noexcept;
     void applyPassivity(const SafetyInput& in, const Wrenches& requested, Wrenches& wrenches) noexcept;
     void applyOverVelocityDamping(const SafetyInput& in, Wrenches& wrenches) const noexcept;
-    void applyCapsAndSlew(Wrenches& wrenches) noexcept;
+    void applyCapsAndSlew(const SafetyInput& in, Wrenches& wrenches) noexcept;
     void applyFiniteCheck(Wrenches& wrenches) noexcept;
     Wrenches withCompensation(const SafetyInput& in, const Wrenches& wrenches) noexcept;
     void forgetReferences(bool inputOnly) noexcept;

@@ -54,6 +54,9 @@ core::Result<void> checkSettings(const SafetySettings& s) {
                                                        "; it must be finite and above 0");
         }
     }
+    if (!(s.capKnee >= 0.0 && s.capKnee <= 0.5)) {
+        return core::fail(ErrorCode::badInput, "safety settings: capKnee is " + std::to_string(s.capKnee) + "; expected 0 to 0.5");
+    }
     for (const std::uint32_t ramp_ms : {s.armingRamp_ms, s.heartbeatRamp_ms, s.pauseRamp_ms}) {
         if (ramp_ms > kLongestRamp_ms) {
             return core::fail(ErrorCode::badInput, "safety settings: a ramp of " + std::to_string(ramp_ms) +

@@ -41,6 +41,7 @@ void SafetySupervisor::fillContact(const SafetyInput& in, const Wrenches& reques
     contact.stiffness_N_per_m = usable(all                     ? in.scene.contactStiffness_N_per_m
                                        : in.scene.energyByBody ? in.scene.bodyStiffness_N_per_m[body]
                                                                : 0.0);
+    contact.capKnee = m_settings.capKnee;
     contact.gain = m_machine.gain();
     contact.gainBefore = m_lastGain;
     double sum = 0.0;
@@ -65,7 +66,7 @@ void SafetySupervisor::fillContact(const SafetyInput& in, const Wrenches& reques
         sum += contact.share[i];
         contact.touching = contact.touching || w.force != core::Vec3::Zero() || w.torque != core::Vec3::Zero();
         if (contact.gain > 0.0 && m_limits[i].renders && m_mask.has(GuardMask::kCaps)) {
-            contact.capRatio[i] = capRatio(m_limits[i], m_sanity[i].good(), w);
+            contact.capRatio[i] = capRatio(m_limits[i], m_sanity[i].good(), w, usable(in.scene.load_N[i]));
         }
     }
     if (!pushes) {
@@ -106,7 +107,7 @@ void SafetySupervisor::applyOverVelocityDamping(const SafetyInput& in, Wrenches&
     }
 }
 
-void SafetySupervisor::applyCapsAndSlew(Wrenches& wrenches) noexcept {
+void SafetySupervisor::applyCapsAndSlew(const SafetyInput& in, Wrenches& wrenches) noexcept {
     bool capped = false;
     bool slewed = false;
     for (int tool = 0; tool < m_count; ++tool) {
@@ -116,7 +117,8 @@ void SafetySupervisor::applyCapsAndSlew(Wrenches& wrenches) noexcept {
             continue;
         }
         if (m_mask.has(GuardMask::kCaps)) {
-            capped = applyCaps(m_limits[i], m_sanity[i].good(), w) || capped;
+            const double load_N = m_machine.gain() * usable(in.scene.load_N[i]);
+            capped = applyCaps(m_limits[i], m_sanity[i].good(), w, load_N, m_settings.capKnee) || capped;
         }
         if (m_mask.has(GuardMask::kSlew)) {
             w.force = limitSlew(m_last[i].force, w.force, m_settings.slewForce_N_per_ms, slewed);

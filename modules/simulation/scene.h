@@ -46,6 +46,9 @@ struct SceneOutput {
         0.0; ///< largest active contact stiffness, for the passivity credit ½Δk x²
     /// What of each tool's damping budget its laws use in this tick; the passivity controller may inject the rest.
     std::array<double, core::kMaxTools> damping_Ns_per_m{};
+    /// A bound of ‖f‖ of each tool that follows from its stored energy alone, N, in W; 0: none is known. Where a law answers places of the same
+    /// energy with different forces (a dimple's slope, friction), a cap on ‖f‖ would make energy: the cap then acts on this, or on ‖f‖ where that is more.
+    std::array<double, core::kMaxTools> load_N{};
     /// Surface point to draw the tool at (pseudo-haptics). Written out, because an Eigen vector is not zeroed
     /// by {}.
     std::array<core::Vec3, core::kMaxTools> p_WProxy{core::Vec3::Zero(), core::Vec3::Zero(),

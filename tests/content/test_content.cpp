@@ -191,7 +191,8 @@ void TestContent::palpationLevelsHaveTheirGates() {
                                "searching_time", "pressing_time"})
             QVERIFY2(asked.contains(id), id);
         QCOMPARE(asked.contains("palpation_d_prime"), level.number > 1);
-        QCOMPARE(asked.contains("size_error") && asked.contains("hardness_order"), level.number == 3);
+        QCOMPARE(asked.contains("hardness_order"), level.number == 3);
+        QVERIFY2(!asked.contains("size_error"), level.id.c_str()); // content/README.md: what a finger feels does not tell it
     }
 }
 

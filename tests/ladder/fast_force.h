@@ -31,7 +31,7 @@ private:
     struct Section {
         double x1 = 0.0, x2 = 0.0, y1 = 0.0, y2 = 0.0;
         double step(double x, double q) {
-            const double k = std::tan(3.14159265358979323846 * 20.0 / 1000.0);
+            static const double k = std::tan(3.14159265358979323846 * 20.0 / 1000.0); // once: 12 a tick and tool were a twentieth of a session
             const double n = 1.0 / (1.0 + k / q + k * k);
             const double y = n * (x - 2.0 * x1 + x2) - 2.0 * n * (k * k - 1.0) * y1 - n * (1.0 - k / q + k * k) * y2;
             x2 = x1;
@@ -48,10 +48,12 @@ private:
         double squares_N2 = 0.0;
     };
 
+    static double squareOf(double x) { return x * x; }
+
     void addTool(Tool& tool, const core::ToolFrame& frame, bool off) {
         double fast2 = 0.0;
         for (std::size_t c = 0; c < 3; ++c) // the poles' qualities of a Butterworth of fourth order
-            fast2 += std::pow(tool.filter[c][1].step(tool.filter[c][0].step(frame.commanded[c], 0.54119610), 1.30656296), 2);
+            fast2 += squareOf(tool.filter[c][1].step(tool.filter[c][0].step(frame.commanded[c], 0.54119610), 1.30656296));
         const bool touching = std::hypot(frame.tissue[0], frame.tissue[1], frame.tissue[2]) > 0.0;
         const bool breaking = core::contactOfStatus(frame.status) & core::contact_bits::kThrough;
         if (touching != tool.touching || breaking || off) {

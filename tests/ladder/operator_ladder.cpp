@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Prints how every scripted operator fares on every level, through recording and scoring: operator_ladder [EXERCISE|all] [LEVEL|0] [SEEDS]
-// [FIRST] [CHECK_EVERY] [BUDGET]. BUDGET: of damping, N·s/m, instead of what the devices say they carry (0: theirs). Not a test: it asserts nothing.
+// [FIRST] [CHECK_EVERY] [BUDGET]. FIRST: the first seed, 0: drawn. BUDGET: of damping, N·s/m, instead of what the devices say they carry (0: theirs). Not a test: it asserts nothing.
 #include "ladder/ladder.h"
 
 #include <QCoreApplication>
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 
 using namespace chiron;
 
@@ -15,7 +16,9 @@ int main(int argc, char** argv) {
     const int number = argc > 2 ? std::atoi(argv[2]) : 0;
     tests::LadderSettings settings;
     settings.seeds = argc > 3 ? std::atoi(argv[3]) : 20;
-    settings.first = argc > 4 ? std::strtoull(argv[4], nullptr, 10) : 1;
+    settings.first = argc > 4 ? std::strtoull(argv[4], nullptr, 10) : 0;
+    if (settings.first == 0)
+        settings.first = 1 + std::random_device{}() % 1000000;
     settings.checkEvery = argc > 5 ? std::atoi(argv[5]) : 0;
     settings.budget_Ns_per_m = argc > 6 ? std::atof(argv[6]) : 0.0;
     const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
@@ -23,7 +26,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", catalogue.error().message.c_str());
         return 2;
     }
-    std::printf("%s", tests::heading().c_str());
+    std::printf("Seeds from %llu, %d a level and operator.\n\n%s", static_cast<unsigned long long>(settings.first), settings.seeds, tests::heading().c_str());
     for (const catalogue::Exercise& one : catalogue->exercises())
         for (const catalogue::ExerciseLevel& level : one.levels) {
             if ((exercise != "all" && exercise != one.id) || (number > 0 && number != level.number))

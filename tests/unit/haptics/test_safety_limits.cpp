@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Caps, slew, over-velocity, set-up: exact numbers.
 #include "core/random.h"
+#include "haptics/safety_caps.h"
 #include "haptics/safety_slew.h"
 #include "unit/haptics/safety_rig.h"
 
@@ -20,6 +21,8 @@ class TestSafetyLimits : public QObject {
 private slots:
     void forceCapIsTheSmallestOfThree();
     void axisCapsHoldInTheDevicesFrame();
+    void aForceMayBendIntoItsCap();
+    void aLoadIsCapped();
     void axisCapsFollowThePose();
     void capsHoldWhereTheSlewKeepsPartOfTheLastForce();
     void passiveAxesAreLeftOut();
@@ -67,6 +70,64 @@ void TestSafetyLimits::axisCapsHoldInTheDevicesFrame() {
     QVERIFY(std::abs(rig.out.tools[0].wrench_W.torque.x() - 0.02) < 1e-9);
     QVERIFY(rig.force().x() <= 1.0);
     QVERIFY(rig.out.guards & guard_bits::kCap);
+}
+
+// x up to 1 − w, 1 from 1 + w on, and no corner between; nothing is ever more than asked for, or more than the cap.
+void TestSafetyLimits::aForceMayBendIntoItsCap() {
+    for (const double w : {0.05, 0.2, 0.5}) {
+        double before = 0.0, slope = 1.0, sum = 0.0;
+        const double dx = 1e-4;
+        for (double x = dx; x < 2.0; x += dx) {
+            const double y = haptics::bentToCap(x, w), steep = (y - before) / dx;
+            QVERIFY(y <= std::min(1.0, x) + 1e-12 && y >= before);
+            QVERIFY(std::abs(steep - slope) <= 1.01 * dx / (2.0 * w) + 1e-9); // the parabola's bend
+            sum += 0.5 * (y + before) * dx;
+            QVERIFY(std::abs(haptics::bentEnergy(x, w) * 0.5 * x * x - sum) < 1e-6);
+            before = y;
+            slope = steep;
+        }
+        QCOMPARE(haptics::bentToCap(1.0 - w, w), 1.0 - w);
+        QCOMPARE(haptics::bentToCap(1.0 + w, w), 1.0);
+    }
+    QCOMPARE(haptics::bentToCap(0.999, 0.0), 0.999);
+    QCOMPARE(haptics::bentToCap(1.001, 0.0), 1.0);
+
+    haptics::SafetySettings settings;
+    settings.capKnee = 0.2;
+    const auto felt = [&](const Vec3& asked) {
+        SafetyRig rig(sixAxisDevice(100.0), settings);
+        rig.arm();
+        rig.ask(asked);
+        rig.ticks(100);
+        return std::pair(rig.force(), (rig.out.guards & guard_bits::kCap) != 0);
+    };
+    QCOMPARE(felt(Vec3(0, 0, 3.2)).first, Vec3(0, 0, 3.2));
+    QVERIFY(!felt(Vec3(0, 0, 3.2)).second);
+    QVERIFY((felt(Vec3(2.4, 3.2, 0)).first - 0.95 * Vec3(2.4, 3.2, 0)).norm() < 1e-9); // 4 N: 3.8
+    QVERIFY(felt(Vec3(2.4, 3.2, 0)).second);
+    QVERIFY((felt(Vec3(2.88, 3.84, 0)).first - Vec3(2.4, 3.2, 0)).norm() < 1e-9); // 4.8 N: 4
+    QVERIFY(felt(Vec3(30, 40, 0)).first.norm() <= 4.0);
+    for (const double bad : {-0.1, 0.6, std::numeric_limits<double>::quiet_NaN()}) {
+        settings.capKnee = bad;
+        QVERIFY(!SafetyRig(sixAxisDevice(), settings).accepted);
+    }
+}
+
+// A scene that says how much a place loads at most is capped by that, whatever it answers there.
+void TestSafetyLimits::aLoadIsCapped() {
+    SafetyRig rig(sixAxisDevice(100.0));
+    rig.arm();
+    rig.ask(Vec3(2, 0, 0));
+    rig.scene.load_N[0] = 8.0;
+    rig.ticks(100);
+    QVERIFY((rig.force() - Vec3(1, 0, 0)).norm() < 1e-9);
+    rig.scene.load_N[0] = 1.0; // less than what is asked for: that counts
+    rig.ask(Vec3(8, 0, 0));
+    rig.ticks(100);
+    QVERIFY((rig.force() - Vec3(4, 0, 0)).norm() < 1e-9);
+    rig.scene.load_N[0] = std::numeric_limits<double>::quiet_NaN();
+    rig.ticks(10);
+    QVERIFY((rig.force() - Vec3(4, 0, 0)).norm() < 1e-9);
 }
 
 void TestSafetyLimits::axisCapsFollowThePose() {

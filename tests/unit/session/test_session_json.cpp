@@ -67,7 +67,8 @@ bool same(double a, double b) {
 }
 
 /// Keys that earlier versions did not write: not there is their old meaning, 0.
-const QStringList kLater{QStringLiteral("coulomb_friction"), QStringLiteral("viscous_friction"), QStringLiteral("friction_compensation")};
+const QStringList kLater{QStringLiteral("coulomb_friction"), QStringLiteral("viscous_friction"), QStringLiteral("friction_compensation"),
+                         QStringLiteral("capKnee")};
 
 /// Every member taken away, and every member of another type: the error names the key.
 template <class Read> void checkDamage(const QJsonObject& good, const QString& place, Read read) {

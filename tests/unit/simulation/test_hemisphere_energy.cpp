@@ -24,6 +24,7 @@ private slots:
     void forceIsMinusGradientOfEnergy();
     void loopsMakeNoEnergy_data();
     void loopsMakeNoEnergy();
+    void cappedByItsLoadItMakesNoEnergy();
     void stiffLumpMakesNoEnergy();
     void frictionAndDampingAlwaysAbsorb();
 };
@@ -85,6 +86,44 @@ void TestHemisphereEnergy::loopsMakeNoEnergy() {
     QVERIFY2(exchanged > 1e-3, qPrintable(QString::number(exchanged)));
     if (which > 0)
         QVERIFY2(normalOnly < -10.0 * kLoopTolerance_J, qPrintable(QString::number(normalOnly)));
+}
+
+// A force that is capped along its own direction is a potential's only where the cap follows from the energy: over the decoy's dimple a cap on ‖f‖
+// makes energy, a cap on what the contact says its load is does not.
+void TestHemisphereEnergy::cappedByItsLoadItMakesNoEnergy() {
+    auto law = plainParameters();
+    law.dimple = {0.002, 0.006, law.surface.centre_m + core::Vec2(0.010, 0.0)}; // as sphere_apex level 4
+    law.damping_Ns_per_m = 0.0;
+    const HemisphereContact contact(law);
+    constexpr double kCap_N = 1.0;
+    const Force byLoad = [&](const Vec3& p) -> Vec3 {
+        const auto r = contact.respond(p, Vec3::Zero());
+        return std::min(1.0, kCap_N / std::max({1e-12, r.load_N, r.force.norm()})) * r.force;
+    };
+    const Force byForce = [&](const Vec3& p) -> Vec3 {
+        const Vec3 f = contact.respond(p, Vec3::Zero()).force;
+        return std::min(1.0, kCap_N / std::max(1e-12, f.norm())) * f;
+    };
+    core::Random random(8);
+    double made = 0.0;
+    for (int n = 0; n < 40; ++n) {
+        const core::Vec2 at = law.dimple.centre_m + core::Vec2(random.uniform(-0.004, 0.004), random.uniform(-0.004, 0.004));
+        const core::Vec2 off = at - law.surface.centre_m;
+        const Vec3 top(at.x(), at.y(), std::sqrt(law.surface.radius_m * law.surface.radius_m - off.squaredNorm()) - 0.002);
+        auto loop = randomLoop(random, top, 0.0025, 8000);
+        for (int direction = 0; direction < 2; ++direction) {
+            const double work = workIn(loop, byLoad);
+            QVERIFY2(work >= -kLoopTolerance_J, qPrintable(QString::number(work)));
+            made = std::min(made, workIn(loop, byForce));
+            std::reverse(loop.begin(), loop.end());
+        }
+        for (const Vec3& p : loop) {
+            const auto r = contact.respond(p, Vec3::Zero());
+            QVERIFY(r.force.norm() <= r.load_N * (1.0 + 1e-9));
+        }
+    }
+    QVERIFY2(made < -20.0 * kLoopTolerance_J, qPrintable(QString::number(made)));
+    QCOMPARE(HemisphereContact(plainParameters()).respond(law.surface.radius_m * 0.9 * Vec3::UnitZ(), Vec3::Zero()).load_N, 0.0);
 }
 
 void TestHemisphereEnergy::stiffLumpMakesNoEnergy() {

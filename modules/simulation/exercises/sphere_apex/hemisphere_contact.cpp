@@ -9,6 +9,22 @@
 
 namespace chiron::simulation {
 
+/// ‖∇d'‖² = ‖n − ∇h‖² = 1 − 2 n·∇h + ‖∇h‖², largest towards the apex, where the dimple rises as the ball does: at s from the dimple's centre on the
+/// line through both middles, n's horizontal part at a depth d is (offset − s)/(R − d). Bounded down to a quarter of the radius.
+HemisphereContact::HemisphereContact(const Parameters& parameters) noexcept : m_parameters(parameters) {
+    constexpr int kSteps = 64;
+    const Dimple& dimple = parameters.dimple;
+    const double radius = 0.75 * parameters.surface.radius_m, offset = (dimple.centre_m - parameters.surface.centre_m).norm();
+    double square = 1.0;
+    for (int i = 0; dimple.depth_m > 0.0 && i <= kSteps; ++i) {
+        const double s = dimple.halfWidth_m * i / kSteps;
+        const double g = dimple.sample(dimple.centre_m.x() + s, dimple.centre_m.y()).gradient.norm();
+        const double lean = std::min(1.0, std::max(0.0, offset - s) / radius);
+        square = std::max(square, 1.0 + 2.0 * lean * g + g * g);
+    }
+    m_steepest = std::sqrt(square * (1.0 + parameters.friction * parameters.friction));
+}
+
 ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::Vec3& v_WT, double mostDamping_Ns_per_m) const noexcept {
     ContactResponse response;
     response.surfacePoint = p_WT;
@@ -40,6 +56,8 @@ ContactResponse HemisphereContact::respond(const core::Vec3& p_WT, const core::V
     response.depth_m = depth;
     response.energy_J = Elasticity::energy(k.value_N_per_m, depth);
     response.stiffness_N_per_m = k.value_N_per_m;
+    if (m_steepest > 1.0)
+        response.load_N = m_steepest * std::sqrt(2.0 * m_parameters.stiffness.base_N_per_m * (1.0 + m_parameters.stiffness.variation) * response.energy_J);
     response.inContact = true;
     return response;
 }

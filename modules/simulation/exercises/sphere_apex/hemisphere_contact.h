@@ -23,6 +23,7 @@ struct ContactResponse {
     double energy_J = 0.0;      ///< elastic U = ½ k (d+h)²; the bristle's energy is not counted
     double stiffness_N_per_m = 0.0; ///< k at this place; 0 when not in contact
     double damping_Ns_per_m = 0.0;  ///< what its damping uses of the tool's budget
+    double load_N = 0.0;            ///< see SceneOutput::load_N; 0: ‖f‖ itself will do
     bool inContact = false;
     std::uint8_t bits = 0;          ///< core::contact_bits
 };
@@ -47,7 +48,7 @@ public:
     };
 
     HemisphereContact() = default;
-    explicit HemisphereContact(const Parameters& parameters) noexcept : m_parameters(parameters) {}
+    explicit HemisphereContact(const Parameters& parameters) noexcept;
 
     /// `p_WT` m, `v_WT` m/s; `bristle` is advanced by one tick (and released out of contact or without
     /// friction).
@@ -61,6 +62,7 @@ public:
 
 private:
     Parameters m_parameters;
+    double m_steepest = 1.0; ///< bounds ‖f‖/√(2 k U) of a uniform stiffness, to a quarter of the radius: the dimple's slopes and friction; 1: neither
 };
 
 /// A contact whose tissue holds back only `factor` of what its law answers.
@@ -70,6 +72,7 @@ inline void scale(ContactResponse& response, double factor) noexcept {
     response.force *= factor;
     response.normalForce_N *= factor;
     response.energy_J *= factor;
+    response.load_N *= factor;
     response.stiffness_N_per_m *= factor;
     response.damping_Ns_per_m *= factor;
 }

@@ -149,6 +149,7 @@ void SphereApexScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
         out.tissue.tools[i].force = response.force;
         out.contact[i] = response.bits;
         out.damping_Ns_per_m[i] = response.damping_Ns_per_m;
+        out.load_N[i] = response.load_N;
         out.storedEnergy_J += response.energy_J;
         out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
         if (response.inContact != m_touching[i])
