@@ -21,7 +21,7 @@ namespace {
 
 const QString kFile = QStringLiteral(CHIRON_SOURCE_DIR "/tests/replay/operator_paths.json");
 constexpr std::uint64_t kSeed = 20261126, kBlock_ticks = 1000;
-constexpr std::uint64_t kAll_ticks = 12'000, kLong_ticks = 60'000; ///< every level; the first of each exercise
+constexpr std::uint64_t kAll_ticks = 12'000, kLong_ticks = 150'000; ///< every level; the first of each exercise to its end
 /// Of a mean over a block. Libraries of mathematics round differently, by some 1e-16 of what a hand perceives.
 constexpr double kSame_counts = 0.5, kSameShare = 1e-6;
 

@@ -93,25 +93,30 @@ void warnOfPlaces(std::vector<Warning>& warnings, Task task, const std::vector<S
         return;
     const int places = placesOf(task);
     std::vector<double> said(static_cast<std::size_t>(places), 0.0);
-    std::vector<double> expected = said;
+    std::vector<double> expected = said, offered = said;
+    double wrong = 0.0, shown = 0.0;
     for (const ScoredTrial& trial : trials) {
         if (trial.arrangement < 0 || trial.arrangement >= static_cast<int>(arrangements(task).size()) || trial.answer < 0 ||
             trial.answer >= places)
             continue;
         const int correct = correctAnswer(task, trial.arrangement);
+        shown += 1.0;
+        for (int place = 0; place < places; ++place)
+            offered[static_cast<std::size_t>(place)] += place == correct ? 0.0 : 1.0;
         if (trial.answer == correct)
             continue;
+        wrong += 1.0;
         said[static_cast<std::size_t>(trial.answer)] += 1.0;
         for (int place = 0; place < places; ++place)
             expected[static_cast<std::size_t>(place)] += place == correct ? 0.0 : 1.0 / (places - 1);
     }
+    // Of two places a wrong answer has no choice: there it tells something how often each was wrong at all.
+    if (places == 2 && shown > 0.0)
+        expected = {wrong * offered[0] / shown, wrong * offered[1] / shown};
     double sum = 0.0;
-    double wrong = 0.0;
-    for (std::size_t place = 0; place < said.size(); ++place) {
-        wrong += said[place];
+    for (std::size_t place = 0; place < said.size(); ++place)
         if (expected[place] > 0.0)
             sum += (said[place] - expected[place]) * (said[place] - expected[place]) / expected[place];
-    }
     if (wrong >= 10.0 && chiSquareUpperTail(sum, places - 1) < 0.001)
         warnings.push_back({WarningKind::positionBias});
 }

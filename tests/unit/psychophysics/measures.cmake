@@ -1,4 +1,5 @@
 chiron_test(test_run_estimate SOURCES measures/test_run_estimate.cpp LINKS psychophysics LABELS fast unit)
+chiron_test(test_run_warnings SOURCES measures/test_run_warnings.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_dprime SOURCES measures/test_dprime.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_rankings SOURCES measures/test_rankings.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_ranking_summary SOURCES measures/test_ranking_summary.cpp LINKS psychophysics LABELS fast unit)
