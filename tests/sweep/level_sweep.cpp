@@ -240,6 +240,7 @@ private:
         const double stiffest = std::max(m_out.contactStiffness_N_per_m, m_stiffnessBefore);
         const bool appeared = (m_out.events & core::event_bits::kSceneChanged) != 0 || m_out.phase != m_phaseBefore;
         const double escaped = bodiesMoved();
+        const std::vector<Ends> otherEnds = endsMoved();
         bool touching = false;
         double work = 0.0;
         for (std::size_t i = 0; i < m_before.size(); ++i) {
@@ -262,8 +263,10 @@ private:
             Before& before = m_before[i];
             if (before.known && !appeared) {
                 const Vec3 moved = tool.p_WT - before.p;
-                const double faded = m_numbers.damping_Ns_per_m * std::max(tool.v_WT.norm(), before.v.norm()) / m_numbers.fade_m;
-                const double allowed = m_numbers.largest_Ns_per_m * (tool.v_WT - before.v).norm() + (stiffest + m_numbers.bristle_N_per_m + faded) * (moved.norm() + escaped);
+                const Ends& others = otherEnds[i];
+                const double faded = m_numbers.damping_Ns_per_m * (std::max(tool.v_WT.norm(), before.v.norm()) + others.speed_m_per_s) / m_numbers.fade_m;
+                const double allowed = m_numbers.largest_Ns_per_m * ((tool.v_WT - before.v).norm() + others.sped_m_per_s) +
+                                       (stiffest + m_numbers.bristle_N_per_m + faded) * (moved.norm() + escaped + others.way_m);
                 const double change = (force - before.force).norm();
                 const double turned = turnChange(before, tool, m_out.tissue.tools[i].torque, allowed);
                 if (((bits | m_bitsBefore[i]) & core::contact_bits::kThrough) != 0) {
@@ -282,6 +285,25 @@ private:
         count(touching, appeared, work, path, tick);
         m_stiffnessBefore = m_out.contactStiffness_N_per_m;
         m_phaseBefore = m_out.phase;
+    }
+
+    /// Of a tube, what the other hands do to it while this one holds still: what stretches it is the way between them.
+    struct Ends {
+        double way_m = 0.0, speed_m_per_s = 0.0, sped_m_per_s = 0.0;
+    };
+    std::vector<Ends> endsMoved() const {
+        std::vector<Ends> ends(m_before.size());
+        if (m_out.cues.laparoscopy.grips == 0)
+            return ends;
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            for (std::size_t k = 0; k < ends.size(); ++k)
+                if (k != i && m_before[k].known) {
+                    const core::ToolState& tool = m_in.tools.tools[k];
+                    ends[i].way_m += (tool.p_WT - m_before[k].p).norm();
+                    ends[i].speed_m_per_s += std::max(tool.v_WT.norm(), m_before[k].v.norm());
+                    ends[i].sped_m_per_s += (tool.v_WT - m_before[k].v).norm();
+                }
+        return ends;
     }
 
     /// By how much the torque changed more than it may; `allowed_N`: what the force may change by.

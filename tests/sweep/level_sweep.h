@@ -34,7 +34,8 @@ struct SweepResult {
     Worst force;                ///< N, of one tool
     Worst torque;               ///< N·m
     /// N in one tick, over what the stiffness there times the way allows; yield events left out. At most 0.1 is asked for.
-    /// Stiffness: what the scene says, friction's bristle, and b v / 0.5 mm of damping that fades in; the way: between tool and object.
+    /// Stiffness: what the scene says, friction's bristle, and b v / 0.5 mm of damping that fades in; the way: between tool and object,
+    /// which of a tube is the way between the hands that hold it.
     Worst change;
     Worst fall;                 ///< the same during a yield event, over what its curve allows too
     /// N·m in one tick, over what the tissue's turning back allows: k_φ times the turn and what the way turns it by, as much more as the

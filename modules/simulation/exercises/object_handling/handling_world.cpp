@@ -131,7 +131,8 @@ void HandlingWorld::touchBody(Body& body, const HandlingTool& tool, HandlingAnsw
     m_budget.spend(touch.damping_Ns_per_m);
     body.load -= touch.force;
     answer.force += touch.force;
-    answer.stiffness_N_per_m = std::max(answer.stiffness_N_per_m, touch.stiffness_N_per_m);
+    const double turning = place.depth_m / std::max(distance, (1.0 - kPiercedShare) * radius); // a ball's force turns with its nearest place
+    answer.stiffness_N_per_m += touch.stiffness_N_per_m * std::max(1.0, turning); // what acts at once adds up
     answer.surfacePoint = tool.p_W + std::max(0.0, place.depth_m) * place.normal;
     answer.touching = true;
 }
@@ -184,7 +185,7 @@ void HandlingWorld::touchBed(const HandlingTool& tool, HandlingAnswer& answer) n
     const double depth = std::max(0.0, place.depth_m);
     m_budget.spend(touch.damping_Ns_per_m);
     answer.force += touch.force;
-    answer.stiffness_N_per_m = std::max(answer.stiffness_N_per_m, touch.stiffness_N_per_m);
+    answer.stiffness_N_per_m += touch.stiffness_N_per_m;
     answer.bedDepth_m = depth;
     answer.surfacePoint.z() = std::max(answer.surfacePoint.z(), tool.p_W.z() + depth * place.normal.z());
     answer.touching = true;
@@ -205,6 +206,8 @@ void HandlingWorld::pushApart(HandlingAnswer& answer) noexcept {
             const Vec3 push = (stiffness * overlap / distance) * apart;
             other.load += push;
             one.load -= push;
+            if (isHeld(i) || isHeld(k)) // the hand feels it through what it holds
+                answer.stiffness_N_per_m += stiffness;
             if (isHeld(i) || isHeld(k) || one.touched || other.touched)
                 answer.energy_J += 0.5 * stiffness * overlap * overlap;
         }
@@ -217,7 +220,7 @@ void HandlingWorld::carry(HandlingAnswer& answer) noexcept {
     const Vec3 load = body.load + body.it.heldForce();
     m_budget.spend(body.it.rolling_Ns_per_m());
     answer.force -= m_slide.step(load, gripLimit_N(m_object.friction(), m_squeeze.force_N), body.it.mass_kg(), kT);
-    answer.stiffness_N_per_m = std::max(answer.stiffness_N_per_m, body.it.bedStiffness_N_per_m());
+    answer.stiffness_N_per_m += body.it.bedStiffness_N_per_m();
     answer.touching = true;
 }
 

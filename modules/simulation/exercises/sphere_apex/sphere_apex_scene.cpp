@@ -107,9 +107,24 @@ bool SphereApexScene::objectPresent() const noexcept {
     return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
 }
 
+/// Bounds how fast the force changes with the place, in any direction: the ball's turns with the nearest place, by d/(R − d) of the stiffness;
+/// a dimple adds 2 k ‖∇h‖ + k ‖∇h‖² + k d ‖∇∇h‖, the last of which is 8 D/w² at the most.
+double SphereApexScene::steepest(const ContactResponse& response, const core::Vec3& p_WT) const noexcept {
+    const double R = m_parameters.radius_m, d = response.depth_m;
+    double share = std::max(1.0, d / std::max(R - d, (1.0 - kDeepestShare) * R));
+    const Dimple& dimple = m_contact.parameters().dimple;
+    if (const HeightSample micro = dimple.sample(p_WT.x(), p_WT.y()); micro.height_m != 0.0) {
+        const double slope = micro.gradient.norm();
+        share += 2.0 * slope + slope * slope + d * 8.0 * dimple.depth_m / (dimple.halfWidth_m * dimple.halfWidth_m);
+    }
+    return share * response.stiffness_N_per_m;
+}
+
 ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept {
     ContactResponse response = m_contact.respond(state.p_WT, state.v_WT, m_bristles[tool], mostDamping_Ns_per_m);
     ContactYield& yield = m_yields[tool];
+    if (response.inContact)
+        response.stiffness_N_per_m = steepest(response, state.p_WT);
     const bool breached = yield.everYields() && response.depth_m > kDeepestShare * m_parameters.radius_m;
     scale(response, yield.step(response.force.norm(), !response.inContact, breached, core::kTickSeconds));
     response.bits = yield.bits();

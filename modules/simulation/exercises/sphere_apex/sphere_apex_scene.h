@@ -75,6 +75,7 @@ private:
     bool markPressed(const SceneInput& in) noexcept;
     bool objectPresent() const noexcept;
     ContactResponse touchWith(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept;
+    double steepest(const ContactResponse& response, const core::Vec3& p_WT) const noexcept; ///< N/m
     ContactResponse touchExact(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept;
     void touch(const SceneInput& in, SceneOutput& out) noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
