@@ -63,6 +63,8 @@ std::vector<Picture> pictures() {
             {"tube_torn", samples::tubeSetup(TubeTask::stretch), torn},
             {"tube_two_handed", samples::tubeSetup(TubeTask::twoHanded), samples::twoHanded(0.064)},
             {"tube_two_slack", samples::tubeSetup(TubeTask::twoHanded), samples::twoHanded(0.034)},
+            {"tube_fold", samples::tubeSetup(TubeTask::twoHanded), samples::behindAFold(false)},
+            {"tube_fold_back", samples::tubeSetup(TubeTask::twoHanded), samples::behindAFold(true)},
             {"tube_transfer", samples::tubeSetup(TubeTask::transfer), samples::handOver()},
             {"ovary_lying", samples::handlingSetup(), samples::handlingState(false)},
             {"ovary_carried", samples::handlingSetup(), samples::handlingState(true)},
