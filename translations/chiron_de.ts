@@ -529,6 +529,22 @@ Einzelheiten: %2</translation>
         <source>Holding: nothing</source>
         <translation>Gehalten: nichts</translation>
     </message>
+    <message>
+        <source>Draw the fold of tissue back with the third instrument until its pull is in the band</source>
+        <translation>Ziehen Sie die Gewebefalte mit dem dritten Instrument zurück, bis ihr Zug im Zielbereich liegt</translation>
+    </message>
+    <message>
+        <source>Holding: the fold and two places of the tube</source>
+        <translation>Gehalten: die Falte und zwei Stellen des Schlauchs</translation>
+    </message>
+    <message>
+        <source>Holding: the fold and one place of the tube</source>
+        <translation>Gehalten: die Falte und eine Stelle des Schlauchs</translation>
+    </message>
+    <message>
+        <source>Holding: the fold</source>
+        <translation>Gehalten: die Falte</translation>
+    </message>
 </context>
 <context>
     <name>HelpDialogs</name>
@@ -753,6 +769,18 @@ Einzelheiten: %2</translation>
     <message>
         <source>Press with %1 to %2 N</source>
         <translation>Mit %1 bis %2 N drücken</translation>
+    </message>
+    <message>
+        <source>Instruments: three, one in each hand and one that holds tissue back</source>
+        <translation>Instrumente: drei, eines in jeder Hand und eines, das Gewebe zurückhält</translation>
+    </message>
+    <message>
+        <source>Over the tube: a fold of tissue, to be held back with %1 to %2 N</source>
+        <translation>Über dem Schlauch: eine Gewebefalte, die mit %1 bis %2 N zurückzuhalten ist</translation>
+    </message>
+    <message>
+        <source>Devices with a base stand as this level mounts them; what you set below takes its place</source>
+        <translation>Geräte mit einer Basis stehen so, wie diese Stufe sie vorsieht; was Sie unten einstellen, hat Vorrang</translation>
     </message>
 </context>
 <context>
@@ -1496,6 +1524,22 @@ Einzelheiten: %2</translation>
     <message>
         <source>only %1 regions with a lump and %2 without: %3 of each are needed</source>
         <translation>nur %1 Felder mit Knoten und %2 ohne: je %3 sind nötig</translation>
+    </message>
+    <message>
+        <source>Retraction in the band</source>
+        <translation>Zug der Falte im Zielbereich</translation>
+    </message>
+    <message>
+        <source>How much of the time, once the fold of tissue was held back, its pull was where it had to be, in %; the mean over all trials.</source>
+        <translation>Wie viel der Zeit, seit die Gewebefalte zurückgehalten wurde, ihr Zug dort lag, wo er liegen sollte, in %; Mittel über alle Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Largest retraction</source>
+        <translation>Größter Zug an der Falte</translation>
+    </message>
+    <message>
+        <source>The largest pull on the fold of tissue at any moment.</source>
+        <translation>Der größte Zug an der Gewebefalte zu irgendeinem Zeitpunkt.</translation>
     </message>
 </context>
 <context>
@@ -6231,6 +6275,14 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <source>Pull of the load, downwards: %1 N</source>
         <translation>Zug der Last, nach unten: %1 N</translation>
     </message>
+    <message>
+        <source>Pull on the fold</source>
+        <translation>Zug an der Falte</translation>
+    </message>
+    <message>
+        <source>Force, instrument %1</source>
+        <translation>Kraft, Instrument %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::GroupPage</name>
@@ -7803,6 +7855,18 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Depth (mm)</source>
         <translation>Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>Pull on the fold of tissue</source>
+        <translation>Zug an der Gewebefalte</translation>
+    </message>
+    <message>
+        <source>pull</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>Pull on the fold (N), dashed: its band</source>
+        <translation>Zug an der Falte (N), gestrichelt: Zielbereich</translation>
     </message>
 </context>
 <context>
@@ -12607,6 +12671,22 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>Nothing was touched.</source>
         <translation>Nichts wurde berührt.</translation>
+    </message>
+    <message>
+        <source>Pull on the fold of tissue</source>
+        <translation>Zug an der Gewebefalte</translation>
+    </message>
+    <message>
+        <source>Pull (N)</source>
+        <translation>Zug (N)</translation>
+    </message>
+    <message>
+        <source>pull</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>Retraction in the band</source>
+        <translation>Zug der Falte im Zielbereich</translation>
     </message>
 </context>
 </TS>

@@ -529,6 +529,22 @@ Details: %2</source>
         <source>Holding: nothing</source>
         <translation>Κρατά: τίποτα</translation>
     </message>
+    <message>
+        <source>Draw the fold of tissue back with the third instrument until its pull is in the band</source>
+        <translation>Τραβήξτε πίσω την πτυχή ιστού με το τρίτο εργαλείο μέχρι η έλξη της να βρεθεί μέσα στη ζώνη</translation>
+    </message>
+    <message>
+        <source>Holding: the fold and two places of the tube</source>
+        <translation>Κρατά: την πτυχή και δύο σημεία του σωλήνα</translation>
+    </message>
+    <message>
+        <source>Holding: the fold and one place of the tube</source>
+        <translation>Κρατά: την πτυχή και ένα σημείο του σωλήνα</translation>
+    </message>
+    <message>
+        <source>Holding: the fold</source>
+        <translation>Κρατά: την πτυχή</translation>
+    </message>
 </context>
 <context>
     <name>HelpDialogs</name>
@@ -753,6 +769,18 @@ Details: %2</source>
     <message>
         <source>Press with %1 to %2 N</source>
         <translation>Πιέστε με %1 έως %2 N</translation>
+    </message>
+    <message>
+        <source>Instruments: three, one in each hand and one that holds tissue back</source>
+        <translation>Εργαλεία: τρία, ένα σε κάθε χέρι και ένα που συγκρατεί ιστό</translation>
+    </message>
+    <message>
+        <source>Over the tube: a fold of tissue, to be held back with %1 to %2 N</source>
+        <translation>Πάνω από τον σωλήνα: μια πτυχή ιστού που πρέπει να συγκρατείται με %1 έως %2 N</translation>
+    </message>
+    <message>
+        <source>Devices with a base stand as this level mounts them; what you set below takes its place</source>
+        <translation>Οι συσκευές με βάση στέκονται όπως ορίζει αυτό το επίπεδο· ό,τι ρυθμίσετε παρακάτω υπερισχύει</translation>
     </message>
 </context>
 <context>
@@ -1496,6 +1524,22 @@ Details: %2</source>
     <message>
         <source>only %1 regions with a lump and %2 without: %3 of each are needed</source>
         <translation>μόνο %1 περιοχές με όζο και %2 χωρίς: χρειάζονται %3 από καθεμία</translation>
+    </message>
+    <message>
+        <source>Retraction in the band</source>
+        <translation>Έλξη της πτυχής μέσα στη ζώνη</translation>
+    </message>
+    <message>
+        <source>How much of the time, once the fold of tissue was held back, its pull was where it had to be, in %; the mean over all trials.</source>
+        <translation>Για πόσο μέρος του χρόνου, αφότου συγκρατήθηκε η πτυχή ιστού, η έλξη της ήταν εκεί που έπρεπε, σε %· μέσος όρος όλων των δοκιμών.</translation>
+    </message>
+    <message>
+        <source>Largest retraction</source>
+        <translation>Μέγιστη έλξη της πτυχής</translation>
+    </message>
+    <message>
+        <source>The largest pull on the fold of tissue at any moment.</source>
+        <translation>Η μέγιστη έλξη στην πτυχή ιστού σε οποιαδήποτε στιγμή.</translation>
     </message>
 </context>
 <context>
@@ -6231,6 +6275,14 @@ Press again to end the trial without it.</source>
         <source>Pull of the load, downwards: %1 N</source>
         <translation>Έλξη του φορτίου, προς τα κάτω: %1 N</translation>
     </message>
+    <message>
+        <source>Pull on the fold</source>
+        <translation>Έλξη της πτυχής</translation>
+    </message>
+    <message>
+        <source>Force, instrument %1</source>
+        <translation>Δύναμη, εργαλείο %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::GroupPage</name>
@@ -7803,6 +7855,18 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Depth (mm)</source>
         <translation>Βάθος (mm)</translation>
+    </message>
+    <message>
+        <source>Pull on the fold of tissue</source>
+        <translation>Έλξη της πτυχής ιστού</translation>
+    </message>
+    <message>
+        <source>pull</source>
+        <translation>έλξη</translation>
+    </message>
+    <message>
+        <source>Pull on the fold (N), dashed: its band</source>
+        <translation>Έλξη της πτυχής (N), διακεκομμένη: η ζώνη της</translation>
     </message>
 </context>
 <context>
@@ -12607,6 +12671,22 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     <message>
         <source>Nothing was touched.</source>
         <translation>Δεν αγγίχτηκε τίποτα.</translation>
+    </message>
+    <message>
+        <source>Pull on the fold of tissue</source>
+        <translation>Έλξη της πτυχής ιστού</translation>
+    </message>
+    <message>
+        <source>Pull (N)</source>
+        <translation>Έλξη (N)</translation>
+    </message>
+    <message>
+        <source>pull</source>
+        <translation>έλξη</translation>
+    </message>
+    <message>
+        <source>Retraction in the band</source>
+        <translation>Έλξη της πτυχής μέσα στη ζώνη</translation>
     </message>
 </context>
 </TS>

@@ -73,6 +73,18 @@ std::unique_ptr<PlotView> tensionPlot(const TubeReport& tube, const PlotTheme& t
     return view;
 }
 
+std::unique_ptr<PlotView> retractionPlot(const TubeReport& tube, const PlotTheme& theme) {
+    if (!(tube.retractionHigh_N > 0.0))
+        return nullptr;
+    auto view = overTime(Words::tr("Pull on the fold of tissue"), Words::tr("Pull (N)"), tube, theme);
+    const std::vector<double> low(tube.t_s.size(), tube.retractionLow_N), high(tube.t_s.size(), tube.retractionHigh_N);
+    view->addLine(Words::tr("band, from"), tube.t_s, low, PlotStyle::dashedB);
+    view->addLine(Words::tr("band, to"), tube.t_s, high, PlotStyle::dashedB);
+    view->addLine(Words::tr("pull"), tube.t_s, tube.retraction_N, PlotStyle::solidA);
+    finishTube(*view, tube);
+    return view;
+}
+
 std::unique_ptr<PlotView> stretchPlot(const TubeReport& tube, const PlotTheme& theme) {
     auto view = overTime(Words::tr("How far the tube was stretched"), Words::tr("Stretch (mm)"), tube, theme);
     if (anyNumber(tube.markLow_mm)) {
@@ -92,10 +104,16 @@ WordTable tubeTable(const TubeReport& tube, const QLocale& locale) {
     WordTable table{{Words::tr("Trial"), Words::tr("Outcome"), Words::tr("Target"), Words::tr("Tension error"), Words::tr("In the band"),
                      Words::tr("Largest stretch"), Words::tr("Over-stretches"), Words::tr("Drops")},
                     {}};
-    for (const TubeTrialRow& row : tube.rows)
+    const bool fold = tube.retractionHigh_N > 0.0;
+    if (fold)
+        table.head.push_back(Words::tr("Retraction in the band"));
+    for (const TubeTrialRow& row : tube.rows) {
         table.rows.push_back({locale.toString(row.trial + 1), trialOutcomeWords(row.outcome, true), inUnit(row.target_N, "N", locale),
                               inUnit(row.error_N, "N", locale), inUnit(row.inBand_s, "s", locale), inUnit(row.stretchMax_mm, "mm", locale),
                               count(row.overStretches, locale), count(row.drops, locale)});
+        if (fold)
+            table.rows.back().push_back(inUnit(row.retractionInBand_percent, "%", locale));
+    }
     return table;
 }
 

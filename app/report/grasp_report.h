@@ -21,6 +21,8 @@ QString trialOutcomeWords(TrialOutcome outcome, bool tears);
 /// The plots of an elastic tube over time. Each makes a new view (GUI thread); empty data give an empty plot with a note.
 /// Tension with the band that was asked for ...
 std::unique_ptr<PlotView> tensionPlot(const TubeReport& tube, const PlotTheme& theme);
+/// The pull on the fold over the tube with its band; null where there was no fold.
+std::unique_ptr<PlotView> retractionPlot(const TubeReport& tube, const PlotTheme& theme);
 /// ... and stretch with the mark, where the task has one, and the length that counts as over-stretched.
 std::unique_ptr<PlotView> stretchPlot(const TubeReport& tube, const PlotTheme& theme);
 /// What each trial came to.

@@ -24,6 +24,7 @@ struct TubeTrialRow {
     double stretchMax_mm = 0.0;
     std::optional<double> overStretches;
     std::optional<double> drops;
+    std::optional<double> retractionInBand_percent; ///< of a fold that had to be held back
 };
 
 /// What an elastic tube came to, at 100 Hz (of each 10 ms the value farthest from zero). Between trials, and where a trial asks for
@@ -38,6 +39,8 @@ struct TubeReport {
     std::vector<double> bandLow_N, bandHigh_N;
     std::vector<double> stretch_mm;
     std::vector<double> markLow_mm, markHigh_mm;
+    std::vector<double> retraction_N; ///< pull on the fold over the tube; none where there is none
+    double retractionLow_N = 0.0, retractionHigh_N = 0.0;
     double overStretch_mm = 0.0; ///< 0: not known
     std::vector<Span> paused;
     std::vector<double> trialStart_s;

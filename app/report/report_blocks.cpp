@@ -238,8 +238,11 @@ void ReportBlocks::addTube() {
     if (!m_data.tube)
         return;
     addHeading(Words::tr("Tension and stretch"));
-    for (auto plot : {tensionPlot, stretchPlot}) {
-        m_plots.push_back(plot(*m_data.tube, m_theme));
+    for (auto plot : {tensionPlot, retractionPlot, stretchPlot}) {
+        auto made = plot(*m_data.tube, m_theme);
+        if (!made)
+            continue;
+        m_plots.push_back(std::move(made));
         PlotView* view = m_plots.back().get();
         add(216, 8, [view](QCPPainter& p, const QRectF& box) { view->paintTo(p, box); });
     }

@@ -21,6 +21,9 @@ const simulation::ElasticTubeParameters& parametersOf(const catalogue::ExerciseL
 /// Arming takes 2 s and a person may first have to let go; beyond this a scripted run is stuck.
 constexpr double kArmingAllowance_s = 20.0;
 
+/// A retractor enters behind the field, so that it draws tissue away from the hands that work in it: assumption.
+constexpr double kRetractorBehind_m = 0.040;
+
 class ElasticTubeSurfaces final : public TrialSurfaces {
 public:
     ElasticTubeSurfaces(const simulation::ElasticTubeParameters& p, std::uint64_t seed) : m_radius_m(p.radius_m) {
@@ -45,16 +48,24 @@ private:
 int ElasticTubeKind::toolCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).tools(); }
 
 devices::WorkspaceMapping ElasticTubeKind::toolPlace(const catalogue::ExerciseLevel& level, int tool) const {
+    const auto& p = parametersOf(level);
     devices::WorkspaceMapping place;
-    if (parametersOf(level).tools() > 1)
-        place.origin_m[0] = (tool == 0 ? 0.5 : -0.5) * parametersOf(level).instrumentsApart_m;
+    if (p.hasFold() && tool == p.retractor())
+        place.origin_m[1] = kRetractorBehind_m;
+    else if (p.hands() > 1)
+        place.origin_m[0] = (tool == 0 ? 0.5 : -0.5) * p.instrumentsApart_m;
     return place;
 }
 
-std::vector<core::QuantityDescription> ElasticTubeKind::quantities(const catalogue::ExerciseLevel&) const {
-    return {{"tension_N", "N", 1e-3}, {"stretch_m", "m", 1e-6},    {"grip_0", "1", 1.0},       {"grip_1", "1", 1.0},
+std::vector<core::QuantityDescription> ElasticTubeKind::quantities(const catalogue::ExerciseLevel& level) const {
+    std::vector<core::QuantityDescription> out{{"tension_N", "N", 1e-3}, {"stretch_m", "m", 1e-6},    {"grip_0", "1", 1.0},       {"grip_1", "1", 1.0},
             {"grip_2", "1", 1.0},     {"free_end_x_m", "m", 1e-6}, {"free_end_y_m", "m", 1e-6}, {"free_end_z_m", "m", 1e-6},
             {"step", "1", 1.0},       {"dwell", "1", 1e-3}};
+    if (parametersOf(level).hasFold())
+        for (const core::QuantityDescription& one : {core::QuantityDescription{"retraction_N", "N", 1e-3}, {"fold_open", "1", 1.0}, {"fold_edge_x_m", "m", 1e-6},
+                                                     {"fold_edge_y_m", "m", 1e-6}, {"fold_edge_z_m", "m", 1e-6}})
+            out.push_back(one);
+    return out;
 }
 
 std::unique_ptr<simulation::IScene> ElasticTubeKind::makeScene(const SessionSetup& setup) const {
@@ -79,6 +90,7 @@ core::Result<ScriptedTrainee> ElasticTubeKind::makeOperatorAt(std::span<const de
                                                    : operators::TubeGoal::tension;
     briefing.markRatio = p.markRatio;
     briefing.markTolerance = p.markTolerance;
+    briefing.retracts = p.hasFold();
     briefing.places.assign(places.begin(), places.end());
     auto strategies = operators::makeElasticTubeOperator(*settings, briefing, seed);
     if (!strategies)
@@ -113,6 +125,10 @@ void ElasticTubeKind::addTruth(const catalogue::ExerciseLevel& level, std::uint6
     if (p.task == TubeTask::stretch) {
         trial.truth.push_back({"mark_m", (p.markRatio - 1.0) * p.restLength_m});
         trial.truth.push_back({"mark_tolerance_m", p.markTolerance * p.restLength_m});
+    }
+    if (p.hasFold()) {
+        trial.truth.push_back({"retraction_low_N", p.retractionLow_N});
+        trial.truth.push_back({"retraction_high_N", p.retractionHigh_N});
     }
     trial.truth.push_back({"over_stretch_m", (p.overStretchRatio - 1.0) * p.restLength_m});
     trial.truth.push_back({"tear_m", (p.tearRatio - 1.0) * p.restLength_m});

@@ -80,6 +80,7 @@ public:
         const std::vector<double>* stretch = quantityIn(trial, "stretch_m");
         if (tension == nullptr || stretch == nullptr || tension->empty())
             return;
+        const std::vector<double>* retraction = quantityIn(trial, "retraction_N");
         const scoring::ToolTrace& tool = trial.tools.front();
         const auto target = truthIn(trial, "target_N");
         const auto band = truthIn(trial, "band_N");
@@ -88,6 +89,7 @@ public:
         for (std::size_t i = 0; i < tension->size(); i += kSamplesPerPoint) {
             const std::size_t end = std::min(i + kSamplesPerPoint, tension->size());
             point(tool.t_s[i], farthest(*tension, i, end), 1e3 * farthest(*stretch, i, end));
+            m_tube.retraction_N.push_back(retraction ? farthest(*retraction, i, end) : kNothing);
             m_tube.bandLow_N.push_back(target && band ? *target - *band : kNothing);
             m_tube.bandHigh_N.push_back(target && band ? *target + *band : kNothing);
             m_tube.markLow_mm.push_back(mark && tolerance ? 1e3 * (*mark - *tolerance) : kNothing);
@@ -106,7 +108,7 @@ private:
     /// Nothing joins one trial to the next.
     void gap(double t_s) {
         point(t_s, kNothing, kNothing);
-        for (auto* values : {&m_tube.bandLow_N, &m_tube.bandHigh_N, &m_tube.markLow_mm, &m_tube.markHigh_mm})
+        for (auto* values : {&m_tube.retraction_N, &m_tube.bandLow_N, &m_tube.bandHigh_N, &m_tube.markLow_mm, &m_tube.markHigh_mm})
             values->push_back(kNothing);
     }
     void notePauses(const scoring::ToolTrace& tool) {
@@ -157,7 +159,7 @@ void addPlace(const scoring::TrialTrace& trial, report::HandlingTrialRow& row) {
 
 report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
     report::TubeReport tube;
-    const TrialScores scores(trace, level, {"tension_error_rms", "time_in_band", "over_stretches", "drops"});
+    const TrialScores scores(trace, level, {"tension_error_rms", "time_in_band", "over_stretches", "drops", "retraction_time_in_band"});
     TubeSeries series(tube);
     for (std::size_t i = 0; i < trace.trials.size(); ++i) {
         const scoring::TrialTrace& trial = trace.trials[i];
@@ -166,7 +168,9 @@ report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalo
         tube.trialStart_s.push_back(trial.tools.front().t_s.front());
         tube.rows.push_back({trial.trial, outcomeOf(trial), truthIn(trial, "target_N"), scores.of(i, "tension_error_rms"),
                              scores.of(i, "time_in_band"), 1e3 * largestOf(quantityIn(trial, "stretch_m")), scores.of(i, "over_stretches"),
-                             scores.of(i, "drops")});
+                             scores.of(i, "drops"), scores.of(i, "retraction_time_in_band")});
+        tube.retractionLow_N = truthIn(trial, "retraction_low_N").value_or(0.0);
+        tube.retractionHigh_N = truthIn(trial, "retraction_high_N").value_or(0.0);
         tube.overStretch_mm = 1e3 * truthIn(trial, "over_stretch_m").value_or(0.0);
         series.add(trial);
     }

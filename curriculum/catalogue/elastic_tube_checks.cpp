@@ -21,6 +21,9 @@ constexpr double kStiffest_N_per_m = 2000.0;
 /// P2's mechanism has its pivot 180 mm over the floor and a rod that comes no nearer to it than 80 mm.
 constexpr double kHighest_m = 0.100;
 
+/// As far as a retractor is drawn back in a field of this size.
+constexpr double kFarthestFold_m = 0.060;
+
 QString mm(double length_m) { return QStringLiteral("%1 mm").arg(core::mmFromM(length_m), 0, 'g', 4); }
 QString newtons(double force_N) { return QStringLiteral("%1 N").arg(force_N, 0, 'g', 4); }
 
@@ -40,6 +43,8 @@ public:
             mark();
         if (m_p.task == TubeTask::transfer)
             target();
+        if (m_p.hasFold())
+            fold();
         if (!(m_p.graspAngle_rad < m_p.releaseAngle_rad))
             add("release_angle_deg", QString::number(core::degFromRad(m_p.releaseAngle_rad)),
                 QStringLiteral("more than grasp_angle_deg, %1").arg(core::degFromRad(m_p.graspAngle_rad)));
@@ -103,6 +108,20 @@ private:
         if (most_N > m_p.maximumForce_N)
             add("target_high_N", newtons(m_p.targetHigh_N),
                 QStringLiteral("at most maximum_force_N - band_N = %1").arg(newtons(m_p.maximumForce_N - m_p.band_N)));
+    }
+
+    /// Held back with the middle of its band, the fold is still within the retractor's reach, and nobody is asked for more than is allowed.
+    void fold() {
+        if (!(m_p.retractionLow_N < m_p.retractionHigh_N))
+            add("retraction_low_N", newtons(m_p.retractionLow_N), QStringLiteral("less than retraction_high_N, %1").arg(newtons(m_p.retractionHigh_N)));
+        if (m_p.retractionHigh_N > m_p.maximumForce_N)
+            add("retraction_high_N", newtons(m_p.retractionHigh_N), QStringLiteral("at most maximum_force_N, %1").arg(newtons(m_p.maximumForce_N)));
+        const double way_m = 0.5 * (m_p.retractionLow_N + m_p.retractionHigh_N) / m_p.foldStiffness_N_per_m;
+        if (way_m > kFarthestFold_m)
+            add("fold_stiffness_N_per_m", QString::number(m_p.foldStiffness_N_per_m),
+                QStringLiteral("at least %1, so that the fold is held back within %2, and not after %3")
+                    .arg(0.5 * (m_p.retractionLow_N + m_p.retractionHigh_N) / kFarthestFold_m, 0, 'g', 3)
+                    .arg(mm(kFarthestFold_m), mm(way_m)));
     }
 
     void mark() {

@@ -49,6 +49,8 @@ namespace chiron::scoring {
     METRIC(tensionErrorRmsMetric)                                                                            \
     METRIC(tensionErrorSdMetric)                                                                             \
     METRIC(timeInBandMetric)                                                                                 \
+    METRIC(retractionTimeInBandMetric)                                                                       \
+    METRIC(retractionMaxMetric)                                                                              \
     METRIC(overStretchesMetric)                                                                              \
     METRIC(dropsMetric)                                                                                      \
     METRIC(squeezeMaxMetric)                                                                                 \

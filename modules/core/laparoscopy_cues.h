@@ -20,7 +20,9 @@ enum class LaparoscopyStep : std::uint8_t {
     carry = 6,    ///< to the target
     place = 7,    ///< set down and let go
     done = 8,
+    retract = 9, ///< draw the tissue back that lies over the object
 };
+inline constexpr int kLastLaparoscopyStep = 9;
 
 /// A loose object. Places are W, m.
 struct BodyCue {
@@ -60,6 +62,17 @@ struct LaparoscopyCues {
     double tension_N = 0.0;    ///< largest in the tube
     double bandLow_N = 0.0;    ///< target band, 0 where the task has none
     double bandHigh_N = 0.0;
+
+    // A fold of tissue over the tube, which a further instrument holds back.
+    bool fold = false;
+    std::array<double, 3> p_WFoldEdge{}; ///< m; where it may be gripped
+    std::array<double, 3> p_WFoldBase{}; ///< m; where it is drawn back to
+    std::uint8_t foldHeldBy = 0;         ///< one bit a tool
+    bool foldOpen = false;               ///< it is held back far enough: what is under it can be reached
+    bool retractionShown = false;        ///< cue "bars"
+    double retraction_N = 0.0;           ///< its pull
+    double retractionLow_N = 0.0;        ///< from here on the way is free …
+    double retractionHigh_N = 0.0;       ///< … and above this the tissue suffers
 
     bool targetShown = false; ///< where something is to be brought
     std::array<double, 3> p_WTarget{};

@@ -151,7 +151,7 @@ void TestContent::levelsHaveGatesOnTheirHeadlines() {
                                                   "torque_max", "torque_rms", "reversals",
                                                   "landmarks_seen", "inspection_travel", "insertion_depth",
                                                   "procedure_completed",
-                                                  "tension_error_rms", "tension_error_sd", "time_in_band",
+                                                  "tension_error_rms", "tension_error_sd", "time_in_band", "retraction_time_in_band", "retraction_max",
                                                   "over_stretches", "drops",
                                                   "squeeze_max", "squeeze_time_over_limit", "placement_error",
                                                   "weighing_correct", "weighing_correct_by_chance", "sparc", "ldlj",

@@ -207,6 +207,8 @@ private:
         const core::LaparoscopyCues& cues = m_out.cues.laparoscopy;
         if (cues.bodies > 0)
             return Vec3(cues.body[0].p_W[0], cues.body[0].p_W[1], cues.body[0].p_W[2]);
+        if (cues.fold && tool + 1 == m_hands.size()) // the last tool holds back what lies over the tube
+            return Vec3(cues.p_WFoldEdge[0], cues.p_WFoldEdge[1], cues.p_WFoldEdge[2]);
         if (cues.grips > 0) {
             const auto grips = static_cast<std::size_t>(cues.grips); // the end for the first tool, the other end or a place between for the others
             const auto& p = cues.p_WGrip[tool % 2 == 0 ? grips - 1 : (cues.gripAnchored[0] ? grips / 2 : 0)];

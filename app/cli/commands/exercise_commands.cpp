@@ -4,6 +4,7 @@
 #include "cli/command_groups.h"
 #include "cli/messages.h"
 #include "cli/text_table.h"
+#include "core/units.h"
 #include "scoring/metric_catalogue.h"
 #include "session/exercise_kind.h"
 
@@ -78,6 +79,19 @@ QJsonArray quantitiesOf(const KindFacts& facts) {
     return array;
 }
 
+/// How the level mounts the bases of its devices; empty where it says nothing.
+QJsonArray mountingOf(const catalogue::ExerciseLevel& level) {
+    QJsonArray array;
+    for (const core::BaseMounting& base : level.mounting)
+        array.append(QJsonObject{{QStringLiteral("shift_mm"), QJsonArray{core::mmFromM(base.origin_m[0]), core::mmFromM(base.origin_m[1]), core::mmFromM(base.origin_m[2])}},
+                                 {QStringLiteral("scale"), base.scale},
+                                 {QStringLiteral("mirrored"), base.leftHanded},
+                                 {QStringLiteral("turn_deg"), core::degFromRad(base.turn_rad[0])},
+                                 {QStringLiteral("tilt_deg"), core::degFromRad(base.turn_rad[1])},
+                                 {QStringLiteral("roll_deg"), core::degFromRad(base.turn_rad[2])}});
+    return array;
+}
+
 QJsonObject levelJson(const catalogue::ExerciseLevel& level, const std::string& language) {
     QJsonArray cues;
     for (const std::string& cue : level.cues)
@@ -85,6 +99,7 @@ QJsonObject levelJson(const catalogue::ExerciseLevel& level, const std::string& 
     const KindFacts facts = factsOf(level);
     return {{QStringLiteral("level"), level.number},
             {QStringLiteral("tools"), facts.tools},
+            {QStringLiteral("mounting"), mountingOf(level)},
             {QStringLiteral("quantities"), quantitiesOf(facts)},
             {QStringLiteral("records_energy"), facts.energy},
             {QStringLiteral("id"), text(level.id)},

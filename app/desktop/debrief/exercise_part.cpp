@@ -119,6 +119,8 @@ struct PartOf {
         const report::TubeReport& tube = *details.parts.tube;
         Column column(theme);
         column.layout->addWidget(plot(report::tensionPlot(tube, look()), "debrief.tension", 230));
+        if (auto retraction = report::retractionPlot(tube, look()))
+            column.layout->addWidget(plot(std::move(retraction), "debrief.retraction", 230));
         column.layout->addWidget(plot(report::stretchPlot(tube, look()), "debrief.stretch", 230));
         column.layout->addWidget(tableOf(theme, report::tubeTable(tube, locale), "debrief.tube_trials"));
         return std::move(column.holder);

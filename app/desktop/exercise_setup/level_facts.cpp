@@ -71,7 +71,11 @@ QString tubeGoalText(const simulation::ElasticTubeParameters& p, const QLocale& 
 
 QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale& locale) {
     QStringList facts{tubeGoalText(p, locale)};
-    facts << (p.tools() > 1 ? Words::tr("Instruments: two, one in each hand") : Words::tr("Instruments: one"));
+    facts << (p.hasFold()     ? Words::tr("Instruments: three, one in each hand and one that holds tissue back")
+              : p.tools() > 1 ? Words::tr("Instruments: two, one in each hand")
+                              : Words::tr("Instruments: one"));
+    if (p.hasFold())
+        facts << Words::tr("Over the tube: a fold of tissue, to be held back with %1 to %2 N").arg(newtons(p.retractionLow_N, locale), newtons(p.retractionHigh_N, locale));
     const QString length_mm = locale.toString(qRound(p.restLength_m * 1e3));
     const QString tears = locale.toString(p.tearRatio, 'g', 3);
     facts << (p.tube.stiffening_per_m > 0.0
@@ -125,9 +129,7 @@ QStringList palpationFacts(const simulation::PalpationParameters& p, const QLoca
     return facts << trialsText(p.trials, p.trialLimit_s, locale);
 }
 
-} // namespace
-
-QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) {
+QStringList taskFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) {
     if (const Grasping grasping = graspingOf(level))
         return grasping.tube ? tubeFacts(*grasping.tube, locale) : handlingFacts(*grasping.handling, locale);
     if (const auto* palpation = palpationOf(level))
@@ -140,6 +142,15 @@ QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& loc
         facts << Words::tr("Landmarks of the bladder to inspect: %1").arg(locale.toString(static_cast<int>(p->landmarks.size())));
     facts << viewText(level.cues) << depthOfFieldText(*p);
     facts << Words::tr("Time: %1 s at most").arg(locale.toString(qRound(p->trialLimit_s)));
+    return facts;
+}
+
+} // namespace
+
+QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) {
+    QStringList facts = taskFacts(level, locale);
+    if (!level.mounting.empty())
+        facts << Words::tr("Devices with a base stand as this level mounts them; what you set below takes its place");
     return facts;
 }
 

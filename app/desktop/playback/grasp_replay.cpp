@@ -26,7 +26,7 @@ std::array<double, 3> placeOf(const session::PlaybackTrack& track, const session
 }
 
 core::LaparoscopyStep stepOf(double value) {
-    const int step = std::clamp(static_cast<int>(std::lround(value)), 0, static_cast<int>(core::LaparoscopyStep::done));
+    const int step = std::clamp(static_cast<int>(std::lround(value)), 0, core::kLastLaparoscopyStep);
     return static_cast<core::LaparoscopyStep>(step);
 }
 
@@ -104,6 +104,8 @@ void GraspReplay::fillTube(const session::PlaybackTrack& track, const session::P
         cues.p_WGrip[1] = arrayOf(holderOf(view, cues.gripHeldBy[1])
                                       .value_or(simulation::tubePlace(vecOf(cues.p_WGrip[0]), end, m_tube->restLength_m, m_tube->gripShare)));
     cues.stretch_m = valueOf(track, view, "stretch_m");
+    if (m_tube->hasFold())
+        fillFold(track, view, cues);
     cues.tensionShown = true;
     cues.tension_N = valueOf(track, view, "tension_N");
     const Band band = bandOf(view.moment.trial);
@@ -115,6 +117,17 @@ void GraspReplay::fillTube(const session::PlaybackTrack& track, const session::P
         cues.targetRadius_m = m_tube->targetRadius_m;
     }
     cues.targetShown = cues.targetShown || m_tube->task == TubeTask::stretch;
+}
+
+void GraspReplay::fillFold(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const {
+    cues.fold = cues.retractionShown = true;
+    cues.p_WFoldEdge = placeOf(track, view, "fold_edge");
+    cues.p_WFoldBase = arrayOf(simulation::tissueFoldShape(*m_tube, m_tubeTrials[view.moment.trial]).base);
+    cues.foldOpen = valueOf(track, view, "fold_open") > 0.5;
+    cues.retraction_N = valueOf(track, view, "retraction_N");
+    cues.foldHeldBy = static_cast<std::uint8_t>(cues.retraction_N > 0.0 ? 1U << static_cast<unsigned>(m_tube->retractor()) : 0U);
+    cues.retractionLow_N = m_tube->retractionLow_N;
+    cues.retractionHigh_N = m_tube->retractionHigh_N;
 }
 
 void GraspReplay::fillObjects(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const {

@@ -28,10 +28,12 @@ public:
         double high_N = 0.0;
     };
     Band bandOf(int trial) const;
+    Band retractionBand() const { return m_tube && m_tube->hasFold() ? Band{m_tube->retractionLow_N, m_tube->retractionHigh_N} : Band{}; }
     double squeezeLimit_N() const { return m_handling ? m_handling->squeezeLimit_N : 0.0; }
 
 private:
     void fillTube(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const;
+    void fillFold(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const;
     void fillObjects(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const;
 
     std::optional<simulation::ElasticTubeParameters> m_tube;

@@ -97,6 +97,24 @@ void PlaybackPlots::putGrasp() {
     put(std::move(view), m_held, "playback.grasp_plot", kGraspHeight_px);
 }
 
+void PlaybackPlots::putRetraction() {
+    const session::PlaybackQuantity* pull = m_track.quantity("retraction_N");
+    if (!m_grasp || !pull || pull->values.empty())
+        return;
+    auto view = empty(tr("Pull on the fold of tissue"));
+    const GraspReplay::Band band = m_grasp->retractionBand();
+    const std::vector<double> ends{m_series.t_s.empty() ? 0.0 : m_series.t_s.front(), m_series.t_s.empty() ? 0.0 : m_series.t_s.back()};
+    view->addLine(tr("band, from"), ends, std::vector<double>(2, band.low_N), report::PlotStyle::dashedB);
+    view->addLine(tr("band, to"), ends, std::vector<double>(2, band.high_N), report::PlotStyle::dashedB);
+    view->addLine(tr("pull"), m_series.t_s, pull->values, report::PlotStyle::solidA);
+    view->addHatchedSpans(tr("paused"), m_series.paused);
+    slim(*view, {});
+    view->setYAxis({QString(), 0.0, {}});
+    view->setTitle(tr("Pull on the fold (N), dashed: its band"));
+    view->setLegendShown(false);
+    put(std::move(view), m_retraction, "playback.retraction_plot", kGraspHeight_px);
+}
+
 void PlaybackPlots::putEnergy() {
     const session::PlaybackQuantity* in = m_track.quantity("energy_supplied_J");
     const session::PlaybackQuantity* held = m_track.quantity("energy_stored_J");

@@ -61,6 +61,7 @@ void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, c
         putLow(std::move(alignment), m_alignment, "playback.alignment_plot", tr("Alignment (°)"), false);
     }
     putGrasp();
+    putRetraction();
     putEnergy();
     putPalpation();
     auto speed = report::speedPlot(m_series, look);
@@ -88,7 +89,7 @@ void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotV
 
 void PlaybackPlots::showCursor(double t_s) {
     m_cursor_s = t_s;
-    for (report::PlotView* view : {m_force, m_offset, m_alignment, m_held, m_energy, m_lean, m_depth, m_speed})
+    for (report::PlotView* view : {m_force, m_offset, m_alignment, m_held, m_retraction, m_energy, m_lean, m_depth, m_speed})
         if (view)
             view->showCursor(t_s);
 }

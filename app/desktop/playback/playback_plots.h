@@ -40,6 +40,7 @@ private:
     void putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, const QString& quantity, bool last);
     void slim(report::PlotView& view, const QString& time);
     void putGrasp();
+    void putRetraction();
     void putEnergy();
     void putPalpation();
     /// A line a finger of its recorded quantity "<before><finger><after>"; false where none was recorded.
@@ -59,6 +60,7 @@ private:
     report::PlotView* m_offset = nullptr;    ///< null without a canal
     report::PlotView* m_alignment = nullptr; ///< the same
     report::PlotView* m_held = nullptr;      ///< tension or squeeze; null where nothing is grasped
+    report::PlotView* m_retraction = nullptr; ///< null where no fold is held back
     report::PlotView* m_energy = nullptr;    ///< the same
     report::PlotView* m_lean = nullptr;      ///< null where nothing is palpated
     report::PlotView* m_depth = nullptr;     ///< the same

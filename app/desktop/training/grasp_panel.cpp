@@ -88,8 +88,13 @@ void GraspPanel::addBars() {
     m_target = new TargetBar(m_theme, m_locale, {tube ? tr("Tension") : tr("Squeeze"), tr("N"), end, 2}, m_cues.numbers);
     m_target->setObjectName(tube ? QStringLiteral("training.tension_bar") : QStringLiteral("training.squeeze_bar"));
     m_column->addWidget(m_target);
+    if (tube && m_grasping.tube->hasFold()) {
+        m_retraction = new TargetBar(m_theme, m_locale, {tr("Pull on the fold"), tr("N"), 1.8 * m_grasping.tube->retractionHigh_N, 2}, m_cues.numbers);
+        m_retraction->setObjectName(QStringLiteral("training.retraction_bar"));
+        m_column->addWidget(m_retraction);
+    }
     for (int i = 0; i < m_tools; ++i) {
-        const QString name = m_tools == 1 ? tr("Force") : i == 0 ? tr("Force, right") : tr("Force, left");
+        const QString name = m_tools == 1 ? tr("Force") : i == 0 ? tr("Force, right") : i == 1 ? tr("Force, left") : tr("Force, instrument %1").arg(i + 1);
         auto* bar = new ForceBar(m_theme, m_locale, {name, tr("N"), m_grasping.forceLimit_N(), 2}, m_cues.numbers);
         bar->setObjectName(QStringLiteral("training.force_bar_%1").arg(i));
         m_column->addWidget(bar);
@@ -170,6 +175,10 @@ void GraspPanel::showBars(const haptics::DisplayState& state) {
     } else if (m_target) {
         m_target->setLimit(cues.squeezeLimit_N);
         m_target->setValue(cues.squeezeShown ? largest(cues.squeeze_N) : 0.0);
+    }
+    if (m_retraction) {
+        m_retraction->setBand(cues.retractionLow_N, cues.retractionHigh_N);
+        m_retraction->setValue(cues.retractionShown ? cues.retraction_N : 0.0);
     }
     for (std::size_t i = 0; i < m_force.size(); ++i)
         m_force[i]->setValue(std::hypot(state.tool[i].tissue[0], state.tool[i].tissue[1], state.tool[i].tissue[2]));

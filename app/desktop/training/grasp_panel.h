@@ -19,7 +19,7 @@ class ForceBar;
 class LivePlot;
 class TargetBar;
 
-/// What is measured while one or two graspers work on a tube or on objects: step, how much of the holding time is done, tension with
+/// What is measured while graspers work on a tube or on objects: step, how much of the holding time is done, tension with
 /// its band or squeeze with its limit, the force on each instrument, their tips and jaws, and the last ten seconds, as far as
 /// the level allows each. GUI thread.
 class GraspPanel final : public InfoView {
@@ -57,6 +57,7 @@ private:
     QLabel* m_held = nullptr;
     QLabel* m_load = nullptr; ///< stretch of the tube, or the weight that is felt
     TargetBar* m_target = nullptr;
+    TargetBar* m_retraction = nullptr; ///< of a fold that is held back
     std::vector<ForceBar*> m_force;
     std::vector<ToolRow> m_rows;
     LivePlot* m_targetPlot = nullptr;

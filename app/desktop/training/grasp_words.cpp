@@ -50,6 +50,7 @@ QString tubeText(const core::LaparoscopyCues& cues, TubeTask task) {
     case LaparoscopyStep::lift: return Words::tr("Lift the end of the tube");
     case LaparoscopyStep::carry: return Words::tr("Bring the end of the tube to the target");
     case LaparoscopyStep::place: return Words::tr("Let go of the end of the tube");
+    case LaparoscopyStep::retract: return Words::tr("Draw the fold of tissue back with the third instrument until its pull is in the band");
     case LaparoscopyStep::done: return Words::tr("Done: the next tube follows");
     case LaparoscopyStep::none: break;
     }
@@ -70,6 +71,7 @@ QString handlingText(const core::LaparoscopyCues& cues, HandlingTask task) {
     case LaparoscopyStep::done: return Words::tr("Done: the next one follows");
     case LaparoscopyStep::none:
     case LaparoscopyStep::stretch:
+    case LaparoscopyStep::retract:
     case LaparoscopyStep::handOver: break;
     }
     return Words::tr("Wait for the object");
@@ -98,6 +100,10 @@ QString heldText(const core::LaparoscopyCues& cues, const Grasping& grasping, co
     int held = 0;
     for (int i = 0; i < cues.grips; ++i)
         held += cues.gripHeldBy[static_cast<std::size_t>(i)] != 0 ? 1 : 0;
+    if (grasping.tube && cues.foldHeldBy != 0)
+        return held > 1   ? Words::tr("Holding: the fold and two places of the tube")
+               : held > 0 ? Words::tr("Holding: the fold and one place of the tube")
+                          : Words::tr("Holding: the fold");
     if (grasping.tube && held > 0)
         return held > 1 ? Words::tr("Holding: two places") : Words::tr("Holding: the tube");
     return Words::tr("Holding: nothing");

@@ -21,7 +21,7 @@ Measurement measureDrops(std::span<const PreparedTrial> trials) {
         bool held = false;
         for (std::size_t i = 0; i < step.size(); ++i) {
             const bool counts = trial.tool->paused[i] == 0;
-            if (counts && held && isTubeStep(step[i], Step::grasp))
+            if (counts && held && (isTubeStep(step[i], Step::grasp) || isTubeStep(step[i], Step::retract)))
                 ++count;
             held = counts && isHeldStep(step[i]);
         }

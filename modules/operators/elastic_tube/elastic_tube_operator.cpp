@@ -75,6 +75,7 @@ ElasticTubeOperatorSettings unsafe() {
     s.correctionRate_per_s = 2.5;
     s.searchSpeed_m_per_s = 0.03;
     s.bringSpeed_m_per_s = 0.12;
+    s.retractShare = 1.9; // as the unsafe palpator: beyond the band by 90 % of its width
     return s;
 }
 
@@ -83,7 +84,7 @@ core::Result<void> check(const ElasticTubeOperatorSettings& s) {
         const char* name;
         double value, low, high;
     };
-    const std::array<Range, 19> ranges{{{"attention_s", s.attention_s, 0.0, 2.0},
+    const std::array<Range, 20> ranges{{{"attention_s", s.attention_s, 0.0, 2.0},
                                         {"reachSpeed_m_per_s", s.reachSpeed_m_per_s, 0.005, 0.5},
                                         {"moveGain_per_s", s.moveGain_per_s, 0.2, 10.0},
                                         {"aim_m", s.aim_m, 0.001, 0.03},
@@ -99,6 +100,7 @@ core::Result<void> check(const ElasticTubeOperatorSettings& s) {
                                         {"searchSpeed_m_per_s", s.searchSpeed_m_per_s, 0.0005, 0.1},
                                         {"longestRatio", s.longestRatio, 1.0, 100.0},
                                         {"bringSpeed_m_per_s", s.bringSpeed_m_per_s, 0.002, 0.3},
+                                        {"retractShare", s.retractShare, 0.0, 5.0},
                                         {"reach.acceleration_m_per_s2", s.reach.acceleration_m_per_s2, 0.05, 20.0},
                                         {"reach.smoothing_s", s.reach.smoothing_s, 0.0, 1.0},
                                         {"hand.reactionDelay_s", s.hand.reactionDelay_s, 0.0, 0.5}}};
@@ -129,18 +131,20 @@ core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
 makeElasticTubeOperator(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing, std::uint64_t seed) {
     if (auto checked = check(settings); !checked)
         return tl::unexpected(checked.error());
-    if (briefing.places.empty() || briefing.places.size() > GraspLook::kHands)
+    const std::size_t hands = briefing.places.size() - (briefing.retracts && !briefing.places.empty() ? 1 : 0);
+    if (hands < 1 || hands > 2)
         return core::fail(core::ErrorCode::badInput, "operator: " + std::to_string(briefing.places.size()) +
-                                                         " instruments, expected one or two");
+                                                         " instruments, expected one or two, and one more for a fold");
     return makeHands(std::make_unique<TubeTrainee>(settings, briefing, seed), settings.perception, settings.reach, briefing.places,
                      seed);
 }
 
 TubeTrainee::TubeTrainee(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing, std::uint64_t seed)
     : m_settings(settings), m_briefing(briefing), m_random(core::Random::stream(seed, "elastic_tube/trainee")),
-      m_tension(settings), m_count(std::clamp<std::size_t>(briefing.places.size(), 1, GraspLook::kHands)) {
-    for (Hand& hand : m_hands)
-        hand.jaw = mechanisms::MarkovNoise(settings.jawUnsteadySd_rad, kJawWandering_s, Senses::kLook_s, m_random);
+      m_tension(settings), m_retraction(settings), m_all(std::clamp<std::size_t>(briefing.places.size(), 1, GraspLook::kHands)),
+      m_count(m_all - (briefing.retracts ? 1 : 0)) {
+    for (std::size_t i = 0; i < std::max<std::size_t>(m_all, 2); ++i) // two at least: as people's tremor was drawn before there was a third
+        m_hands[i].jaw = mechanisms::MarkovNoise(settings.jawUnsteadySd_rad, kJawWandering_s, Senses::kLook_s, m_random);
 }
 
 TubeTrainee::~TubeTrainee() = default;

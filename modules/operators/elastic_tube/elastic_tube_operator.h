@@ -26,6 +26,7 @@ struct ElasticTubeBriefing {
     TubeGoal goal = TubeGoal::tension;
     double markRatio = 1.0;     ///< mark: as length over rest length; used where the screen does not show it …
     double markTolerance = 0.04; ///< … and how near to it counts, either way
+    bool retracts = false; ///< the last instrument holds back a fold that lies over the tube
     std::vector<devices::WorkspaceMapping> places{devices::WorkspaceMapping{}}; ///< one an instrument: where it enters
 };
 
@@ -36,7 +37,7 @@ std::span<const std::string_view> elasticTubeOperatorNames() noexcept;
 core::Result<ElasticTubeOperatorSettings> elasticTubeOperatorSettings(std::string_view name);
 
 /// One mind and a hand a tool, in the tools' order, each for a SimulatedDevice at its place. Seeded: the same seed and the same
-/// perceptions give the same intentions. Fails (badInput) when a setting is out of its range or there is not a place for one or two
+/// perceptions give the same intentions. Fails (badInput) when a setting is out of its range or there is not a place for one to three
 /// instruments. Allocates; not in the tick.
 core::Result<std::vector<std::unique_ptr<mechanisms::HandStrategy>>>
 makeElasticTubeOperator(const ElasticTubeOperatorSettings& settings, const ElasticTubeBriefing& briefing, std::uint64_t seed);

@@ -35,6 +35,7 @@ struct ElasticTubeOperatorSettings {
     double searchSpeed_m_per_s = 0.005; ///< pulls slowly where it has to find out what is wanted
     double longestRatio = 1.65;         ///< goes no further than so long, over its rest length
     double bringSpeed_m_per_s = 0.03;   ///< leads the end to its target
+    double retractShare = 0.5;          ///< how hard it holds a fold back: 0 the low, 1 the high end of its band
 };
 
 } // namespace chiron::operators

@@ -38,6 +38,8 @@ void TubeTrainee::think(const GraspLook& felt, GraspWishes& wishes) noexcept {
     if (pulling && !m_pulling)
         m_tension.begin();
     m_pulling = pulling;
+    if (m_briefing.retracts)
+        mindFold(felt.hand[m_count]);
     if (pulling)
         m_tension.look(now);
     if (first.time_s < m_decided_s + m_settings.attention_s)
@@ -47,10 +49,12 @@ void TubeTrainee::think(const GraspLook& felt, GraspWishes& wishes) noexcept {
     m_speed_m_per_s = pulling ? m_tension.speed_m_per_s(now) : 0.0;
     for (std::size_t i = 0; i < m_count; ++i)
         decide(i, felt, wishes[i]);
+    if (m_briefing.retracts)
+        retract(felt.hand[m_count], wishes[m_count]);
 }
 
 void TubeTrainee::notice(const GraspLook& felt) noexcept {
-    for (std::size_t i = 0; i < m_count; ++i) {
+    for (std::size_t i = 0; i < m_all; ++i) {
         Hand& hand = m_hands[i];
         hand.jaw.advance(m_random);
         if (!m_awake) {
@@ -92,6 +96,8 @@ void TubeTrainee::share(const LaparoscopyCues& screen) noexcept {
 
 /// What this hand has to hold now.
 int TubeTrainee::gripOf(std::size_t hand, const LaparoscopyCues& screen) const noexcept {
+    if (m_briefing.retracts && !screen.foldOpen && !holds(hand, screen))
+        return kNone; // it lies under the fold
     if (m_briefing.goal != TubeGoal::bring || m_count == 1)
         return m_hands[hand].grip;
     const bool second = holds(1, screen);

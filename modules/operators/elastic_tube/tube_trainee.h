@@ -43,7 +43,10 @@ private:
     void rest(const GraspLook& felt, GraspWishes& wishes) noexcept;
     void decide(std::size_t hand, const GraspLook& felt, GraspWish& wish) noexcept;
     void begin(Hand& hand, Doing doing, double now_s) noexcept;
-    void seek(std::size_t hand, const GraspPercept& felt, GraspWish& wish) noexcept;
+    void seek(std::size_t hand, const GraspPercept& felt, const core::Vec3& grip, GraspWish& wish) noexcept;
+    void retract(const GraspPercept& felt, GraspWish& wish) noexcept;
+    void mindFold(const GraspPercept& felt) noexcept;
+    TensionView foldView(const GraspPercept& felt) const noexcept;
     void work(std::size_t hand, const GraspPercept& felt, GraspWish& wish) noexcept;
     core::Vec3 pull(std::size_t hand, const core::LaparoscopyCues& screen) const noexcept;
     core::Vec3 bring(std::size_t hand, const core::LaparoscopyCues& screen) const noexcept;
@@ -55,8 +58,11 @@ private:
     ElasticTubeBriefing m_briefing;
     core::Random m_random;
     TensionControl m_tension;
+    TensionControl m_retraction; ///< of the hand that holds a fold back: hand m_count
     std::array<Hand, GraspLook::kHands> m_hands;
-    std::size_t m_count = 1;
+    std::size_t m_all = 1;   ///< hands
+    std::size_t m_count = 1; ///< of them, that work on the tube
+    bool m_retracting = false;
     bool m_awake = false;
     bool m_working = false;
     bool m_pulling = false;

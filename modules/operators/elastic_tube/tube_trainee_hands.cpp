@@ -22,6 +22,7 @@ constexpr double kSteering_per_s = 1.0;   ///< towards the direction that it wan
 constexpr double kSteering_m_per_s = 0.010;
 constexpr double kUp_m = 0.12;            ///< pulls towards a point this high over the base …
 constexpr double kInward = 0.5;           ///< … and this share of the way to under its entry point
+constexpr double kBack = 0.8, kLift = 0.6; ///< the way in which a fold is drawn: away from the hands, and up
 constexpr double kSpan_m = 0.045;         ///< height at which a tube is held between two instruments
 } // namespace
 
@@ -32,7 +33,7 @@ void TubeTrainee::begin(Hand& hand, Doing doing, double now_s) noexcept {
 
 /// Opens and goes back to where it began.
 void TubeTrainee::rest(const GraspLook& felt, GraspWishes& wishes) noexcept {
-    for (std::size_t i = 0; i < m_count; ++i) {
+    for (std::size_t i = 0; i < m_all; ++i) {
         Hand& hand = m_hands[i];
         if (hand.doing != Doing::wait)
             begin(hand, Doing::wait, felt.first().time_s);
@@ -69,7 +70,7 @@ void TubeTrainee::decide(std::size_t i, const GraspLook& felt, GraspWish& wish) 
     }
     if (hand.doing != Doing::reach && hand.doing != Doing::close)
         begin(hand, Doing::reach, now_s);
-    seek(i, felt.hand[i], wish);
+    seek(i, felt.hand[i], vectorOf(screen.p_WGrip[static_cast<std::size_t>(hand.grip)]), wish);
 }
 
 double TubeTrainee::heldJaw(Hand& hand) noexcept {
@@ -77,9 +78,8 @@ double TubeTrainee::heldJaw(Hand& hand) noexcept {
 }
 
 /// To the grip, from above; then the jaw is closed.
-void TubeTrainee::seek(std::size_t i, const GraspPercept& felt, GraspWish& wish) noexcept {
+void TubeTrainee::seek(std::size_t i, const GraspPercept& felt, const Vec3& grip, GraspWish& wish) noexcept {
     Hand& hand = m_hands[i];
-    const Vec3 grip = vectorOf(felt.screen().p_WGrip[static_cast<std::size_t>(hand.grip)]);
     const Vec3 off = grip - hand.place;
     wish.jaw_rad = m_settings.openJaw_rad;
     if (hand.doing == Doing::close) {
@@ -97,6 +97,55 @@ void TubeTrainee::seek(std::size_t i, const GraspPercept& felt, GraspWish& wish)
         hand.began_s = felt.time_s;
     else if (felt.time_s - hand.began_s > m_settings.settle_s)
         begin(hand, Doing::close, felt.time_s);
+}
+
+TensionView TubeTrainee::foldView(const GraspPercept& felt) const noexcept {
+    const LaparoscopyCues& screen = felt.screen();
+    const Hand& hand = m_hands[m_count];
+    TensionView view;
+    view.time_s = felt.time_s;
+    view.tension_N = screen.retractionShown ? felt.retraction_N : hand.force.norm();
+    const double beside_N = (m_settings.retractShare - 0.5) * (screen.retractionHigh_N - screen.retractionLow_N);
+    if (screen.retractionHigh_N > 0.0) {
+        view.low_N = screen.retractionLow_N + beside_N;
+        view.high_N = screen.retractionHigh_N + beside_N;
+    }
+    view.length_m = (hand.place - vectorOf(screen.p_WFoldBase)).norm();
+    view.restLength_m = view.length_m; // a fold is not torn: it goes on until the pull is right
+    view.dwell = screen.foldOpen ? view.time_s : 0.0; // counts while the way is free
+    return view;
+}
+
+/// At every look: how this fold answers.
+void TubeTrainee::mindFold(const GraspPercept& felt) noexcept {
+    const bool holds = (felt.screen().foldHeldBy >> m_count & 1U) != 0;
+    if (holds && !m_retracting)
+        m_retraction.begin();
+    m_retracting = holds;
+    if (holds)
+        m_retraction.look(foldView(felt));
+}
+
+/// Takes the fold by its edge, draws it back and up, and keeps its pull in the band as long as the trial goes on.
+void TubeTrainee::retract(const GraspPercept& felt, GraspWish& wish) noexcept {
+    Hand& hand = m_hands[m_count];
+    const LaparoscopyCues& screen = felt.screen();
+    wish.jawSpeed_rad_per_s = m_settings.jawSpeed_rad_per_s;
+    if (!m_retracting) {
+        if (hand.doing != Doing::reach && hand.doing != Doing::close)
+            begin(hand, Doing::reach, felt.time_s);
+        return seek(m_count, felt, vectorOf(screen.p_WFoldEdge), wish);
+    }
+    if (hand.doing != Doing::hold)
+        begin(hand, Doing::hold, felt.time_s);
+    wish.jaw_rad = heldJaw(hand);
+    const Vec3 from = vectorOf(screen.p_WFoldBase);
+    const Vec3 span = hand.place - from;
+    const double length = std::max(span.norm(), 1e-3);
+    const Vec3 along = span / length;
+    Vec3 steer = velocityTo(from + length * Vec3(0.0, kBack, kLift), hand.place, kSteering_per_s, kSteering_m_per_s);
+    steer -= steer.dot(along) * along;
+    wish.velocity_m_per_s = m_retraction.speed_m_per_s(foldView(felt)) * along + steer;
 }
 
 void TubeTrainee::work(std::size_t i, const GraspPercept& felt, GraspWish& wish) noexcept {

@@ -32,6 +32,10 @@ bool GraspSenses::feel(const mechanisms::HandPerception& real) noexcept {
     m_percept.place = m_map.pointToW(felt.place);
     m_percept.force = m_map.wrenchToW({felt.force, core::Vec3::Zero()}).force;
     m_percept.tension_N = readBar(screen.tensionShown ? screen.tension_N : 0.0, m_tensionWeber, m_tensionFloor);
+    // The same eye reads both bars at a look: what it mistakes of the one it mistakes of the other.
+    m_percept.retraction_N = screen.retractionShown && screen.retraction_N > 0.0
+                                 ? std::max(0.0, screen.retraction_N * (1.0 + m_tensionWeber.value()) + m_tensionFloor.value())
+                                 : 0.0;
     m_percept.squeeze_N = readBar(screen.squeezeShown ? screen.squeeze_N[m_hand] : 0.0, m_squeezeWeber, m_squeezeFloor);
     m_percept.stretch_m = (screen.restLength_m + screen.stretch_m) * (1.0 + m_length.advance(m_random)) - screen.restLength_m;
     m_percept.flattening_m = seenFlattening(screen);

@@ -18,6 +18,7 @@ struct GraspPercept {
     core::Vec3 place = core::Vec3::Zero(); ///< of the instrument's tip, as seen, or as felt where the screen shows nothing, m
     core::Vec3 force = core::Vec3::Zero(); ///< on the hand, N
     double tension_N = 0.0;                ///< as read from its bar; 0 where that is not shown
+    double retraction_N = 0.0;             ///< of a fold that is held back, likewise
     double squeeze_N = 0.0;                ///< of this hand's jaw, likewise
     double stretch_m = 0.0;                ///< of the tube, as it looks
     double flattening_m = 0.0;             ///< of what this hand holds between its jaws, as it looks

@@ -9,9 +9,9 @@
 
 namespace chiron::operators {
 
-/// What one or two hands feel and see at one look, and where their mind's own jaws stand (it moves them, so it knows).
+/// What one to three hands feel and see at one look, and where their mind's own jaws stand (it moves them, so it knows).
 struct GraspLook {
-    static constexpr std::size_t kHands = 2;
+    static constexpr std::size_t kHands = 3;
     std::array<GraspPercept, kHands> hand;
     std::array<double, kHands> jaw_rad{}; ///< as last wanted
     std::size_t hands = 1;

@@ -78,6 +78,26 @@ private slots:
         QVERIFY(replay->bandOf(7).high_N == 0.0 && replay->bandOf(-1).high_N == 0.0);
     }
 
+    void aFoldIsDrawnBackByTheThirdInstrument() {
+        session::SessionSetup setup = tubeSetup(TubeTask::twoHanded);
+        auto& tube = std::get<simulation::ElasticTubeParameters>(setup.level.parameters);
+        tube.foldStiffness_N_per_m = 25.0;
+        tube.retractionLow_N = 0.6;
+        tube.retractionHigh_N = 1.0;
+        const session::PlaybackTrack track = madeTrack(3, {{"tension_N", 1.2}, {"retraction_N", 0.8}, {"fold_open", 1.0}, {"fold_edge_x_m", 0.002},
+                                                           {"fold_edge_y_m", 0.03}, {"fold_edge_z_m", 0.025}, {"step", 9.0}});
+        const auto replay = GraspReplay::of(setup);
+        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, &*replay).laparoscopy;
+        QVERIFY(cues.fold && cues.foldOpen && cues.retractionShown);
+        QCOMPARE(cues.p_WFoldEdge[1], 0.03);
+        QCOMPARE(cues.retraction_N, 0.8);
+        QCOMPARE(int(cues.foldHeldBy), 4);
+        QCOMPARE(int(cues.step), int(core::LaparoscopyStep::retract));
+        QCOMPARE(replay->retractionBand().high_N, 1.0);
+        const session::SessionSetup plain = tubeSetup(TubeTask::twoHanded);
+        QVERIFY(!sceneStateAt(track, nullptr, 1.0, &*GraspReplay::of(plain)).laparoscopy.fold);
+    }
+
     void aTransferKnowsBaseAndTarget() {
         const session::SessionSetup setup = tubeSetup(TubeTask::transfer);
         const session::PlaybackTrack track = madeTrack(2, {{"grip_2", 1.0}, {"free_end_x_m", 0.03}, {"free_end_z_m", 0.04}});

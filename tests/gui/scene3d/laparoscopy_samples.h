@@ -79,6 +79,29 @@ inline SceneState twoHanded(double apart_m) {
     return state;
 }
 
+/// A fold of tissue over the tube, hanging, or drawn back by a third instrument while two hold the tube.
+inline SceneState behindAFold(bool back) {
+    SceneState state = twoHanded(back ? 0.060 : 0.045);
+    core::LaparoscopyCues& cues = state.laparoscopy;
+    cues.fold = cues.retractionShown = true;
+    cues.foldOpen = back;
+    cues.foldHeldBy = back ? 4 : 0;
+    cues.p_WFoldBase = {0.0, -0.004, 0.0};
+    cues.p_WFoldEdge = back ? std::array<double, 3>{0.0, 0.030, 0.026} : std::array<double, 3>{0.0, -0.004, 0.010};
+    cues.retraction_N = back ? 0.8 : 0.0;
+    cues.retractionLow_N = 0.6;
+    cues.retractionHigh_N = 1.0;
+    if (!back) {
+        cues.gripHeldBy = {0, 0, 0};
+        cues.p_WGrip[0] = {-0.0225, 0.0, 0.003};
+        cues.p_WGrip[1] = {0.0225, 0.0, 0.003};
+        state.tool[0] = grasper({0.045, 0.0, 0.050}, false, 0.7);
+        state.tool[1] = grasper({-0.045, 0.0, 0.050}, true, 0.7);
+    }
+    state.tool[2] = grasper(back ? core::Vec3(0.0, 0.030, 0.026) : core::Vec3(0.0, 0.020, 0.050), false, back ? 0.08 : 0.7);
+    return state;
+}
+
 /// The free end on its way from the right instrument to the left one.
 inline SceneState handOver() {
     SceneState state = tubeState({0.022, -0.010, 0.036}, true);

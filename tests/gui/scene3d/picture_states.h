@@ -152,6 +152,8 @@ inline std::list<Picture> laparoscopyPictures() {
             {"tube_torn", tubeSetup(simulation::TubeTask::stretch), torn, {}, false},
             {"tube_two_handed", tubeSetup(simulation::TubeTask::twoHanded), twoHanded(0.064), {}, false},
             {"tube_two_slack", tubeSetup(simulation::TubeTask::twoHanded), twoHanded(0.034), {}, false},
+            {"tube_fold", tubeSetup(simulation::TubeTask::twoHanded), behindAFold(false), {}, false},
+            {"tube_fold_back", tubeSetup(simulation::TubeTask::twoHanded), behindAFold(true), {}, false},
             {"tube_transfer", tubeSetup(simulation::TubeTask::transfer), handOver(), {}, false},
             {"ovary_lying", handlingSetup(), handlingState(false), {}, false},
             {"ovary_carried", handlingSetup(), handlingState(true), {}, false},

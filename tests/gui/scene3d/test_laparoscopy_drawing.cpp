@@ -2,6 +2,7 @@
 // What is drawn of tube and ovaries: where the forces say, no longer and no thicker than it is.
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/abdomen/abdomen_mesh.h"
+#include "desktop/scene3d/elastic_tube/fold_sheet.h"
 #include "desktop/scene3d/elastic_tube/mark_ring.h"
 #include "desktop/scene3d/elastic_tube/tube_mesh.h"
 #include "desktop/scene3d/laparoscopy_dial.h"
@@ -67,6 +68,37 @@ int facingInwards(const TriangleMesh& mesh) {
 class TestLaparoscopyDrawing : public QObject {
     Q_OBJECT
 private slots:
+    /// Its edge is where it is felt, whether it hangs or is held; closed it lies over the tube, drawn back beside it.
+    void aFoldGoesThroughItsEdge() {
+        SceneState state = samples::twoHanded(0.050);
+        core::LaparoscopyCues& cues = state.laparoscopy;
+        QVERIFY(FoldSheet::of(cues).rows.empty());
+        cues.fold = true;
+        cues.p_WFoldBase = {0.0, -0.004, 0.0};
+        const auto covers = [&cues] { // the highest point of it over the tube's middle
+            double most = -1.0;
+            for (const auto& row : FoldSheet::of(cues).rows)
+                for (const core::Vec3& p : row)
+                    most = std::hypot(p.x(), p.y()) < 0.008 ? std::max(most, p.z()) : most;
+            return most;
+        };
+        for (const bool held : {false, true}) {
+            cues.foldHeldBy = held ? 4 : 0;
+            const core::Vec3 edge = held ? core::Vec3(0.0, 0.030, 0.026) : core::Vec3(0.0, -0.004, 0.010);
+            cues.p_WFoldEdge = {edge.x(), edge.y(), edge.z()};
+            const FoldSheet sheet = FoldSheet::of(cues);
+            double nearest = 1.0;
+            for (const auto& row : sheet.rows)
+                for (const core::Vec3& p : row)
+                    nearest = std::min(nearest, (p - edge).norm());
+            QVERIFY2(nearest < 0.0015, qPrintable(QString::number(nearest)));
+            QCOMPARE(covers() > 0.0, !held);
+            const TriangleMesh mesh = foldMesh(sheet, 0.3);
+            QVERIFY(isWhole(mesh));
+            QCOMPARE(facingInwards(mesh), 0);
+        }
+    }
+
     void tautTubeIsStraightAndKeepsItsVolume() {
         const SceneState state = samples::tubeState({0.030, -0.010, 0.055}, true);
         const core::LaparoscopyCues& cues = state.laparoscopy;

@@ -49,7 +49,7 @@ private slots:
         Grasping atObjects;
         atObjects.handling = &handling;
         std::set<QString> said;
-        for (int step = 0; step <= static_cast<int>(LaparoscopyStep::done); ++step) {
+        for (int step = 0; step <= core::kLastLaparoscopyStep; ++step) {
             core::LaparoscopyCues cues;
             cues.step = static_cast<LaparoscopyStep>(step);
             for (const TubeTask task : {TubeTask::hold, TubeTask::stretch, TubeTask::twoHanded, TubeTask::transfer}) {
@@ -59,7 +59,7 @@ private slots:
             QVERIFY(!stepText(cues, atObjects).isEmpty());
             said.insert(stepText(cues, atTube));
         }
-        QCOMPARE(said.size(), std::size_t(9)); // of a transfer: one each
+        QCOMPARE(said.size(), std::size_t(10)); // of a transfer: one each
         core::LaparoscopyCues torn;
         torn.torn = true;
         QVERIFY(stepText(torn, atTube).contains(QStringLiteral("torn")));
@@ -78,6 +78,29 @@ private slots:
         QVERIFY(find<QLabel>(panel, "training.tool_1_3") != nullptr);
         QVERIFY(find<QLabel>(panel, "training.held")->text().contains(QStringLiteral("two places")));
         QVERIFY(find<LivePlot>(panel, "training.tension_plot") && !find<LivePlot>(panel, "training.force_plot"));
+    }
+
+    void aFoldHasABarOfItsOwn() {
+        simulation::ElasticTubeParameters tube;
+        tube.task = TubeTask::twoHanded;
+        tube.foldStiffness_N_per_m = 25.0;
+        GraspPanel panel(m_theme, QLocale::c(), allCues(), graspingAt(tube));
+        haptics::DisplayState state = pulling(1.12);
+        state.tools = 3;
+        state.tool[2].tissue[1] = -0.8;
+        core::LaparoscopyCues& cues = state.laparoscopy;
+        cues.fold = cues.foldOpen = cues.retractionShown = true;
+        cues.foldHeldBy = 4;
+        cues.retraction_N = 0.8;
+        cues.retractionLow_N = 0.6;
+        cues.retractionHigh_N = 1.0;
+        panel.show(state, {});
+        QCOMPARE(find<TargetBar>(panel, "training.retraction_bar")->words(), QStringLiteral("0.80 N, in the band"));
+        QVERIFY(find<ForceBar>(panel, "training.force_bar_2") && find<QLabel>(panel, "training.tool_2_3"));
+        QVERIFY(find<QLabel>(panel, "training.held")->text().contains(QStringLiteral("fold")));
+        simulation::ElasticTubeParameters without;
+        GraspPanel other(m_theme, QLocale::c(), allCues(), graspingAt(without));
+        QVERIFY(!find<TargetBar>(other, "training.retraction_bar"));
     }
 
     void bandAndLimitAreSaid() {

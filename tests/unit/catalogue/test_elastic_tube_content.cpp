@@ -31,7 +31,7 @@ std::vector<double> numbers(const Parameters& p) {
     return {p.stiffnessLow_N_per_m, p.stiffnessHigh_N_per_m, p.restLength_m, p.radius_m, p.baseX_m, p.baseY_m, p.baseSpread_m,
             p.tearRatio, p.overStretchRatio, p.targetLow_N, p.targetHigh_N, p.band_N, p.markRatio, p.markTolerance, p.targetX_m,
             p.targetY_m, p.targetZ_m, p.targetRadius_m, p.gripShare, p.hold_s, p.graspReach_m, p.graspAngle_rad, p.releaseAngle_rad,
-            p.instrumentsApart_m, double(p.trials), p.trialLimit_s, p.betweenTrials_s, p.maximumForce_N, p.yield.force_N, p.yield.fall_s, double(p.task)};
+            p.instrumentsApart_m, p.foldStiffness_N_per_m, p.retractionLow_N, p.retractionHigh_N, double(p.trials), p.trialLimit_s, p.betweenTrials_s, p.maximumForce_N, p.yield.force_N, p.yield.fall_s, double(p.task)};
 }
 
 } // namespace
@@ -39,7 +39,7 @@ std::vector<double> numbers(const Parameters& p) {
 class TestElasticTubeContent : public QObject {
     Q_OBJECT
 private slots:
-    void fiveLevels();
+    void sixLevels();
     void everyLevelSaysWhatItGates();
     void objectReachesTheStruct();
     void everyKeyReachesTheStruct();
@@ -49,15 +49,16 @@ private slots:
     void faults();
 };
 
-void TestElasticTubeContent::fiveLevels() {
+void TestElasticTubeContent::sixLevels() {
     const auto& levels = shipped().find("elastic_tube")->levels;
-    QCOMPARE(levels.size(), std::size_t{5});
-    const char* ids[] = {"hold_tension", "to_the_mark", "stiffening_tube", "two_handed", "transfer"};
-    const TubeTask tasks[] = {TubeTask::hold, TubeTask::stretch, TubeTask::hold, TubeTask::twoHanded, TubeTask::transfer};
-    for (std::size_t i = 0; i < 5; ++i) {
+    QCOMPARE(levels.size(), std::size_t{6});
+    const char* ids[] = {"hold_tension", "to_the_mark", "stiffening_tube", "two_handed", "transfer", "behind_a_fold"};
+    const TubeTask tasks[] = {TubeTask::hold, TubeTask::stretch, TubeTask::hold, TubeTask::twoHanded, TubeTask::transfer, TubeTask::twoHanded};
+    for (std::size_t i = 0; i < 6; ++i) {
         QCOMPARE(levels[i].id, std::string(ids[i]));
         QCOMPARE(parametersOf(levels[i]).task, tasks[i]);
-        QCOMPARE(parametersOf(levels[i]).tools(), i < 3 ? 1 : 2);
+        QCOMPARE(parametersOf(levels[i]).tools(), i < 3 ? 1 : i < 5 ? 2 : 3);
+        QCOMPARE(levels[i].mounting.size(), i < 5 ? std::size_t{0} : std::size_t{3});
         QCOMPARE(parametersOf(levels[i]).tube.stiffening_per_m > 0.0, i == 2);
         QVERIFY(!levels[i].needsForce);
         for (const char* language : {"en", "de", "el"})
@@ -76,6 +77,7 @@ void TestElasticTubeContent::everyLevelSaysWhatItGates() {
         QCOMPARE(*gates["over_stretches"].maximum, 0.0);
         QVERIFY(gates.contains("drops") && gates.contains("force_time_over_limit"));
         const bool tension = p.task == TubeTask::hold || p.task == TubeTask::twoHanded;
+        QCOMPARE(gates.contains("retraction_time_in_band") && gates.contains("retraction_max"), p.hasFold());
         QCOMPARE(gates.contains("tension_error_rms"), tension);
         if (tension)
             QVERIFY(*gates["tension_error_rms"].maximum <= p.band_N); // at most as far off as the band is wide
@@ -180,6 +182,9 @@ void TestElasticTubeContent::faults_data() {
         "$.parameters.stiffness_high_N_per_m: ");
     row("a target out of reach", "transfer", R"("target_x_mm": -70)", "$.parameters.target_x_mm: ");
     row("a tube out of reach", "hold_tension", R"("rest_length_mm": 70)", "$.parameters.rest_length_mm: 70 mm: expected at most");
+    row("a fold with the band the wrong way round", "behind_a_fold", R"("retraction_low_N": 1.2)", "$.parameters.retraction_low_N: 1.2 N: expected less than");
+    row("a fold that is asked too much of", "behind_a_fold", R"("retraction_high_N": 5, "fold_stiffness_N_per_m": 100)", "$.parameters.retraction_high_N: 5 N: expected at most");
+    row("a fold out of reach", "behind_a_fold", R"("fold_stiffness_N_per_m": 10)", "$.parameters.fold_stiffness_N_per_m: 10: expected at least 13.3");
     row("a jaw that never lets go", "hold_tension", R"("grasp_angle_deg": 25)", "$.parameters.release_angle_deg: 20: expected more than");
 }
 

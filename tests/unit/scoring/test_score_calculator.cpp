@@ -72,6 +72,8 @@ void TestScoreCalculator::catalogueIsComplete() {
                                               "tension_error_rms",
                                               "tension_error_sd",
                                               "time_in_band",
+                                              "retraction_time_in_band",
+                                              "retraction_max",
                                               "over_stretches",
                                               "drops",
                                               "squeeze_max",

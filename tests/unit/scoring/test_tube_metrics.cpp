@@ -60,6 +60,7 @@ const std::vector<std::string> kOfTheTube{"tension_error_rms", "tension_error_sd
 class TestTubeMetrics : public QObject {
     Q_OBJECT
 private slots:
+    void aFoldIsHeldInItsBand();
     void aSineAboutTheTarget();
     void aConstantErrorIsNoSpread();
     void onlyTheHoldCounts();
@@ -72,6 +73,33 @@ private slots:
     void undefinedWithItsReason();
     void sessionsPoolTheirTrials();
 };
+
+// A fold held back from 1 s on: its pull counts until the trial's end, in its band or not; where it never was held back, nothing of the time was.
+void TestTubeMetrics::aFoldIsHeldInItsBand() {
+    const auto fold = [](const std::function<double(double)>& pull_N) {
+        TrialTrace trial = tubeTrial(5.0, [](double) { return TubeSample{1.0, 0.02, Step::hold}; });
+        QuantityTrace retraction{"retraction_N", {}}, open{"fold_open", {}};
+        bool opened = false;
+        for (const double t : trial.tools.front().t_s) {
+            retraction.values.push_back(pull_N(t));
+            opened = pull_N(t) >= (opened ? 0.48 : 0.6);
+            open.values.push_back(opened ? 1.0 : 0.0);
+        }
+        trial.quantities.push_back(retraction);
+        trial.quantities.push_back(open);
+        trial.truth.push_back({"retraction_low_N", 0.6});
+        trial.truth.push_back({"retraction_high_N", 1.0});
+        return trial;
+    };
+    const TrialTrace good = fold([](double t) { return t < 1.0 ? 0.0 : t < 3.0 ? 0.8 : t < 4.0 ? 1.3 : 0.0; }); // 2 s in, 1 s too hard, 1 s let go of
+    const TrialTrace never = fold([](double) { return 0.5; });
+    QVERIFY(isNear(valueOf(tubeSession({good}), "retraction_time_in_band"), 50.0, 0.1));
+    QVERIFY(isNear(valueOf(tubeSession({good, never}), "retraction_time_in_band"), 25.0, 0.1));
+    QVERIFY(isNear(valueOf(tubeSession({never}), "retraction_max"), 0.5, 1e-9));
+    QVERIFY(isNear(valueOf(tubeSession({good, never}), "retraction_max"), 1.3, 1e-9));
+    const auto none = tubeSession({tubeTrial(1.0, [](double) { return TubeSample{}; })});
+    QCOMPARE(metricOf(none, "retraction_time_in_band").reason, std::string("the task has no such target"));
+}
 
 void TestTubeMetrics::aSineAboutTheTarget() {
     // Three whole periods in 3 s, 0.3 N high: RMS 0.3/√2; within ± 0.15 N a third of the time (asin ½ = 30°).

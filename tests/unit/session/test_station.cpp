@@ -164,6 +164,11 @@ private slots:
         QVERIFY(!straight[1].turned());
         const auto pointer = session::keyboardMouseStation({}, **kind, level);
         QVERIFY(pointer && !pointer->mappings[1].turned() && pointer->mappings[1].scale == 1.0); // a mouse is mounted nowhere
+        const catalogue::ExerciseLevel& fold = *catalogue->find("elastic_tube", 6); // two hands and a retractor
+        const auto three = session::scriptedStation(**kind, fold, "novice", 5);
+        QVERIFY(three && three->devices.size() == 3 && three->mappings[2].turned() && three->mappings[2].origin_m[1] > 0.0);
+        const auto mouse = session::keyboardMouseStation({}, **kind, fold);
+        QVERIFY(mouse && mouse->graspers.size() == 3);
         level.mounting[1].turn_rad[0] = 1.0; // stored content that no schema saw
         QVERIFY(station({}).empty());
     }

@@ -2,6 +2,8 @@
 // Each task of the elastic tube, done by ideal hands, dropped, torn, and out of time.
 #include "tube_driver.h"
 
+#include "core/random.h"
+
 #include <QtTest>
 
 using namespace chiron;
@@ -28,6 +30,8 @@ private slots:
     void leavingTheBandBreaksTheHold();
     void stretchToTheMark();
     void twoHands();
+    void aFoldIsHeldBack();
+    void aFoldLetsNoEnergyOut();
     void transferFromHandToHand();
     void letGoIsDropped();
     void tearing();
@@ -123,6 +127,114 @@ void TestElasticTubeTasks::twoHands() {
     d.ticks(600);
     QVERIFY(d.events & bits::kCompleted);
     QVERIFY(d.largestStep_N < 0.02);
+}
+
+namespace {
+
+ElasticTubeParameters behindAFold() {
+    ElasticTubeParameters p = tubeExercise(TubeTask::twoHanded);
+    p.foldStiffness_N_per_m = 25.0;
+    p.retractionLow_N = 0.6;
+    p.retractionHigh_N = 1.0;
+    p.trialLimit_s = 60.0;
+    return p;
+}
+
+Vec3 edgeOf(const TubeDriver& d) {
+    const auto& at = d.out.cues.laparoscopy.p_WFoldEdge;
+    return {at[0], at[1], at[2]};
+}
+
+/// Where the fold's edge is when it is drawn back with this pull.
+Vec3 drawnBack(const TubeDriver& d, double pull_N) {
+    const auto& at = d.out.cues.laparoscopy.p_WFoldBase;
+    const double length_m = tissueFoldShape(d.p, d.scene.trials()[d.out.trial]).length_m;
+    return Vec3(at[0], at[1], at[2]) + (length_m + pull_N / d.p.foldStiffness_N_per_m) * Vec3(0.0, 0.8, 0.6);
+}
+
+} // namespace
+
+// Three instruments: nothing can be taken hold of under the fold, the retractor feels its pull and nobody else does, and a fold that slips
+// forward breaks the hold.
+void TestElasticTubeTasks::aFoldIsHeldBack() {
+    TubeDriver d(behindAFold());
+    QCOMPARE(d.p.tools(), 3);
+    d.startRunning();
+    QCOMPARE(d.step(), Step::retract);
+    d.grasp(0, 1);
+    d.grasp(1, 0);
+    QCOMPARE(d.quantity(TubeQuantity::grip0), 0.0); // it lies under the fold
+    QCOMPARE(d.quantity(TubeQuantity::grip1), 0.0);
+    d.open(0);
+    d.open(1);
+    d.tool(2).p_WT = edgeOf(d);
+    d.tick();
+    d.close(2);
+    QCOMPARE(d.out.cues.laparoscopy.foldHeldBy, std::uint8_t{4});
+    d.moveTo(2, drawnBack(d, 0.55));
+    QCOMPARE(d.quantity(TubeQuantity::foldOpen), 0.0);
+    d.moveTo(2, drawnBack(d, 0.8));
+    d.ticks(5);
+    QCOMPARE(d.quantity(TubeQuantity::foldOpen), 1.0);
+    QCOMPARE(d.step(), Step::grasp);
+    QVERIFY(std::abs(d.quantity(TubeQuantity::retraction_N) - 0.8) < 1e-6);
+    QVERIFY(std::abs(d.force(2).norm() - 0.8) < 1e-6 && d.force(2).y() < 0.0); // back over the tube
+    QVERIFY(d.force(0) == Vec3::Zero() && d.force(1) == Vec3::Zero());
+    QVERIFY(d.out.body[2] == 1 && d.out.body[0] == 0 && std::abs(d.out.bodyEnergy_J[1] - 0.5 * 0.8 * 0.8 / 25.0) < 1e-9);
+    d.grasp(0, 1);
+    d.grasp(1, 0);
+    QCOMPARE(d.step(), Step::stretch);
+    const ElasticTubeTrial& trial = d.scene.trials()[0];
+    const double half = 0.5 * (d.p.restLength_m + trial.target_N / trial.stiffness_N_per_m);
+    const Vec3 middle(trial.base_m.x(), trial.base_m.y(), 0.03);
+    for (const double share : {0.5 * d.p.restLength_m, half}) {
+        d.moveTo(0, middle + Vec3(share, 0.0, 0.0));
+        d.moveTo(1, middle - Vec3(share, 0.0, 0.0));
+    }
+    d.ticks(20);
+    QCOMPARE(d.step(), Step::hold);
+    d.events = 0;
+    d.open(2); // the fold falls forward
+    d.ticks(900);
+    QCOMPARE(d.quantity(TubeQuantity::foldOpen), 0.0);
+    QCOMPARE(d.step(), Step::stretch); // the tension is right, and does not count
+    QVERIFY(!(d.events & bits::kCompleted) && d.force(2) == Vec3::Zero());
+    d.tool(2).p_WT = edgeOf(d);
+    d.tick();
+    d.close(2);
+    d.moveTo(2, drawnBack(d, 0.8));
+    d.ticks(700);
+    QVERIFY(d.events & bits::kCompleted);
+    QVERIFY(d.largestStep_N < 0.02);
+}
+
+// The retractor gets no more out of the fold than it put in, on any way, and letting go steps nothing.
+void TestElasticTubeTasks::aFoldLetsNoEnergyOut() {
+    TubeDriver d(behindAFold());
+    d.startRunning();
+    d.tool(2).p_WT = edgeOf(d);
+    d.tick();
+    d.close(2);
+    double given_J = 0.0, least_J = 0.0;
+    core::Random random(7);
+    for (int way = 0; way < 40; ++way) {
+        const Vec3 from = d.tool(2).p_WT;
+        const Vec3 goal = drawnBack(d, random.uniform(0.0, 1.5)) + Vec3(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), 0.0);
+        const int n = static_cast<int>(1000.0 * (goal - from).norm() / random.uniform(0.02, 0.3)) + 1;
+        for (int k = 0; k < n; ++k) {
+            const Vec3 step = (goal - from) / n;
+            d.tool(2).p_WT += step;
+            d.tool(2).v_WT = step / core::kTickSeconds;
+            const Vec3 before = d.force(2);
+            d.tick();
+            given_J -= 0.5 * (before + d.force(2)).dot(step);
+            least_J = std::min(least_J, given_J - d.out.bodyEnergy_J[1]);
+        }
+    }
+    QVERIFY2(least_J > -2e-6, qPrintable(QString::number(least_J)));
+    d.open(2);
+    d.ticks(400);
+    QVERIFY(d.largestStep_N < 0.2 && d.force(2) == Vec3::Zero());
 }
 
 void TestElasticTubeTasks::transferFromHandToHand() {

@@ -2,6 +2,7 @@
 #include "desktop/scene2d/laparoscopy/flat_tube.h"
 
 #include "desktop/scene2d/laparoscopy/flat_floor.h"
+#include "desktop/scene3d/elastic_tube/fold_sheet.h"
 #include "desktop/scene3d/elastic_tube/mark_ring.h"
 #include "desktop/scene3d/elastic_tube/tube_curve.h"
 
@@ -28,6 +29,28 @@ void paintPiece(QPainter& painter, const FlatPanel& panel, const TubePiece& piec
         painter.setPen(QPen(edge ? *edge : own, std::max(2.0, wide), Qt::SolidLine, torn ? Qt::FlatCap : Qt::RoundCap));
         painter.drawLine(panel.project(a.p_W), panel.project(b.p_W));
     }
+}
+
+/// The fold's outline, seen through so that what lies under it can be told; its edge is a thick line with the place to grip.
+void paintFold(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const core::LaparoscopyCues& cues) {
+    const FoldSheet sheet = FoldSheet::of(cues);
+    if (sheet.rows.empty())
+        return;
+    QPolygonF outline;
+    for (const auto& row : sheet.rows)
+        outline << panel.project(row.front());
+    for (const core::Vec3& p : sheet.rows.back())
+        outline << panel.project(p);
+    for (auto row = sheet.rows.rbegin(); row != sheet.rows.rend(); ++row)
+        outline << panel.project(row->back());
+    painter.setPen(QPen(flat_tissue::kEdge, 2.0 * panel.unit()));
+    painter.setBrush(QColor(236, 196, 140, cues.foldOpen ? 110 : 200));
+    painter.drawPolygon(outline);
+    const core::Vec3 edge(cues.p_WFoldEdge[0], cues.p_WFoldEdge[1], cues.p_WFoldEdge[2]);
+    const double size = 5.0 * panel.unit();
+    painter.setPen(QPen(setup.colours.ink, 2.0 * panel.unit()));
+    painter.setBrush(cues.foldHeldBy != 0 ? setup.colours.arrow : setup.colours.background);
+    painter.drawEllipse(panel.project(edge), size, size);
 }
 
 /// A line across the tube at this place of it.
@@ -84,6 +107,7 @@ void FlatTube::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup
         else
             painter.drawEllipse(at, size, size);
     }
+    paintFold(painter, panel, setup, cues);
     if (const auto ring = markRing(m_parameters, cues))
         FlatFloor::paintTarget(painter, panel, setup, ring->p_W, ring->radius_m, cues.dwell);
 }

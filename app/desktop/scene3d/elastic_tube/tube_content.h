@@ -30,6 +30,7 @@ private:
     Abdomen* m_abdomen;
     Part* m_tube;
     Part* m_marks;
+    Part* m_fold;
     Part* m_shade;
     Qt3DRender::QParameter* m_ink;
     TargetRing* m_target;

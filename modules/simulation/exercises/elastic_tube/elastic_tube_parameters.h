@@ -48,6 +48,12 @@ struct ElasticTubeParameters {
     double releaseAngle_rad = 0.35;      ///< and lets go above this one
     double instrumentsApart_m = 0.12;    ///< between the two entry points, along x (two-handed tasks)
 
+    /// A fold of tissue lies over the tube, and one more instrument has to hold it back; 0: none. Its pull grows by so much over the way
+    /// that its edge is drawn.
+    double foldStiffness_N_per_m = 0.0;
+    double retractionLow_N = 0.5;        ///< held back with this pull, the tube can be reached …
+    double retractionHigh_N = 1.0;       ///< … and with more, the tissue suffers
+
     int trials = 4;                      ///< 1..32
     double trialLimit_s = 45.0;
     double betweenTrials_s = 1.0;
@@ -55,7 +61,10 @@ struct ElasticTubeParameters {
     YieldLaw yield; ///< when what is touched gives way; by default never
     std::vector<std::string> cues;
 
-    int tools() const noexcept { return task == TubeTask::twoHanded || task == TubeTask::transfer ? 2 : 1; }
+    int hands() const noexcept { return task == TubeTask::twoHanded || task == TubeTask::transfer ? 2 : 1; } ///< that work on the tube: tools 0 …
+    bool hasFold() const noexcept { return foldStiffness_N_per_m > 0.0; }
+    int retractor() const noexcept { return hands(); } ///< the tool that holds the fold back, where there is one
+    int tools() const noexcept { return hands() + (hasFold() ? 1 : 0); }
 };
 
 } // namespace chiron::simulation

@@ -26,5 +26,7 @@ std::vector<ElasticTubeTrial> planElasticTubeTrials(const ElasticTubeParameters&
 TubeLaw elasticTubeLaw(const ElasticTubeParameters& parameters, const ElasticTubeTrial& trial) noexcept;
 /// Its tube, untouched. Pure.
 TubeShape elasticTubeShape(const ElasticTubeParameters& parameters, const ElasticTubeTrial& trial) noexcept;
+/// The fold over it, untouched: a strip that lies over the tube's middle and is drawn back by its free edge (node 1). Pure.
+TubeShape tissueFoldShape(const ElasticTubeParameters& parameters, const ElasticTubeTrial& trial) noexcept;
 
 } // namespace chiron::simulation

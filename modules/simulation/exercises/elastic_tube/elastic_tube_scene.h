@@ -15,7 +15,8 @@
 namespace chiron::simulation {
 
 /// What the scene records, in this order (SceneOutput::quantities).
-enum class TubeQuantity : std::uint8_t { tension_N, stretch_m, grip0, grip1, grip2, freeEndX_m, freeEndY_m, freeEndZ_m, step, dwell, count };
+enum class TubeQuantity : std::uint8_t { tension_N, stretch_m, grip0, grip1, grip2, freeEndX_m, freeEndY_m, freeEndZ_m, step, dwell,
+                                         retraction_N, foldOpen, foldEdgeX_m, foldEdgeY_m, foldEdgeZ_m, count };
 
 /// The elastic-tube exercise running (P2 "Elastic Tube Model", "Control Algorithm for Multiple Instruments"; models.md §2.4).
 /// Trials as in SphereApexScene:
@@ -30,7 +31,9 @@ enum class TubeQuantity : std::uint8_t { tension_N, stretch_m, grip0, grip1, gri
 /// - After a trial the tube's pull fades within 0.3 s, so that no hand is let go with a jerk; one that tears gives way within
 ///   parameters.yield.fall_s, told by core::contact_bits of the tools that hold it. What is let go of slides out of the jaws within 0.1 s.
 /// - Pauses: clocks and task stand still, the tube follows the hands (the supervisor ramps).
-/// - Every tool touches the one body 0. A tool feels the sum of its place's segments; no torque: the place it holds keeps its
+/// - Where the level has a fold of tissue over the tube, the last tool takes hold of its edge and draws it back (tissueFoldShape): body 1. While its pull is
+///   too small the tube cannot be taken hold of, and no goal is met.
+/// - Every other tool touches the one body 0. A tool feels the sum of its place's segments; no torque: the place it holds keeps its
 ///   distance from the tip in W (tube_grips.h).
 /// Deterministic; all trials are planned at construction. Thread: respond() haptic; construction anywhere.
 class ElasticTubeScene final : public IScene {
@@ -54,7 +57,11 @@ private:
     double tornShare() const noexcept;
     core::Vec3 slipping(std::size_t tool, const core::Vec3& pull, bool holds) noexcept;
     bool tubePresent() const noexcept;
-    double fade() const noexcept;
+    double fade() const noexcept;   ///< of the tube's pull
+    double ending() const noexcept; ///< of any pull, after a trial
+    void openFold() noexcept;
+    bool retracts(std::size_t tool) const noexcept { return m_parameters.hasFold() && static_cast<int>(tool) == m_parameters.retractor(); }
+    void fillFold(core::LaparoscopyCues& cues) const noexcept;
     TubeTaskSample sample() const noexcept;
     void fillQuantities(SceneOutput& out) const noexcept;
     void fillCues(const SceneInput& in, core::VisibleCues& cues) const noexcept;
@@ -74,6 +81,10 @@ private:
     bool m_trialOver = false;  ///< the tick before ended the trial
     TubeChain m_tube;
     TubeGrips m_grips;
+    TubeChain m_fold; ///< over the tube, where there is one
+    TubeGrips m_foldGrips;
+    TubeAnswer m_foldAnswer;
+    bool m_foldOpen = false;
     TubeTaskTracker m_task;
     TubeAnswer m_answer; ///< of this tick, faded
     std::uint64_t m_tornTicks = 0; ///< since it tore

@@ -32,6 +32,14 @@ void ElasticTubeScene::fillQuantities(SceneOutput& out) const noexcept {
     at(TubeQuantity::freeEndZ_m) = end.z();
     at(TubeQuantity::step) = static_cast<double>(m_task.step());
     at(TubeQuantity::dwell) = m_task.dwell();
+    if (!m_parameters.hasFold())
+        return;
+    at(TubeQuantity::retraction_N) = ending() * m_foldAnswer.tension_N;
+    at(TubeQuantity::foldOpen) = m_foldOpen ? 1.0 : 0.0;
+    const core::Vec3& edge = m_fold.place(1);
+    at(TubeQuantity::foldEdgeX_m) = edge.x();
+    at(TubeQuantity::foldEdgeY_m) = edge.y();
+    at(TubeQuantity::foldEdgeZ_m) = edge.z();
 }
 
 void ElasticTubeScene::fillCues(const SceneInput& in, core::VisibleCues& cues) const noexcept {
@@ -53,6 +61,22 @@ void ElasticTubeScene::fillCues(const SceneInput& in, core::VisibleCues& cues) c
     fillTube(cues.laparoscopy);
 }
 
+void ElasticTubeScene::fillFold(core::LaparoscopyCues& cues) const noexcept {
+    cues.foldOpen = m_foldOpen;
+    cues.foldHeldBy = maskOf(m_foldGrips.holderOf(1));
+    if (m_showsBars) {
+        cues.retractionShown = true;
+        cues.retraction_N = ending() * m_foldAnswer.tension_N;
+        cues.retractionLow_N = m_parameters.retractionLow_N;
+        cues.retractionHigh_N = m_parameters.retractionHigh_N;
+    }
+    if (!m_showsObject)
+        return;
+    cues.fold = true;
+    cues.p_WFoldEdge = arrayOf(m_fold.place(1));
+    cues.p_WFoldBase = arrayOf(m_fold.shape().base);
+}
+
 void ElasticTubeScene::fillTube(core::LaparoscopyCues& cues) const noexcept {
     const TubeGoal& goal = m_task.goal();
     if (m_showsObject || m_showsBars)
@@ -65,6 +89,8 @@ void ElasticTubeScene::fillTube(core::LaparoscopyCues& cues) const noexcept {
             cues.bandHigh_N = goal.target_N + goal.band_N;
         }
     }
+    if (m_parameters.hasFold())
+        fillFold(cues);
     if (!m_showsObject)
         return;
     cues.objectShown = true;

@@ -9,6 +9,13 @@ namespace {
 /// What was let go comes back so fast where the object names no time of its own: an assumption.
 constexpr double kRecovery_s = 0.1;
 
+// A fold, ours: it hangs 10 mm over the floor a little before the tube, gives way without a tear within an instrument's reach, and falls
+// back within a breath.
+constexpr double kFoldHeight_m = 0.010;
+constexpr double kFoldBefore_m = 0.004;
+constexpr double kFoldReach_m = 0.200;
+constexpr double kFoldRecovery_s = 0.15;
+
 } // namespace
 
 TubeLaw elasticTubeLaw(const ElasticTubeParameters& parameters, const ElasticTubeTrial& trial) noexcept {
@@ -34,6 +41,21 @@ TubeShape elasticTubeShape(const ElasticTubeParameters& parameters, const Elasti
         shape.nodes = 2;
         shape.share = {0.0, 1.0, 1.0};
     }
+    return shape;
+}
+
+TubeShape tissueFoldShape(const ElasticTubeParameters& parameters, const ElasticTubeTrial& trial) noexcept {
+    TubeShape shape;
+    shape.law.elastic = {parameters.foldStiffness_N_per_m, 0.0};
+    shape.law.viscosity_Ns_per_m = parameters.tube.viscosity_Ns_per_m;
+    shape.law.limit_m = kFoldReach_m;
+    shape.length_m = kFoldHeight_m;
+    shape.radius_m = parameters.radius_m;
+    shape.nodes = 2;
+    shape.share = {0.0, 1.0, 1.0};
+    shape.fixed = true;
+    shape.base = {trial.base_m.x(), trial.base_m.y() - kFoldBefore_m, 0.0};
+    shape.recovery_s = kFoldRecovery_s;
     return shape;
 }
 

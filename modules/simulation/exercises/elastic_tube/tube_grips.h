@@ -33,8 +33,15 @@ public:
         bool grasped = false;
         bool released = false;
     };
+    /// Who may take hold of it: tools [first, end), as long as nothing lies over it.
+    struct Takers {
+        int first = 0;
+        int end = core::kMaxTools;
+        bool free = true;
+    };
     /// One tick: what the jaws do to a tube as it is now.
-    Change update(const core::ToolStates& tools, const TubeChain& tube) noexcept;
+    Change update(const core::ToolStates& tools, const TubeChain& tube, const Takers& takers) noexcept;
+    Change update(const core::ToolStates& tools, const TubeChain& tube) noexcept { return update(tools, tube, Takers()); }
 
     TubeChain::Holds holds() const noexcept { return m_holds; }
     int holderOf(std::size_t node) const noexcept { return m_holder[node]; }  ///< a tool, or kNobody

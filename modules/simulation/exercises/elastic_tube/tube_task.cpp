@@ -11,7 +11,7 @@ using Step = core::LaparoscopyStep;
 void TubeTaskTracker::begin(const TubeGoal& goal) noexcept {
     *this = TubeTaskTracker();
     m_goal = goal;
-    m_step = Step::grasp;
+    m_step = goal.fold ? Step::retract : Step::grasp;
 }
 
 bool TubeTaskTracker::heldAsNeeded(const TubeTaskSample& now) const noexcept {
@@ -22,12 +22,14 @@ bool TubeTaskTracker::heldAsNeeded(const TubeTaskSample& now) const noexcept {
     case TubeTask::twoHanded:
         return now.held > 1;
     case TubeTask::transfer: // the right hand begins; after that either will do
-        return now.rightHolds || (m_step != Step::grasp && now.leftHolds);
+        return now.rightHolds || (!begins() && now.leftHolds);
     }
     return false;
 }
 
 bool TubeTaskTracker::inGoal(const TubeTaskSample& now) const noexcept {
+    if (!now.open)
+        return false;
     switch (m_goal.task) {
     case TubeTask::hold:
     case TubeTask::twoHanded:
@@ -43,11 +45,12 @@ bool TubeTaskTracker::inGoal(const TubeTaskSample& now) const noexcept {
 Step TubeTaskTracker::next(const TubeTaskSample& now) noexcept {
     const bool transfer = m_goal.task == TubeTask::transfer;
     if (!heldAsNeeded(now))
-        return Step::grasp;
-    if (transfer && m_step != Step::grasp && (now.rightHolds || !now.leftHolds))
+        return now.open ? Step::grasp : Step::retract;
+    if (transfer && !begins() && (now.rightHolds || !now.leftHolds))
         return Step::handOver;
     switch (m_step) {
     case Step::grasp:
+    case Step::retract:
         return transfer ? Step::handOver : Step::stretch;
     case Step::handOver:
         return Step::carry;
@@ -80,11 +83,12 @@ TubeTaskTracker::Change TubeTaskTracker::advance(const TubeTaskSample& now) noex
         return change;
     }
     const Step before = m_step;
+    const bool began = !begins();
     m_step = next(now);
     change.moved = m_step != before;
     if (change.moved && m_step != Step::done)
         m_held_ticks = m_out_ticks = 0;
-    change.dropped = m_step == Step::grasp && before != Step::grasp;
+    change.dropped = began && begins();
     change.completed = m_step == Step::done;
     return change;
 }

@@ -23,6 +23,7 @@ struct TubeGoal {
     double tear_m = 0.0;                      ///< torn beyond this one ...
     double tear_N = std::numeric_limits<double>::infinity(); ///< ... or beyond this tension
     std::uint64_t hold_ticks = 0;
+    bool fold = false; ///< tissue lies over it at first
 };
 
 /// The tube and its hands at one tick.
@@ -33,6 +34,7 @@ struct TubeTaskSample {
     int held = 0;           ///< places that are held
     bool rightHolds = false; ///< tool 0
     bool leftHolds = false;  ///< tool 1
+    bool open = true;        ///< nothing lies over the tube
 };
 
 /// Where a trial stands. The steps:
@@ -43,6 +45,7 @@ struct TubeTaskSample {
 ///   done at the first tick from then on that is in the goal. Out of the goal for longer than 0.5 s in one go breaks it: back
 ///   to stretch or carry.
 /// - A tube that is no longer held as the task needs is dropped: back to grasp.
+/// - Where a fold lies over the tube, grasp is retract as long as it is not held back, and the goal is met only while it is.
 /// Deterministic. Thread: haptic.
 class TubeTaskTracker {
 public:
@@ -67,6 +70,7 @@ public:
     const TubeGoal& goal() const noexcept { return m_goal; }
 
 private:
+    bool begins() const noexcept { return m_step == core::LaparoscopyStep::grasp || m_step == core::LaparoscopyStep::retract; }
     bool heldAsNeeded(const TubeTaskSample& now) const noexcept;
     bool inGoal(const TubeTaskSample& now) const noexcept;
     core::LaparoscopyStep next(const TubeTaskSample& now) noexcept;
