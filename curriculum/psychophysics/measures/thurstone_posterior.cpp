@@ -136,7 +136,13 @@ private:
     std::optional<TiedOrderTable> m_ties;
 };
 
-void fill(Grid& grid, Task task, const std::vector<AnswerCount>& counts) {
+/// ln of the prior's density of log10 σ, against where it is even.
+double logPrior(Task task, const ThurstonePrior& prior, double log10Sigma) noexcept {
+    const double power = task == Task::oddity || task == Task::sameDifferent ? 2.0 : 1.0;
+    return log10Sigma > prior.evenUpTo ? -power * std::numbers::ln10 * (log10Sigma - prior.evenUpTo) : 0.0;
+}
+
+void fill(Grid& grid, Task task, const std::vector<AnswerCount>& counts, const ThurstonePrior& prior) {
     std::vector<double> logWeight(grid.sigma.cells * grid.criterion.cells * grid.lapse.cells, 0.0);
     for (std::size_t c = 0; c < grid.criterion.cells; ++c) {
         const Attentive observer(task, grid.criterion.at(c));
@@ -153,6 +159,7 @@ void fill(Grid& grid, Task task, const std::vector<AnswerCount>& counts) {
     for (std::size_t i = 0; i < logWeight.size(); ++i) {
         const std::size_t l = i % grid.lapse.cells;
         logWeight[i] += kLapsePriorPower * std::log1p(-grid.lapseAt(l)) + std::log(grid.lapse.at(l)); // dλ = 2√λ d√λ
+        logWeight[i] += logPrior(task, prior, grid.sigma.at(i / (grid.criterion.cells * grid.lapse.cells)));
     }
     const double largest = *std::max_element(logWeight.begin(), logWeight.end());
     grid.weight.resize(logWeight.size());
@@ -210,7 +217,7 @@ struct Refined {
     Marginals marginals;
 };
 
-Refined refined(Refined now, Task task, const std::vector<AnswerCount>& counts, const Grid& cells) {
+Refined refined(Refined now, Task task, const std::vector<AnswerCount>& counts, const ThurstonePrior& prior, const Grid& cells) {
     const auto shrinks = [](const Axis& next, const Axis& last, double share) { return next.high - next.low < share * (last.high - last.low); };
     for (int pass = 0; pass < kMostPasses; ++pass) {
         Grid next{narrowed(now.grid.sigma, now.marginals.sigma, cells.sigma.cells), narrowed(now.grid.criterion, now.marginals.criterion, cells.criterion.cells),
@@ -218,7 +225,7 @@ Refined refined(Refined now, Task task, const std::vector<AnswerCount>& counts, 
         if (pass > 0 && !shrinks(next.sigma, now.grid.sigma, 0.3) && !shrinks(next.criterion, now.grid.criterion, 0.3) &&
             !shrinks(next.lapse, now.grid.lapse, 0.4))
             break;
-        fill(next, task, counts);
+        fill(next, task, counts, prior);
         now.marginals = marginalsOf(next);
         now.grid = std::move(next);
     }
@@ -258,6 +265,18 @@ void draw(ThurstonePosterior& result, const Grid& grid, double total, int draws)
 
 } // namespace
 
+double priorLog10SigmaSd(Task task, const ThurstonePrior& prior) noexcept {
+    const Axis axis{prior.lowLog10Sigma, prior.highLog10Sigma, 2000};
+    double total = 0.0, sum = 0.0, squares = 0.0;
+    for (std::size_t i = 0; i < axis.cells; ++i) {
+        const double weight = std::exp(logPrior(task, prior, axis.at(i)));
+        total += weight;
+        sum += weight * axis.at(i);
+        squares += weight * axis.at(i) * axis.at(i);
+    }
+    return std::sqrt(std::max(0.0, squares / total - sum * sum / (total * total)));
+}
+
 double answerProbability(Task task, double difference, int kind, const ThurstonePoint& at) noexcept {
     const double p = attentive(task, difference, kind, std::pow(10.0, at.log10Sigma), at.criterion);
     return p + at.lapse * (guessed(task, kind) - p);
@@ -275,7 +294,9 @@ ThurstonePosterior thurstonePosterior(Task task, const std::vector<AnswerCount>&
                 {prior.lowCriterion, prior.highCriterion, criteria},
                 {0.0, mostRootLapse, 5},
                 {}};
-    fill(coarse, task, counts);
+    ThurstonePrior even = prior;
+    even.evenUpTo = std::numeric_limits<double>::infinity();
+    fill(coarse, task, counts, even); // at its ends as the answers alone have it
     Marginals rough = marginalsOf(coarse);
     const double peak = *std::max_element(rough.sigma.begin(), rough.sigma.end());
     result.densityAtLowSigma = rough.sigma.front() / peak;
@@ -284,7 +305,7 @@ ThurstonePosterior thurstonePosterior(Task task, const std::vector<AnswerCount>&
     cells.sigma.cells = hasCriterion ? 50 : 100;
     cells.criterion.cells = criteria;
     cells.lapse.cells = hasCriterion ? 10 : 15;
-    const auto [fine, exact] = refined({std::move(coarse), std::move(rough)}, task, counts, cells);
+    const auto [fine, exact] = refined({std::move(coarse), std::move(rough)}, task, counts, prior, cells);
     summarise(result, fine, exact);
     draw(result, fine, exact.total, draws);
     return result;

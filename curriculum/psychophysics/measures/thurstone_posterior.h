@@ -16,10 +16,13 @@ struct AnswerCount {
     double count = 0.0;
 };
 
-/// Ends of the uniform prior of log10 σ; and of the criterion's (yes_no: log10 units; same_different, rank3_ties: in σ).
+/// Ends of the prior of log10 σ; and of the uniform one of the criterion (yes_no: log10 units; same_different, rank3_ties: in σ). That of log10 σ is
+/// even up to `evenUpTo`; an observer with a larger σ is near guessing at every difference, and the prior is even in how far answers are from guessing
+/// there: in (D/σ), or in its square where the task does not tell the sign of a difference (oddity, same_different).
 struct ThurstonePrior {
     double lowLog10Sigma = -3.0;
     double highLog10Sigma = 0.0;
+    double evenUpTo = std::numeric_limits<double>::infinity(); ///< log10 of the largest difference D presented
     double lowCriterion = 0.0;
     double highCriterion = 0.0;
 };
@@ -46,10 +49,13 @@ struct ThurstonePosterior {
     double criterion = std::numeric_limits<double>::quiet_NaN(); ///< median, with its central 95 % interval
     double lowCriterion = std::numeric_limits<double>::quiet_NaN();
     double highCriterion = std::numeric_limits<double>::quiet_NaN();
-    double densityAtLowSigma = 0.0;  ///< of log10 σ at the ends of its prior, as a share of the largest
+    double densityAtLowSigma = 0.0;  ///< of log10 σ at the ends of its prior, were that even throughout, as a share of the largest
     double densityAtHighSigma = 0.0;
     std::vector<ThurstonePoint> draws; ///< spread evenly over the posterior, equally likely each; for bands
 };
+
+/// Standard deviation of log10 σ under the prior alone.
+double priorLog10SigmaSd(Task task, const ThurstonePrior& prior) noexcept;
 
 /// Probability of an answer of that kind (see AnswerCount) at difference D.
 double answerProbability(Task task, double difference, int kind, const ThurstonePoint& at) noexcept;

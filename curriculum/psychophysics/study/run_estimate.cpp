@@ -26,6 +26,7 @@ ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers)
     if (answers.smallestDifference > 0.0) {
         prior.lowLog10Sigma = std::log10(answers.smallestDifference) - 1.0;
         prior.highLog10Sigma = std::log10(answers.largestDifference) + 1.0;
+        prior.evenUpTo = std::log10(answers.largestDifference);
     }
     for (const ProcedureSpec& spec : condition.procedures) {
         const auto* rank3 = std::get_if<Rank3Spec>(&spec);
@@ -72,7 +73,7 @@ void fromAnswers(RunEstimate& result, const Condition& condition, const std::vec
     const ThurstonePosterior posterior =
         answers.levels > 0 ? thurstonePosterior(condition.task, answers.counts, prior) : ThurstonePosterior{};
     if (posterior.known) {
-        result.priorInfluence = posterior.sdLog10Sigma * std::sqrt(12.0) / (prior.highLog10Sigma - prior.lowLog10Sigma); // of a uniform prior
+        result.priorInfluence = posterior.sdLog10Sigma / priorLog10SigmaSd(condition.task, prior);
         takeSigma(result, posterior, condition.stimulus.reference);
         if (condition.task == Task::yesNo)
             takeCriterion(result, posterior, condition.stimulus.reference);

@@ -38,6 +38,7 @@ Row rowOf(const QString& what, const QString& quantity, double factor, const std
         row.covered += each.covered ? 1 : 0;
         row.warned += each.warned ? 1 : 0;
         row.withoutInterval += each.interval ? 0 : 1;
+        row.missedInSilence += each.covered || each.warned ? 0 : 1;
         if (std::isfinite(each.influence))
             influences.push_back(each.influence);
     }
@@ -238,11 +239,18 @@ std::vector<Row> coverageTable(int runs, std::uint64_t seed) {
 
 bool notTooFew(const Row& row) { return 1.0 - binomialUpperTail(row.covered + 1, row.runs, 0.95) > 0.0005; }
 
+int fewestByChance(int runs) {
+    int held = runs;
+    while (held > 0 && 1.0 - binomialUpperTail(held, runs, 0.95) > 0.025) // P(fewer than held)
+        --held;
+    return held;
+}
+
 void print(const std::vector<Row>& rows) {
-    std::printf("| procedure and fit | of | true / expected | covered | warned | no interval | prior's part |\n|---|---|---|---|---|---|---|\n");
+    std::printf("| procedure and fit | of | true / expected | covered | missed, not warned | warned | no interval | prior's part |\n|---|---|---|---|---|---|---|---|\n");
     for (const Row& row : rows)
-        std::printf("| %s | %s | %s | %d of %d | %d | %d | %.2f |\n", qPrintable(row.what), qPrintable(row.quantity),
-                    row.factor < 1.0 ? "1/3" : row.factor > 1.0 ? "3" : "1", row.covered, row.runs, row.warned, row.withoutInterval, row.influence);
+        std::printf("| %s | %s | %s | %d of %d | %d | %d | %d | %.2f |\n", qPrintable(row.what), qPrintable(row.quantity),
+                    row.factor < 1.0 ? "1/3" : row.factor > 1.0 ? "3" : "1", row.covered, row.runs, row.missedInSilence, row.warned, row.withoutInterval, row.influence);
     std::fflush(stdout);
 }
 

@@ -17,6 +17,7 @@ struct Row {
     int covered = 0;        ///< 95 % intervals that hold the truth
     int warned = 0;         ///< runs with any warning
     int withoutInterval = 0;///< of which there is none: not covered
+    int missedInSilence = 0;///< not covered, and no warning
     double influence = 0.0; ///< median over runs: how much the prior decided; not a number where there is no prior
 };
 
@@ -25,6 +26,9 @@ std::vector<Row> coverageTable(int runs, std::uint64_t seed);
 
 /// Exact: whether 95 % lies in the 99.9 % interval (Clopper & Pearson) of what was covered, from below: more than 95 % is no fault.
 bool notTooFew(const Row& row);
+
+/// The fewest of so many runs that 95 % intervals hold by chance alone: the lower end of the exact 95 % interval of their number (184 of 200).
+int fewestByChance(int runs);
 
 void print(const std::vector<Row>& rows);
 
