@@ -2097,6 +2097,10 @@ Einzelheiten: %2</translation>
         <translation>Schritt: ablegen</translation>
     </message>
     <message>
+        <source>Step: hold the tissue back</source>
+        <translation>Schritt: Gewebe zurückhalten</translation>
+    </message>
+    <message>
         <source>The next stage begins</source>
         <translation>Die nächste Phase beginnt</translation>
     </message>

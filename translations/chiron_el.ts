@@ -2097,6 +2097,10 @@ Details: %2</source>
         <translation>Βήμα: απόθεση</translation>
     </message>
     <message>
+        <source>Step: hold the tissue back</source>
+        <translation>Βήμα: συγκράτηση του ιστού</translation>
+    </message>
+    <message>
         <source>The next stage begins</source>
         <translation>Αρχίζει το επόμενο στάδιο</translation>
     </message>

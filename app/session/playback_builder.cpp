@@ -192,6 +192,7 @@ std::string_view tokenOf(core::LaparoscopyStep step) {
     case core::LaparoscopyStep::lift: return "lift";
     case core::LaparoscopyStep::carry: return "carry";
     case core::LaparoscopyStep::place: return "place";
+    case core::LaparoscopyStep::retract: return "retract";
     case core::LaparoscopyStep::none:
     case core::LaparoscopyStep::done: break;
     }

@@ -28,7 +28,7 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kGuards{{
     {"passivity", QT_TRANSLATE_NOOP("PlaybackMarks", "Force damped to keep it stable")},
     {"device_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: the device reported one")},
 }};
-constexpr std::array<std::pair<const char*, const char*>, 10> kStages{{
+constexpr std::array<std::pair<const char*, const char*>, 11> kStages{{
     {"insertion", QT_TRANSLATE_NOOP("PlaybackMarks", "The insertion begins")},
     {"inspection", QT_TRANSLATE_NOOP("PlaybackMarks", "The inspection begins")},
     {"withdrawal", QT_TRANSLATE_NOOP("PlaybackMarks", "The withdrawal begins")},
@@ -39,6 +39,7 @@ constexpr std::array<std::pair<const char*, const char*>, 10> kStages{{
     {"lift", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: lift")},
     {"carry", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: carry to the target")},
     {"place", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: set down")},
+    {"retract", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: hold the tissue back")},
 }};
 // clang-format on
 
