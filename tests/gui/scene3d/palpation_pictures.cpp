@@ -44,6 +44,14 @@ Picture visibleLump() {
     return picture;
 }
 
+Picture pinched() {
+    Picture picture{"pad_pinch", samples::palpationSetup(Tissue::pad), {}, {}, false};
+    std::get<simulation::PalpationParameters>(picture.setup.parameters).pinch = simulation::PinchParameters{};
+    samples::pressFinger(picture.state, picture.setup, 0, {0.004, 0.004}, 0.004);
+    picture.state.tool[0].jaw_rad = 0.8;
+    return picture;
+}
+
 Picture hidden() {
     Picture picture{"pad_hidden", samples::palpationSetup(Tissue::pad), {}, {}, false};
     samples::pressFinger(picture.state, picture.setup, 0, {-0.016, 0.012}, -0.012);
@@ -96,7 +104,7 @@ Picture shown() {
 }
 
 std::list<Picture> pictures() {
-    return {visibleLump(), hidden(), prostate(), twoHands(), pattern(), playback(core::SurfaceMapKind::coverage), playback(core::SurfaceMapKind::force), shown()};
+    return {visibleLump(), pinched(), hidden(), prostate(), twoHands(), pattern(), playback(core::SurfaceMapKind::coverage), playback(core::SurfaceMapKind::force), shown()};
 }
 
 QPixmap taken(Picture& picture, bool flat) {
