@@ -4572,6 +4572,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Bewerten: 1 bis 5, V für die andere Bewertung, + und − für die Größe.</translation>
     </message>
     <message>
+        <source>Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.</source>
+        <translation>Gewebe zwischen den Branchen drücken: in der Luft mit O öffnen, absenken, mit G schließen.</translation>
+    </message>
+    <message>
         <source>Next finding: N. Take it back: Delete. Nothing more to report: D.</source>
         <translation>Nächster Fund: N. Zurücknehmen: Entf. Nichts mehr zu melden: D.</translation>
     </message>
@@ -7257,6 +7261,14 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
     <message>
         <source>%1: force</source>
         <translation>%1: Kraft</translation>
+    </message>
+    <message>
+        <source>%1: squeeze of the jaw</source>
+        <translation>%1: Druck der Branchen</translation>
+    </message>
+    <message>
+        <source>Squeeze of the jaw</source>
+        <translation>Druck der Branchen</translation>
     </message>
     <message>
         <source>N</source>

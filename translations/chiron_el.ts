@@ -4572,6 +4572,10 @@ Do you want to replace it?</source>
         <translation>Βαθμολόγηση: 1 έως 5, V για την άλλη βαθμολογία, + και − για το μέγεθος.</translation>
     </message>
     <message>
+        <source>Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.</source>
+        <translation>Σύσφιγξη ιστού ανάμεσα στα σκέλη της λαβίδας: ανοίξτε τα στον αέρα με το O, κατεβάστε τα, κλείστε τα με το G.</translation>
+    </message>
+    <message>
         <source>Next finding: N. Take it back: Delete. Nothing more to report: D.</source>
         <translation>Επόμενο εύρημα: N. Απόσυρση: Delete. Τίποτε άλλο για αναφορά: D.</translation>
     </message>
@@ -7257,6 +7261,14 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message>
         <source>%1: force</source>
         <translation>%1: δύναμη</translation>
+    </message>
+    <message>
+        <source>%1: squeeze of the jaw</source>
+        <translation>%1: σύσφιγξη της λαβίδας</translation>
+    </message>
+    <message>
+        <source>Squeeze of the jaw</source>
+        <translation>Σύσφιγξη της λαβίδας</translation>
     </message>
     <message>
         <source>N</source>

@@ -41,7 +41,7 @@ FingertipArmDynamics::Links fingertipArmLinks(const FingertipArmParameters& p) n
             ChainLink{Vec3(0.0, -g.fore_m, 0.0), Vec3::UnitX(), p.ringMass_kg, none, ring(p.ringMass_kg, p.ringRadius_m, 2)},
             ChainLink{none, Vec3::UnitY(), p.ringMass_kg, none, ring(p.ringMass_kg, p.ringRadius_m, 0)},
             ChainLink{none, Vec3::UnitZ(), p.handleMass_kg, p.handleCentre_T, handle * Mat3::Identity()},
-            ChainLink{p.leverPivot_T, Vec3::UnitX(), p.leverMass_kg, Vec3(0.0, 0.5 * p.leverLength_m, 0.0), Vec3(lever, 0.01 * lever, lever).asDiagonal()}};
+            ChainLink{p.leverPivot_T, Vec3::UnitZ(), p.leverMass_kg, Vec3(0.0, 0.5 * p.leverLength_m, 0.0), Vec3(lever, 0.01 * lever, lever).asDiagonal()}};
 }
 
 Vec3 FingertipArmPlace::place_D(const Vec3& q) const noexcept {

@@ -30,7 +30,7 @@ struct FingertipArmParameters {
     static constexpr int kArm = 3;   ///< joints with an encoder: yaw about z, shoulder and elbow about x, of a stretched arm towards −y
     static constexpr int kWrist = 3; ///< first joint of the wrist: about x, y, z
     static constexpr int kHandle = 5; ///< the link that is T
-    static constexpr int kJaw = 6;   ///< the lever of the grasp, about x on the handle
+    static constexpr int kJaw = 6;   ///< the lever of the grasp, about z on the handle: it closes across the finger
     using PerJoint = std::array<double, kJoints>;
 
     FingertipArmGeometry geometry;

@@ -41,6 +41,9 @@ core::PalpationCues PalpationReplay::cuesAt(const session::PlaybackTrack& track,
         cues.depth_m[i] = valueOf(track, "depth_" + std::to_string(i) + "_m", moment);
         cues.lean_rad[i] = valueOf(track, "lean_" + std::to_string(i) + "_rad", moment);
     }
+    cues.squeezeShown = m_level.pinch.has_value();
+    for (std::size_t hand = 0; hand < cues.squeeze_N.size(); ++hand)
+        cues.squeeze_N[hand] = valueOf(track, "squeeze_" + std::to_string(hand) + "_N", moment);
     cues.leanSaturated = static_cast<std::uint8_t>(valueOf(track, "lean_saturated", moment));
     const session::PalpationTrialRecord* now = record(track.moments[moment].trial);
     if (!now)

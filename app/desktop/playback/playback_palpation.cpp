@@ -54,9 +54,13 @@ QString PlaybackScreen::palpationReadout(const session::PlaybackView& view) cons
     const QString depth = report::formatValue(1e3 * cues.depth_m[hardest], QStringLiteral("mm"), locale);
     const QString searched = locale.toString(static_cast<int>(100.0 * cues.coverage));
     const QString findings = locale.toString(findingCount(cues));
-    return view.moment.paused ? tr("Trial %1 · %7 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6")
+    const double squeeze_N = std::max(cues.squeeze_N[0], cues.squeeze_N[1]);
+    const QString squeeze =
+        squeeze_N > 0.0 ? QStringLiteral(" · ") + tr("squeeze %1").arg(report::formatValue(squeeze_N, QStringLiteral("N"), locale)) : QString();
+    return (view.moment.paused ? tr("Trial %1 · %7 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6")
                                     .arg(trial, force, lean, depth, searched, findings, stillWords(view.moment))
-                              : tr("Trial %1 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6").arg(trial, force, lean, depth, searched, findings);
+                              : tr("Trial %1 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6").arg(trial, force, lean, depth, searched, findings)) +
+           squeeze;
 }
 
 } // namespace chiron::desktop

@@ -12,15 +12,17 @@ namespace chiron::desktop {
 
 /// Fingers that palpate, moved by one mouse and one keyboard: one hand at a time, its fingers together; the other hand stays
 /// where it is, pressing as it pressed. Wheel and keys lower a finger finely enough to press with a measured depth. While the
-/// left button is down the hand stands still, so that the click that marks does not move it. H chooses the other hand. GUI
-/// thread; the mailboxes outlive it.
+/// left button is down the hand stands still, so that the click that marks does not move it. H chooses the other hand. Where
+/// the level has a pinch, G closes the hand's jaw and O opens it for as long as the key is down. GUI thread; the mailboxes outlive it.
 class FingerControl final : public HandControl {
 public:
     static constexpr double kMetresPerNotch = 0.0005;     ///< 0.1 to 0.35 N in tissue of 227 to 700 N/m
     static constexpr double kKeyPress_m_per_s = 0.008;    ///< Page Down and Page Up
 
-    /// `mailboxes`: one a tool, hand by hand, `fingers` (≥ 1) of each. `scale`, `mirrored`: as PointerControl.
-    FingerControl(std::span<devices::PointerMailbox* const> mailboxes, int fingers, double scale, bool mirrored = false);
+    static constexpr double kJawSpeed_rad_per_s = 1.0;    ///< as GrasperControl
+
+    /// `mailboxes`: one a tool, hand by hand, `fingers` (≥ 1) of each. `scale`, `mirrored`: as PointerControl. `jaw`: they can pinch.
+    FingerControl(std::span<devices::PointerMailbox* const> mailboxes, int fingers, double scale, bool mirrored = false, bool jaw = false);
 
     void drag(QPointF pixels, bool lifting) noexcept override;
     void wheel(int eighthsOfDegree) noexcept override;
@@ -44,12 +46,15 @@ private:
             act(m_tips[static_cast<std::size_t>(m_hand * m_fingers + i)]);
     }
     bool isKey(int key) const;
+    void moveJaw(int key, bool down);
 
     int m_fingers;
+    std::vector<devices::PointerMailbox*> m_mailboxes;
     std::deque<PointerControl> m_tips; ///< they do not move; HandControls are not copied
     std::vector<int> m_keys;
     int m_hand = 0;
     bool m_still = false;
+    bool m_closing = false, m_opening = false; ///< its keys are down
     std::function<void(int)> m_tell;
 };
 

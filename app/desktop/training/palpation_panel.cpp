@@ -79,6 +79,15 @@ void PalpationPanel::addBars() {
         m_force.push_back(bar);
         m_column->addWidget(bar);
     }
+    for (int hand = 0; m_level.pinch && hand < m_level.hands; ++hand) {
+        const QString name = m_level.hands > 1 ? tr("%1: squeeze of the jaw").arg(fingerName(hand * m_level.fingers, m_level.hands, m_level.fingers))
+                                               : tr("Squeeze of the jaw");
+        auto* bar = new TargetBar(m_theme, m_locale, {name, tr("N"), 1.25 * m_level.maximumForce_N, 2}, m_cues.numbers);
+        bar->setObjectName(QStringLiteral("training.squeeze_bar_%1").arg(hand));
+        bar->setLimit(m_level.maximumForce_N);
+        m_squeeze.push_back(bar);
+        m_column->addWidget(bar);
+    }
     m_lean = new LeanDial(m_theme, m_locale, tools());
     m_lean->setObjectName(QStringLiteral("training.lean"));
     m_column->addWidget(m_lean);
@@ -168,6 +177,8 @@ void PalpationPanel::showFingers(const haptics::DisplayState& state) {
         m_force[i]->setBand(cues.bandShown ? cues.bandLow_N : 0.0, cues.bandShown ? cues.bandHigh_N : 0.0);
         m_force[i]->setValue(std::hypot(state.tool[i].tissue[0], state.tool[i].tissue[1], state.tool[i].tissue[2]));
     }
+    for (std::size_t hand = 0; hand < m_squeeze.size(); ++hand)
+        m_squeeze[hand]->setValue(cues.squeezeShown ? cues.squeeze_N[hand] : 0.0);
     for (int i = 0; m_lean && i < tools(); ++i) {
         const auto& pose = state.tool[static_cast<std::size_t>(i)].displayPose;
         m_lean->setLean(i, pose[1], pose[2], (cues.leanSaturated >> i & 1) != 0);

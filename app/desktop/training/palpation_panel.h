@@ -56,6 +56,7 @@ private:
     QLabel* m_coverage = nullptr;
     QCheckBox* m_forceMap = nullptr;
     std::vector<TargetBar*> m_force;
+    std::vector<TargetBar*> m_squeeze; ///< one a hand; none where the level has no pinch
     LeanDial* m_lean = nullptr;
     std::vector<FingerRow> m_rows;
     LivePlot* m_forcePlot = nullptr;

@@ -34,7 +34,7 @@ void TrainingScreen::takeFingers(double scale) {
         mailboxes.push_back(training.pointer());
     if (mailboxes.empty())
         return; // somebody else's hand
-    auto fingers = std::make_unique<FingerControl>(mailboxes, m_palpated->fingers, scale, m_plan.workspace.leftHanded);
+    auto fingers = std::make_unique<FingerControl>(mailboxes, m_palpated->fingers, scale, m_plan.workspace.leftHanded, m_palpated->pinch.has_value());
     fingers->onChosen([this](int tool) {
         if (m_activeText)
             m_activeText->setText(activeHandInWords(tool / m_palpated->fingers));
@@ -95,7 +95,8 @@ void TrainingScreen::addPalpationCommands(std::vector<ScreenCommand>& list) {
 QString TrainingScreen::keysText() const {
     if (!m_palpated)
         return keysInWords(m_plan.ownHand(), m_tool, m_tools);
-    return palpationKeysInWords(m_plan.ownHand(), m_palpated->hands, m_palpated->asksSize || m_palpated->asksHardness || m_palpated->asksConfidence);
+    return palpationKeysInWords(m_plan.ownHand(), m_palpated->hands, m_palpated->asksSize || m_palpated->asksHardness || m_palpated->asksConfidence,
+                                m_palpated->pinch.has_value());
 }
 
 } // namespace chiron::desktop

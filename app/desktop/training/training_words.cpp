@@ -80,13 +80,15 @@ QString keysInWords(bool ownHand, session::PointerTool tool, int tools) {
                      "Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.");
 }
 
-QString palpationKeysInWords(bool ownHand, int hands, bool rates) {
+QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches) {
     if (!ownHand)
         return keysInWords(false);
     QStringList all{Words::tr("Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. "
                               "Mark a finding: click or Enter.")};
     if (rates)
         all << Words::tr("Rate it: 1 to 5, V for the other rating, + and − for its size.");
+    if (pinches)
+        all << Words::tr("Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.");
     all << Words::tr("Next finding: N. Take it back: Delete. Nothing more to report: D.");
     all << Words::tr("Use the mouse there: T; a click in the scene takes it back.");
     if (hands > 1)

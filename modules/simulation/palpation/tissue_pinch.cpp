@@ -26,7 +26,7 @@ PinchResponse pinchTissue(const TissueContact& tissue, const PinchParameters& p,
     const double half = 0.5 * tissue.normalStiffness_N_per_m() * out.compression_m;
     if (half > 0.0) {
         // By the tool's own axes: the surface's nearest point and normal run away near its centre of curvature.
-        const Vec3 across = tool.q_WT * Vec3::UnitY();
+        const Vec3 across = tool.q_WT * Vec3::UnitX();
         const Vec3 middle = tool.p_WT + 0.5 * std::min(touched.depth_m, p.fullDepth_m) * (tool.q_WT * Vec3::UnitZ());
         LumpsAcross lumps;
         for (const double side : {0.5, -0.5})

@@ -33,11 +33,11 @@ struct PinchResponse {
     bool beyondChecked = false;                   ///< a face is nearer to a lump than the lump's law is checked
 };
 
-/// Pinch palpation: the jaws stand across y_T, as they are drawn, their tips at the tool's. What came between them while they were open is
+/// Pinch palpation: the jaws open across the finger, along x_T, their tips at the tool's. What came between them while they were open is
 /// squeezed as they close; a jaw that was closed when it went in has nothing between it:
 ///   w = max over the contact of o,  o = 2 L sin(α/2),  c = w − o ≥ 0,
-///   N = k (1 + G) s(d/d₁) c/2,      G = mean over the two faces of Σ χ at q = p + ½ min(d, d₁) z_T ± ½ o y_T,
-/// p the tips, k the tissue's own stiffness against a flat face as wide as the pad, s a smoothstep, χ the lumps' law (lump_law.h) with the squeeze's direction y_T in place
+///   N = k (1 + G) s(d/d₁) c/2,      G = mean over the two faces of Σ χ at q = p + ½ min(d, d₁) z_T ± ½ o x_T,
+/// p the tips, k the tissue's own stiffness against a flat face as wide as the pad, s a smoothstep, χ the lumps' law (lump_law.h) with the squeeze's direction x_T in place
 /// of n. So N is 0 without contact and at d = 0, continuous in place, turn and opening, and defined everywhere. What is held resists as an anchored spring
 /// of the tissue's tangential stiffness, clipped at friction's 2 μ N: it makes no energy, and as N falls it lets go. `touched`: of the tool at this tick.
 /// No allocation; haptic thread. Source: P3 §2.2 (grasping motion); P3's contact and models.md §3 for k and χ; gripLimit_N.

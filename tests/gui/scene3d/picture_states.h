@@ -66,6 +66,14 @@ inline Picture visibleLump() {
     return picture;
 }
 
+inline Picture pinched() {
+    Picture picture{"pad_pinch", palpationSetup(Tissue::pad), {}, {}, false};
+    std::get<simulation::PalpationParameters>(picture.setup.parameters).pinch = simulation::PinchParameters{};
+    pressFinger(picture.state, picture.setup, 0, {0.004, 0.004}, 0.004);
+    picture.state.tool[0].jaw_rad = 0.8;
+    return picture;
+}
+
 inline Picture hiddenLumps() {
     Picture picture{"pad_hidden", palpationSetup(Tissue::pad), {}, {}, false};
     pressFinger(picture.state, picture.setup, 0, {-0.016, 0.012}, -0.012);
@@ -118,7 +126,7 @@ inline Picture fingerShown() {
 }
 
 inline std::list<Picture> palpationPictures() {
-    return {visibleLump(), hiddenLumps(), prostateFelt(), twoFingers(), fingerPattern(), playedBack(core::SurfaceMapKind::coverage), playedBack(core::SurfaceMapKind::force), fingerShown()};
+    return {visibleLump(), pinched(), hiddenLumps(), prostateFelt(), twoFingers(), fingerPattern(), playedBack(core::SurfaceMapKind::coverage), playedBack(core::SurfaceMapKind::force), fingerShown()};
 }
 
 // ---- tube and ovaries ----

@@ -17,11 +17,11 @@ using devices::PointerMailbox;
 namespace {
 
 struct Fingers {
-    explicit Fingers(int count, int ofAHand) : mailbox(static_cast<std::size_t>(count)) {
+    explicit Fingers(int count, int ofAHand, bool jaw = false) : mailbox(static_cast<std::size_t>(count)) {
         std::vector<PointerMailbox*> all;
         for (PointerMailbox& one : mailbox)
             all.push_back(&one);
-        control.emplace(all, ofAHand, 1.0);
+        control.emplace(all, ofAHand, 1.0, false, jaw);
     }
     std::array<double, 4> moved(std::size_t tool) { return mailbox[tool].read().moved; }
     bool marked(std::size_t tool) { return mailbox[tool].read().markPresses > 0; }
@@ -106,12 +106,36 @@ private slots:
         QVERIFY(fingers.moved(0) != before);
     }
 
+    /// Where a level has a pinch; both fingers of a hand tell of its one lever.
+    void theJawOfTheHandIsClosedAndOpened() {
+        Fingers fingers(4, 2, true);
+        const auto rate = [&](std::size_t tool) { return fingers.mailbox[tool].read().rate_per_s[3]; };
+        QVERIFY(fingers.control->keyDown(Qt::Key_O));
+        QCOMPARE(rate(0), FingerControl::kJawSpeed_rad_per_s);
+        QCOMPARE(rate(1), rate(0));
+        QCOMPARE(rate(2), 0.0);
+        QVERIFY(fingers.control->keyUp(Qt::Key_O));
+        QCOMPARE(rate(0), 0.0);
+        QVERIFY(fingers.control->keyDown(Qt::Key_G));
+        QCOMPARE(rate(0), -FingerControl::kJawSpeed_rad_per_s);
+        fingers.control->choose(1); // the hand that is left keeps its jaw as it is
+        QCOMPARE(rate(0), 0.0);
+        QVERIFY(fingers.control->keyDown(Qt::Key_G));
+        QCOMPARE(rate(2), -FingerControl::kJawSpeed_rad_per_s);
+        fingers.control->releaseKeys();
+        QCOMPARE(rate(2), 0.0);
+        Fingers without(1, 1);
+        QVERIFY(!without.control->keyDown(Qt::Key_G) && !without.control->keyDown(Qt::Key_O));
+    }
+
     void everyKeyIsDocumented() {
         const QString words = palpationKeysInWords(true, 2, true);
         for (const char* key : {"Page Down", "1 to 5", "V for", "+ and −", "N.", "Delete", "D.", "H.", "Enter", "wheel"})
             QVERIFY2(words.contains(QString::fromUtf8(key)), key);
         QVERIFY(!palpationKeysInWords(true, 1, true).contains(QStringLiteral("Other hand")));
         QVERIFY(!palpationKeysInWords(true, 1, false).contains(QStringLiteral("1 to 5")));
+        QVERIFY(!words.contains(QStringLiteral("jaws")));
+        QVERIFY(palpationKeysInWords(true, 1, false, true).contains(QStringLiteral("close them with G")));
         QVERIFY(activeHandInWords(0) != activeHandInWords(1));
     }
 };

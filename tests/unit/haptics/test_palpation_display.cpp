@@ -4,6 +4,7 @@
 #include "haptics/safety_supervisor.h"
 #include "mechanisms/fingertip_verification.h"
 #include "simulation/palpation/tissue_contact.h"
+#include "simulation/palpation/tissue_pinch.h"
 #include "simulation/velocity_estimator.h"
 
 #include <QtTest>
@@ -33,6 +34,23 @@ public:
     double most_N = 0.0;
 };
 
+/// Goes in with open jaws, waits, closes them half-way and holds: what its pad feels before and after.
+class Pincher final : public mechanisms::HandStrategy {
+public:
+    mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override {
+        const double t = seen.time_s - 2.5;
+        const double down = std::clamp(t, 0.0, 1.0), closed = std::clamp(t - 2.5, 0.0, 1.0);
+        mechanisms::HandIntention wanted;
+        wanted.p_DDesired = Vec3(0.0, 0.0, 0.006 - 0.009 * down * down * (3.0 - 2.0 * down));
+        wanted.jaw_rad = 0.9 - 0.2 * closed;
+        after_N += 0.005 * (seen.pad.normalForce_N - after_N); // over 0.2 s: the hand trembles
+        if (t < 2.4)
+            before_N = after_N;
+        return wanted;
+    }
+    double before_N = 0.0, after_N = 0.0;
+};
+
 struct Loop {
     struct Figures {
         double forceSum2 = 0.0, forceTrueSum2 = 0.0, angleSum = 0.0, angleTrueSum = 0.0;
@@ -40,11 +58,15 @@ struct Loop {
         int contact = 0; ///< ticks: all the figures are of these
     };
 
-    explicit Loop(std::uint64_t seed) : contact(tissue()) {
+    explicit Loop(std::uint64_t seed, std::unique_ptr<mechanisms::HandStrategy> other = nullptr) : contact(tissue()), pinches(other != nullptr) {
         const simulation::Lump lump{{0.004, 0.0}, 0.010, 0.005, 10.0};
         contact.setLumps({&lump, 1});
-        auto strategy = std::make_unique<Stroker>();
-        stroker = strategy.get();
+        auto strategy = std::move(other);
+        if (!strategy) {
+            auto made = std::make_unique<Stroker>();
+            stroker = made.get();
+            strategy = std::move(made);
+        }
         devices::SimulatedFingertipDevice::Configuration c;
         c.start_D = Vec3(0.0, 0.0, 0.006);
         c.seed = seed;
@@ -71,7 +93,12 @@ struct Loop {
         core::ToolState& tool = states.tools[0];
         tool = pose;
         device->kinematics().velocity(sample, velocity.update(sample), tool.v_WT, tool.w_WT);
-        const simulation::TissueResponse response = contact.respond(tool, touch);
+        simulation::TissueResponse response = contact.respond(tool, touch);
+        if (pinches) {
+            pinched = simulation::pinchTissue(contact, {}, tool, response, pinch);
+            response.force += pinched.hold;
+            response.display.normalForce_N += pinched.force_N;
+        }
         scene.tissue.tools[0] = {response.force, Vec3::Zero()};
         scene.display[0] = response.display;
         scene.storedEnergy_J = response.energy_J;
@@ -97,7 +124,10 @@ struct Loop {
     }
 
     simulation::TissueContact contact;
+    bool pinches;
     simulation::TissueTouch touch;
+    simulation::PinchTouch pinch;
+    simulation::PinchResponse pinched;
     std::unique_ptr<devices::SimulatedFingertipDevice> device;
     Stroker* stroker = nullptr;
     haptics::SafetySupervisor supervisor;
@@ -117,6 +147,7 @@ class TestPalpationDisplay : public QObject {
 private slots:
     void displayedFollowsComputed_data();
     void displayedFollowsComputed();
+    void aPinchIsFeltAtThePad();
 };
 
 void TestPalpationDisplay::displayedFollowsComputed_data() {
@@ -144,6 +175,23 @@ void TestPalpationDisplay::displayedFollowsComputed() {
           mechanisms::FingertipPublished::kMeanError_deg, angleTruly);
     QVERIFY(rmse < mechanisms::FingertipPublished::kMeanRmse_N && truly < mechanisms::FingertipPublished::kMeanRmse_N);
     QVERIFY(angle < mechanisms::FingertipPublished::kMeanError_deg && angleTruly < mechanisms::FingertipPublished::kMeanError_deg);
+}
+
+// Fingers close the arm's lever, its Hall sensor tells the jaw, the tissue between the jaws is squeezed, and the platform presses the pad by that much more.
+void TestPalpationDisplay::aPinchIsFeltAtThePad() {
+    auto strategy = std::make_unique<Pincher>();
+    Pincher* hand = strategy.get();
+    Loop loop(11, std::move(strategy));
+    Loop::Figures figures;
+    double squeeze = 0.0;
+    for (int n = 0; n < 8000; ++n) {
+        loop.tick(figures);
+        squeeze = loop.pinched.force_N;
+    }
+    QVERIFY2(squeeze > 0.4 && squeeze < 3.0, qPrintable(QString::number(squeeze)));
+    QVERIFY2(hand->before_N > 0.3, qPrintable(QString::number(hand->before_N)));
+    const double more = hand->after_N - hand->before_N;
+    QVERIFY2(std::abs(more - squeeze) < 0.1 + 0.1 * squeeze, qPrintable(QString("%1 N more at the pad for %2 N between the jaws").arg(more).arg(squeeze)));
 }
 
 QTEST_APPLESS_MAIN(TestPalpationDisplay)

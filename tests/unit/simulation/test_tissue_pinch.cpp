@@ -118,8 +118,8 @@ void TestTissuePinch::aLumpBetweenTheJawsIsFirmer() {
     const TissueContact plain = contactOf(quietPad(), {});
     Pincher hand{lumpy, {}, {}, {}, {}, {}}, without{plain, {}, {}, {}, {}, {}};
     double before = 1e9;
-    for (const double beside : {0.0, 0.004, 0.008, 0.012, 0.018, 0.030}) { // along the jaws' x: they straddle less and less of it
-        const double ratio = hand.squeeze({beside, 0.0, -0.006}, 0.3).force_N / without.squeeze({beside, 0.0, -0.006}, 0.3).force_N;
+    for (const double beside : {0.0, 0.004, 0.008, 0.012, 0.018, 0.030}) { // along y: the jaws straddle less and less of it
+        const double ratio = hand.squeeze({0.0, beside, -0.006}, 0.3).force_N / without.squeeze({0.0, beside, -0.006}, 0.3).force_N;
         QVERIFY2(ratio > 1.0 && ratio < before, qPrintable(QString("%1: %2 after %3").arg(beside).arg(ratio).arg(before)));
         before = ratio;
     }
@@ -142,9 +142,9 @@ void TestTissuePinch::aFaceFeelsTheLumpsLaw() {
     const double d = 0.006, jaw = 0.3, o = 0.040 * std::sin(0.5 * jaw), spread2 = 5.0 / 3.0 * tissue.contactRadius_m * tissue.contactRadius_m;
     double gain = 0.0;
     for (const double side : {0.5, -0.5}) {
-        const Vec3 r = Vec3(0.0, side * o, -d + 0.002) - contact.lumpCentre_W(0);
+        const Vec3 r = Vec3(side * o, 0.0, -d + 0.002) - contact.lumpCentre_W(0);
         const double s = r.squaredNorm() + spread2;
-        gain += 0.5 * lumpStrength(tissue.contactRadius_m, lump.radius_m, lump.ratio) * (r.y() * r.y() + spread2) / (s * s * s);
+        gain += 0.5 * lumpStrength(tissue.contactRadius_m, lump.radius_m, lump.ratio) * (r.x() * r.x() + spread2) / (s * s * s);
     }
     const double c = 0.040 * (std::sin(0.5 * kOpen_rad) - std::sin(0.5 * jaw));
     const double expected = 0.5 * contact.normalStiffness_N_per_m() * c * (1.0 + gain);
@@ -262,7 +262,7 @@ void TestTissuePinch::whatIsNoPoseSqueezesNothing() {
     QVERIFY(std::isfinite(hand.at({0.0, 0.0, -0.005}, -1e300).force_N));
     QVERIFY(std::isfinite(hand.at({0.0, 0.0, -3.0}, 0.1).force_N)); // as deep as a room
     // Jaws that lie along the normal squeeze too.
-    const core::Quat along(Eigen::AngleAxisd(0.5 * core::kPi, Vec3::UnitX()));
+    const core::Quat along(Eigen::AngleAxisd(0.5 * core::kPi, Vec3::UnitY()));
     hand.pinched.release();
     hand.at({0.0, 0.0, -0.005}, kOpen_rad, along);
     QVERIFY(std::isfinite(hand.at({0.0, 0.0, -0.005}, 0.2, along).force_N));

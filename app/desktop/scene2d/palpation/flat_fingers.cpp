@@ -121,6 +121,22 @@ void FlatFingers::paintPlatform(const SceneState& state, std::size_t index) cons
     }
 }
 
+/// The two blades of the hand's jaw, from their joint to their tips.
+void FlatFingers::paintBlades(const ToolView& tool, std::size_t index) const {
+    if (!hasJaw(m_setup, index) || !(tool.jaw_rad > kDrawnJaw_rad))
+        return;
+    const core::Quat q = tool.q_WT.norm() > 0.5 ? tool.q_WT.normalized() : core::Quat::Identity();
+    const double length = std::get<simulation::PalpationParameters>(m_setup.parameters).pinch->jawLength_m;
+    const core::Vec3 joint(0.0, 0.0, length);
+    for (const double side : {0.5, -0.5}) {
+        const core::Vec3 tip = joint + length * core::Vec3(std::sin(side * tool.jaw_rad), 0.0, -std::cos(side * tool.jaw_rad));
+        for (const auto& [colour, wide] : {std::pair{m_setup.colours.background, 6.0}, {m_setup.colours.ink, 3.0}}) {
+            m_painter.setPen(QPen(colour, wide * m_panel.unit(), Qt::SolidLine, Qt::RoundCap));
+            m_painter.drawLine(m_panel.project(drawnTip(tool) + q * joint), m_panel.project(drawnTip(tool) + q * tip));
+        }
+    }
+}
+
 /// Between the surface at rest and the pad, beside the finger.
 void FlatFingers::paintDepth(const SceneState& state, std::size_t index) const {
     const double depth_mm = 1e3 * state.palpation.depth_m[index];
@@ -160,6 +176,7 @@ void FlatFingers::paint(const SceneState& state) const {
         paintOutline(tool, i, isLeftHand(m_setup, i) ? kLeftGlove : kRightGlove, false);
         if (several)
             paintBands(tool, i, state.activeTool == static_cast<int>(i) && m_panel.side() == FlatPanel::Side::above);
+        paintBlades(tool, i);
         if (m_panel.side() == FlatPanel::Side::above) {
             paintDial(state, i);
             continue;

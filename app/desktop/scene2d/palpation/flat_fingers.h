@@ -25,6 +25,7 @@ private:
     void paintDial(const SceneState& state, std::size_t index) const;
     void paintPlatform(const SceneState& state, std::size_t index) const;
     void paintDepth(const SceneState& state, std::size_t index) const;
+    void paintBlades(const ToolView& tool, std::size_t index) const;
     QPointF along(const ToolView& tool, std::size_t index, double y_mm, double z_mm) const;
 
     QPainter& m_painter;

@@ -2,8 +2,11 @@
 #include "desktop/scene3d/palpation/finger.h"
 
 #include "desktop/scene3d/drawn_tool.h"
+#include "desktop/scene3d/parts/instrument_mesh.h"
 #include "desktop/scene3d/parts/loft.h"
 
+#include <QMatrix4x4>
+#include <QtMath>
 #include <algorithm>
 #include <cmath>
 
@@ -57,6 +60,8 @@ Finger::Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, Qt3D
     auto* lean = signal(m_leanTint, Blend::opaque);
     m_stop = new Part(ringMesh(kPlatformRing_mm + 2.0, 0.55), lean, this);
     m_cone = new Part(coneMesh(), lean, this);
+    for (Part*& blade : m_blade)
+        blade = new Part(instrumentJaw(), steel, this);
     setEnabled(false);
 }
 
@@ -81,6 +86,24 @@ void Finger::show(const ToolView& tool, const FingerLean& lean, int bands, bool 
         m_bands[i]->setEnabled(i + 1 == bands);
     m_collar->setEnabled(collar);
     showPlatform(tool, lean);
+    showBlades(tool);
+}
+
+void Finger::showBlades(const ToolView& tool) {
+    const bool shown = hasJaw(m_setup, static_cast<std::size_t>(m_index)) && tool.jaw_rad > kDrawnJaw_rad;
+    for (int side = 0; side < 2; ++side) {
+        m_blade[side]->setEnabled(shown);
+        if (!shown)
+            continue;
+        QMatrix4x4 matrix;
+        matrix.translate(toMillimetres(drawnTip(tool)));
+        matrix.rotate(toQuaternion(heldLike(tool)));
+        matrix.rotate(90.0F + 180.0F * float(side), 0.0F, 0.0F, 1.0F); // across the finger
+        matrix.translate(0.0F, 0.0F, float(kHinge_mm));
+        matrix.rotate(qRadiansToDegrees(0.5F * float(tool.jaw_rad)), 1.0F, 0.0F, 0.0F); // as Instrument turns them
+        matrix.translate(0.0F, 0.0F, -float(kHinge_mm));
+        m_blade[side]->at().setMatrix(matrix);
+    }
 }
 
 void Finger::showPlatform(const ToolView& tool, const FingerLean& lean) {

@@ -11,7 +11,8 @@
 namespace chiron::scene3d {
 
 /// A gloved finger with the ring of its platform, which leans; a cone on the ring says where to and how much. Right and left
-/// gloves differ in colour and come from their own side; several fingers wear bands. Draw calls: 6, with lean 7, bands 1, collar 1.
+/// gloves differ in colour and come from their own side; several fingers wear bands. Where the level has a pinch,
+/// a hand's first finger has the two blades of a grasper, drawn while they are open. Draw calls: 6, with lean 7, bands 1, collar 1, blades 2.
 class Finger final : public Qt3DCore::QEntity {
 public:
     Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, Qt3DCore::QNode* parent);
@@ -20,10 +21,12 @@ public:
     /// `bands`, `collar`: of several fingers; `normal`: of the surface under it.
     void show(const ToolView& tool, const FingerLean& lean, int bands, bool collar);
     void hide() { setEnabled(false); }
-    /// The cone and the stop's ring: never hidden by the finger.
+    /// The cone, the stop's ring and the blades: never hidden by the finger.
     void putOver(Qt3DRender::QLayer* layer) {
         m_cone->addComponent(layer);
         m_stop->addComponent(layer);
+        for (Part* blade : m_blade)
+            blade->addComponent(layer);
     }
     void putTranslucent(Qt3DRender::QLayer* layer) {
         for (Part* end : m_end)
@@ -32,6 +35,7 @@ public:
 
 private:
     void showPlatform(const ToolView& tool, const FingerLean& lean);
+    void showBlades(const ToolView& tool);
 
     SceneSetup m_setup;
     int m_index;
@@ -47,6 +51,7 @@ private:
     Part* m_ring;
     Part* m_stop;
     Part* m_cone;
+    Part* m_blade[2];
 };
 
 /// The second session's finger: one translucent colour.

@@ -48,6 +48,14 @@ inline bool isLeftHand(const SceneSetup& setup, std::size_t tool) {
     return static_cast<int>(tool) / std::max(1, palpation->fingers) % 2 == 1;
 }
 
+inline constexpr double kDrawnJaw_rad = 0.02; ///< a jaw that is closed further is not drawn beside its finger
+
+/// Whether a finger is the first of a hand that can pinch.
+inline bool hasJaw(const SceneSetup& setup, std::size_t tool) {
+    const auto* palpation = std::get_if<simulation::PalpationParameters>(&setup.parameters);
+    return palpation && palpation->pinch && static_cast<int>(tool) % std::max(1, palpation->fingers) == 0;
+}
+
 /// Fingers come from their hand's side: the drawn finger is turned about T's z by so much. The platform is not.
 inline double fingerYaw_rad(const SceneSetup& setup, std::size_t tool) {
     return (isLeftHand(setup, tool) ? -1.0 : 1.0) * 24.0 * core::kPi / 180.0;
