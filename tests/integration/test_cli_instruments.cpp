@@ -75,6 +75,10 @@ void TestCliInstruments::theCatalogueTellsInstrumentsAndQuantities() {
     QVERIFY(tube.size() >= kTwoHanded);
     QCOMPARE(tube[0]["tools"].toInt(), 1);
     QCOMPARE(tube[kTwoHanded - 1]["tools"].toInt(), 2);
+    QVERIFY(tube[0]["mounting"].toArray().isEmpty());
+    QCOMPARE(tube.last()["tools"].toInt(), 3); // two hands and a retractor, as the level mounts them
+    QCOMPARE(tube.last()["mounting"].toArray().size(), qsizetype{3});
+    QVERIFY(std::abs(tube.last()["mounting"].toArray()[2].toObject()["tilt_deg"].toDouble() + 10.0) < 1e-9);
     const QJsonArray quantities = tube[0]["quantities"].toArray();
     QVERIFY(!quantities.isEmpty());
     QCOMPARE(quantities[0]["id"].toString(), QStringLiteral("tension_N"));
