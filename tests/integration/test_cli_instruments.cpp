@@ -5,6 +5,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
+#include <cmath>
 
 // Graspers from outside: what the catalogue says of instruments, two hands in one session, their samples exported and scored
 // again, traces of one and of both, and the map by which the gimbal renders force.
@@ -75,6 +76,10 @@ void TestCliInstruments::theCatalogueTellsInstrumentsAndQuantities() {
     QVERIFY(tube.size() >= kTwoHanded);
     QCOMPARE(tube[0]["tools"].toInt(), 1);
     QCOMPARE(tube[kTwoHanded - 1]["tools"].toInt(), 2);
+    QVERIFY(tube[0]["mounting"].toArray().isEmpty());
+    QCOMPARE(tube[tube.size() - 1]["tools"].toInt(), 3); // two hands and a retractor, as the level mounts them
+    QCOMPARE(tube[tube.size() - 1]["mounting"].toArray().size(), qsizetype{3});
+    QVERIFY(std::abs(tube[tube.size() - 1]["mounting"].toArray()[2].toObject()["tilt_deg"].toDouble() + 10.0) < 1e-9);
     const QJsonArray quantities = tube[0]["quantities"].toArray();
     QVERIFY(!quantities.isEmpty());
     QCOMPARE(quantities[0]["id"].toString(), QStringLiteral("tension_N"));

@@ -95,7 +95,8 @@ private slots:
         QCOMPARE(int(cues.step), int(core::LaparoscopyStep::retract));
         QCOMPARE(replay->retractionBand().high_N, 1.0);
         const session::SessionSetup plain = tubeSetup(TubeTask::twoHanded);
-        QVERIFY(!sceneStateAt(track, nullptr, 1.0, &*GraspReplay::of(plain)).laparoscopy.fold);
+        const auto withoutFold = GraspReplay::of(plain);
+        QVERIFY(!sceneStateAt(track, nullptr, 1.0, &*withoutFold).laparoscopy.fold);
     }
 
     void aTransferKnowsBaseAndTarget() {

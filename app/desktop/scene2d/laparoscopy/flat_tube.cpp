@@ -31,21 +31,25 @@ void paintPiece(QPainter& painter, const FlatPanel& panel, const TubePiece& piec
     }
 }
 
-/// The fold's outline, seen through so that what lies under it can be told; its edge is a thick line with the place to grip.
+/// The fold's outline, seen through so that what lies under it can be told; its edge is a line with the place to grip.
 void paintFold(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const core::LaparoscopyCues& cues) {
     const FoldSheet sheet = FoldSheet::of(cues);
     if (sheet.rows.empty())
         return;
-    QPolygonF outline;
-    for (const auto& row : sheet.rows)
-        outline << panel.project(row.front());
-    for (const core::Vec3& p : sheet.rows.back())
-        outline << panel.project(p);
-    for (auto row = sheet.rows.rbegin(); row != sheet.rows.rend(); ++row)
-        outline << panel.project(row->back());
+    const auto outlineOf = [&](std::size_t from, std::size_t to) {
+        QPolygonF outline;
+        for (std::size_t r = from; r <= to; ++r)
+            outline << panel.project(sheet.rows[r].front());
+        for (const core::Vec3& p : sheet.rows[to])
+            outline << panel.project(p);
+        for (std::size_t r = to + 1; r-- > from;)
+            outline << panel.project(sheet.rows[r].back());
+        return outline;
+    };
     painter.setPen(QPen(flat_tissue::kEdge, 2.0 * panel.unit()));
     painter.setBrush(QColor(236, 196, 140, cues.foldOpen ? 110 : 200));
-    painter.drawPolygon(outline);
+    painter.drawPolygon(outlineOf(FoldSheet::kEdgeRow, sheet.rows.size() - 1));
+    painter.drawPolygon(outlineOf(0, FoldSheet::kEdgeRow));
     const core::Vec3 edge(cues.p_WFoldEdge[0], cues.p_WFoldEdge[1], cues.p_WFoldEdge[2]);
     const double size = 5.0 * panel.unit();
     painter.setPen(QPen(setup.colours.ink, 2.0 * panel.unit()));

@@ -12,7 +12,7 @@ namespace {
 
 using core::Vec3;
 
-constexpr int kRows = 12;             // from the root to the edge, and as many beyond it
+constexpr int kRows = FoldSheet::kEdgeRow; // from the root to the edge
 constexpr double kRootBehind_m = 0.042; // behind the place over which the edge hangs
 constexpr double kRootHalf_m = 0.040; // half as wide as what it grows from …
 constexpr double kEdgeHalf_m = 0.032; // … and as its edge

@@ -14,7 +14,8 @@ namespace chiron::scene3d {
 /// in front while nobody holds it. It is drawn as wide as what it covers, narrower where it is gripped. Places in W, m. How it hangs is ours; felt is
 /// its edge alone.
 struct FoldSheet {
-    static constexpr int kColumns = 13; ///< across, in x
+    static constexpr int kColumns = 13;          ///< across, in x
+    static constexpr std::size_t kEdgeRow = 12;  ///< rows beyond it are the hem
     std::vector<std::array<core::Vec3, kColumns>> rows;
 
     static FoldSheet of(const core::LaparoscopyCues& cues); ///< no rows where the screen shows no fold
