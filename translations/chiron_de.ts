@@ -4102,8 +4102,8 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Bedingungen im Vergleich</translation>
     </message>
     <message>
-        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who did both where at least two have, else of two groups. Adjusted: for so many comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people&apos;s answers better than one for both.</source>
-        <translation>Verhältnis der Weber-Brüche, 1, wo beide gleich sind; von den Personen, die beides gemacht haben, wo es mindestens zwei sind, sonst von zwei Gruppen. Angepasst: an so viele Vergleiche (Holm). Eigene Schwellen: ob eine Schwelle je Bedingung die Antworten dieser Personen besser beschreibt als eine für beide.</translation>
+        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who did both where at least two have, else of two groups. Adjusted: for so many comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people&apos;s answers better than one for both; not told of adaptive runs, whose answers chose the differences: there a fitted slope is biased, and p would be too small.</source>
+        <translation>Verhältnis der Weber-Brüche, 1, wo beide gleich sind; von den Personen, die beides gemacht haben, wo es mindestens zwei sind, sonst von zwei Gruppen. Angepasst: an so viele Vergleiche (Holm). Eigene Schwellen: ob eine Schwelle je Bedingung die Antworten dieser Personen besser beschreibt als eine für beide; bei adaptiven Läufen, deren Antworten die Unterschiede bestimmten, nicht angegeben: Dort ist eine angepasste Steigung verzerrt, und p wäre zu klein.</translation>
     </message>
     <message>
         <source>Conditions are compared once the study is unblinded: a difference that is watched as it grows is no test any more.</source>
@@ -4120,6 +4120,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>W of the group, 95 % over its participants: %1</source>
         <translation>W der Gruppe, 95 % über ihre Teilnehmenden: %1</translation>
+    </message>
+    <message>
+        <source>How much of the result was assumed beforehand: near 0 % the answers decide it, near 100 % the prior does.</source>
+        <translation>Wie viel des Ergebnisses vorher angenommen wurde: Nahe 0 % entscheiden die Antworten, nahe 100 % die A-priori-Verteilung.</translation>
     </message>
 </context>
 <context>
@@ -6397,6 +6401,10 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <source>Conditions compared</source>
         <translation>Bedingungen im Vergleich</translation>
     </message>
+    <message>
+        <source>Prior&apos;s part</source>
+        <translation>Anteil der A-priori-Verteilung</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::HeaderBar</name>
@@ -8190,13 +8198,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <source>95 % intervals that hold the truth</source>
         <translation>95-%-Intervalle, die die Wahrheit enthalten</translation>
     </message>
-    <message numerus="yes">
-        <source>smallest ratio found with 80 % power by %n participant(s)</source>
-        <translation>
-            <numerusform>kleinstes Verhältnis, das %n Person mit 80 % Teststärke findet</numerusform>
-            <numerusform>kleinstes Verhältnis, das %n Personen mit 80 % Teststärke finden</numerusform>
-        </translation>
-    </message>
     <message>
         <source>How the estimate settles with more trials</source>
         <translation>Wie sich die Schätzung mit mehr Durchgängen setzt</translation>
@@ -8239,6 +8240,46 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>±: one standard error of so few simulated runs; more runs make it smaller.</source>
         <translation>±: ein Standardfehler bei so wenigen simulierten Durchläufen; mehr Durchläufe machen ihn kleiner.</translation>
+    </message>
+    <message>
+        <source>To tell two conditions apart, what people are like is assumed; it is not simulated. Changes show at once.</source>
+        <translation>Für den Vergleich zweier Bedingungen wird angenommen, nicht simuliert, wie sich Personen unterscheiden. Änderungen zeigen sich sofort.</translation>
+    </message>
+    <message>
+        <source>Each participant does both conditions</source>
+        <translation>Jede Person macht beide Bedingungen</translation>
+    </message>
+    <message>
+        <source>Participants (of two groups: in each)</source>
+        <translation>Personen (bei zwei Gruppen: je Gruppe)</translation>
+    </message>
+    <message>
+        <source>Paired: SD of the difference from person to person (log10)</source>
+        <translation>Gepaart: SD des Unterschieds von Person zu Person (log10)</translation>
+    </message>
+    <message>
+        <source>Two groups: SD between people (log10)</source>
+        <translation>Zwei Gruppen: SD zwischen Personen (log10)</translation>
+    </message>
+    <message>
+        <source>Significance level, two-sided</source>
+        <translation>Signifikanzniveau, zweiseitig</translation>
+    </message>
+    <message>
+        <source>Power wanted</source>
+        <translation>Gewünschte Teststärke</translation>
+    </message>
+    <message>
+        <source>none up to × 10</source>
+        <translation>keines bis × 10</translation>
+    </message>
+    <message>
+        <source>smallest ratio found with %1 power by %2 participants who do both conditions</source>
+        <translation>kleinstes Verhältnis, das %2 Personen, die beide Bedingungen machen, mit %1 Teststärke finden</translation>
+    </message>
+    <message>
+        <source>smallest ratio found with %1 power by two groups of %2 participants</source>
+        <translation>kleinstes Verhältnis, das zwei Gruppen von je %2 Personen mit %1 Teststärke finden</translation>
     </message>
 </context>
 <context>
@@ -9640,6 +9681,14 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
     <message>
         <source>Length</source>
         <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation>versiegelt</translation>
+    </message>
+    <message>
+        <source>How long a sitting of a blinded study took is told once the study is unblinded.</source>
+        <translation>Wie lange eine Sitzung einer verblindeten Studie dauerte, wird angegeben, sobald die Studie entblindet ist.</translation>
     </message>
 </context>
 <context>

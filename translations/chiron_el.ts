@@ -4102,8 +4102,8 @@ Do you want to replace it?</source>
         <translation>Σύγκριση συνθηκών</translation>
     </message>
     <message>
-        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who did both where at least two have, else of two groups. Adjusted: for so many comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people&apos;s answers better than one for both.</source>
-        <translation>Λόγος των κλασμάτων Weber, 1 όπου είναι ίδια· των ατόμων που έκαναν και τις δύο, όπου είναι τουλάχιστον δύο, αλλιώς δύο ομάδων. Προσαρμοσμένο: για τόσες συγκρίσεις (Holm). Χωριστά κατώφλια: αν ένα κατώφλι για κάθε συνθήκη περιγράφει τις απαντήσεις αυτών των ατόμων καλύτερα από ένα κοινό.</translation>
+        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who did both where at least two have, else of two groups. Adjusted: for so many comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people&apos;s answers better than one for both; not told of adaptive runs, whose answers chose the differences: there a fitted slope is biased, and p would be too small.</source>
+        <translation>Λόγος των κλασμάτων Weber, 1 όπου είναι ίδια· των ατόμων που έκαναν και τις δύο, όπου είναι τουλάχιστον δύο, αλλιώς δύο ομάδων. Προσαρμοσμένο: για τόσες συγκρίσεις (Holm). Χωριστά κατώφλια: αν ένα κατώφλι για κάθε συνθήκη περιγράφει τις απαντήσεις αυτών των ατόμων καλύτερα από ένα κοινό· δεν δηλώνεται για προσαρμοστικές εκτελέσεις, όπου οι απαντήσεις επέλεξαν τις διαφορές: εκεί η κλίση που προσαρμόζεται είναι μεροληπτική και το p θα ήταν πολύ μικρό.</translation>
     </message>
     <message>
         <source>Conditions are compared once the study is unblinded: a difference that is watched as it grows is no test any more.</source>
@@ -4120,6 +4120,10 @@ Do you want to replace it?</source>
     <message>
         <source>W of the group, 95 % over its participants: %1</source>
         <translation>W της ομάδας, 95 % στους συμμετέχοντες: %1</translation>
+    </message>
+    <message>
+        <source>How much of the result was assumed beforehand: near 0 % the answers decide it, near 100 % the prior does.</source>
+        <translation>Πόσο από το αποτέλεσμα ήταν παραδοχή εκ των προτέρων: κοντά στο 0 % αποφασίζουν οι απαντήσεις, κοντά στο 100 % η εκ των προτέρων κατανομή.</translation>
     </message>
 </context>
 <context>
@@ -6397,6 +6401,10 @@ Press again to end the trial without it.</source>
         <source>Conditions compared</source>
         <translation>Σύγκριση συνθηκών</translation>
     </message>
+    <message>
+        <source>Prior&apos;s part</source>
+        <translation>Μερίδιο της εκ των προτέρων κατανομής</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::HeaderBar</name>
@@ -8190,13 +8198,6 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <source>95 % intervals that hold the truth</source>
         <translation>διαστήματα 95 % που περιέχουν την αλήθεια</translation>
     </message>
-    <message numerus="yes">
-        <source>smallest ratio found with 80 % power by %n participant(s)</source>
-        <translation>
-            <numerusform>μικρότερος λόγος με ισχύ 80 % από %n συμμετέχοντα</numerusform>
-            <numerusform>μικρότερος λόγος με ισχύ 80 % από %n συμμετέχοντες</numerusform>
-        </translation>
-    </message>
     <message>
         <source>How the estimate settles with more trials</source>
         <translation>Πώς σταθεροποιείται η εκτίμηση με περισσότερες δοκιμές</translation>
@@ -8239,6 +8240,46 @@ Choose a second session to see it beside this one: each of its trials starts whe
     <message>
         <source>±: one standard error of so few simulated runs; more runs make it smaller.</source>
         <translation>±: ένα τυπικό σφάλμα τόσο λίγων προσομοιωμένων εκτελέσεων· περισσότερες εκτελέσεις το μικραίνουν.</translation>
+    </message>
+    <message>
+        <source>To tell two conditions apart, what people are like is assumed; it is not simulated. Changes show at once.</source>
+        <translation>Για τη σύγκριση δύο συνθηκών, το πόσο διαφέρουν οι άνθρωποι είναι παραδοχή και δεν προσομοιώνεται. Οι αλλαγές φαίνονται αμέσως.</translation>
+    </message>
+    <message>
+        <source>Each participant does both conditions</source>
+        <translation>Κάθε συμμετέχων κάνει και τις δύο συνθήκες</translation>
+    </message>
+    <message>
+        <source>Participants (of two groups: in each)</source>
+        <translation>Συμμετέχοντες (σε δύο ομάδες: ανά ομάδα)</translation>
+    </message>
+    <message>
+        <source>Paired: SD of the difference from person to person (log10)</source>
+        <translation>Ζευγαρωτά: τυπική απόκλιση της διαφοράς ανά άτομο (log10)</translation>
+    </message>
+    <message>
+        <source>Two groups: SD between people (log10)</source>
+        <translation>Δύο ομάδες: τυπική απόκλιση μεταξύ ατόμων (log10)</translation>
+    </message>
+    <message>
+        <source>Significance level, two-sided</source>
+        <translation>Επίπεδο σημαντικότητας, δίπλευρο</translation>
+    </message>
+    <message>
+        <source>Power wanted</source>
+        <translation>Επιθυμητή ισχύς</translation>
+    </message>
+    <message>
+        <source>none up to × 10</source>
+        <translation>κανένας έως × 10</translation>
+    </message>
+    <message>
+        <source>smallest ratio found with %1 power by %2 participants who do both conditions</source>
+        <translation>μικρότερος λόγος με ισχύ %1 από %2 συμμετέχοντες που κάνουν και τις δύο συνθήκες</translation>
+    </message>
+    <message>
+        <source>smallest ratio found with %1 power by two groups of %2 participants</source>
+        <translation>μικρότερος λόγος με ισχύ %1 από δύο ομάδες των %2 συμμετεχόντων</translation>
     </message>
 </context>
 <context>
@@ -9640,6 +9681,14 @@ A run that was interrupted goes on at the trial where it stopped.</source>
     <message>
         <source>Length</source>
         <translation>Διάρκεια</translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation>σφραγισμένο</translation>
+    </message>
+    <message>
+        <source>How long a sitting of a blinded study took is told once the study is unblinded.</source>
+        <translation>Πόσο διήρκεσε μια συνεδρία τυφλής μελέτης δηλώνεται μόλις η μελέτη παύσει να είναι τυφλή.</translation>
     </message>
 </context>
 <context>

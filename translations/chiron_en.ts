@@ -374,13 +374,6 @@
 <context>
     <name>chiron::desktop::PreviewPage</name>
     <message numerus="yes">
-        <source>smallest ratio found with 80 % power by %n participant(s)</source>
-        <translation>
-            <numerusform>smallest ratio found with 80 % power by %n participant</numerusform>
-            <numerusform>smallest ratio found with 80 % power by %n participants</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>middle of %n run(s)</source>
         <translation>
             <numerusform>%n run</numerusform>

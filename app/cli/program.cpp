@@ -5,6 +5,7 @@
 #include "cli/command_table.h"
 #include "cli/help_text.h"
 #include "cli/messages.h"
+#include "core/fp_environment.h"
 
 #include <QApplication>
 #include <QJsonObject>
@@ -33,6 +34,14 @@ int print(const QByteArray& bytes, int exitCode) {
 
 int printHelp(const QString& text, bool json) {
     return print(json ? QJsonDocument(QJsonObject{{QStringLiteral("help"), text}}).toJson() : text.toUtf8(),
+                 0);
+}
+
+/// What this program is: its version, and what the build id says of the compiler and of the models' numbers.
+int printVersion(bool json) {
+    const QString build = QString::fromStdString(core::buildId()), version = build.section(u' ', 0, 0);
+    return print(json ? QJsonDocument(QJsonObject{{QStringLiteral("program"), QJsonObject{{QStringLiteral("version"), version}, {QStringLiteral("build"), build}}}}).toJson()
+                      : QStringLiteral("chiron-cli %1 (%2)\n").arg(version, build).toUtf8(),
                  0);
 }
 
@@ -99,6 +108,8 @@ int runProgram(const QStringList& given) {
     if (first == QLatin1String("--help") || first == QLatin1String("-h") || first == QLatin1String("help") ||
         (first == QLatin1String("--json") && arguments.value(1) == QLatin1String("--help")))
         return printHelp(overallHelp(), json);
+    if (first == QLatin1String("--version") || first == QLatin1String("version") || (first == QLatin1String("--json") && arguments.value(1) == QLatin1String("--version")))
+        return printVersion(json);
     if (isGroup(first) &&
         (arguments.value(1) == QLatin1String("--help") || arguments.value(1) == QLatin1String("-h")))
         return printHelp(groupHelp(first), json);

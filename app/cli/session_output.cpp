@@ -85,8 +85,9 @@ QJsonObject summaryJson(const database::SessionSummary& summary) {
             {"familiarisation", summary.familiarisation},
             {"demonstration", summary.demonstration},
             {"archived", summary.archived},
-            {"frames", static_cast<double>(summary.frames)},
-            {"bytes", static_cast<double>(summary.recordingBytes)}};
+            {"sealed", summary.sealed},
+            {"frames", summary.sealed ? QJsonValue() : QJsonValue(static_cast<double>(summary.frames))},
+            {"bytes", summary.sealed ? QJsonValue() : QJsonValue(static_cast<double>(summary.recordingBytes))}};
 }
 
 QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& record) {

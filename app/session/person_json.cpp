@@ -90,8 +90,10 @@ QJsonObject sessionJson(const database::PersonSession& session) {
         {QStringLiteral("trials"), trials},
         {QStringLiteral("events"), events},
         {QStringLiteral("comments"), commentsJson(session.comments)}};
-    if (session.sealed)
+    if (session.sealed) {
         json[QStringLiteral("sealed")] = true;
+        json[QStringLiteral("recording")] = QJsonValue(); // how much it is tells the conditions of a blinded study apart
+    }
     if (session.scores) {
         json[QStringLiteral("passed")] = session.scores->passed;
         json[QStringLiteral("metrics")] = metricsJson(session.scores->metrics);

@@ -2,6 +2,7 @@
 #include "session/recovery.h"
 
 #include "database/repositories/session_reader.h"
+#include "database/repositories/study_blinding.h"
 #include "database/repositories/session_repository.h"
 #include "recording/recorder.h"
 #include "recording/ring_recovery.h"
@@ -146,7 +147,10 @@ core::Result<std::vector<RecoveredSession>> recoverSessions(database::Database& 
             continue;
         }
         auto summary = database::SessionReader(**connection, database::Actor::maintenance()).session(record.summary.id);
-        if (summary)
+        recovered->sealed = database::isSealedSitting(**connection, database::Actor::anonymous(), record.summary.id).value_or(true);
+        if (recovered->sealed)
+            recovered->framesFromRing = 0;
+        else if (summary)
             recovered->frames = summary->summary.frames;
         all.push_back(*recovered);
     }

@@ -13,11 +13,12 @@ namespace chiron::session {
 
 struct RecoveredSession {
     database::SessionId session = 0;
-    std::uint64_t frames = 0;       ///< stored in all, now
+    std::uint64_t frames = 0;       ///< stored in all, now; 0 of a sitting that is sealed
     std::uint64_t framesFromRing = 0; ///< of them, saved from the crash ring
     /// What could not be brought in, and why; empty where all was. A session that stays *running* is tried again at the
     /// next start.
     std::string problem;
+    bool sealed = false; ///< a sitting of a blinded study: how many frames there are tells its conditions apart
 };
 
 /// Brings in what a crash left behind: sessions still marked running become *interrupted*, with the frames that their

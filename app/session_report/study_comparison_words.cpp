@@ -37,7 +37,8 @@ std::vector<QString> comparisonRow(const session::ComparedConditions& compared, 
 
 QString comparisonNote() {
     return Words::tr("Ratio of the Weber fractions, 1 where both are alike; of the people who did both where at least two have, else of two groups. Adjusted: for so many "
-                     "comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people's answers better than one for both.");
+                     "comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people's answers better than one for both; not told "
+                     "of adaptive runs, whose answers chose the differences: there a fitted slope is biased, and p would be too small.");
 }
 
 QString comparisonSealed() {
@@ -49,6 +50,10 @@ QString influenceWords(double influence, const QLocale& locale) {
         return {};
     return Words::tr("The answers narrowed the prior to %1 of its width. Near 0 % the answers decide the result; near 100 % the prior does.")
         .arg(study_report_words::percent(influence, locale));
+}
+
+QString influenceMeaning() {
+    return Words::tr("How much of the result was assumed beforehand: near 0 % the answers decide it, near 100 % the prior does.");
 }
 
 } // namespace chiron::session_report

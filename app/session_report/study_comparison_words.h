@@ -21,4 +21,7 @@ QString comparisonSealed();
 /// How much an estimate rests on what was assumed beforehand (RunEstimate::priorInfluence); empty where that is not known.
 QString influenceWords(double influence, const QLocale& locale);
 
+/// What the column of these figures means.
+QString influenceMeaning();
+
 } // namespace chiron::session_report

@@ -30,7 +30,7 @@ core::Result<void> addStudy(Connection& connection, PersonParticipation& held) {
     return {};
 }
 
-core::Result<PersonParticipation> participation(Connection& connection, ParticipantNumber id) {
+core::Result<PersonParticipation> participation(Connection& connection, ParticipantNumber id, bool own) {
     auto participants = participantRows(connection, "p.id = ?", {id});
     auto runs = shownRuns(connection, id); // an export of a person unblinds nothing
     const auto blinding = blindingOf(connection, StudyPart::participant, id);
@@ -44,29 +44,34 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
     PersonParticipation held;
     held.participant = std::move(participants->front());
     held.runs = *std::move(runs);
-    held.sealed = blinding->seals();
+    const bool done = held.participant.state == ParticipantState::completed || held.participant.state == ParticipantState::withdrawn;
+    const bool handedOut = own && done && blinding->seals();
+    held.sealed = blinding->seals() && !handedOut;
     held.answers = *std::move(answers);
-    for (const StudyRun& run : held.runs) {
-        auto trials = shownTrials(connection, run.id);
+    for (StudyRun& run : held.runs) {
+        if (handedOut) {
+            run.sealedCode.clear(); // beside its trials it would say for everybody which condition the code is
+        }
+        auto trials = handedOut ? studyTrialRows(connection, run.id) : shownTrials(connection, run.id);
         if (!trials) {
             return tl::unexpected(trials.error());
         }
         held.trials.insert(held.trials.end(), trials->begin(), trials->end());
     }
-    const auto done = addStudy(connection, held);
-    return done ? core::Result<PersonParticipation>(std::move(held)) : tl::unexpected(done.error());
+    const auto added = addStudy(connection, held);
+    return added ? core::Result<PersonParticipation>(std::move(held)) : tl::unexpected(added.error());
 }
 
 } // namespace
 
-core::Result<std::vector<PersonParticipation>> participationsOf(Connection& connection, PersonId person) {
+core::Result<std::vector<PersonParticipation>> participationsOf(Connection& connection, PersonId person, bool own) {
     const auto ids = participantsOf(connection, person);
     if (!ids) {
         return tl::unexpected(ids.error());
     }
     std::vector<PersonParticipation> all;
     for (const ParticipantNumber id : *ids) {
-        auto one = participation(connection, id);
+        auto one = participation(connection, id, own);
         if (!one) {
             return tl::unexpected(one.error());
         }

@@ -90,6 +90,29 @@ core::Result<std::vector<AuditEntry>> auditOf(Connection& connection, PersonId p
     return row ? core::Result<std::vector<AuditEntry>>(std::move(entries)) : tl::unexpected(row.error());
 }
 
+/// What somebody did to sittings and runs of a blinded study, but when these ended: how long they took tells the conditions apart.
+core::Result<void> withholdEnds(Connection& connection, const Actor& actor, std::vector<AuditEntry>& entries) {
+    const auto sealed = sealedSittings(connection, actor);
+    if (!sealed) {
+        return tl::unexpected(sealed.error());
+    }
+    for (AuditEntry& entry : entries) {
+        bool closed = entry.target == "session" && sealed->contains(entry.targetId);
+        if (entry.target == "study_run") {
+            const auto blinding = blindingOf(connection, StudyPart::run, entry.targetId);
+            if (!blinding && blinding.error().code != core::ErrorCode::notFound) {
+                return tl::unexpected(blinding.error());
+            }
+            closed = blinding && blinding->seals();
+        }
+        if (closed && entry.action != "beginSession" && entry.action != "beginRun") {
+            entry.utc.clear();
+            entry.detailJson = "{}";
+        }
+    }
+    return {};
+}
+
 core::Result<Erasure> tombstoneOf(Connection& connection, PersonId person) {
     auto stored = storedErasures(connection);
     if (!stored) {
@@ -130,6 +153,9 @@ core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
     held.person = *std::move(person);
     held.commentsWritten = *std::move(comments);
     held.audit = *std::move(audit);
+    if (auto withheld = withholdEnds(m_connection, m_actor, held.audit); !withheld) {
+        return tl::unexpected(withheld.error());
+    }
     if (const auto row = credential->next(); row && *row) {
         held.hasPassword = credential->integer(0) != 0;
         held.failedLogins = static_cast<int>(credential->integer(1));
@@ -141,7 +167,8 @@ core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
         }
         held.sessions.push_back(*std::move(session));
     }
-    auto participations = participationsOf(m_connection, id);
+    auto participations = participationsOf(m_connection, id, m_actor.kind() == ActorKind::person && m_actor.personId() == id && !m_actor.roles().contains(Role::researcher) &&
+                                                                   !m_actor.roles().contains(Role::admin));
     if (!participations) {
         return tl::unexpected(participations.error());
     }

@@ -34,7 +34,7 @@ struct PersonParticipation {
     std::string identity; ///< as the key table has it
     std::vector<StudyRun> runs;
     std::vector<StudyTrial> trials; ///< of all runs; none while `sealed`
-    bool sealed = false; ///< the study is blinded: trials are handed out once it is not
+    bool sealed = false; ///< the study is blinded: trials are handed out once it is not, or to the participant, who is done with it (participations.h)
     std::vector<QuestionnaireAnswer> answers;
 };
 
@@ -44,7 +44,7 @@ struct PersonExport {
     Person person;
     std::vector<PersonSession> sessions;
     std::vector<SessionComment> commentsWritten; ///< on anybody's sessions
-    std::vector<AuditEntry> audit;               ///< by or about them
+    std::vector<AuditEntry> audit;               ///< by or about them; what ended sittings and runs of a blinded study without its time
     bool hasPassword = false;
     int failedLogins = 0;
     std::vector<PersonParticipation> participations; ///< where a study's key table names this account

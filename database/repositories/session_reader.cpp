@@ -47,6 +47,13 @@ SessionSummary summaryOf(const Query& row, bool names, PersonId self) {
     return summary;
 }
 
+/// Without what tells the conditions of a blinded study apart.
+void withhold(SessionSummary& summary) {
+    summary.sealed = true;
+    summary.passed.reset();
+    summary.ticks = summary.frames = summary.dropped = summary.chunks = summary.recordingBytes = 0;
+}
+
 constexpr const char* kDetailColumns = ", c.json, lower(hex(c.sha256)), s.seed, s.device_json, "
                                        "s.mapping_json, s.supervisor_json, s.versions_json, s.build_id, "
                                        "s.cpu_class, s.force_limit_n, s.planned_trials, s.realtime, "
@@ -148,8 +155,9 @@ std::string SessionReader::listSql(const std::string& where, bool newestFirst) {
 core::Result<std::vector<SessionSummary>> SessionReader::listSessions(const SessionFilter& filter) {
     const auto scope = authorise(m_connection, m_actor, Action::listSessions);
     const auto names = mayReadNames(m_connection, m_actor);
-    if (!scope || !names) {
-        return tl::unexpected(!scope ? scope.error() : names.error());
+    const auto sealed = scope ? sealedSittings(m_connection, m_actor) : tl::unexpected(scope.error());
+    if (!sealed || !names) {
+        return tl::unexpected(!sealed ? sealed.error() : names.error());
     }
     Conditions where = conditionsOf(filter, *scope, m_actor);
     where.values().push_back(std::int64_t{filter.limit > 0 ? filter.limit : -1});
@@ -161,6 +169,9 @@ core::Result<std::vector<SessionSummary>> SessionReader::listSessions(const Sess
     auto row = query->next();
     for (; row && *row; row = query->next()) {
         sessions.push_back(summaryOf(*query, *names, m_actor.personId()));
+        if (sealed->contains(sessions.back().id)) {
+            withhold(sessions.back());
+        }
     }
     return row ? core::Result<std::vector<SessionSummary>>(std::move(sessions)) : tl::unexpected(row.error());
 }
@@ -197,8 +208,10 @@ core::Result<std::vector<SessionRecord>> SessionReader::listUnfinished() {
             return tl::unexpected(closed.error());
         }
         if (*closed) {
+            withhold((*running)[i].summary);
             (*running)[i].setup.contentJson.clear();
             (*running)[i].contentSha256.clear();
+            (*running)[i].setup.seed = 0; // with it the condition's presentations could be drawn, and compared
         }
     }
     return running;

@@ -13,8 +13,8 @@
 namespace chiron::database {
 
 /// Reads sessions, on any connection. Trainees see their own and simulated ones; nobody logged in sees
-/// simulated ones. Sittings of a blinded study are listed and their comments read; all else of them is closed to everybody (notAllowed)
-/// until the study is unblinded.
+/// simulated ones. Sittings of a blinded study are listed, without how much was recorded (SessionSummary::sealed), and their comments read; all else of
+/// them is closed to everybody (notAllowed) until the study is unblinded.
 class SessionReader {
 public:
     SessionReader(Connection& connection, Actor actor)

@@ -108,6 +108,9 @@ struct SessionSummary {
     std::uint64_t dropped = 0;
     std::uint64_t chunks = 0;
     std::uint64_t recordingBytes = 0;
+    /// A sitting of a blinded study: whether it passed and the five numbers above are withheld (absent, 0), because how long it took and how much was
+    /// recorded tell the conditions apart.
+    bool sealed = false;
 };
 
 /// Everything stored about a session but its samples.

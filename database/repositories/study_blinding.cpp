@@ -240,6 +240,31 @@ core::Result<bool> isSealedSitting(Connection& connection, const Actor& actor, S
     return found ? core::Result<bool>(found->value_or(0) > 0) : tl::unexpected(found.error());
 }
 
+core::Result<std::set<SessionId>> sealedSittings(Connection& connection, const Actor& actor) {
+    std::set<SessionId> sealed;
+    if (actor.kind() == ActorKind::maintenance) {
+        return sealed;
+    }
+    const std::string blind = "s.unblinded = 0 AND s.state <> 'draft' "
+                              "AND CASE WHEN json_valid(s.design_json) THEN json_extract(s.design_json, '$.blind_experimenter') END = 1";
+    auto query = Query::run(connection,
+                            "SELECT t.session_id FROM study s JOIN study_participant p ON p.study_id = s.id JOIN study_run r ON r.participant_id = p.id "
+                            "JOIN study_trial t ON t.run_id = r.id WHERE " + blind +
+                                " UNION SELECT x.id FROM session x WHERE EXISTS (SELECT 1 FROM study s WHERE " + blind +
+                                ") AND x.content_id IN (SELECT c.id FROM content c "
+                                "WHERE CASE WHEN json_valid(c.json) THEN json_extract(c.json, '$.level.title.en') END IN "
+                                "(SELECT s.key || ' / ' || k.sealed_code FROM study s JOIN study_condition k ON k.study_id = s.id WHERE " + blind + "))",
+                            {});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        sealed.insert(query->integer(0));
+    }
+    return row ? core::Result<std::set<SessionId>>(std::move(sealed)) : tl::unexpected(row.error());
+}
+
 core::Result<void> mayOpenSitting(Connection& connection, const Actor& actor, SessionId session) {
     const auto closed = isSealedSitting(connection, actor, session);
     if (!closed) {

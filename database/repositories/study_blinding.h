@@ -7,6 +7,7 @@
 #include "database/repositories/study_types.h"
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,8 @@ core::Result<std::vector<ParticipantQuality>> qualityRows(Connection& connection
 /// everybody. Known by its trials, and before the first of them by its level's title, "study / sealed code". False for maintenance: the
 /// program itself ends, recovers and verifies what it recorded.
 core::Result<bool> isSealedSitting(Connection& connection, const Actor& actor, SessionId session);
+/// All of them, by the same rule.
+core::Result<std::set<SessionId>> sealedSittings(Connection& connection, const Actor& actor);
 /// Failure: notAllowed where it is one.
 core::Result<void> mayOpenSitting(Connection& connection, const Actor& actor, SessionId session);
 

@@ -4,6 +4,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QtTest>
 
 // What good command lines print: help with an example for everything, one JSON document with --json, numbers
@@ -14,6 +15,7 @@ private slots:
     void helpOfEveryCommand_data();
     void helpOfEveryCommand();
     void helpOfGroupsAndAll();
+    void versionOfTheProgram();
     void optionsBeforeTheCommand();
     void jsonIsOneDocument_data();
     void jsonIsOneDocument();
@@ -97,6 +99,14 @@ void TestCliPrints::helpOfGroupsAndAll() {
         QVERIFY(group.out.contains(name.toUtf8()));
         QVERIFY(group.out.contains("Example:"));
     }
+}
+
+void TestCliPrints::versionOfTheProgram() {
+    const CliRun words = runCli({"--version"}), json = runCli({"--version", "--json"});
+    QVERIFY2(words.exitCode == 0 && words.out.startsWith("chiron-cli ") && words.err.isEmpty(), words.err.constData());
+    const QJsonObject program = document(json).object()["program"].toObject();
+    QVERIFY(QRegularExpression(QStringLiteral("^\\d+\\.\\d+\\.\\d+$")).match(program["version"].toString()).hasMatch());
+    QVERIFY(words.out.contains(program["version"].toString().toUtf8()) && program["build"].toString().contains(QLatin1String("models")));
 }
 
 void TestCliPrints::optionsBeforeTheCommand() {

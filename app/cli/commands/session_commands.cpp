@@ -54,7 +54,7 @@ core::Result<CommandOutput> list(const Arguments& arguments) {
         table.add({QString::number(session.id), json["person"].toString(), json["exercise"].toString(),
                    QString::number(session.level), json["operator"].toString(), json["state"].toString(),
                    session.passed ? (*session.passed ? "yes" : "no") : "", json["started_utc"].toString(),
-                   QString::number(session.frames), QString::number(session.recordingBytes)});
+                   session.sealed ? QStringLiteral("sealed") : QString::number(session.frames), session.sealed ? QStringLiteral("sealed") : QString::number(session.recordingBytes)});
     }
     return CommandOutput{QJsonDocument(QJsonObject{{"sessions", array}}), table.toText(), 0};
 }

@@ -131,7 +131,8 @@ core::Result<CommandOutput> train(const Arguments& arguments) {
     if (!site)
         return tl::unexpected(site.error());
     for (const session::RecoveredSession& recovered : site->recovered) {
-        tell(QStringLiteral("session %1 was interrupted; %2 frames are kept").arg(recovered.session).arg(recovered.frames));
+        tell(recovered.sealed ? QStringLiteral("session %1 was interrupted; what it holds is told once its study is unblinded").arg(recovered.session)
+                              : QStringLiteral("session %1 was interrupted; %2 frames are kept").arg(recovered.session).arg(recovered.frames));
         if (!recovered.problem.empty())
             tell(QStringLiteral("session %1 could not be recovered wholly: %2")
                      .arg(recovered.session)

@@ -57,6 +57,8 @@ QVariant SessionTableModel::data(const QModelIndex& index, int role) const {
         return text(row, index.column());
     case Qt::DecorationRole:
         return picture(row, index.column());
+    case Qt::ToolTipRole:
+        return row.summary.sealed && index.column() == length ? QVariant(tr("How long a sitting of a blinded study took is told once the study is unblinded.")) : QVariant();
     case Qt::TextAlignmentRole:
         if (index.column() == number || index.column() == level || index.column() == length)
             return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
@@ -88,7 +90,7 @@ QString SessionTableModel::text(const SessionRow& row, int column) const {
     case device:
         return SessionWords::device(session.felt);
     case length:
-        return SessionWords::length(session.ticks, m_locale);
+        return session.sealed ? tr("sealed") : SessionWords::length(session.ticks, m_locale);
     default:
         return {};
     }

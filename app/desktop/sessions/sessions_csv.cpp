@@ -27,7 +27,7 @@ QByteArray line(const database::SessionSummary& s) {
                                 s.familiarisation ? "true" : "false",
                                 s.archived ? "true" : "false",
                                 field(s.operatorName),
-                                QByteArray::number(static_cast<double>(s.ticks) * 1e-3, 'f', 3)};
+                                s.sealed ? QByteArray() : QByteArray::number(static_cast<double>(s.ticks) * 1e-3, 'f', 3)};
     return fields.join(',') + "\r\n";
 }
 

@@ -12,7 +12,9 @@
 #include <QProgressBar>
 #include <algorithm>
 #include <QTimer>
+#include <QDoubleSpinBox>
 #include <cmath>
+#include <utility>
 
 namespace chiron::desktop {
 
@@ -67,6 +69,8 @@ QWidget* PreviewPage::observerBox() {
         grid->number(tr("They call equal, below (in σ)"), QStringLiteral("preview.ties"), m_observer.ties, {0, 10, 2, {}, 0.1}, [this](double now) { m_observer.ties = now; });
     grid->whole(tr("Runs per condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000, [this](int now) { m_runs = now; });
     box.layout->addWidget(grid);
+    if (conditions.size() > 1)
+        box.layout->addWidget(powerGrid());
     auto* row = new QHBoxLayout;
     m_start = kit::button(theme, tr("Preview"), "primary", QStringLiteral("media-playback-start"));
     m_start->setObjectName(QStringLiteral("preview.start"));
@@ -90,6 +94,59 @@ QWidget* PreviewPage::observerBox() {
     });
     setWorking(false);
     return box.frame;
+}
+
+QWidget* PreviewPage::powerGrid() {
+    m_power.participants = std::max(2, m_page.draft.design().participantsPlanned);
+    auto* part = new QWidget;
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    const Theme& theme = m_page.app.theme();
+    column->addWidget(kit::label(theme, tr("To tell two conditions apart, what people are like is assumed; it is not simulated. Changes show at once."), TextStyle::body, "muted"));
+    auto* grid = new FieldGrid(theme, m_page.app.locale(), false);
+    grid->check(tr("Each participant does both conditions"), QStringLiteral("preview.paired"), m_power.paired, [this](bool now) {
+        m_power.paired = now;
+        showPower();
+    });
+    grid->whole(tr("Participants (of two groups: in each)"), QStringLiteral("preview.participants"), m_power.participants, 2, 1000, [this](int now) {
+        m_power.participants = now;
+        showPower();
+    });
+    m_effectSd = grid->number(tr("Paired: SD of the difference from person to person (log10)"), QStringLiteral("preview.effect_sd"), m_power.effectSdLog10, {0, 3, 3, {}, 0.01},
+                              [this](double now) {
+                                  m_power.effectSdLog10 = now;
+                                  showPower();
+                              });
+    m_personSd = grid->number(tr("Two groups: SD between people (log10)"), QStringLiteral("preview.person_sd"), m_power.personSdLog10, {0, 3, 3, {}, 0.01}, [this](double now) {
+        m_power.personSdLog10 = now;
+        showPower();
+    });
+    grid->number(tr("Significance level, two-sided"), QStringLiteral("preview.alpha"), kPercent * m_power.alpha, {0.01, 50, 2, QStringLiteral("%"), 1}, [this](double now) {
+        m_power.alpha = now / kPercent;
+        showPower();
+    });
+    grid->number(tr("Power wanted"), QStringLiteral("preview.power"), kPercent * m_wantedPower, {10, 99.9, 1, QStringLiteral("%"), 5}, [this](double now) {
+        m_wantedPower = now / kPercent;
+        showPower();
+    });
+    column->addWidget(grid);
+    showPower();
+    return part;
+}
+
+void PreviewPage::showPower() {
+    const QLocale locale = m_page.app.locale();
+    m_effectSd->setEnabled(m_power.paired);
+    m_personSd->setEnabled(!m_power.paired);
+    for (const PowerLabels& labels : m_powers) {
+        psychophysics::PowerQuestion question = m_power;
+        question.runSdLog10 = labels.runSdLog10;
+        const double ratio = psychophysics::detectableRatio(question, m_wantedPower);
+        labels.value->setText(std::isfinite(ratio) ? QStringLiteral("× %1").arg(study_words::number(ratio, locale)) : tr("none up to × 10"));
+        labels.name->setText((m_power.paired ? tr("smallest ratio found with %1 power by %2 participants who do both conditions")
+                                             : tr("smallest ratio found with %1 power by two groups of %2 participants"))
+                                 .arg(study_words::percent(m_wantedPower, locale), locale.toString(m_power.participants)));
+    }
 }
 
 void PreviewPage::setWorking(bool working) {
@@ -134,11 +191,14 @@ void PreviewPage::finished(core::Result<std::vector<PreviewResult>> results) {
         delete item->widget();
         delete item;
     }
+    m_powers.clear();
     for (const PreviewResult& result : *results)
         m_results->addWidget(resultBox(result));
+    if (m_effectSd)
+        showPower();
 }
 
-QWidget* PreviewPage::resultBox(const PreviewResult& result) const {
+QWidget* PreviewPage::resultBox(const PreviewResult& result) {
     const Theme& theme = m_page.app.theme();
     const QLocale locale = m_page.app.locale();
     const kit::Box box = kit::box(theme);
@@ -154,9 +214,12 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) const {
         auto* column = new QVBoxLayout(part);
         column->setContentsMargins(0, 0, 0, 0);
         column->setSpacing(0);
-        column->addWidget(kit::label(theme, value, TextStyle::title));
-        column->addWidget(kit::label(theme, name, TextStyle::small, "muted"));
+        auto* number = kit::label(theme, value, TextStyle::title);
+        auto* words = kit::label(theme, name, TextStyle::small, "muted");
+        column->addWidget(number);
+        column->addWidget(words);
         grid->cell(part);
+        return std::pair(number, words);
     };
     const auto factor = [](double log10) { return std::pow(10.0, log10) - 1.0; };
     const psychophysics::ConditionPlan& plan = result.plan;
@@ -168,8 +231,11 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) const {
     fact(tr("trials"), withError(study_words::number(plan.meanTrials, locale), study_words::number(plan.trialsError, locale, 2)));
     fact(tr("minutes, breaks included"), withError(study_words::number(plan.minutes, locale, 2), study_words::number(plan.minutesError, locale, 2)));
     fact(tr("95 % intervals that hold the truth"), withError(study_words::percent(plan.coverage, locale), study_words::percent(plan.coverageError, locale)));
-    fact(tr("smallest ratio found with 80 % power by %n participant(s)", nullptr, m_page.draft.design().participantsPlanned),
-         QStringLiteral("× %1").arg(study_words::number(result.detectable, locale)));
+    if (m_effectSd) { // there are conditions to compare
+        const auto [value, name] = fact({}, {});
+        value->setObjectName(QStringLiteral("preview.detectable"));
+        m_powers.push_back({plan.sdLog10, value, name});
+    }
     box.layout->addWidget(grid);
     box.layout->addWidget(kit::label(theme, tr("±: one standard error of so few simulated runs; more runs make it smaller."), TextStyle::small, "muted"));
     for (const psychophysics::Warning& warning : plan.warnings)

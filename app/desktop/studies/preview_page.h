@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+class QDoubleSpinBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -31,12 +32,24 @@ private:
     void start();
     void finished(core::Result<std::vector<PreviewResult>> results);
     void setWorking(bool working);
-    QWidget* resultBox(const PreviewResult& result) const;
+    QWidget* resultBox(const PreviewResult& result);
     QWidget* plotOf(const PreviewResult& result) const;
+    QWidget* powerGrid(); ///< what a comparison of two conditions is assumed to be
+    void showPower();     ///< of all results, by the assumptions as they are now: nothing is simulated again
 
     DesignPage m_page;
     psychophysics::ObserverSpec m_observer{.weber = 0.1, .lapse = 0.02};
     int m_runs = 40;
+    psychophysics::PowerQuestion m_power; ///< but for the spread of a run, which is simulated
+    double m_wantedPower = 0.8;
+    struct PowerLabels {
+        double runSdLog10;
+        QLabel* value;
+        QLabel* name;
+    };
+    std::vector<PowerLabels> m_powers; ///< of the results shown
+    QDoubleSpinBox* m_personSd = nullptr;
+    QDoubleSpinBox* m_effectSd = nullptr;
     std::shared_ptr<WorkToken> m_work;
     QPushButton* m_start = nullptr;
     QPushButton* m_cancel = nullptr;

@@ -13,7 +13,6 @@ using namespace psychophysics;
 namespace {
 
 constexpr std::array kShares{0.25, 0.5, 0.75, 1.0, 1.5}; // of the design's own number of trials
-constexpr double kWantedPower = 0.8;
 
 /// The condition with runs of so many trials, whatever else would end them.
 Condition withTrials(Condition condition, int trials) {
@@ -47,10 +46,6 @@ core::Result<PreviewResult> previewCondition(const StudyDesign& design, std::siz
     PreviewResult result;
     result.condition = condition.id;
     result.plan = planCondition(condition, design.trial, observer, runs, design.seed);
-    PowerQuestion question;
-    question.runSdLog10 = result.plan.sdLog10;
-    question.participants = design.participantsPlanned;
-    result.detectable = detectableRatio(question, kWantedPower);
     const double trials = result.plan.meanTrials;
     for (std::size_t i = 0; i < kShares.size() && endsByTrials(condition) && trials >= 4.0; ++i) {
         if (!progress((2.0 + static_cast<double>(i)) / kParts))

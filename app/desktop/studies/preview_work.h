@@ -22,7 +22,6 @@ struct PreviewPoint {
 struct PreviewResult {
     std::string condition;
     psychophysics::ConditionPlan plan;
-    double detectable = 0.0; ///< smallest ratio of two conditions' JNDs found with 80 % power by the planned participants; NaN: none up to 10
     std::vector<PreviewPoint> curve;
 };
 

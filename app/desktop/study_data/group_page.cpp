@@ -18,7 +18,7 @@
 namespace chiron::desktop {
 
 namespace {
-enum Column { codeColumn, weberColumn, intervalColumn, jndColumn, trialsColumn, stateColumn, warningColumn, columns };
+enum Column { codeColumn, weberColumn, intervalColumn, jndColumn, trialsColumn, priorColumn, stateColumn, warningColumn, columns };
 constexpr int kMostRows = 14;
 constexpr int kFewestRows = 3;
 constexpr double kPercent = 100.0;
@@ -153,7 +153,8 @@ QWidget* GroupPage::tableBox() {
     auto* table = new FittedTable(theme, columns);
     table->setObjectName(QStringLiteral("data.runs"));
     table->setAccessibleName(tr("Runs"));
-    table->setHorizontalHeaderLabels({tr("Code"), tr("Weber fraction"), tr("95 % interval"), tr("JND"), tr("Trials"), tr("Run"), tr("Warnings")});
+    table->setHorizontalHeaderLabels({tr("Code"), tr("Weber fraction"), tr("95 % interval"), tr("JND"), tr("Trials"), tr("Prior's part"), tr("Run"), tr("Warnings")});
+    table->horizontalHeaderItem(priorColumn)->setToolTip(session_report::influenceMeaning());
     const std::vector<const RunFacts*> shown = runs();
     const bool sealed = m_facts.study.blind() || !m_facts.designed[m_condition];
     const psychophysics::Attribute attribute = sealed ? psychophysics::Attribute::stiffness : m_facts.designed[m_condition]->stimulus.attribute;
@@ -170,6 +171,7 @@ QWidget* GroupPage::tableBox() {
         put(intervalColumn, study_words::intervalPercent(run.estimate.weber95.low, run.estimate.weber95.high, locale));
         put(jndColumn, sealed ? tr("sealed") : study_words::value(run.estimate.jnd, attribute, locale));
         put(trialsColumn, run.spoiled > 0 ? tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled)) : locale.toString(run.scored));
+        put(priorColumn, std::isfinite(run.estimate.priorInfluence) ? study_words::percent(run.estimate.priorInfluence, locale) : QString());
         put(stateColumn, study_words::runState(run.run.state));
         QStringList warnings;
         for (const psychophysics::Warning& warning : run.estimate.warnings)

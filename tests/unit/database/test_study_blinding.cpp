@@ -296,8 +296,37 @@ void TestStudyBlinding::sittingsAreClosed() {
     QVERIFY(!held->sessions[1].sealed && !held->sessions[1].record.setup.contentJson.empty());
     REQUIRE(as(m_rob, [&](StudyRepository& s) { return s.storeStudyTrial(someTrial(m_of.run, 1, *other)); }));
     QVERIFY(everywhere(m_rob, *other) == closed); // by its trial
+    // How long a sitting took and how much was recorded tell conditions apart: no list holds it, nor when it ended.
+    SessionEnd end;
+    end.ticks = end.frames = 4321;
+    for (const SessionId id : {*untouched, *other})
+        REQUIRE(m->database->write([&](WriteContext& w) { return SessionRepository(w.connection(), m_rob).finishSession(id, end); }));
+    const auto open3 = begin(someSession());
+    REQUIRE(open3);
+    REQUIRE(m->database->write([&](WriteContext& w) { return SessionRepository(w.connection(), m_rob).finishSession(*open3, end); }));
+    const auto numbers = [&](const Actor& actor, SessionId id) {
+        const auto all = SessionReader(**connection, actor).listSessions();
+        const auto found = std::find_if(all->begin(), all->end(), [id](const SessionSummary& each) { return each.id == id; });
+        return std::tuple(found->sealed, found->ticks, found->frames, found->recordingBytes, found->chunks, found->passed.has_value());
+    };
+    for (const Actor& actor : {m_rob, m_ruth, m_admin}) {
+        for (const SessionId id : {*untouched, *other})
+            QVERIFY(numbers(actor, id) == std::tuple(true, std::uint64_t{0}, std::uint64_t{0}, std::uint64_t{0}, std::uint64_t{0}, false));
+        QVERIFY(std::get<0>(numbers(actor, *open3)) == false && std::get<1>(numbers(actor, *open3)) == 4321);
+    }
+    const auto ends = [&](SessionId id) {
+        std::vector<std::string> times;
+        const auto mine = PrivacyRepository(**connection, m_rob).exportPerson(m_rob.personId());
+        for (const AuditEntry& entry : mine.value().audit)
+            if (entry.target == "session" && entry.targetId == id && entry.action == "finishSession")
+                times.push_back(entry.utc);
+        return times;
+    };
+    QVERIFY(ends(*untouched) == std::vector<std::string>{""} && ends(*other) == std::vector<std::string>{""});
+    QVERIFY(ends(*open3).size() == 1 && !ends(*open3).front().empty());
     REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(m_of.frozen, "all are done"); }));
     QVERIFY(everywhere(m_rob, *untouched) == open && everywhere(m_rob, *other) == open);
+    QVERIFY(std::get<1>(numbers(m_rob, *untouched)) == 4321 && !ends(*other).front().empty());
 }
 
 QTEST_GUILESS_MAIN(TestStudyBlinding)

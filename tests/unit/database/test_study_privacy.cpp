@@ -29,6 +29,7 @@ class TestStudyPrivacy : public QObject {
 private slots:
     void init();
     void exportHoldsParticipations();
+    void trialsOfABlindedStudyAreTheParticipants();
     void erasureNeedsWithdrawalAdministratorAndPassword();
     void erasureOverwritesButKeepsTrials();
     void erasureOverwritesWhatWasSaidOfSittings();
@@ -102,6 +103,22 @@ void TestStudyPrivacy::exportHoldsParticipations() {
     const auto after = PrivacyRepository(*reader(), *tim).exportPerson(m_tim);
     REQUIRE(after);
     QVERIFY(!after->participations.front().sealed && after->participations.front().trials.size() == 1);
+}
+
+/// Blind are those who conduct. Who is done with a blinded study, or has left it, gets their trials, without the codes that experimenters know.
+void TestStudyPrivacy::trialsOfABlindedStudyAreTheParticipants() {
+    const auto tim = AccountService(*m->database).login("tim", kPassword);
+    REQUIRE(tim);
+    QVERIFY(PrivacyRepository(*reader(), *tim).exportPerson(m_tim)->participations.front().sealed); // there are runs to come
+    withdraw(false);
+    const auto held = PrivacyRepository(*reader(), *tim).exportPerson(m_tim);
+    REQUIRE(held);
+    const PersonParticipation& mine = held->participations.front();
+    QVERIFY(!mine.sealed && mine.trials.size() == 1 && mine.trials.front().session == m_session);
+    QVERIFY(mine.runs.size() == 1 && mine.runs.front().sealedCode.empty() && mine.runs.front().condition.empty() && mine.runs.front().endedUtc.empty());
+    const auto byAdmin = PrivacyRepository(*reader(), m_admin).exportPerson(m_tim);
+    REQUIRE(byAdmin);
+    QVERIFY(byAdmin->participations.front().sealed && byAdmin->participations.front().trials.empty() && !byAdmin->participations.front().runs.front().sealedCode.empty());
 }
 
 void TestStudyPrivacy::erasureNeedsWithdrawalAdministratorAndPassword() {
