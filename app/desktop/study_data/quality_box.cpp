@@ -26,6 +26,7 @@ QualityBox::QualityBox(AppContext& app, const StudyFacts& facts, QWidget* parent
                                      "trials went can be seen here, by participant, over all conditions together.")));
     column->addWidget(table(app, facts));
     column->addWidget(kit::label(theme, tr("How many trials there were is shown of those who have done every condition."), TextStyle::small, "muted"));
+    column->addStretch(); // else the notice takes the height that a page leaves
 }
 
 QWidget* QualityBox::table(AppContext& app, const StudyFacts& facts) {
