@@ -10,7 +10,7 @@ class UrethraInsertionKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "urethra_insertion"; }
     std::string_view mechanism() const noexcept override { return "five_bar_spherical"; }
-    /// A stricture is stiffer (4 kN/m) than a hand can press without trembling: at the cap of 4 N 3.8 N are felt, up to 3.2 N all.
+    /// A stricture is stiffer (4 kN/m) than a hand can press without trembling: at the cap of 4 N 3.7 N are felt, up to 3.2 N all.
     double capKnee() const noexcept override { return 0.2; }
     PointerTool pointerTool() const noexcept override { return PointerTool::endoscope; }
     /// Friction sets in as slowly as the first tool's device needs it (device_friction.h).

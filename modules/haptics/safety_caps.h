@@ -5,6 +5,8 @@
 #include "core/geometry.h"
 #include "haptics/safety_tool.h"
 
+#include <cmath>
+
 namespace chiron::haptics {
 
 /// The factor that brings a wrench to the nearest cap (models.md §5, caps): min over the actuated axes of
@@ -14,23 +16,20 @@ namespace chiron::haptics {
 double capRatio(const SafetyToolLimits& limits, const core::DeviceSample& sample,
                 const core::Wrench& wrench_W, double load_N = 0.0) noexcept;
 
-/// What is felt, in caps, of a force of `x` caps: x up to 1 − w, 1 from 1 + w on, and the parabola that joins them without a corner between:
-/// x − (x − 1 + w)²/(4w). A hand that trembles against a stiff wall at the cap feels the corner of a cut force as a buzz at twice its
-/// tremor. w: 0 … 0.5; 0 cuts.
-constexpr double bentToCap(double x, double knee) noexcept {
+/// What is felt, in caps, of a force of `x` caps: x up to 1 − w, then 1 − w e^{−(x − 1 + w)/w}, which joins without a corner and comes ever nearer
+/// to 1. A hand that trembles against a stiff wall at the cap feels the corner of a cut force as a buzz at twice its tremor. w: 0 … 0.5; 0 cuts.
+inline double bentToCap(double x, double knee) noexcept {
     const double over = x - (1.0 - knee);
-    return over <= 0.0 ? x : over >= 2.0 * knee ? 1.0 : x - over * over / (4.0 * knee);
+    return over <= 0.0 ? x : knee > 0.0 ? 1.0 - knee * std::exp(-over / knee) : 1.0;
 }
 
 /// The energy, in U, that a spring holds whose force is bent into the cap: of U = ½ k s², with x = k s/cap, (2/x²) ∫₀ˣ bentToCap.
-constexpr double bentEnergy(double x, double knee) noexcept {
+inline double bentEnergy(double x, double knee) noexcept {
     const double from = 1.0 - knee, over = x - from;
     if (over <= 0.0)
         return 1.0;
-    if (over < 2.0 * knee)
-        return 1.0 - over * over * over / (6.0 * knee * x * x);
-    const double end = 1.0 + knee;
-    return 2.0 / (x * x) * (0.5 * end * end - 2.0 / 3.0 * knee * knee + (x - end));
+    const double missing = knee > 0.0 ? knee * knee * (1.0 - std::exp(-over / knee)) : 0.0;
+    return 2.0 / (x * x) * (0.5 * from * from + over - missing);
 }
 
 /// Scales the whole wrench, so that its direction is kept, until every cap holds; true if it had to.

@@ -14,7 +14,7 @@ struct SafetySettings {
     double siteTorque_Nm = 0.150;     ///< > 0; models.md §5
     double exerciseForce_N = 4.0;     ///< > 0; from the level's content
     double exerciseTorque_Nm = 0.150; ///< > 0; from the level's content
-    double capKnee = 0.0; ///< 0 … 0.5, of the cap: a force bends into it over 1 ± this (bentToCap); 0: it is cut off
+    double capKnee = 0.0; ///< 0 … 0.5, of the cap: from 1 − this on a force bends into it (bentToCap); 0: it is cut off
 
     // Slew, on rising magnitude and on direction; decreases are exempt.
     double slewForce_N_per_ms = 2.0;     ///< > 0; models.md §5

@@ -72,7 +72,7 @@ void TestSafetyLimits::axisCapsHoldInTheDevicesFrame() {
     QVERIFY(rig.out.guards & guard_bits::kCap);
 }
 
-// x up to 1 − w, 1 from 1 + w on, and no corner between; nothing is ever more than asked for, or more than the cap.
+// x up to 1 − w, ever nearer to 1 beyond, and no corner between; nothing is ever more than asked for, or more than the cap.
 void TestSafetyLimits::aForceMayBendIntoItsCap() {
     for (const double w : {0.05, 0.2, 0.5}) {
         double before = 0.0, slope = 1.0, sum = 0.0;
@@ -80,14 +80,14 @@ void TestSafetyLimits::aForceMayBendIntoItsCap() {
         for (double x = dx; x < 2.0; x += dx) {
             const double y = haptics::bentToCap(x, w), steep = (y - before) / dx;
             QVERIFY(y <= std::min(1.0, x) + 1e-12 && y >= before);
-            QVERIFY(std::abs(steep - slope) <= 1.01 * dx / (2.0 * w) + 1e-9); // the parabola's bend
+            QVERIFY(std::abs(steep - slope) <= 1.01 * dx / w + 1e-9); // bends by 1/w at most
             sum += 0.5 * (y + before) * dx;
             QVERIFY(std::abs(haptics::bentEnergy(x, w) * 0.5 * x * x - sum) < 1e-6);
             before = y;
             slope = steep;
         }
         QCOMPARE(haptics::bentToCap(1.0 - w, w), 1.0 - w);
-        QCOMPARE(haptics::bentToCap(1.0 + w, w), 1.0);
+        QVERIFY(haptics::bentToCap(1.0 + 30.0 * w, w) > 1.0 - 1e-12);
     }
     QCOMPARE(haptics::bentToCap(0.999, 0.0), 0.999);
     QCOMPARE(haptics::bentToCap(1.001, 0.0), 1.0);
@@ -103,9 +103,9 @@ void TestSafetyLimits::aForceMayBendIntoItsCap() {
     };
     QCOMPARE(felt(Vec3(0, 0, 3.2)).first, Vec3(0, 0, 3.2));
     QVERIFY(!felt(Vec3(0, 0, 3.2)).second);
-    QVERIFY((felt(Vec3(2.4, 3.2, 0)).first - 0.95 * Vec3(2.4, 3.2, 0)).norm() < 1e-9); // 4 N: 3.8
+    const double part = 1.0 - 0.2 * std::exp(-1.0);
+    QVERIFY((felt(Vec3(2.4, 3.2, 0)).first - part * Vec3(2.4, 3.2, 0)).norm() < 1e-9); // 4 N: 3.71
     QVERIFY(felt(Vec3(2.4, 3.2, 0)).second);
-    QVERIFY((felt(Vec3(2.88, 3.84, 0)).first - Vec3(2.4, 3.2, 0)).norm() < 1e-9); // 4.8 N: 4
     QVERIFY(felt(Vec3(30, 40, 0)).first.norm() <= 4.0);
     for (const double bad : {-0.1, 0.6, std::numeric_limits<double>::quiet_NaN()}) {
         settings.capKnee = bad;
