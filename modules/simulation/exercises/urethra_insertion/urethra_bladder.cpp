@@ -19,7 +19,7 @@ struct Weight {
 };
 
 /// 3x² − 2x³ on 0 … 1 of an x with gradient ∇x, whose second derivative is at most `xBend`.
-Weight smoothstep(double x, const core::Vec3& xGradient, double xBend) noexcept {
+Weight weightAlong(double x, const core::Vec3& xGradient, double xBend) noexcept {
     const double u = std::clamp(x, 0.0, 1.0);
     const double slope = 6.0 * u * (1.0 - u);
     const double curvature = x > 0.0 && x < 1.0 ? std::abs(6.0 - 12.0 * u) : 0.0;
@@ -50,14 +50,14 @@ BladderResponse UrethraBladder::respond(const core::Vec3& p_A) const noexcept {
     if (!(past_m > 0.0 && d > 0.0 && p_A.z() > 0.0))
         return response;
     const core::Vec3 u = arm / distance;
-    Weight weight = smoothstep(past_m / kNeckDepth_m, m_out_A / kNeckDepth_m, 0.0) *
-                    smoothstep(p_A.z() / kBodyDepth_m, core::Vec3::UnitZ() / kBodyDepth_m, 0.0);
+    Weight weight = weightAlong(past_m / kNeckDepth_m, m_out_A / kNeckDepth_m, 0.0) *
+                    weightAlong(p_A.z() / kBodyDepth_m, core::Vec3::UnitZ() / kBodyDepth_m, 0.0);
     const double cosine = std::min(1.0, -u.dot(m_out_A));
     if (cosine > m_cosFull) {
         const double sine = std::sqrt(std::max(1.0 - cosine * cosine, kShortest * kShortest));
         const core::Vec3 angleGradient = (m_out_A + cosine * u) / (distance * sine);
         const double angleBend = (1.0 + std::abs(cosine) / sine) / (distance * distance);
-        weight = weight * smoothstep((std::acos(cosine) - m_opening_rad) / m_edge_rad, angleGradient / m_edge_rad,
+        weight = weight * weightAlong((std::acos(cosine) - m_opening_rad) / m_edge_rad, angleGradient / m_edge_rad,
                                      angleBend / m_edge_rad);
     }
     const double k = m_stiffness_N_per_m;
