@@ -117,7 +117,7 @@ void TestUrethraContent::everyParameterKeyReachesTheStruct() {
     QJsonObject document = json(stored);
     QJsonObject level = document["level"].toObject();
     const QJsonObject parameters = level["parameters"].toObject();
-    QCOMPARE(parameters.size(), qsizetype{49});
+    QCOMPARE(parameters.size(), qsizetype{50});
     for (const QString& key : parameters.keys()) {
         QJsonObject changed = parameters;
         const QJsonValue value = parameters[key];
@@ -156,7 +156,7 @@ void TestUrethraContent::schemaDefaultsAreTheStructs() {
     for (std::size_t i = 0; i < read.size(); ++i)
         QVERIFY2(near(read[i], defaults[i]), qPrintable(QStringLiteral("%1: %2, %3").arg(i).arg(read[i]).arg(defaults[i])));
     const QJsonObject resolved = json(catalogue->find("urethra_insertion", 4)->resolvedJson)["level"].toObject();
-    QCOMPARE(resolved["parameters"].toObject().size(), qsizetype{49});
+    QCOMPARE(resolved["parameters"].toObject().size(), qsizetype{50});
 }
 
 void TestUrethraContent::levelOverridesItsPreset() {
