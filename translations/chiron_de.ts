@@ -8242,7 +8242,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>±: ein Standardfehler bei so wenigen simulierten Durchläufen; mehr Durchläufe machen ihn kleiner.</translation>
     </message>
     <message>
-        <source>To tell two conditions apart, what people are like is assumed; it is not simulated. Changes show at once.</source>
+        <source>For comparing two conditions, the spread between people is assumed, not simulated. Changes show at once.</source>
         <translation>Für den Vergleich zweier Bedingungen wird angenommen, nicht simuliert, wie sich Personen unterscheiden. Änderungen zeigen sich sofort.</translation>
     </message>
     <message>

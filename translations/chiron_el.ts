@@ -8242,7 +8242,7 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>±: ένα τυπικό σφάλμα τόσο λίγων προσομοιωμένων εκτελέσεων· περισσότερες εκτελέσεις το μικραίνουν.</translation>
     </message>
     <message>
-        <source>To tell two conditions apart, what people are like is assumed; it is not simulated. Changes show at once.</source>
+        <source>For comparing two conditions, the spread between people is assumed, not simulated. Changes show at once.</source>
         <translation>Για τη σύγκριση δύο συνθηκών, το πόσο διαφέρουν οι άνθρωποι είναι παραδοχή και δεν προσομοιώνεται. Οι αλλαγές φαίνονται αμέσως.</translation>
     </message>
     <message>

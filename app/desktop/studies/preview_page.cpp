@@ -102,7 +102,7 @@ QWidget* PreviewPage::powerGrid() {
     auto* column = new QVBoxLayout(part);
     column->setContentsMargins(0, 0, 0, 0);
     const Theme& theme = m_page.app.theme();
-    column->addWidget(kit::label(theme, tr("To tell two conditions apart, what people are like is assumed; it is not simulated. Changes show at once."), TextStyle::body, "muted"));
+    column->addWidget(kit::label(theme, tr("For comparing two conditions, the spread between people is assumed, not simulated. Changes show at once."), TextStyle::body, "muted"));
     auto* grid = new FieldGrid(theme, m_page.app.locale(), false);
     grid->check(tr("Each participant does both conditions"), QStringLiteral("preview.paired"), m_power.paired, [this](bool now) {
         m_power.paired = now;
