@@ -7,6 +7,7 @@
 #include "session/replayer.h"
 #include "support/session_fixture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -70,6 +71,7 @@ LadderSession runOne(SessionFixture& site, const catalogue::ExerciseLevel& level
     session.tissue_N = witness.tissue_N;
     session.commanded_N = witness.commanded_N;
     session.fast_N = witness.fast.worst_N();
+    session.fastEnds_s = static_cast<double>(witness.fast.worstTick()) * 1e-3;
     OpenStored stored(*site.database, result->session);
     session.completed = stored.session->record().summary.state == database::SessionState::completed;
     if (check) {
@@ -249,6 +251,11 @@ std::string metricLines(const LadderLevel& level) {
             text += gate.n > 0 ? print(" [%2d/%2d]", gate.of, gate.n) : print("        ");
         }
         text += "\n";
+    }
+    for (const auto& [name, sessions] : level.byOperator) {
+        const auto worst = std::max_element(sessions.begin(), sessions.end(), [](const auto& a, const auto& b) { return a.fast_N < b.fast_N; });
+        text += print("above 20 Hz: %s %.3f N, seed %llu, before %.1f s\n", name.c_str(), worst->fast_N, static_cast<unsigned long long>(worst->seed),
+                      worst->fastEnds_s);
     }
     return text;
 }

@@ -20,6 +20,7 @@ struct LadderSession {
     double kept_J = 0.0;                 ///< what it kept from the hand in those ticks
     double tissue_N = 0.0, commanded_N = 0.0; ///< largest of any tool
     double fast_N = 0.0;       ///< FastForce: the worst window's root mean square above 20 Hz
+    double fastEnds_s = 0.0;   ///< when that window ends
     bool checked = false;      ///< replayed and scored again
     bool replaysIdentically = false, scoresIdentically = false;
 };
@@ -58,7 +59,7 @@ std::vector<std::string> inverted(const LadderLevel& level);
 /// For people: one line per operator.
 std::string heading();
 std::string lines(const LadderLevel& level);
-/// Mean and standard deviation of every metric, one line each, operators as columns.
+/// Mean and standard deviation of every metric, one line each, operators as columns; and where the hand was shaken most.
 std::string metricLines(const LadderLevel& level);
 
 } // namespace chiron::tests
