@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How every screen is made (support/screen_outline.h), against what was looked at and kept: a widget that is in no layout any more, a
+// margin, a name that a screen reader says, a row of a table. A change that is meant is kept anew, and the difference is read in review:
+// CHIRON_STORE_SCREENS=1 xvfb-run -a build/release/tests/gui/whole/test_kept_screens
+#include "desktop/screen_catalogue.h"
+#include "support/every_place.h"
+#include "support/screen_outline.h"
+#include "support/settled.h"
+
+#include <QFile>
+
+using namespace chiron;
+
+class TestKeptScreens : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        m_desktop = std::make_unique<tests::DesktopFixture>();
+        const tests::VisitedSessions sessions = tests::addVisitedSessions(*m_desktop);
+        m_places = tests::everyPlace(sessions, tests::addVisitedStudies(*m_desktop));
+        m_desktop->window->resize(1280, 720);
+        QFile file(kFile);
+        if (!file.open(QIODevice::ReadOnly))
+            return;
+        QString name;
+        for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n')))
+            if (line.startsWith(QLatin1String("== ")))
+                name = line.mid(3);
+            else if (!line.isEmpty())
+                m_kept[name] << line;
+    }
+    void isMadeAsItWas_data() {
+        QTest::addColumn<int>("index");
+        for (std::size_t i = 0; i < m_places.size(); ++i)
+            // What a running session says is of the moment, and sealed codes are drawn.
+            if (m_places[i].place.screen != QLatin1String("training") && !QByteArray(m_places[i].name).endsWith("_blind"))
+                QTest::newRow(m_places[i].name) << static_cast<int>(i);
+    }
+    void isMadeAsItWas() {
+        QFETCH(int, index);
+        const tests::VisitedPlace& place = m_places[static_cast<std::size_t>(index)];
+        const QString name = QString::fromLatin1(place.name);
+        QVERIFY2(tests::visit(*m_desktop, place, m_person), place.name);
+        QStringList now;
+        for (int quiet = 0, look = 0; quiet < 3 && look < 400; ++look) { // until what workers bring is there
+            QTest::qWait(20);
+            const QStringList next = tests::ScreenOutline::of(*m_desktop->window->screen());
+            quiet = next == now && tests::waitUntilLoaded(*m_desktop) ? quiet + 1 : 0;
+            now = next;
+        }
+        m_now[name] = now;
+        if (qEnvironmentVariableIsSet("CHIRON_STORE_SCREENS"))
+            return;
+        const QStringList kept = m_kept.value(name);
+        QVERIFY2(!kept.isEmpty(), "nothing is kept of this screen: see the head of this file");
+        for (qsizetype i = 0; i < std::max(kept.size(), now.size()); ++i)
+            QVERIFY2(kept.value(i) == now.value(i), qPrintable(QStringLiteral("line %1\n   was: %2\n   is:  %3").arg(i + 1).arg(kept.value(i).left(300), now.value(i).left(300))));
+    }
+    void cleanupTestCase() {
+        if (qEnvironmentVariableIsSet("CHIRON_STORE_SCREENS")) {
+            QFile file(kFile);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            for (auto it = m_now.begin(); it != m_now.end(); ++it)
+                file.write((QStringLiteral("== ") + it.key() + QLatin1Char('\n') + it.value().join(QLatin1Char('\n')) + QLatin1Char('\n')).toUtf8());
+        }
+        m_desktop.reset();
+    }
+
+private:
+    const QString kFile = QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/whole/kept_screens.txt");
+    std::unique_ptr<tests::DesktopFixture> m_desktop;
+    std::vector<tests::VisitedPlace> m_places;
+    std::string m_person;
+    QMap<QString, QStringList> m_kept, m_now;
+};
+
+QTEST_MAIN(TestKeptScreens)
+#include "test_kept_screens.moc"

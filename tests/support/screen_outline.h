@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QRegularExpression>
+#include <QTableView>
+#include <QWidget>
+
+#include <qcustomplot.h>
+
+#include <cmath>
+
+namespace chiron::tests {
+
+/// How a page is made, as lines of text: what is in which layout and how far apart, what it says and to whom, how it is lettered, what
+/// can be reached. Without what differs from run to run: dates, digests, codes that are drawn, and where exactly things lie on the screen.
+class ScreenOutline {
+public:
+    static QStringList of(const QWidget& page) {
+        ScreenOutline outline;
+        outline.add(page, 0);
+        return outline.m_lines;
+    }
+
+private:
+    /// Days, times of day, sizes of files, digests, folders and the codes of participants are of today, and become one 0.
+    static QString said(const QString& text) {
+        static const QRegularExpression digest(QStringLiteral("\\b[0-9a-f]{8,}\\b")),
+            day(QStringLiteral("\\b((Mon|Tue|Wed|Thu|Fri|Sat|Sun)[a-z]*,? )?([0-9]{1,2} )?(Jan|Feb|Mar|Apr|May|Jun|Jul|Aug|Sep|Oct|Nov|Dec)[a-z]*( [0-9]{1,2})?(,? [0-9]{4})?\\b")),
+            hour(QStringLiteral("\\b[0-9]{1,2}:[0-9]{2}(:[0-9]{2})?([\\x{202f}\\x{00a0} ](AM|PM))?")), isoDay(QStringLiteral("\\b20[0-9]{2}-[0-9]{2}-[0-9]{2}\\b")),
+            folder(QStringLiteral("/[^ ]*/")), code(QStringLiteral("\\b[0-9A-Z]{3}-[0-9A-Z]{3}\\b")),
+            shortDay(QStringLiteral("\\b[0-9]{1,2}/[0-9]{1,2}/[0-9]{4}\\b")), size(QStringLiteral("\\b[0-9.]+[\\x{202f}\\x{00a0} ](kB|MB|GB|TB)\\b"));
+        QString out = text.left(400);
+        for (const QRegularExpression& ofToday : {code, digest, isoDay, shortDay, day, hour, size})
+            out.replace(ofToday, QStringLiteral("0"));
+        return out.replace(folder, QStringLiteral("/…/")).replace(QLatin1Char('\n'), QLatin1Char('|')).simplified();
+    }
+
+    void line(int depth, const QString& text) { m_lines << QString(depth, QLatin1Char(' ')) + text; }
+
+    /// What comes and goes while something is read.
+    static bool isOfWaiting(const QWidget* widget) {
+        return widget && (qobject_cast<const QProgressBar*>(widget) || widget->objectName() == QLatin1String("state.cancel"));
+    }
+
+    static QString nameOf(const QObject* object) {
+        return QString::fromLatin1(object->metaObject()->className()).remove(QStringLiteral("chiron::desktop::")) +
+               (object->objectName().isEmpty() || object->objectName().startsWith(QLatin1String("qt_")) ? QString() : QStringLiteral("#") + said(object->objectName()));
+    }
+
+    void add(const QLayout& layout, int depth) {
+        const QMargins m = layout.contentsMargins();
+        line(depth, QStringLiteral("%1 %2 %3,%4,%5,%6").arg(QLatin1String(layout.metaObject()->className())).arg(layout.spacing()).arg(m.left()).arg(m.top()).arg(m.right()).arg(m.bottom()));
+        const auto* box = qobject_cast<const QBoxLayout*>(&layout);
+        const auto* grid = qobject_cast<const QGridLayout*>(&layout);
+        for (int i = 0; i < layout.count(); ++i) {
+            QLayoutItem* item = layout.itemAt(i);
+            if (isOfWaiting(item->widget()) || (item->spacerItem() && item->sizeHint().isEmpty()))
+                continue; // something is waited for, or was
+            QString place = QStringLiteral("- ");
+            if (box)
+                place += QStringLiteral("stretch %1 ").arg(box->stretch(i));
+            if (grid) {
+                int row = 0, column = 0, rows = 0, columns = 0;
+                grid->getItemPosition(i, &row, &column, &rows, &columns);
+                place += QStringLiteral("at %1,%2 %3x%4 ").arg(row).arg(column).arg(rows).arg(columns);
+            }
+            place += QString::number(static_cast<int>(item->alignment()), 16);
+            if (item->widget())
+                line(depth + 1, place + QLatin1Char(' ') + nameOf(item->widget()));
+            else if (item->layout())
+                add(*item->layout(), depth + 1);
+            else
+                line(depth + 1, place + QStringLiteral(" space %1x%2").arg(item->sizeHint().width()).arg(item->sizeHint().height()));
+        }
+    }
+
+    static QString look(const QWidget& widget) {
+        QStringList parts;
+        if (widget.isHidden())
+            parts << QStringLiteral("hidden");
+        if (!widget.isEnabled())
+            parts << QStringLiteral("disabled");
+        const QFont font = widget.font();
+        const QWidget* above = widget.parentWidget();
+        if (!above || above->font() != font)
+            parts << QStringLiteral("font %1/%2%3").arg(font.pixelSize() > 0 ? font.pixelSize() : font.pointSize()).arg(font.weight()).arg(font.italic() ? QStringLiteral("i") : QString());
+        if (widget.focusPolicy() != Qt::NoFocus)
+            parts << QStringLiteral("focus %1").arg(static_cast<int>(widget.focusPolicy()));
+        const QSizePolicy policy = widget.sizePolicy();
+        if (policy != QSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred))
+            parts << QStringLiteral("policy %1/%2").arg(static_cast<int>(policy.horizontalPolicy())).arg(static_cast<int>(policy.verticalPolicy()));
+        if (widget.minimumSize() != QSize(0, 0))
+            parts << QStringLiteral("least %1x%2").arg(widget.minimumWidth()).arg(widget.minimumHeight());
+        if (widget.maximumSize() != QSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX))
+            parts << QStringLiteral("most %1x%2").arg(widget.maximumWidth()).arg(widget.maximumHeight());
+        for (const QByteArray& key : widget.dynamicPropertyNames())
+            if (!key.startsWith("_"))
+                parts << QString::fromLatin1(key) + QLatin1Char('=') + said(widget.property(key).toString());
+        for (const auto& [kind, text] : {std::pair{"tip", widget.toolTip()}, {"name", widget.accessibleName()}, {"about", widget.accessibleDescription()}})
+            if (!text.isEmpty())
+                parts << QLatin1String(kind) + QStringLiteral(" \"") + said(text) + QLatin1Char('"');
+        return parts.join(QStringLiteral(", "));
+    }
+
+    static QString words(const QWidget& widget) {
+        if (const auto* label = qobject_cast<const QLabel*>(&widget))
+            return QStringLiteral("\"%1\" %2%3").arg(said(label->text())).arg(static_cast<int>(label->alignment()), 0, 16).arg(label->wordWrap() ? QStringLiteral(" wraps") : QString());
+        if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
+            return QStringLiteral("\"%1\"%2%3%4").arg(said(button->text()), button->icon().isNull() ? QString() : QStringLiteral(" icon"),
+                                                      button->isCheckable() ? QStringLiteral(" checkable") : QString(), button->isChecked() ? QStringLiteral(" checked") : QString());
+        if (const auto* edit = qobject_cast<const QLineEdit*>(&widget))
+            return QStringLiteral("\"%1\" for \"%2\" %3 mode %4%5").arg(said(edit->text()), said(edit->placeholderText())).arg(edit->maxLength()).arg(static_cast<int>(edit->echoMode()))
+                .arg(edit->isReadOnly() ? QStringLiteral(" read only") : QString());
+        if (const auto* combo = qobject_cast<const QComboBox*>(&widget)) {
+            QStringList items;
+            for (int i = 0; i < combo->count(); ++i)
+                items << said(combo->itemText(i)) + (i == combo->currentIndex() ? QStringLiteral("*") : QString());
+            return items.join(QLatin1Char('/'));
+        }
+        if (const auto* box = qobject_cast<const QGroupBox*>(&widget))
+            return QStringLiteral("\"%1\"").arg(said(box->title()));
+        return {};
+    }
+
+    /// The words of a cell, how they stand, and whether there is a picture.
+    static QString cell(const QModelIndex& at) {
+        const QString tip = at.data(Qt::ToolTipRole).toString(), name = at.data(Qt::AccessibleTextRole).toString();
+        return said(at.data().toString()) + QLatin1Char(' ') + QString::number(at.data(Qt::TextAlignmentRole).toInt(), 16) +
+               (at.data(Qt::DecorationRole).isValid() ? QStringLiteral(" icon") : QString()) + (tip.isEmpty() ? QString() : QStringLiteral(" tip \"%1\"").arg(said(tip))) +
+               (name.isEmpty() ? QString() : QStringLiteral(" name \"%1\"").arg(said(name))) + (at.flags() & Qt::ItemIsEnabled ? QString() : QStringLiteral(" disabled"));
+    }
+
+    void add(const QTableView& table, int depth) {
+        const QAbstractItemModel& model = *table.model();
+        QStringList head;
+        for (int column = 0; column < model.columnCount(); ++column)
+            head << said(model.headerData(column, Qt::Horizontal).toString()) + QStringLiteral(" %1%2").arg(static_cast<int>(table.horizontalHeader()->sectionResizeMode(column)))
+                                                                .arg(table.isColumnHidden(column) ? QStringLiteral(" hidden") : QString());
+        line(depth, QStringLiteral("columns ") + head.join(QLatin1Char('/')) + QStringLiteral("; select %1/%2, edit %3%4").arg(static_cast<int>(table.selectionBehavior()))
+                        .arg(static_cast<int>(table.selectionMode())).arg(static_cast<int>(table.editTriggers())).arg(table.isSortingEnabled() ? QStringLiteral(", sorts") : QString()));
+        for (int row = 0; row < std::min(model.rowCount(), 40); ++row) {
+            QStringList cells;
+            for (int column = 0; column < model.columnCount(); ++column)
+                cells << cell(model.index(row, column));
+            line(depth, QStringLiteral("row ") + cells.join(QLatin1Char('/')));
+        }
+    }
+
+    /// To four digits: sums of many points round differently on different processors.
+    static QString number(double x) { return QString::number(std::abs(x) < 1e-9 ? 0.0 : x, 'g', 4); }
+
+    static QString axis(const QCPAxis& axis) {
+        return QStringLiteral("\"%1\" %2 to %3%4").arg(said(axis.label()), number(axis.range().lower), number(axis.range().upper), axis.visible() ? QString() : QStringLiteral(" hidden"));
+    }
+
+    /// What is plotted: axes, and of each graph its name, how many points it has and where they lie on average.
+    void add(QCustomPlot& plot, int depth) {
+        if (plot.axisRectCount() > 0)
+            line(depth, QStringLiteral("x %1; y %2%3").arg(axis(*plot.xAxis), axis(*plot.yAxis), plot.legend && plot.legend->visible() ? QStringLiteral("; legend") : QString()));
+        for (int i = 0; i < plot.plottableCount(); ++i) {
+            QCPAbstractPlottable& drawn = *plot.plottable(i);
+            QString text = QStringLiteral("%1 \"%2\" pen %3/%4").arg(QLatin1String(drawn.metaObject()->className()), said(drawn.name())).arg(drawn.pen().widthF())
+                               .arg(static_cast<int>(drawn.pen().style()));
+            if (const auto* points = drawn.interface1D()) {
+                double x = 0.0, y = 0.0;
+                for (int k = 0; k < points->dataCount(); ++k) {
+                    x += points->dataMainKey(k) / points->dataCount();
+                    y += points->dataMainValue(k) / points->dataCount();
+                }
+                text += QStringLiteral(" n %1 at %2,%3").arg(points->dataCount()).arg(number(x), number(y));
+            }
+            line(depth, text);
+        }
+        for (int i = 0; i < plot.itemCount(); ++i) {
+            const QCPAbstractItem& item = *plot.item(i);
+            QString text = QLatin1String(item.metaObject()->className());
+            for (const QCPItemPosition* at : item.positions())
+                text += QStringLiteral(" %1,%2").arg(number(at->key()), number(at->value()));
+            if (const auto* words = qobject_cast<const QCPItemText*>(&item))
+                text += QStringLiteral(" \"%1\"").arg(said(words->text()));
+            line(depth, text);
+        }
+    }
+
+    void add(const QWidget& widget, int depth) {
+        if (isOfWaiting(&widget))
+            return;
+        line(depth, QStringLiteral("%1 %2 (%3)").arg(nameOf(&widget), words(widget), look(widget)));
+        if (const auto* table = qobject_cast<const QTableView*>(&widget); table && table->model()) {
+            add(*table, depth + 1);
+            return;
+        }
+        if (const auto* plot = qobject_cast<const QCustomPlot*>(&widget))
+            return add(const_cast<QCustomPlot&>(*plot), depth + 1); // its readers are not const
+        if (qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QLineEdit*>(&widget))
+            return; // what it is made of is Qt's
+        if (widget.layout())
+            add(*widget.layout(), depth + 1);
+        for (const QObject* child : widget.children())
+            if (const auto* below = qobject_cast<const QWidget*>(child); below && !below->isWindow())
+                add(*below, depth + 1);
+    }
+
+    QStringList m_lines;
+};
+
+} // namespace chiron::tests
