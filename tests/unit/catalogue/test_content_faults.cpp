@@ -40,10 +40,10 @@ void TestContentFaults::crossChecks_data() {
     row("friction order", "\"friction_low\": 0", "\"friction_low\": 0.1", "$.parameters.friction_low: 0.1");
     row("sphere leaves workspace", "\"centre_disc_radius_mm\": 40", "\"centre_disc_radius_mm\": 46",
         "$.parameters.centre_disc_radius_mm: 46 mm");
-    row("dimple on the apex", "\"dimple_offset_mm\": 10", "\"dimple_offset_mm\": 5.9",
-        "$.parameters.dimple_offset_mm: 5.9 mm");
+    row("dimple on the apex", "\"dimple_offset_mm\": 10", "\"dimple_offset_mm\": 8.9",
+        "$.parameters.dimple_offset_mm: 8.9 mm");
     row("dimple off the ball", "\"dimple_offset_mm\": 10", "\"dimple_offset_mm\": 14.5",
-        "$.parameters.dimple_radius_mm: 6 mm");
+        "$.parameters.dimple_radius_mm: 9 mm");
     row("unknown metric", "{\"id\": \"force_max\"", "{\"id\": \"force_most\"", "$.metrics[11].id: \"force_most\"");
     row("unknown version", "{\"id\": \"time\", \"version\": 1}", "{\"id\": \"time\", \"version\": 9}",
         "$.metrics[4].version: 9");
