@@ -7892,6 +7892,18 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <source>Pull on the fold (N), dashed: its band</source>
         <translation>Zug an der Falte (N), gestrichelt: Zielbereich</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Tissue force (N)</source>
+        <translation>Kraft am Gewebe (N)</translation>
+    </message>
+    <message>
+        <source>Force felt (N)</source>
+        <translation>Kraft gefühlt (N)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlaybackScreen</name>
@@ -12595,7 +12607,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     </message>
     <message>
         <source>Tension error</source>
-        <translation>Spannungsfehler</translation>
+        <translation>Fehler der Spannung</translation>
     </message>
     <message>
         <source>In the band</source>
@@ -12752,6 +12764,54 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>Retraction in the band</source>
         <translation>Zug der Falte im Zielbereich</translation>
+    </message>
+    <message>
+        <source>Critical errors</source>
+        <translation>Kritische Fehler</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Instrument</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschah</translation>
+    </message>
+    <message>
+        <source>critical error</source>
+        <translation>kritischer Fehler</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, x</source>
+        <translation>Position der Instrumentenspitzen, x</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, y</source>
+        <translation>Position der Instrumentenspitzen, y</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, z</source>
+        <translation>Position der Instrumentenspitzen, z</translation>
+    </message>
+    <message>
+        <source>Force of the tissue on each tool (assessed)</source>
+        <translation>Kraft des Gewebes auf jedes Instrument (gewertet)</translation>
+    </message>
+    <message>
+        <source>Force felt (commanded) on each tool</source>
+        <translation>Gefühlte (ausgegebene) Kraft an jedem Instrument</translation>
+    </message>
+    <message>
+        <source>Force measured on each tool</source>
+        <translation>Gemessene Kraft an jedem Instrument</translation>
+    </message>
+    <message>
+        <source>Speed of the tool tips</source>
+        <translation>Geschwindigkeit der Instrumentenspitzen</translation>
     </message>
 </context>
 </TS>

@@ -7892,6 +7892,18 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <source>Pull on the fold (N), dashed: its band</source>
         <translation>Έλξη της πτυχής (N), διακεκομμένη: η ζώνη της</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Tissue force (N)</source>
+        <translation>Δύναμη ιστού (N)</translation>
+    </message>
+    <message>
+        <source>Force felt (N)</source>
+        <translation>Αισθητή δύναμη (N)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlaybackScreen</name>
@@ -12752,6 +12764,54 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     <message>
         <source>Retraction in the band</source>
         <translation>Έλξη της πτυχής μέσα στη ζώνη</translation>
+    </message>
+    <message>
+        <source>Critical errors</source>
+        <translation>Κρίσιμα σφάλματα</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Χρόνος</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Εργαλείο</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Τι συνέβη</translation>
+    </message>
+    <message>
+        <source>critical error</source>
+        <translation>κρίσιμο σφάλμα</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, x</source>
+        <translation>Θέση των άκρων των εργαλείων, x</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, y</source>
+        <translation>Θέση των άκρων των εργαλείων, y</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, z</source>
+        <translation>Θέση των άκρων των εργαλείων, z</translation>
+    </message>
+    <message>
+        <source>Force of the tissue on each tool (assessed)</source>
+        <translation>Δύναμη του ιστού σε κάθε εργαλείο (αξιολογείται)</translation>
+    </message>
+    <message>
+        <source>Force felt (commanded) on each tool</source>
+        <translation>Αισθητή δύναμη (εντολή) σε κάθε εργαλείο</translation>
+    </message>
+    <message>
+        <source>Force measured on each tool</source>
+        <translation>Μετρημένη δύναμη σε κάθε εργαλείο</translation>
+    </message>
+    <message>
+        <source>Speed of the tool tips</source>
+        <translation>Ταχύτητα των άκρων των εργαλείων</translation>
     </message>
 </context>
 </TS>
