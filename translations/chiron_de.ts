@@ -2268,6 +2268,10 @@ Einzelheiten: %2</translation>
         <source>A lump was missed</source>
         <translation>Ein Knoten wurde übersehen</translation>
     </message>
+    <message>
+        <source>The tissue gave way to a torque of %1</source>
+        <translation>Das Gewebe gab bei einem Drehmoment von %1 nach</translation>
+    </message>
 </context>
 <context>
     <name>QDialogButtonBox</name>

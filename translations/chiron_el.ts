@@ -2268,6 +2268,10 @@ Details: %2</source>
         <source>A lump was missed</source>
         <translation>Ένας όζος δεν βρέθηκε</translation>
     </message>
+    <message>
+        <source>The tissue gave way to a torque of %1</source>
+        <translation>Ο ιστός υποχώρησε σε ροπή %1</translation>
+    </message>
 </context>
 <context>
     <name>QDialogButtonBox</name>

@@ -134,6 +134,8 @@ QString whatHappened(const session::PlaybackMark& mark, const catalogue::Exercis
     case PlaybackMarkKind::slipped: return Words::tr("Slipped out or dropped");
     case PlaybackMarkKind::damaged: return end.damaged;
     case PlaybackMarkKind::yielded:
+        if (mark.detail == session::kByTorque)
+            return Words::tr("The tissue gave way to a torque of %1").arg(report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mN·m"), locale));
         return Words::tr("The tissue gave way at %1").arg(report::formatValue(mark.value, QStringLiteral("N"), locale));
     case PlaybackMarkKind::found: return Words::tr("Finding %1 marked").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
     case PlaybackMarkKind::takenBack: return Words::tr("Finding %1 taken back").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));

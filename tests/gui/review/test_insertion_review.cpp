@@ -24,6 +24,7 @@ class TestInsertionReview : public QObject {
 private slots:
     void theSceneIsToldTheProcedure();
     void plotsOfACanal();
+    void tissueIsSaidToGiveWayToWhatItGaveWayTo();
     void theGhostHasItsOwnLines();
     void withoutASeriesNothingIsAdded();
     void aStoredProcedureIsPlayedBack();
@@ -54,6 +55,17 @@ void TestInsertionReview::plotsOfACanal() {
     const auto profile = session_report::insertionProfileOf(track);
     QVERIFY(report::offsetDepthPlot(*profile, report::lightTheme(QLocale::c()))->legendTexts().size() >= 2); // in and out
     QVERIFY(report::alignmentDepthPlot({}, report::lightTheme(QLocale::c()))); // nothing is no crash
+}
+
+void TestInsertionReview::tissueIsSaidToGiveWayToWhatItGaveWayTo() {
+    session::PlaybackMark mark;
+    mark.kind = session::PlaybackMarkKind::yielded;
+    mark.value = 8.0;
+    const auto said = [&] { return session_report::markText(mark, simulation::UrethraInsertionParameters{}, QLocale::c()); };
+    QVERIFY2(said().contains(QStringLiteral("8.00\u00a0N")) && !said().contains(QStringLiteral("orque")), qPrintable(said()));
+    mark.detail = session::kByTorque;
+    mark.value = 0.213;
+    QVERIFY2(said().contains(QStringLiteral("torque")) && said().contains(QStringLiteral("213")) && said().contains(QStringLiteral("mN·m")), qPrintable(said()));
 }
 
 void TestInsertionReview::theGhostHasItsOwnLines() {
