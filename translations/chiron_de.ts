@@ -1174,8 +1174,8 @@ Einzelheiten: %2</translation>
         <translation>Kritische Fehler</translation>
     </message>
     <message>
-        <source>How often the tissue gave way because it was pushed too hard, or was pressed sideways too hard or for too long.</source>
-        <translation>Wie oft das Gewebe nachgab, weil zu stark gedrückt wurde, oder zu stark oder zu lange zur Seite gedrückt wurde.</translation>
+        <source>How often the tissue gave way because it was pushed or turned too hard, or was pressed sideways too hard or for too long.</source>
+        <translation>Wie oft das Gewebe nachgab, weil zu stark gedrückt oder verdreht wurde, oder zu stark oder zu lange zur Seite gedrückt wurde.</translation>
     </message>
     <message>
         <source>Over-stretches</source>
@@ -1540,6 +1540,14 @@ Einzelheiten: %2</translation>
     <message>
         <source>The largest pull on the fold of tissue at any moment.</source>
         <translation>Der größte Zug an der Gewebefalte zu irgendeinem Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>no position to score</source>
+        <translation>keine Position, die gewertet werden könnte</translation>
+    </message>
+    <message>
+        <source>the apex&apos;s true place is not known</source>
+        <translation>die wahre Lage des Scheitels ist nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -6404,10 +6412,6 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
     <message>
         <source>Conditions compared</source>
         <translation>Bedingungen im Vergleich</translation>
-    </message>
-    <message>
-        <source>Prior&apos;s part</source>
-        <translation>Anteil der A-priori-Verteilung</translation>
     </message>
 </context>
 <context>

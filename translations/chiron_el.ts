@@ -1174,8 +1174,8 @@ Details: %2</source>
         <translation>Κρίσιμα σφάλματα</translation>
     </message>
     <message>
-        <source>How often the tissue gave way because it was pushed too hard, or was pressed sideways too hard or for too long.</source>
-        <translation>Πόσες φορές ο ιστός υποχώρησε επειδή πιέστηκε υπερβολικά, ή πιέστηκε πλάγια υπερβολικά ή για πολλή ώρα.</translation>
+        <source>How often the tissue gave way because it was pushed or turned too hard, or was pressed sideways too hard or for too long.</source>
+        <translation>Πόσες φορές ο ιστός υποχώρησε επειδή πιέστηκε ή στράφηκε υπερβολικά, ή πιέστηκε πλάγια υπερβολικά ή για πολλή ώρα.</translation>
     </message>
     <message>
         <source>Over-stretches</source>
@@ -1540,6 +1540,14 @@ Details: %2</source>
     <message>
         <source>The largest pull on the fold of tissue at any moment.</source>
         <translation>Η μέγιστη έλξη στην πτυχή ιστού σε οποιαδήποτε στιγμή.</translation>
+    </message>
+    <message>
+        <source>no position to score</source>
+        <translation>δεν υπάρχει θέση για βαθμολόγηση</translation>
+    </message>
+    <message>
+        <source>the apex&apos;s true place is not known</source>
+        <translation>η αληθινή θέση της κορυφής δεν είναι γνωστή</translation>
     </message>
 </context>
 <context>
@@ -6404,10 +6412,6 @@ Press again to end the trial without it.</source>
     <message>
         <source>Conditions compared</source>
         <translation>Σύγκριση συνθηκών</translation>
-    </message>
-    <message>
-        <source>Prior&apos;s part</source>
-        <translation>Μερίδιο της εκ των προτέρων κατανομής</translation>
     </message>
 </context>
 <context>
