@@ -4137,6 +4137,14 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>How much of the result was assumed beforehand: near 0 % the answers decide it, near 100 % the prior does.</source>
         <translation>Wie viel des Ergebnisses vorher angenommen wurde: Nahe 0 % entscheiden die Antworten, nahe 100 % die A-priori-Verteilung.</translation>
     </message>
+    <message>
+        <source>Prior&apos;s part</source>
+        <translation>Anteil der A-priori-Verteilung</translation>
+    </message>
+    <message>
+        <source>Prior&apos;s part: %1</source>
+        <translation>Anteil der A-priori-Verteilung: %1</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -6412,6 +6420,10 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
     <message>
         <source>Conditions compared</source>
         <translation>Bedingungen im Vergleich</translation>
+    </message>
+    <message>
+        <source>Prior&apos;s part</source>
+        <translation>Anteil der A-priori-Verteilung</translation>
     </message>
 </context>
 <context>

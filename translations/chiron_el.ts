@@ -4137,6 +4137,14 @@ Do you want to replace it?</source>
         <source>How much of the result was assumed beforehand: near 0 % the answers decide it, near 100 % the prior does.</source>
         <translation>Πόσο από το αποτέλεσμα ήταν παραδοχή εκ των προτέρων: κοντά στο 0 % αποφασίζουν οι απαντήσεις, κοντά στο 100 % η εκ των προτέρων κατανομή.</translation>
     </message>
+    <message>
+        <source>Prior&apos;s part</source>
+        <translation>Μερίδιο της εκ των προτέρων κατανομής</translation>
+    </message>
+    <message>
+        <source>Prior&apos;s part: %1</source>
+        <translation>Μερίδιο της εκ των προτέρων κατανομής: %1</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -6412,6 +6420,10 @@ Press again to end the trial without it.</source>
     <message>
         <source>Conditions compared</source>
         <translation>Σύγκριση συνθηκών</translation>
+    </message>
+    <message>
+        <source>Prior&apos;s part</source>
+        <translation>Μερίδιο της εκ των προτέρων κατανομής</translation>
     </message>
 </context>
 <context>
