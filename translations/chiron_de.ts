@@ -1174,8 +1174,8 @@ Einzelheiten: %2</translation>
         <translation>Kritische Fehler</translation>
     </message>
     <message>
-        <source>How often the tissue gave way because it was pushed too hard, or was pressed sideways too hard or for too long.</source>
-        <translation>Wie oft das Gewebe nachgab, weil zu stark gedrückt wurde, oder zu stark oder zu lange zur Seite gedrückt wurde.</translation>
+        <source>How often the tissue gave way because it was pushed or turned too hard, or was pressed sideways too hard or for too long.</source>
+        <translation>Wie oft das Gewebe nachgab, weil zu stark gedrückt oder verdreht wurde, oder zu stark oder zu lange zur Seite gedrückt wurde.</translation>
     </message>
     <message>
         <source>Over-stretches</source>
@@ -1540,6 +1540,14 @@ Einzelheiten: %2</translation>
     <message>
         <source>The largest pull on the fold of tissue at any moment.</source>
         <translation>Der größte Zug an der Gewebefalte zu irgendeinem Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>no position to score</source>
+        <translation>keine Position, die gewertet werden könnte</translation>
+    </message>
+    <message>
+        <source>the apex&apos;s true place is not known</source>
+        <translation>die wahre Lage des Scheitels ist nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -2267,6 +2275,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>A lump was missed</source>
         <translation>Ein Knoten wurde übersehen</translation>
+    </message>
+    <message>
+        <source>The tissue gave way to a torque of %1</source>
+        <translation>Das Gewebe gab bei einem Drehmoment von %1 nach</translation>
     </message>
 </context>
 <context>
@@ -4124,6 +4136,14 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>How much of the result was assumed beforehand: near 0 % the answers decide it, near 100 % the prior does.</source>
         <translation>Wie viel des Ergebnisses vorher angenommen wurde: Nahe 0 % entscheiden die Antworten, nahe 100 % die A-priori-Verteilung.</translation>
+    </message>
+    <message>
+        <source>Prior&apos;s part</source>
+        <translation>Anteil der A-priori-Verteilung</translation>
+    </message>
+    <message>
+        <source>Prior&apos;s part: %1</source>
+        <translation>Anteil der A-priori-Verteilung: %1</translation>
     </message>
 </context>
 <context>
@@ -7891,6 +7911,18 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Pull on the fold (N), dashed: its band</source>
         <translation>Zug an der Falte (N), gestrichelt: Zielbereich</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Tissue force (N)</source>
+        <translation>Kraft am Gewebe (N)</translation>
+    </message>
+    <message>
+        <source>Force felt (N)</source>
+        <translation>Kraft gefühlt (N)</translation>
     </message>
 </context>
 <context>
@@ -12595,7 +12627,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     </message>
     <message>
         <source>Tension error</source>
-        <translation>Spannungsfehler</translation>
+        <translation>Fehler der Spannung</translation>
     </message>
     <message>
         <source>In the band</source>
@@ -12752,6 +12784,54 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>Retraction in the band</source>
         <translation>Zug der Falte im Zielbereich</translation>
+    </message>
+    <message>
+        <source>Critical errors</source>
+        <translation>Kritische Fehler</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Instrument</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschah</translation>
+    </message>
+    <message>
+        <source>critical error</source>
+        <translation>kritischer Fehler</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, x</source>
+        <translation>Position der Instrumentenspitzen, x</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, y</source>
+        <translation>Position der Instrumentenspitzen, y</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, z</source>
+        <translation>Position der Instrumentenspitzen, z</translation>
+    </message>
+    <message>
+        <source>Force of the tissue on each tool (assessed)</source>
+        <translation>Kraft des Gewebes auf jedes Instrument (gewertet)</translation>
+    </message>
+    <message>
+        <source>Force felt (commanded) on each tool</source>
+        <translation>Gefühlte (ausgegebene) Kraft an jedem Instrument</translation>
+    </message>
+    <message>
+        <source>Force measured on each tool</source>
+        <translation>Gemessene Kraft an jedem Instrument</translation>
+    </message>
+    <message>
+        <source>Speed of the tool tips</source>
+        <translation>Geschwindigkeit der Instrumentenspitzen</translation>
     </message>
 </context>
 </TS>

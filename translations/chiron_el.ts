@@ -1174,8 +1174,8 @@ Details: %2</source>
         <translation>Κρίσιμα σφάλματα</translation>
     </message>
     <message>
-        <source>How often the tissue gave way because it was pushed too hard, or was pressed sideways too hard or for too long.</source>
-        <translation>Πόσες φορές ο ιστός υποχώρησε επειδή πιέστηκε υπερβολικά, ή πιέστηκε πλάγια υπερβολικά ή για πολλή ώρα.</translation>
+        <source>How often the tissue gave way because it was pushed or turned too hard, or was pressed sideways too hard or for too long.</source>
+        <translation>Πόσες φορές ο ιστός υποχώρησε επειδή πιέστηκε ή στράφηκε υπερβολικά, ή πιέστηκε πλάγια υπερβολικά ή για πολλή ώρα.</translation>
     </message>
     <message>
         <source>Over-stretches</source>
@@ -1540,6 +1540,14 @@ Details: %2</source>
     <message>
         <source>The largest pull on the fold of tissue at any moment.</source>
         <translation>Η μέγιστη έλξη στην πτυχή ιστού σε οποιαδήποτε στιγμή.</translation>
+    </message>
+    <message>
+        <source>no position to score</source>
+        <translation>δεν υπάρχει θέση για βαθμολόγηση</translation>
+    </message>
+    <message>
+        <source>the apex&apos;s true place is not known</source>
+        <translation>η αληθινή θέση της κορυφής δεν είναι γνωστή</translation>
     </message>
 </context>
 <context>
@@ -2267,6 +2275,10 @@ Details: %2</source>
     <message>
         <source>A lump was missed</source>
         <translation>Ένας όζος δεν βρέθηκε</translation>
+    </message>
+    <message>
+        <source>The tissue gave way to a torque of %1</source>
+        <translation>Ο ιστός υποχώρησε σε ροπή %1</translation>
     </message>
 </context>
 <context>
@@ -4124,6 +4136,14 @@ Do you want to replace it?</source>
     <message>
         <source>How much of the result was assumed beforehand: near 0 % the answers decide it, near 100 % the prior does.</source>
         <translation>Πόσο από το αποτέλεσμα ήταν παραδοχή εκ των προτέρων: κοντά στο 0 % αποφασίζουν οι απαντήσεις, κοντά στο 100 % η εκ των προτέρων κατανομή.</translation>
+    </message>
+    <message>
+        <source>Prior&apos;s part</source>
+        <translation>Μερίδιο της εκ των προτέρων κατανομής</translation>
+    </message>
+    <message>
+        <source>Prior&apos;s part: %1</source>
+        <translation>Μερίδιο της εκ των προτέρων κατανομής: %1</translation>
     </message>
 </context>
 <context>
@@ -7891,6 +7911,18 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Pull on the fold (N), dashed: its band</source>
         <translation>Έλξη της πτυχής (N), διακεκομμένη: η ζώνη της</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Tissue force (N)</source>
+        <translation>Δύναμη ιστού (N)</translation>
+    </message>
+    <message>
+        <source>Force felt (N)</source>
+        <translation>Αισθητή δύναμη (N)</translation>
     </message>
 </context>
 <context>
@@ -12752,6 +12784,54 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     <message>
         <source>Retraction in the band</source>
         <translation>Έλξη της πτυχής μέσα στη ζώνη</translation>
+    </message>
+    <message>
+        <source>Critical errors</source>
+        <translation>Κρίσιμα σφάλματα</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Χρόνος</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Εργαλείο</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Τι συνέβη</translation>
+    </message>
+    <message>
+        <source>critical error</source>
+        <translation>κρίσιμο σφάλμα</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, x</source>
+        <translation>Θέση των άκρων των εργαλείων, x</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, y</source>
+        <translation>Θέση των άκρων των εργαλείων, y</translation>
+    </message>
+    <message>
+        <source>Position of the tool tips, z</source>
+        <translation>Θέση των άκρων των εργαλείων, z</translation>
+    </message>
+    <message>
+        <source>Force of the tissue on each tool (assessed)</source>
+        <translation>Δύναμη του ιστού σε κάθε εργαλείο (αξιολογείται)</translation>
+    </message>
+    <message>
+        <source>Force felt (commanded) on each tool</source>
+        <translation>Αισθητή δύναμη (εντολή) σε κάθε εργαλείο</translation>
+    </message>
+    <message>
+        <source>Force measured on each tool</source>
+        <translation>Μετρημένη δύναμη σε κάθε εργαλείο</translation>
+    </message>
+    <message>
+        <source>Speed of the tool tips</source>
+        <translation>Ταχύτητα των άκρων των εργαλείων</translation>
     </message>
 </context>
 </TS>

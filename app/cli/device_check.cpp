@@ -5,6 +5,7 @@
 
 #include <QJsonArray>
 #include <QJsonObject>
+#include <array>
 
 namespace chiron::cli {
 
@@ -85,6 +86,47 @@ QJsonArray fingersJson(const FingertipCheck& check) {
     return rows;
 }
 
+constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+
+QJsonObject armJson(const mechanisms::FingertipArmVerification& arm) {
+    using Published = mechanisms::FingertipArmPublished;
+    using Bounds = mechanisms::FingertipArmBounds;
+    QJsonArray drags;
+    for (const auto& drag : arm.drags)
+        drags.append(QJsonObject{{"axis", kAxes[static_cast<std::size_t>(drag.axis)]},
+                                 {"speed_m_per_s", drag.speed_m_per_s},
+                                 {"felt_N", drag.felt_N},
+                                 {"given_N", drag.given_N}});
+    return {{"holds", arm.holds()},
+            {"freedoms", mechanisms::FingertipArmParameters::kJoints},
+            {"poses", arm.poses},
+            {"reached", arm.reached},
+            {"condition", arm.condition},
+            {"inverse_error_m", arm.inverse_m},
+            {"inverse_error_rad", arm.inverse_rad},
+            {"jacobian_error", arm.jacobian},
+            {"gravity_error_Nm", arm.gravity_Nm},
+            {"weight_N", arm.weight_N},
+            {"sinks_m", arm.sinks_m},
+            {"mass_kg", QJsonArray{arm.massLeast_kg, arm.massMost_kg}},
+            {"friction", drags},
+            {"friction_error", arm.frictionError()},
+            {"encoder_bits", arm.encoderBits},
+            {"encoder_count_m", QJsonArray{arm.countLeast_m, arm.countMost_m}},
+            {"place_error_m", arm.place_m},
+            {"bounds", QJsonObject{{"condition", Bounds::kCondition},
+                                   {"inverse_error_m", Bounds::kInverse_m},
+                                   {"inverse_error_rad", Bounds::kInverse_rad},
+                                   {"jacobian_error", Bounds::kJacobian},
+                                   {"gravity_error_Nm", Bounds::kGravity_Nm},
+                                   {"weight_N", Bounds::kWeight_N},
+                                   {"sinks_m", Bounds::kSinks_m},
+                                   {"friction_error", Bounds::kFriction},
+                                   {"encoder_count_m", Bounds::kCount_m},
+                                   {"place_error_m", Bounds::kPlace_m}}},
+            {"published", QJsonObject{{"freedoms", Published::kFreedoms}, {"wrist_by_imu", Published::kWrist}, {"place_by_encoders", Published::kPlace}, {"grasp_by_hall_sensor", Published::kGrasp}}}};
+}
+
 QJsonObject toJson(const FingertipCheck& check, bool withSeries) {
     const auto& v = check.verification;
     QJsonArray cycles;
@@ -112,12 +154,42 @@ QJsonObject toJson(const FingertipCheck& check, bool withSeries) {
                      {"friction", QJsonObject{{"coulomb_N", check.friction.coulomb_N}, {"viscous_Ns_per_m", check.friction.viscous_Ns_per_m}}},
                      {"damping_Ns_per_m", check.damping_Ns_per_m},
                      {"stiffness_cap_N_per_m", check.stiffnessCap_N_per_m},
+                     {"arm", armJson(check.arm)},
                      {"published", publishedJson()}};
     if (!check.degradation.empty())
         json["degradation"] = degradationJson(check);
     if (withSeries)
         json["series"] = seriesJson(v);
     return json;
+}
+
+QString armText(const mechanisms::FingertipArmVerification& arm) {
+    using Published = mechanisms::FingertipArmPublished;
+    using Bounds = mechanisms::FingertipArmBounds;
+    const QString none = QStringLiteral("not printed");
+    const auto power = [](double value) { return QString::number(value, 'e', 1); };
+    const auto span = [](double least, double most, int digits) { return QStringLiteral("%1 to %2").arg(in(least, digits), in(most, digits)); };
+    TextTable table({QStringLiteral("arm"), QStringLiteral(">here"), QStringLiteral(">bound"), QStringLiteral(">P3")});
+    table.add({QStringLiteral("degrees of freedom: wrist, place, grasp"),
+               QStringLiteral("%1: %2 + %3 + 1").arg(mechanisms::FingertipArmParameters::kJoints).arg(3).arg(mechanisms::FingertipArmParameters::kArm), {},
+               QStringLiteral("%1: %2 + %3 + %4").arg(Published::kFreedoms).arg(Published::kWrist).arg(Published::kPlace).arg(Published::kGrasp)});
+    table.add({QStringLiteral("poses of the box within reach"), QStringLiteral("%1 of %2").arg(arm.reached).arg(arm.poses), QStringLiteral("all"), none});
+    table.add({QStringLiteral("condition number of the place's Jacobian, worst"), in(arm.condition, 2), in(Bounds::kCondition, 2), none});
+    table.add({QStringLiteral("inverse kinematics, there and back (m)"), power(arm.inverse_m), power(Bounds::kInverse_m), none});
+    table.add({QStringLiteral("inverse kinematics, there and back (rad)"), power(arm.inverse_rad), power(Bounds::kInverse_rad), none});
+    table.add({QStringLiteral("Jacobian beside differences (m/rad, rad/rad)"), power(arm.jacobian), power(Bounds::kJacobian), none});
+    table.add({QStringLiteral("gravity beside the potential's differences (N·m)"), power(arm.gravity_Nm), power(Bounds::kGravity_Nm), none});
+    table.add({QStringLiteral("weight that a hand carries at the pad, most (N)"), in(arm.weight_N, 3), in(Bounds::kWeight_N, 3), none});
+    table.add({QStringLiteral("sinks in 0.5 s without a hand, most (mm)"), in(1e3 * arm.sinks_m, 2), in(1e3 * Bounds::kSinks_m, 2), none});
+    table.add({QStringLiteral("mass that a hand moves along (kg)"), span(arm.massLeast_kg, arm.massMost_kg, 3), {}, none});
+    table.add({QStringLiteral("a count of an encoder of %1 bits at the pad (µm)").arg(arm.encoderBits), span(1e6 * arm.countLeast_m, 1e6 * arm.countMost_m, 1),
+               in(1e6 * Bounds::kCount_m, 1), none});
+    table.add({QStringLiteral("pad beside where the encoders say, most (mm)"), in(1e3 * arm.place_m, 2), in(1e3 * Bounds::kPlace_m, 2), none});
+    TextTable felt({QStringLiteral("led along"), QStringLiteral(">speed (mm/s)"), QStringLiteral(">felt at the pad (N)"), QStringLiteral(">given (N)")});
+    for (const auto& drag : arm.drags)
+        felt.add({kAxes[static_cast<std::size_t>(drag.axis)], shortNumber(1e3 * drag.speed_m_per_s), in(drag.felt_N, 4), in(drag.given_N, 4)});
+    return QStringLiteral("\nThe arm, seven joints in series without motors: what is felt at the pad is its friction, weight and mass.\n\n") + table.toText() +
+           QStringLiteral("\nFriction of the joints as a hand feels it at the pad, within %1 % of what they were given:\n\n").arg(100.0 * Bounds::kFriction, 0, 'f', 0) + felt.toText();
 }
 
 QString figures(const FingertipCheck& check) {
@@ -174,12 +246,15 @@ CommandOutput describeFingertipCheck(const FingertipCheck& check, bool withSerie
     text += fingers(check);
     if (!check.degradation.empty())
         text += degradation(check);
-    text += QLatin1Char('\n') + (holds(check) ? QStringLiteral("Holds on all fingers, in simulation: within P3's errors in force and angle, no overshoot that is felt, never more than 4 N on the pad.\n"
-                                                                "A real platform has to be measured on its own.\n")
-                                              : QStringLiteral("Does not hold on all fingers, in simulation: see the table.\n"));
+    text += armText(check.arm);
+    const bool platform = check.verification.holds() && mechanisms::holdsOnAll(check.fingers);
+    text += QLatin1Char('\n') + (platform ? QStringLiteral("Holds on all fingers, in simulation: within P3's errors in force and angle, no overshoot that is felt, never more than 4 N on the pad.\n")
+                                          : QStringLiteral("Does not hold on all fingers, in simulation: see the table.\n"));
+    text += check.arm.holds() ? QStringLiteral("The arm holds, in simulation. A real device has to be measured on its own.\n")
+                              : QStringLiteral("The arm does not hold, in simulation: see its table.\n");
     return {QJsonDocument(toJson(check, withSeries)), text, holds(check) ? 0 : 1};
 }
 
-bool holds(const FingertipCheck& check) noexcept { return check.verification.holds() && mechanisms::holdsOnAll(check.fingers); }
+bool holds(const FingertipCheck& check) noexcept { return check.verification.holds() && mechanisms::holdsOnAll(check.fingers) && check.arm.holds(); }
 
 } // namespace chiron::cli

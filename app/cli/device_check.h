@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/command.h"
+#include "mechanisms/fingertip_arm_verification.h"
 #include "mechanisms/fingertip_verification.h"
 
 #include <optional>
@@ -9,7 +10,7 @@
 
 namespace chiron::cli {
 
-/// What `device check` found of P3's simulated mechanism.
+/// What `device check` found of P3's simulated mechanism: the platform under the finger, and the arm that carries it.
 struct FingertipCheck {
     std::uint64_t seed = 1;
     mechanisms::FingertipVerification verification;
@@ -18,9 +19,10 @@ struct FingertipCheck {
     double damping_Ns_per_m = 0.0;  ///< b + B in the cap of the stiffness
     double stiffnessCap_N_per_m = 0.0;
     std::vector<mechanisms::FingertipDegradation> degradation; ///< empty unless asked for
+    mechanisms::FingertipArmVerification arm;
 };
 
-/// Holds on the finger that is assumed and on the seven others.
+/// Holds on the finger that is assumed and on the seven others, and the arm does.
 bool holds(const FingertipCheck& check) noexcept;
 
 /// As JSON and as a table beside P3's figures; exit 1 where the check does not hold.

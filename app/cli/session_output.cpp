@@ -4,7 +4,9 @@
 #include "database/repositories/score_repository.h"
 #include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 #include "database/repositories/session_reader.h"
+#include "report/report_text.h"
 #include "session/session_setup.h"
+#include "session/yield_cause.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -34,6 +36,12 @@ QJsonArray devicesJson(const database::SessionRecord& record) {
         list.append(entry);
     }
     return list;
+}
+
+/// What tissue that gave way gave way to.
+QJsonObject causeJson(const simulation::YieldLaw& law, const database::EventRecord& event) {
+    const session::YieldCause cause = session::yieldCauseOf(law, event.detailJson);
+    return {{"quantity", cause.byTorque ? "torque" : "force"}, {"value", cause.value}, {"unit", cause.byTorque ? "mN·m" : "N"}};
 }
 
 } // namespace
@@ -107,20 +115,47 @@ QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& re
     return json;
 }
 
-core::Result<QJsonArray> eventsJson(database::Connection& connection, const database::Actor& actor,
-                                    database::SessionId session) {
-    auto events = database::SessionReader(connection, actor).events(session);
+core::Result<QJsonArray> eventsJson(database::Connection& connection, const database::Actor& actor, const database::SessionRecord& record) {
+    auto events = database::SessionReader(connection, actor).events(record.summary.id);
     if (!events)
         return tl::unexpected(events.error());
+    const auto setup = session::setupFromStored(record.setup);
     QJsonArray array;
     for (const database::EventRecord& event : *events) {
-        array.append(QJsonObject{{"tick", static_cast<double>(event.tick)},
-                                 {"time_s", event.time_s},
-                                 {"tool", event.tool},
-                                 {"kind", text(event.kind)},
-                                 {"detail", parsed(event.detailJson)}});
+        QJsonObject json{{"tick", static_cast<double>(event.tick)},
+                         {"time_s", event.time_s},
+                         {"tool", event.tool},
+                         {"kind", text(event.kind)},
+                         {"detail", parsed(event.detailJson)}};
+        if (event.kind == "tissue_yielded" && setup) // of a set-up of another version the level is not known
+            json.insert("gave_way_to", causeJson(session::yieldLawOf(setup->level.parameters), event));
+        array.append(json);
     }
     return array;
+}
+
+QJsonArray yieldsOf(const QJsonArray& events) {
+    QJsonArray yields;
+    for (const QJsonValue event : events)
+        if (event["kind"].toString() == QLatin1String("tissue_yielded")) {
+            QJsonObject json{{"trial", event["detail"]["trial"].toInt() + 1}, {"tool", event["tool"]}, {"time_s", event["time_s"]}};
+            if (!event["gave_way_to"].isUndefined())
+                json.insert("gave_way_to", event["gave_way_to"]);
+            yields.append(json);
+        }
+    return yields;
+}
+
+QString yieldsText(const QJsonArray& yields) {
+    QString lines;
+    for (const QJsonValue yield : yields) {
+        const QJsonValue cause = yield["gave_way_to"];
+        lines += QStringLiteral("tissue gave way: trial %1, tool %2, at %3 s").arg(yield["trial"].toInt()).arg(yield["tool"].toInt() + 1).arg(yield["time_s"].toDouble(), 0, 'f', 3);
+        if (!cause.isUndefined())
+            lines += QStringLiteral(", %1 %2 %3").arg(cause["quantity"].toString(), report::formatNumber(cause["value"].toDouble(), QLocale::c()), cause["unit"].toString());
+        lines += QLatin1Char('\n');
+    }
+    return lines.isEmpty() ? lines : QLatin1Char('\n') + lines;
 }
 
 void tell(const QString& line) {

@@ -198,12 +198,12 @@ void PlotView::addReference(const QString& name, double value) {
     m_impl->addHorizontal(name, value, pen);
 }
 
-void PlotView::shadeAbove(const QString& name, std::span<const double> x, std::span<const double> y,
+bool PlotView::shadeAbove(const QString& name, std::span<const double> x, std::span<const double> y,
                           double limit) {
     const std::size_t count = std::min(x.size(), y.size());
     if (std::none_of(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(count),
                      [&](double v) { return v > limit; }))
-        return;
+        return false;
     QCPGraph* base = m_impl->addGraph(QString());
     base->setPen(Qt::NoPen);
     base->setData({x[0], x[count - 1]}, {limit, limit}, true);
@@ -212,6 +212,7 @@ void PlotView::shadeAbove(const QString& name, std::span<const double> x, std::s
     graph->setBrush(m_impl->theme.overFill);
     graph->setChannelFillGraph(base);
     m_impl->lines.push_back({graph, {x.begin(), x.end()}, {y.begin(), y.end()}, true, limit});
+    return true;
 }
 
 void PlotView::addHatchedSpans(const QString& name, const std::vector<TimeSpan>& spans) {

@@ -25,7 +25,7 @@ struct PlotAxis {
 };
 
 /// How a series is told apart: by its line (or marker) as well as by its colour.
-enum class PlotStyle { solidA, dashedB, dottedC, dashDotD };
+enum class PlotStyle { solidA, dashedB, dottedC, dashDotD, longDashE };
 
 struct PlotPoint {
     double x = 0.0;
@@ -84,8 +84,8 @@ public:
     void addLimit(const QString& name, double value);
     /// The same for something to compare with that is no limit.
     void addReference(const QString& name, double value);
-    /// Fills between `limit` and the line where the line is above it.
-    void shadeAbove(const QString& name, std::span<const double> x, std::span<const double> y, double limit);
+    /// Fills between `limit` and the line where the line is above it; whether it is anywhere. Without a name it is not in the legend.
+    bool shadeAbove(const QString& name, std::span<const double> x, std::span<const double> y, double limit);
     void addHatchedSpans(const QString& name, const std::vector<TimeSpan>& spans);
     void addEvents(const std::vector<TimedEvent>& events);
     void addCircle(const QString& name, double radius);

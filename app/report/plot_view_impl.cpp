@@ -90,6 +90,8 @@ QColor PlotView::Impl::color(PlotStyle style) const {
         return theme.seriesB;
     case PlotStyle::dottedC:
         return theme.seriesC;
+    case PlotStyle::longDashE:
+        return theme.ink;
     case PlotStyle::dashDotD:
         break;
     }
@@ -106,6 +108,8 @@ QPen PlotView::Impl::pen(PlotStyle style, double width) const {
         pen.setDashPattern({1.5, 2.0});
     if (style == PlotStyle::dashDotD)
         pen.setDashPattern({6.0, 2.0, 1.5, 2.0});
+    if (style == PlotStyle::longDashE)
+        pen.setDashPattern({12.0, 3.0});
     return pen;
 }
 

@@ -48,6 +48,7 @@ ReportBlocks::ReportBlocks(const ReportData& data, const PlotTheme& theme, doubl
     addTube();
     addHandling();
     addForce();
+    addCriticalErrors();
     addMetrics();
     addPlots();
     addIntegrity();
@@ -216,7 +217,7 @@ void ReportBlocks::addWords(const WordTable& table) {
     // Columns as wide as their longest word of the head and their longest cell: no language's words are broken.
     const QFontMetricsF head(m_theme.font(11, true));
     const QFontMetricsF body(m_theme.font(12));
-    constexpr double kPadding = 14.0;
+    constexpr double kPadding = 12.5; // a cell's, and rounding
     std::vector<double> widths;
     for (std::size_t column = 0; column < table.head.size(); ++column) {
         double width = 0.0;
@@ -238,14 +239,8 @@ void ReportBlocks::addTube() {
     if (!m_data.tube)
         return;
     addHeading(Words::tr("Tension and stretch"));
-    for (auto plot : {tensionPlot, retractionPlot, stretchPlot}) {
-        auto made = plot(*m_data.tube, m_theme);
-        if (!made)
-            continue;
-        m_plots.push_back(std::move(made));
-        PlotView* view = m_plots.back().get();
-        add(216, 8, [view](QCPPainter& p, const QRectF& box) { view->paintTo(p, box); });
-    }
+    for (auto plot : {tensionPlot, retractionPlot, stretchPlot})
+        addPlot(plot(*m_data.tube, m_theme), 216);
     addWords(tubeTable(*m_data.tube, m_theme.locale));
 }
 
@@ -274,16 +269,53 @@ void ReportBlocks::addForce() {
         addText(QStringLiteral("!  ") + beyond, m_theme.font(12, true), m_theme.warning, 6);
 }
 
-void ReportBlocks::addPlots() {
-    addHeading(Words::tr("The session over time"));
-    m_plots.push_back(forcePlot(m_data.series, m_data.forceLimit_N, m_theme));
-    m_plots.push_back(positionPlot(m_data.series, m_theme));
-    m_plots.push_back(speedPlot(m_data.series, m_theme));
-    for (std::size_t i = m_plots.size() - 3; i < m_plots.size(); ++i) {
-        PlotView* plot = m_plots[i].get();
-        add(i + 3 == m_plots.size() ? 240 : 216, 8,
-            [plot](QCPPainter& p, const QRectF& box) { plot->paintTo(p, box); });
+void ReportBlocks::addCriticalErrors() {
+    const std::vector<CriticalError>& errors = m_data.series.criticalErrors;
+    if (errors.empty())
+        return;
+    addHeading(Words::tr("Critical errors"));
+    const bool several = m_data.series.tools.size() > 1;
+    std::vector<std::vector<QString>> rows;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const CriticalError& error = errors[i];
+        const auto tool = static_cast<std::size_t>(std::max(error.tool, 0));
+        std::vector<QString> row{m_theme.locale.toString(static_cast<qulonglong>(i + 1)),
+                                 formatValue(error.begin_s, QStringLiteral("s"), m_theme.locale), m_theme.locale.toString(error.trial + 1)};
+        if (several)
+            row.push_back(tool < m_data.series.tools.size() ? m_data.series.tools[tool].name : QStringLiteral("–"));
+        row.push_back(error.words);
+        rows.push_back(std::move(row));
     }
+    std::vector<QString> head{Words::tr("No."), Words::tr("Time"), Words::tr("Trial")};
+    std::vector<double> shares{0.07, 0.13, 0.15, 0.65};
+    std::vector<bool> right{true, true, true, false};
+    if (several) {
+        head.push_back(Words::tr("Tool"));
+        shares = {0.07, 0.13, 0.15, 0.23, 0.42};
+        right.push_back(false);
+    }
+    head.push_back(Words::tr("What happened"));
+    addTable(head, rows, shares, right);
+}
+
+void ReportBlocks::addPlot(std::unique_ptr<PlotView> plot, double height) {
+    if (!plot)
+        return;
+    PlotView* view = plot.get();
+    m_plots.push_back(std::move(plot));
+    add(height, 8, [view](QCPPainter& p, const QRectF& box) { view->paintTo(p, box); });
+}
+
+void ReportBlocks::addPlots() {
+    constexpr double kHigh = 240, kUsual = 216, kLow = 180;
+    addHeading(Words::tr("The session over time"));
+    addPlot(forcePlot(m_data.series, m_data.forceLimit_N, m_theme), kHigh);
+    addPlot(feltForcePlot(m_data.series, m_data.forceLimit_N, m_theme), kUsual);
+    addPlot(measuredForcePlot(m_data.series, m_data.forceLimit_N, m_theme), kUsual);
+    std::vector<std::unique_ptr<PlotView>> places = positionPlots(m_data.series, m_theme);
+    for (auto& place : places)
+        addPlot(std::move(place), places.size() > 1 ? kLow : kUsual);
+    addPlot(speedPlot(m_data.series, m_theme), kUsual);
 }
 
 void ReportBlocks::addIntegrity() {

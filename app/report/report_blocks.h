@@ -28,6 +28,9 @@ private:
     void addHandling();
     void addWords(const WordTable& table);
     void addForce();
+    void addCriticalErrors();
+    /// Null is left out.
+    void addPlot(std::unique_ptr<PlotView> plot, double height);
     void addPlots();
     void addIntegrity();
 

@@ -61,20 +61,35 @@ struct TimedEvent {
     QString label; ///< short: "trial 3", "mark"
 };
 
-/// One tool's samples of a session (or of one trial) for plots. All vectors have t_s's length, except that
-/// `measured_N`, `commanded_N`, `speed_mm_per_s`, `offset_mm` and `alignment_deg` may be empty (not measured, not stored). Positions in W,
-/// forces as norms. Values that are not finite leave a gap.
-struct SampleSeries {
-    std::vector<double> t_s; ///< ascending
+/// What one tool did. All vectors have the series' length, except that `measured_N`, `commanded_N` and `speed_mm_per_s` may be empty
+/// (not measured, not felt, not stored). Positions in W, forces as norms. Values that are not finite leave a gap.
+struct ToolSamples {
+    QString name; ///< "Left instrument"; needed only where there are several
     std::vector<double> x_mm, y_mm, z_mm;
     std::vector<double> tissue_N;    ///< what the scene answered: assessed
     std::vector<double> commanded_N; ///< after the supervisor
     std::vector<double> measured_N;  ///< by the device
     std::vector<double> speed_mm_per_s;
-    std::vector<double> offset_mm;     ///< from a canal's centre-line; empty where there is none
-    std::vector<double> alignment_deg; ///< between instrument and canal; the same
+};
+
+/// One of the errors that the metric critical_errors counts.
+struct CriticalError {
+    double begin_s = 0.0;
+    double end_s = 0.0; ///< equal to begin_s for a moment
+    int trial = 0;      ///< 0-based; people see it 1-based
+    int tool = 0;
+    QString words; ///< what happened, with its size: "The tissue gave way at 8.00 N"
+};
+
+/// The samples of a session (or of one trial) for plots: every tool's, at most four.
+struct SampleSeries {
+    std::vector<double> t_s; ///< ascending
+    std::vector<ToolSamples> tools;
+    std::vector<double> offset_mm;     ///< of tool 0 from a canal's centre-line; empty where there is none
+    std::vector<double> alignment_deg; ///< between that instrument and the canal; the same
     std::vector<TimeSpan> paused; ///< hatched; left out of every metric
     std::vector<TimedEvent> events;
+    std::vector<CriticalError> criticalErrors; ///< by time
 };
 
 /// What the loop did, as stored with the session.

@@ -36,25 +36,25 @@ PageFrame frameOf(const ReportData& data, const PlotTheme& theme) {
     return frame;
 }
 
+constexpr double kPngScale = 2.0;
+
 core::Result<void> save(PlotView& left, PlotView* right, const QString& path, QSize size,
                         const PlotTheme& theme) {
-    constexpr double kScale = 2.0;
     std::vector<Panel> panels{{&left, QRectF(QPointF(0, 0), QSizeF(size))}};
     if (right) {
         const double split = 0.46 * size.width();
         panels = {{&left, QRectF(0, 0, split, size.height())},
                   {right, QRectF(split, 0, size.width() - split, size.height())}};
     }
-    return writePng(path, renderPanels(panels, size, kScale, theme));
+    return writePng(path, renderPanels(panels, size, kPngScale, theme));
 }
 
 core::Result<void> saveMaps(const PalpationTrialReport& trial, const QString& path, const PlotTheme& theme) {
-    constexpr double kScale = 2.0;
     const QSizeF size(1400, 440);
-    QImage image((size * kScale).toSize(), QImage::Format_RGB32);
+    QImage image((size * kPngScale).toSize(), QImage::Format_RGB32);
     image.fill(theme.paper);
     QPainter painter(&image);
-    painter.scale(kScale, kScale);
+    painter.scale(kPngScale, kPngScale);
     paintPalpationMaps(painter, QRectF(QPointF(0, 0), size).adjusted(16, 16, -16, -16), trial, theme);
     painter.end();
     return writePng(path, image);
@@ -93,9 +93,26 @@ core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const
             written.push_back(path);
         return result;
     };
-    if (auto done = write("position.png", positionPlot(data.series, theme), nullptr); !done)
+    // One below the other, where several tools need several plots.
+    const auto writeColumn = [&](const char* name, std::vector<std::unique_ptr<PlotView>> plots) -> core::Result<void> {
+        std::erase(plots, nullptr);
+        const QSize size(wide.width(), wide.height() * static_cast<int>(plots.size()));
+        std::vector<Panel> panels;
+        for (std::size_t i = 0; i < plots.size(); ++i)
+            panels.push_back({plots[i].get(), QRectF(0, static_cast<double>(i) * wide.height(), wide.width(), wide.height())});
+        const QString path = directory.filePath(QLatin1String(name));
+        auto result = writePng(path, renderPanels(panels, size, kPngScale, theme));
+        if (result)
+            written.push_back(path);
+        return result;
+    };
+    std::vector<std::unique_ptr<PlotView>> forces;
+    forces.push_back(forcePlot(data.series, data.forceLimit_N, theme));
+    forces.push_back(feltForcePlot(data.series, data.forceLimit_N, theme));
+    forces.push_back(measuredForcePlot(data.series, data.forceLimit_N, theme));
+    if (auto done = writeColumn("position.png", positionPlots(data.series, theme)); !done)
         return tl::unexpected(done.error());
-    if (auto done = write("force.png", forcePlot(data.series, data.forceLimit_N, theme), nullptr); !done)
+    if (auto done = writeColumn("force.png", std::move(forces)); !done)
         return tl::unexpected(done.error());
     if (auto done = write("speed.png", speedPlot(data.series, theme), nullptr); !done)
         return tl::unexpected(done.error());

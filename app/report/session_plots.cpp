@@ -4,8 +4,11 @@
 #include "report/report_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace chiron::report {
 
@@ -34,6 +37,80 @@ void finish(PlotView& view, const SampleSeries& series, bool empty) {
         view.setNote(Words::tr("No samples were recorded"));
 }
 
+/// A tool's line, in every plot of several tools.
+PlotStyle styleOf(std::size_t tool) {
+    constexpr std::array kStyles{PlotStyle::solidA, PlotStyle::dashedB, PlotStyle::dottedC, PlotStyle::longDashE}; // dash-dotted is a second session's
+    return kStyles[std::min(tool, kStyles.size() - 1)];
+}
+
+using Quantity = std::vector<double> ToolSamples::*;
+
+const std::vector<double>& firstOf(const SampleSeries& series, Quantity quantity) {
+    static const std::vector<double> kNone;
+    return series.tools.empty() ? kNone : series.tools.front().*quantity;
+}
+
+/// A line a tool, named where there are several, else `alone`.
+void addTools(PlotView& view, const SampleSeries& series, Quantity quantity, const QString& alone) {
+    if (series.tools.empty()) // nothing was recorded: what would be here
+        view.addLine(alone, series.t_s, {}, styleOf(0));
+    for (std::size_t tool = 0; tool < series.tools.size(); ++tool)
+        if (const std::vector<double>& values = series.tools[tool].*quantity; !values.empty())
+            view.addLine(series.tools.size() > 1 ? series.tools[tool].name : alone, series.t_s, values, styleOf(tool));
+}
+
+std::size_t toolOf(const CriticalError& error) { return static_cast<std::size_t>(std::max(error.tool, 0)); }
+
+/// The sample at which the error's tool felt most while it went on; nothing where its tool has no samples.
+std::optional<std::size_t> worstOf(const SampleSeries& series, const CriticalError& error) {
+    const std::size_t tool = toolOf(error);
+    if (series.t_s.empty() || tool >= series.tools.size() || series.tools[tool].tissue_N.size() != series.t_s.size())
+        return std::nullopt;
+    const auto first = std::lower_bound(series.t_s.begin(), series.t_s.end(), error.begin_s);
+    const auto end = std::upper_bound(first, series.t_s.end(), error.end_s);
+    const auto from = std::min(first - series.t_s.begin(), std::ssize(series.t_s) - 1);
+    const auto to = std::max(end - series.t_s.begin(), from + 1);
+    const auto force = series.tools[tool].tissue_N.begin();
+    return static_cast<std::size_t>(std::max_element(force + from, force + to) - force);
+}
+
+/// Crosses upon the tools' own lines of `quantity`, at the worst of each error; `legend`: named, and with the errors' numbers.
+void addCriticalErrors(PlotView& view, const SampleSeries& series, Quantity quantity, bool legend = true) {
+    std::vector<PlotPoint> points;
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < series.criticalErrors.size(); ++i) {
+        const auto worst = worstOf(series, series.criticalErrors[i]);
+        if (!worst)
+            continue;
+        const std::vector<double>& values = series.tools[toolOf(series.criticalErrors[i])].*quantity;
+        if (*worst >= values.size())
+            continue;
+        points.push_back({series.t_s[*worst], values[*worst]});
+        numbers.push_back(static_cast<int>(i) + 1);
+    }
+    if (points.empty())
+        return;
+    view.addMarkers(legend ? Words::tr("critical error") : QString(), points, PlotStyle::solidA, true);
+    if (legend)
+        view.addCounts(points, numbers);
+}
+
+void addLimitLine(PlotView& view, double limit_N, const PlotTheme& theme) {
+    view.addLimit(Words::tr("limit %1").arg(formatValue(limit_N, QStringLiteral("N"), theme.locale)), limit_N);
+}
+
+std::unique_ptr<PlotView> toolsForcePlot(const QString& title, const SampleSeries& series, Quantity quantity, double limit_N, const PlotTheme& theme) {
+    const bool any = std::any_of(series.tools.begin(), series.tools.end(), [&](const ToolSamples& tool) { return !(tool.*quantity).empty(); });
+    if (series.tools.size() < 2 || !any)
+        return nullptr;
+    auto view = timePlot(title, {Words::tr("Force (N)"), 0.0, {}}, series, theme);
+    addTools(*view, series, quantity, {});
+    addLimitLine(*view, limit_N, theme);
+    addCriticalErrors(*view, series, quantity);
+    finish(*view, series, false);
+    return view;
+}
+
 double mean(const std::vector<double>& values) {
     double sum = 0.0;
     for (const double value : values)
@@ -53,36 +130,65 @@ double deviation(const std::vector<double>& values, double centre) {
 
 } // namespace
 
-std::unique_ptr<PlotView> positionPlot(const SampleSeries& series, const PlotTheme& theme) {
-    auto view =
-        timePlot(Words::tr("Position of the tool tip"), {Words::tr("Position (mm)"), {}, {}}, series, theme);
-    view->addLine(QStringLiteral("x"), series.t_s, series.x_mm, PlotStyle::solidA);
-    view->addLine(QStringLiteral("y"), series.t_s, series.y_mm, PlotStyle::dashedB);
-    view->addLine(QStringLiteral("z"), series.t_s, series.z_mm, PlotStyle::dottedC);
-    finish(*view, series, series.t_s.empty() || series.x_mm.empty());
-    return view;
+std::vector<std::unique_ptr<PlotView>> positionPlots(const SampleSeries& series, const PlotTheme& theme) {
+    std::vector<std::unique_ptr<PlotView>> plots;
+    const bool empty = series.t_s.empty() || firstOf(series, &ToolSamples::x_mm).empty();
+    if (series.tools.size() > 1) {
+        for (const auto& [title, quantity] : {std::pair{Words::tr("Position of the tool tips, x"), &ToolSamples::x_mm},
+                                              std::pair{Words::tr("Position of the tool tips, y"), &ToolSamples::y_mm},
+                                              std::pair{Words::tr("Position of the tool tips, z"), &ToolSamples::z_mm}}) {
+            plots.push_back(timePlot(title, {Words::tr("Position (mm)"), {}, {}}, series, theme));
+            addTools(*plots.back(), series, quantity, {});
+            addCriticalErrors(*plots.back(), series, quantity);
+            finish(*plots.back(), series, empty);
+        }
+        return plots;
+    }
+    plots.push_back(timePlot(Words::tr("Position of the tool tip"), {Words::tr("Position (mm)"), {}, {}}, series, theme));
+    PlotView& view = *plots.back();
+    view.addLine(QStringLiteral("x"), series.t_s, firstOf(series, &ToolSamples::x_mm), PlotStyle::solidA);
+    view.addLine(QStringLiteral("y"), series.t_s, firstOf(series, &ToolSamples::y_mm), PlotStyle::dashedB);
+    view.addLine(QStringLiteral("z"), series.t_s, firstOf(series, &ToolSamples::z_mm), PlotStyle::dottedC);
+    for (const Quantity quantity : {&ToolSamples::x_mm, &ToolSamples::y_mm, &ToolSamples::z_mm})
+        addCriticalErrors(view, series, quantity, quantity == &ToolSamples::z_mm);
+    finish(view, series, empty);
+    return plots;
 }
 
 std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme) {
-    auto view = timePlot(Words::tr("Force on the tool"), {Words::tr("Force (N)"), 0.0, {}}, series, theme);
-    view->shadeAbove(Words::tr("over the limit"), series.t_s, series.tissue_N, limit_N);
+    const bool several = series.tools.size() > 1;
+    auto view = timePlot(several ? Words::tr("Force of the tissue on each tool (assessed)") : Words::tr("Force on the tool"),
+                         {Words::tr("Force (N)"), 0.0, {}}, series, theme);
+    QString over = Words::tr("over the limit");
+    for (const ToolSamples& tool : series.tools)
+        if (view->shadeAbove(over, series.t_s, tool.tissue_N, limit_N))
+            over.clear(); // once in the legend
     // What is assessed is drawn last, on top.
-    if (!series.measured_N.empty())
-        view->addLine(Words::tr("measured"), series.t_s, series.measured_N, PlotStyle::dottedC);
-    if (!series.commanded_N.empty())
-        view->addLine(Words::tr("felt (commanded)"), series.t_s, series.commanded_N, PlotStyle::dashedB);
-    view->addLine(Words::tr("tissue (assessed)"), series.t_s, series.tissue_N, PlotStyle::solidA);
-    view->addLimit(Words::tr("limit %1").arg(formatValue(limit_N, QStringLiteral("N"), theme.locale)),
-                   limit_N);
-    finish(*view, series, series.t_s.empty() || series.tissue_N.empty());
+    if (!several && !firstOf(series, &ToolSamples::measured_N).empty())
+        view->addLine(Words::tr("measured"), series.t_s, firstOf(series, &ToolSamples::measured_N), PlotStyle::dottedC);
+    if (!several && !firstOf(series, &ToolSamples::commanded_N).empty())
+        view->addLine(Words::tr("felt (commanded)"), series.t_s, firstOf(series, &ToolSamples::commanded_N), PlotStyle::dashedB);
+    addTools(*view, series, &ToolSamples::tissue_N, Words::tr("tissue (assessed)"));
+    addLimitLine(*view, limit_N, theme);
+    addCriticalErrors(*view, series, &ToolSamples::tissue_N);
+    finish(*view, series, series.t_s.empty() || firstOf(series, &ToolSamples::tissue_N).empty());
     return view;
 }
 
+std::unique_ptr<PlotView> feltForcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme) {
+    return toolsForcePlot(Words::tr("Force felt (commanded) on each tool"), series, &ToolSamples::commanded_N, limit_N, theme);
+}
+
+std::unique_ptr<PlotView> measuredForcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme) {
+    return toolsForcePlot(Words::tr("Force measured on each tool"), series, &ToolSamples::measured_N, limit_N, theme);
+}
+
 std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme& theme) {
-    auto view =
-        timePlot(Words::tr("Speed of the tool tip"), {Words::tr("Speed (mm/s)"), 0.0, {}}, series, theme);
-    view->addLine(Words::tr("speed"), series.t_s, series.speed_mm_per_s, PlotStyle::solidA);
-    finish(*view, series, series.t_s.empty() || series.speed_mm_per_s.empty());
+    auto view = timePlot(series.tools.size() > 1 ? Words::tr("Speed of the tool tips") : Words::tr("Speed of the tool tip"),
+                         {Words::tr("Speed (mm/s)"), 0.0, {}}, series, theme);
+    addTools(*view, series, &ToolSamples::speed_mm_per_s, Words::tr("speed"));
+    addCriticalErrors(*view, series, &ToolSamples::speed_mm_per_s);
+    finish(*view, series, series.t_s.empty() || firstOf(series, &ToolSamples::speed_mm_per_s).empty());
     return view;
 }
 

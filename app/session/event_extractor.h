@@ -22,8 +22,8 @@ struct MarkedGuard {
 std::span<const MarkedGuard> markedGuards() noexcept;
 
 /// Stored frames -> the events and trials of a session, as playback marks them and the database keeps them: trial
-/// starts, marks, time-outs, stages, landmarks, completions, commands, the onset of each guard, tissue that gave way (with the
-/// force in N that it gave way at), the onset of tissue force over the limit. The change of stage that completes a procedure is told as its completion.
+/// starts, marks, time-outs, stages, landmarks, completions, commands, the onset of each guard, tissue that gave way (with its
+/// force in mN and torque in mN·m; which of them was the reason follows from the level: yield_cause.h), the onset of tissue force over the limit. The change of stage that completes a procedure is told as its completion.
 class EventExtractor {
 public:
     EventExtractor(double forceLimit_N, std::uint64_t sessionSeed, int tools)

@@ -62,7 +62,7 @@ core::Result<std::vector<PalpationTrialRecord>> palpationRecord(const scoring::S
         scoring::JudgedTrial judged = scoring::judgePalpation(trial);
         if (!judged.answer)
             return core::fail(core::ErrorCode::badInput,
-                              "trial " + std::to_string(trial.trial + 1) + ": " + std::string(judged.reason));
+                              "trial " + std::to_string(trial.trial + 1) + ": " + scoring::storedText({judged.reason, {}}));
         records.push_back({trial.trial, trial.completed, trial.timedOut, std::move(*judged.answer), mapOf(level, trial),
                            lastCoverage(trial)});
     }

@@ -9,6 +9,7 @@
 #include "session/insertion_marks.h"
 #include "session/recorded_quantities.h"
 #include "session/trace_mark.h"
+#include "session/yield_cause.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,8 @@ class TrackBuilder {
 public:
     TrackBuilder(StoredSession& session, const TrialSurfaces& surfaces)
         : m_quantities(session.reader().table()), m_positions(session.positions()), m_surfaces(surfaces),
-          m_marks(session.record().setup.forceLimit_N, session.positions().tools(), session.record().setup.felt) {
+          m_marks(session.record().setup.forceLimit_N, session.positions().tools(), session.record().setup.felt,
+                  yieldLawOf(session.setup().level.parameters)) {
         m_track.session = session.record().summary.id;
         m_track.exercise = session.setup().level.exercise;
         m_track.level = session.setup().level.number;

@@ -5,6 +5,7 @@
 #include "scoring/force_facts.h"
 #include "session/event_extractor.h"
 #include "session/trace_mark.h"
+#include "session/yield_cause.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,10 @@ constexpr double kShortest_s = 0.02; // the slew at every touch limits for a tic
 
 double tissueOf(const core::ToolFrame& tool) {
     return std::hypot(tool.tissue[0], tool.tissue[1], tool.tissue[2]);
+}
+
+double torqueOf(const core::ToolFrame& tool) {
+    return std::hypot(tool.tissue[3], tool.tissue[4], tool.tissue[5]);
 }
 
 } // namespace
@@ -144,8 +149,9 @@ void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
         const auto i = static_cast<std::size_t>(tool);
         const double tissue = tissueOf(frame.tool[i]);
         if (core::contactOfStatus(frame.tool[i].status) & core::contact_bits::kYielded)
-            noteYield(frame, t_s, tool, std::max(m_before_N[i], tissue));
+            noteYield(frame, t_s, tool);
         m_before_N[i] = tissue;
+        m_before_Nm[i] = torqueOf(frame.tool[i]);
         follow(m_contact[i], tissue > kContact_N, frame, t_s, PlaybackMarkKind::contact, tool, kBridge_s);
         const bool over = scored && tissue > m_forceLimit_N;
         follow(m_over[i], over, frame, t_s, PlaybackMarkKind::overLimit, tool);
@@ -158,9 +164,14 @@ void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
 }
 
 /// What gives way before a trial runs, or while it is paused, is nobody's error.
-void MarkExtractor::noteYield(const core::HapticFrame& frame, double t_s, int tool, double force_N) {
+void MarkExtractor::noteYield(const core::HapticFrame& frame, double t_s, int tool) {
+    const auto i = static_cast<std::size_t>(tool);
+    const double force_N = tissueOf(frame.tool[i]), torque_Nm = torqueOf(frame.tool[i]);
+    const bool byTorque = gaveWayToTorque(m_yield, force_N, torque_Nm);
     PlaybackMark& mark = note(frame, t_s, PlaybackMarkKind::yielded, tool);
-    mark.value = force_N;
+    mark.value = byTorque ? std::max(m_before_Nm[i], torque_Nm) : std::max(m_before_N[i], force_N);
+    if (byTorque)
+        mark.detail = kByTorque;
     mark.critical = frame.header.phase == core::TrialPhase::running && frame.header.paused == 0;
 }
 

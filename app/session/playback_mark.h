@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/haptic_frame.h"
+#include "simulation/yield.h"
 
 #include <array>
 #include <cstdint>
@@ -38,7 +39,7 @@ enum class PlaybackMarkKind : std::uint8_t {
     damaged,      ///< penalty: over-stretched or over-squeezed
     found,        ///< palpation: a finding was reported; value: its number, from 1
     takenBack,    ///< palpation: a finding was taken back; value: its number, from 1
-    yielded,      ///< penalty: tissue gave way; value: the force at which it did, N
+    yielded,      ///< penalty: tissue gave way; value: the force at which it did, N, or with detail kByTorque the torque, N·m
     failed,       ///< penalty: the trial could not be done any more (torn)
     limited,      ///< less was commanded than the tissue answered, from t_s to end_s; value: the largest tissue force, N
     missed,       ///< penalty: an answer was given beside what was asked for
@@ -48,6 +49,9 @@ enum class PlaybackMarkKind : std::uint8_t {
 
 /// `detail` of a time-out of a procedure, which nobody marks.
 inline constexpr const char* kProcedure = "procedure";
+
+/// `detail` of tissue that gave way to a torque.
+inline constexpr const char* kByTorque = "torque";
 
 /// One thing that happened, or went on for a while. The words for it are the screen's.
 struct PlaybackMark {
@@ -73,8 +77,10 @@ bool isPenalty(PlaybackMarkKind kind) noexcept;
 /// for every metric; a touch lost for less than 0.2 s goes on. Frames come in order, chunk by chunk.
 class MarkExtractor {
 public:
-    /// `felt`: the device rendered force, so that less than the tissue's can have been felt.
-    MarkExtractor(double forceLimit_N, int tools, bool felt = false) : m_forceLimit_N(forceLimit_N), m_tools(tools), m_felt(felt) {}
+    /// `felt`: the device rendered force, so that less than the tissue's can have been felt. `yield`: the level's, which tells whether tissue
+    /// gave way to force or to torque.
+    MarkExtractor(double forceLimit_N, int tools, bool felt = false, const simulation::YieldLaw& yield = {})
+        : m_forceLimit_N(forceLimit_N), m_tools(tools), m_felt(felt), m_yield(yield) {}
 
     /// `t_s`: the frame's device time since the first frame.
     void add(const core::HapticFrame& frame, double t_s);
@@ -96,7 +102,7 @@ private:
     void addForces(const core::HapticFrame& frame, double t_s);
     void addGuards(const core::HapticFrame& frame, double t_s);
     void addStandstill(const core::HapticFrame& frame, double t_s);
-    void noteYield(const core::HapticFrame& frame, double t_s, int tool, double force_N);
+    void noteYield(const core::HapticFrame& frame, double t_s, int tool);
     void addLimited(const core::HapticFrame& frame, double t_s, int tool);
 
     /// Why the clock stands still.
@@ -104,11 +110,13 @@ private:
     double m_forceLimit_N;
     int m_tools;
     bool m_felt;
+    simulation::YieldLaw m_yield;
     Standstill m_standstill = Standstill::none;
     std::optional<std::size_t> m_stop; ///< the mark of the stop that goes on
     std::uint32_t m_guards = 0;
     core::ForceState m_force = core::ForceState::off;
     std::array<double, core::kMaxTools> m_before_N{}; ///< tissue force of the tick before
+    std::array<double, core::kMaxTools> m_before_Nm{}; ///< likewise the torque
     Span m_paused;
     std::array<Span, core::kMaxTools> m_over{};
     std::array<Span, core::kMaxTools> m_limited{};

@@ -81,12 +81,12 @@ std::optional<WorstMoment> worstTrial(const PlaybackTrack& track, const scoring:
     return worst;
 }
 
-/// The mark with the largest value of its kind.
+/// The mark with the largest value of its kind, of those with this detail.
 std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkKind kind, double factor,
-                                       const char* unit, bool onlyCritical = false) {
+                                       const char* unit, bool onlyCritical = false, const char* detail = "") {
     const PlaybackMark* found = nullptr;
     for (const PlaybackMark& mark : track.marks)
-        if (mark.kind == kind && mark.value && (mark.critical || !onlyCritical) && (found == nullptr || *mark.value > *found->value))
+        if (mark.kind == kind && mark.value && mark.detail == detail && (mark.critical || !onlyCritical) && (found == nullptr || *mark.value > *found->value))
             found = &mark;
     if (found == nullptr)
         return std::nullopt;
@@ -161,6 +161,8 @@ std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::Me
         return largestMark(track, reversal, 1e3, "mm");
     if (id == "critical_errors") {
         if (auto broken = largestMark(track, yielded, 1.0, "N"))
+            return broken;
+        if (auto broken = largestMark(track, yielded, 1e3, "mN·m", false, kByTorque))
             return broken;
         auto spoiled = firstOf(track, {failed, damaged}, metric);
         return spoiled ? spoiled : largestMark(track, trauma, 1.0, "N", true); // too long or too hard against a wall that held

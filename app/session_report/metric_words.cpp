@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/metric_words.h"
 
+#include "scoring/undefined_reason.h"
+
 #include <QCoreApplication>
-#include <QRegularExpression>
 #include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
 
 namespace chiron::session_report {
+
+using scoring::UndefinedReason;
 
 namespace {
 
@@ -91,7 +94,7 @@ constexpr auto kMetrics = std::to_array<MetricWords>({
     {"over_stretches", QT_TRANSLATE_NOOP("Metrics", "Over-stretches"),
      QT_TRANSLATE_NOOP("Metrics", "How often the tube was stretched beyond the limit of this level.")},
     {"critical_errors", QT_TRANSLATE_NOOP("Metrics", "Critical errors"),
-     QT_TRANSLATE_NOOP("Metrics", "How often the tissue gave way because it was pushed too hard, or was pressed sideways too hard or for too long.")},
+     QT_TRANSLATE_NOOP("Metrics", "How often the tissue gave way because it was pushed or turned too hard, or was pressed sideways too hard or for too long.")},
     {"drops", QT_TRANSLATE_NOOP("Metrics", "Drops"),
      QT_TRANSLATE_NOOP("Metrics", "How often the tissue was let go of before the task was done.")},
     {"squeeze_max", QT_TRANSLATE_NOOP("Metrics", "Largest squeeze"),
@@ -158,58 +161,69 @@ constexpr auto kMetrics = std::to_array<MetricWords>({
      QT_TRANSLATE_NOOP("Metrics", "Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same.")},
 });
 
-constexpr auto kReasons = std::to_array<const char*>({
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no forces"),
-    QT_TRANSLATE_NOOP("Metrics", "no trials"),
-    QT_TRANSLATE_NOOP("Metrics", "start and end are less than 5 mm apart"),
-    QT_TRANSLATE_NOOP("Metrics", "fewer than two samples"),
-    QT_TRANSLATE_NOOP("Metrics", "fewer than two positions"),
-    QT_TRANSLATE_NOOP("Metrics", "no contact"),
-    QT_TRANSLATE_NOOP("Metrics", "no samples"),
-    QT_TRANSLATE_NOOP("Metrics", "needs two trials or more"),
-    QT_TRANSLATE_NOOP("Metrics", "neither movement nor contact"),
-    QT_TRANSLATE_NOOP("Metrics", "no sub-movement of 100 ms"),
-    QT_TRANSLATE_NOOP("Metrics", "no movement"),
-    QT_TRANSLATE_NOOP("Metrics", "speed has no spectrum up to 10 Hz"),
-    QT_TRANSLATE_NOOP("Metrics", "fewer than three speed samples"),
-    QT_TRANSLATE_NOOP("Metrics", "no jerk: speed changes evenly"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no insertion data"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no procedure"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no squeeze"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no squeeze limit"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no objects and target"),
-    QT_TRANSLATE_NOOP("Metrics", "no weighing was asked for"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no torques"),
-    QT_TRANSLATE_NOOP("Metrics", "the tip was never in the urethra"),
-    QT_TRANSLATE_NOOP("Metrics", "the tip was never at the bend"),
-    QT_TRANSLATE_NOOP("Metrics", "the level has no landmarks"),
-    QT_TRANSLATE_NOOP("Metrics", "the inspection was not reached"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no data of a tube"),
-    QT_TRANSLATE_NOOP("Metrics", "the task has no such target"),
-    QT_TRANSLATE_NOOP("Metrics", "the tension was never held"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no lumps and search area"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no reports"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace lost reports"),
-    QT_TRANSLATE_NOOP("Metrics", "no lump was there"),
-    QT_TRANSLATE_NOOP("Metrics", "no lump was found"),
-    QT_TRANSLATE_NOOP("Metrics", "nobody said how sure a finding is"),
-    QT_TRANSLATE_NOOP("Metrics", "of no lump that was found the size was said"),
-    QT_TRANSLATE_NOOP("Metrics", "the level asks for no size"),
-    QT_TRANSLATE_NOOP("Metrics", "the level asks for no hardness"),
-    QT_TRANSLATE_NOOP("Metrics", "fewer than two lumps of a trial were found and their hardness said"),
-    QT_TRANSLATE_NOOP("Metrics", "the lumps that were found are equally hard"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no coverage"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no force band"),
-    QT_TRANSLATE_NOOP("Metrics", "nothing was pressed"),
-    QT_TRANSLATE_NOOP("Metrics", "no trial was finished"),
-    QT_TRANSLATE_NOOP("Metrics", "the trial was not finished"),
-    QT_TRANSLATE_NOOP("Metrics", "one trial alone has no chance level"),
-    QT_TRANSLATE_NOOP("Metrics", "no two lumps of different hardness were found and rated"),
-    QT_TRANSLATE_NOOP("Metrics", "fewer than two lumps were found and their hardness said"),
-    QT_TRANSLATE_NOOP("Metrics", "fewer than two lumps were there"),
-    QT_TRANSLATE_NOOP("Metrics", "nothing was touched, so nothing was predicted"),
-    QT_TRANSLATE_NOOP("Metrics", "the trace has no prediction"),
+/// By the reason and not by its stored text, in the enumeration's order: a reason without words does not compile.
+constexpr auto kReasons = std::to_array<std::pair<UndefinedReason, const char*>>({
+    {UndefinedReason::noForces, QT_TRANSLATE_NOOP("Metrics", "the trace has no forces")},
+    {UndefinedReason::noTrials, QT_TRANSLATE_NOOP("Metrics", "no trials")},
+    {UndefinedReason::noneFinished, QT_TRANSLATE_NOOP("Metrics", "no trial was finished")},
+    {UndefinedReason::notFinished, QT_TRANSLATE_NOOP("Metrics", "the trial was not finished")},
+    {UndefinedReason::noSamples, QT_TRANSLATE_NOOP("Metrics", "no samples")},
+    {UndefinedReason::tooFewSamples, QT_TRANSLATE_NOOP("Metrics", "fewer than two samples")},
+    {UndefinedReason::tooFewPositions, QT_TRANSLATE_NOOP("Metrics", "fewer than two positions")},
+    {UndefinedReason::noContact, QT_TRANSLATE_NOOP("Metrics", "no contact")},
+    {UndefinedReason::endsTooNear, QT_TRANSLATE_NOOP("Metrics", "start and end are less than 5 mm apart")},
+    {UndefinedReason::neitherMovementNorContact, QT_TRANSLATE_NOOP("Metrics", "neither movement nor contact")},
+    {UndefinedReason::noMovement, QT_TRANSLATE_NOOP("Metrics", "no movement")},
+    {UndefinedReason::noSubMovement, QT_TRANSLATE_NOOP("Metrics", "no sub-movement of 100 ms")},
+    {UndefinedReason::noSpectrum, QT_TRANSLATE_NOOP("Metrics", "speed has no spectrum up to 10 Hz")},
+    {UndefinedReason::tooFewSpeeds, QT_TRANSLATE_NOOP("Metrics", "fewer than three speed samples")},
+    {UndefinedReason::noJerk, QT_TRANSLATE_NOOP("Metrics", "no jerk: speed changes evenly")},
+    {UndefinedReason::needsTwoTrials, QT_TRANSLATE_NOOP("Metrics", "needs two trials or more")},
+    {UndefinedReason::oneTrialHasNoChance, QT_TRANSLATE_NOOP("Metrics", "one trial alone has no chance level")},
+    {UndefinedReason::noPosition, QT_TRANSLATE_NOOP("Metrics", "no position to score")},
+    {UndefinedReason::apexUnknown, QT_TRANSLATE_NOOP("Metrics", "the apex's true place is not known")},
+    {UndefinedReason::noInsertionData, QT_TRANSLATE_NOOP("Metrics", "the trace has no insertion data")},
+    {UndefinedReason::noProcedure, QT_TRANSLATE_NOOP("Metrics", "the trace has no procedure")},
+    {UndefinedReason::noTorques, QT_TRANSLATE_NOOP("Metrics", "the trace has no torques")},
+    {UndefinedReason::neverInUrethra, QT_TRANSLATE_NOOP("Metrics", "the tip was never in the urethra")},
+    {UndefinedReason::neverAtBend, QT_TRANSLATE_NOOP("Metrics", "the tip was never at the bend")},
+    {UndefinedReason::noLandmarks, QT_TRANSLATE_NOOP("Metrics", "the level has no landmarks")},
+    {UndefinedReason::inspectionNotReached, QT_TRANSLATE_NOOP("Metrics", "the inspection was not reached")},
+    {UndefinedReason::noTubeData, QT_TRANSLATE_NOOP("Metrics", "the trace has no data of a tube")},
+    {UndefinedReason::noSuchTarget, QT_TRANSLATE_NOOP("Metrics", "the task has no such target")},
+    {UndefinedReason::tensionNeverHeld, QT_TRANSLATE_NOOP("Metrics", "the tension was never held")},
+    {UndefinedReason::noSqueeze, QT_TRANSLATE_NOOP("Metrics", "the trace has no squeeze")},
+    {UndefinedReason::noSqueezeLimit, QT_TRANSLATE_NOOP("Metrics", "the trace has no squeeze limit")},
+    {UndefinedReason::noObjectsAndTarget, QT_TRANSLATE_NOOP("Metrics", "the trace has no objects and target")},
+    {UndefinedReason::noWeighing, QT_TRANSLATE_NOOP("Metrics", "no weighing was asked for")},
+    {UndefinedReason::noLumpsAndArea, QT_TRANSLATE_NOOP("Metrics", "the trace has no lumps and search area")},
+    {UndefinedReason::noReports, QT_TRANSLATE_NOOP("Metrics", "the trace has no reports")},
+    {UndefinedReason::lostReports, QT_TRANSLATE_NOOP("Metrics", "the trace lost reports")},
+    {UndefinedReason::noLumpThere, QT_TRANSLATE_NOOP("Metrics", "no lump was there")},
+    {UndefinedReason::noLumpFound, QT_TRANSLATE_NOOP("Metrics", "no lump was found")},
+    {UndefinedReason::noConfidence, QT_TRANSLATE_NOOP("Metrics", "nobody said how sure a finding is")},
+    {UndefinedReason::noSizeSaid, QT_TRANSLATE_NOOP("Metrics", "of no lump that was found the size was said")},
+    {UndefinedReason::noSizeAsked, QT_TRANSLATE_NOOP("Metrics", "the level asks for no size")},
+    {UndefinedReason::noHardnessAsked, QT_TRANSLATE_NOOP("Metrics", "the level asks for no hardness")},
+    {UndefinedReason::tooFewHardnessOfATrial, QT_TRANSLATE_NOOP("Metrics", "fewer than two lumps of a trial were found and their hardness said")},
+    {UndefinedReason::tooFewHardness, QT_TRANSLATE_NOOP("Metrics", "fewer than two lumps were found and their hardness said")},
+    {UndefinedReason::equallyHard, QT_TRANSLATE_NOOP("Metrics", "the lumps that were found are equally hard")},
+    {UndefinedReason::noUnequalPair, QT_TRANSLATE_NOOP("Metrics", "no two lumps of different hardness were found and rated")},
+    {UndefinedReason::tooFewLumps, QT_TRANSLATE_NOOP("Metrics", "fewer than two lumps were there")},
+    {UndefinedReason::tooFewRegions, QT_TRANSLATE_NOOP("Metrics", "only %1 regions with a lump and %2 without: %3 of each are needed")},
+    {UndefinedReason::noCoverage, QT_TRANSLATE_NOOP("Metrics", "the trace has no coverage")},
+    {UndefinedReason::noForceBand, QT_TRANSLATE_NOOP("Metrics", "the trace has no force band")},
+    {UndefinedReason::nothingPressed, QT_TRANSLATE_NOOP("Metrics", "nothing was pressed")},
+    {UndefinedReason::nothingPredicted, QT_TRANSLATE_NOOP("Metrics", "nothing was touched, so nothing was predicted")},
+    {UndefinedReason::noPrediction, QT_TRANSLATE_NOOP("Metrics", "the trace has no prediction")},
 });
+static_assert(kReasons.size() == scoring::kUndefinedReasons);
+static_assert([] {
+    for (std::size_t i = 0; i < kReasons.size(); ++i)
+        if (kReasons[i].first != static_cast<UndefinedReason>(i))
+            return false;
+    return true;
+}());
 
 constexpr std::array<const char*, 1> kBandSources{{
     QT_TRANSLATE_NOOP("Metrics", "published, 5 subjects × 10"),
@@ -252,15 +266,14 @@ QString metricMeaning(const QString& id) {
     return words ? QCoreApplication::translate("Metrics", words->meaning) : QString();
 }
 
-QString metricReason(const QString& reason) {
-    static const QRegularExpression tooFew(QStringLiteral("^only (\\d+) regions with a lump and (\\d+) without: (\\d+) of each are needed$"));
-    if (const auto match = tooFew.match(reason); match.hasMatch())
-        return QCoreApplication::translate("Metrics", "only %1 regions with a lump and %2 without: %3 of each are needed")
-            .arg(match.captured(1), match.captured(2), match.captured(3));
-    for (const char* known : kReasons)
-        if (const QString text = inLanguage(reason, known); !text.isEmpty())
-            return text;
-    return reason;
+QString metricReason(const QString& stored) {
+    const auto undefined = scoring::undefinedOf(stored.toStdString());
+    if (!undefined)
+        return stored;
+    QString words = QCoreApplication::translate("Metrics", kReasons[static_cast<std::size_t>(undefined->reason)].second);
+    for (std::size_t i = 0; i < scoring::countsOf(undefined->reason); ++i)
+        words = words.arg(undefined->counts[i]);
+    return words;
 }
 
 QString unitText(const QString& unit) {

@@ -16,8 +16,8 @@ QString metricTitle(const QString& id);
 QString metricMeaning(const QString& id);
 /// A stored unit in the program's language: "% of R" has a word in it, "N" has none.
 QString unitText(const QString& unit);
-/// Why a metric has no value, from the stored reason.
-QString metricReason(const QString& reason);
+/// Why a metric has no value, from the stored reason (scoring::undefinedOf); a reason that is none of ours, of a later version, as it is.
+QString metricReason(const QString& stored);
 /// Where a benchmark band is from.
 QString bandSourceText(const QString& source);
 /// What somebody who only guesses reaches in a metric, in its unit; nothing where guessing has no such value. `card`: the

@@ -6,9 +6,10 @@
 #include "scoring/force_facts.h"
 #include "session_report/exercise_parts.h"
 #include "session_report/metric_words.h"
-#include "session_report/series_maker.h"
-#include "session/exercise_kind.h"
+#include "session_report/track_series.h"
+#include "session/playback_builder.h"
 
+#include <QCryptographicHash>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
@@ -92,6 +93,18 @@ void addFacts(ReportData& data, const database::SessionRecord& record, const ses
     data.integrity.contentSha256 = QString::fromStdString(record.contentSha256);
 }
 
+/// BLAKE2b-256 over the chunks' digests of force, hex: what the footer of every page names the recording by.
+core::Result<QString> recordingDigestOf(session::StoredSession& session) {
+    QCryptographicHash hash(QCryptographicHash::Blake2b_256);
+    for (std::size_t i = 0; i < session.reader().chunkCount(); ++i) {
+        auto digest = session.reader().forceHash(i);
+        if (!digest)
+            return tl::unexpected(digest.error());
+        hash.addData(QByteArrayView(reinterpret_cast<const char*>(digest->data()), qsizetype(digest->size())));
+    }
+    return QString::fromLatin1(hash.result().toHex());
+}
+
 } // namespace
 
 int trialsDoneOf(const std::vector<database::TrialRecord>& trials) {
@@ -147,11 +160,15 @@ core::Result<ReportData> reportDataOf(session::StoredSession& session, database:
         return tl::unexpected(trace.error());
     static_cast<ExerciseParts&>(data) = exercisePartsOf(*trace, session.setup().level);
     data.force = feltFactsOf(*trace);
-    auto series = makeSeries(session, data.integrity.recordingDigest);
-    if (!series)
-        return tl::unexpected(series.error());
-    data.series = std::move(*series);
-    data.duration_s = data.series.t_s.empty() ? 0.0 : data.series.t_s.back();
+    auto track = session::buildPlaybackTrack(session); // curves and critical errors are playback's own
+    if (!track)
+        return tl::unexpected(track.error());
+    data.series = seriesOf(*track, session.setup().level.parameters, QLocale(QString::fromStdString(language)));
+    data.duration_s = track->duration_s;
+    auto digest = recordingDigestOf(session);
+    if (!digest)
+        return tl::unexpected(digest.error());
+    data.integrity.recordingDigest = std::move(*digest);
     return data;
 }
 

@@ -7,6 +7,7 @@
 #include "session_report/study_report_words.h"
 #include "session_report/study_warning_words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <qcustomplot.h>
 
@@ -104,16 +105,17 @@ void StudyReportBlocks::addRuns(std::size_t at) {
         rows.push_back({QString::fromStdString(run.participant.code), words::percent(run.estimate.weber, locale),
                         words::intervalPercent(run.estimate.weber95.low, run.estimate.weber95.high, locale),
                         m_data.blind() ? QStringLiteral("–") : words::value(run.estimate.jnd, attribute, locale),
+                        std::isfinite(run.estimate.priorInfluence) ? words::percent(run.estimate.priorInfluence, locale) : QStringLiteral("–"),
                         locale.toString(run.scored), locale.toString(run.spoiled), words::runState(run.run.state)});
-    addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"), Words::tr("Scored"),
+    addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"), Words::tr("Prior's part"), Words::tr("Scored"),
               Words::tr("Repeated"), Words::tr("Run")},
-             rows, {0.14, 0.16, 0.2, 0.14, 0.11, 0.11, 0.14}, {false, true, true, true, true, true, false});
-    for (const session::AnalysedRun& run : condition.runs) {
-        if (const QString influence = influenceWords(run.estimate.priorInfluence, locale); !influence.isEmpty())
-            addMuted(QStringLiteral("%1: %2").arg(QString::fromStdString(run.participant.code), influence));
+             rows, {0.13, 0.14, 0.18, 0.12, 0.12, 0.1, 0.1, 0.11}, {false, true, true, true, true, true, true, false});
+    const auto known = [](const session::AnalysedRun& run) { return std::isfinite(run.estimate.priorInfluence); };
+    if (std::any_of(condition.runs.begin(), condition.runs.end(), known))
+        addMuted(Words::tr("Prior's part: %1").arg(influenceMeaning()));
+    for (const session::AnalysedRun& run : condition.runs)
         for (const psychophysics::Warning& warning : run.estimate.warnings)
             addMuted(QStringLiteral("! %1: %2").arg(QString::fromStdString(run.participant.code), warningWords(warning)));
-    }
 }
 
 void StudyReportBlocks::addComparisons() {

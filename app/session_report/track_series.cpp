@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/track_series.h"
 
+#include "session_report/mark_words.h"
+#include "session_report/tool_words.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -9,33 +12,49 @@ namespace chiron::session_report {
 using session::PlaybackTrack;
 
 namespace {
+
 constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+report::ToolSamples samplesOf(const PlaybackTrack& track, int tool) {
+    report::ToolSamples samples;
+    for (std::size_t i = 0; i < track.moments.size(); ++i) {
+        const session::PlaybackTool& at = track.tool(i, tool);
+        samples.x_mm.push_back(at.p_WT.x() * 1e3);
+        samples.y_mm.push_back(at.p_WT.y() * 1e3);
+        samples.z_mm.push_back(at.p_WT.z() * 1e3);
+        samples.tissue_N.push_back(at.tissue_N.norm());
+        samples.speed_mm_per_s.push_back(at.speed_m_per_s * 1e3);
+        if (track.felt)
+            samples.commanded_N.push_back(at.commanded_N);
+        if (track.measures)
+            samples.measured_N.push_back(at.measured_N);
+    }
+    return samples;
+}
+
 } // namespace
 
-report::SampleSeries seriesOf(const PlaybackTrack& track) {
+report::SampleSeries seriesOf(const PlaybackTrack& track, const catalogue::ExerciseParameters& level, const QLocale& locale) {
     report::SampleSeries series;
     for (std::size_t i = 0; i < track.moments.size() && track.toolCount > 0; ++i) {
-        const session::PlaybackTool& tool = track.tool(i, 0);
         series.t_s.push_back(track.moments[i].t_s);
-        series.x_mm.push_back(tool.p_WT.x() * 1e3);
-        series.y_mm.push_back(tool.p_WT.y() * 1e3);
-        series.z_mm.push_back(tool.p_WT.z() * 1e3);
-        series.tissue_N.push_back(tool.tissue_N.norm());
-        series.speed_mm_per_s.push_back(tool.speed_m_per_s * 1e3);
         if (track.insertion) {
             series.offset_mm.push_back(track.insertion->moments[i].offset_m * 1e3);
             series.alignment_deg.push_back(track.insertion->moments[i].alignment_rad * kDegrees);
         }
-        if (track.felt)
-            series.commanded_N.push_back(tool.commanded_N);
-        if (track.measures)
-            series.measured_N.push_back(tool.measured_N);
+    }
+    for (int tool = 0; tool < track.toolCount; ++tool) {
+        series.tools.push_back(samplesOf(track, tool));
+        series.tools.back().name = toolName(level, tool, track.toolCount);
     }
     for (const session::PlaybackSpan& span : track.paused)
         series.paused.push_back({span.begin_s, span.end_s});
     for (const session::PlaybackTrial& trial : track.trials)
         if (track.trials.size() > 1 || !track.insertion) // of one procedure there is nothing to number
             series.events.push_back({trial.start_s, QString::number(trial.index + 1)});
+    for (const session::PlaybackMark& mark : track.marks)
+        if (mark.critical)
+            series.criticalErrors.push_back({mark.t_s, mark.end_s, mark.trial, mark.tool, whatHappened(mark, level, locale)});
     return series;
 }
 

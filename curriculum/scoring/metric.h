@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scoring/undefined_reason.h"
+
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,10 +27,10 @@ enum class MetricTools { first, all };
 /// A metric's outcome: a value, or none and the reason.
 struct Measurement {
     std::optional<double> value;
-    std::string reason;
+    std::string reason; ///< as scores keep it: storedText
 
     static Measurement of(double v) { return {v, {}}; }
-    static Measurement undefined(std::string why) { return {std::nullopt, std::move(why)}; }
+    static Measurement undefined(UndefinedReason why, const std::array<int, 3>& counts = {}) { return {std::nullopt, storedText({why, counts})}; }
 };
 
 /// One metric in one version (models.md §6). Filter, rate and thresholds belong to the version: changing any

@@ -15,6 +15,7 @@ class TestCliDevice : public QObject {
     Q_OBJECT
 private slots:
     void theFingertipPlatformHolds();
+    void theArmHolds();
     void aFastSineDoesNotHold();
     void seriesAndDegradationWhereAskedFor();
     void theGimbalsFriction();
@@ -53,6 +54,22 @@ void TestCliDevice::theFingertipPlatformHolds() {
     QVERIFY(std::abs(json["friction"]["coulomb_N"].toDouble() - 0.25) < 0.03);
     const CliRun words = runCli({"device", "check", "--seed", "2", "--poses", "3"});
     for (const char* word : {"0.0707", "1.95", "force RMSE, cycle 3", "relaxing", "in simulation", "Holds"})
+        QVERIFY2(words.out.contains(word), word);
+}
+
+void TestCliDevice::theArmHolds() {
+    const QStringList few{"device", "check", "--poses", "3", "--seed", "4"};
+    const QJsonObject arm = object(runCli(few + QStringList{"--json"}))["arm"].toObject();
+    QVERIFY(arm["holds"].toBool());
+    QCOMPARE(arm["freedoms"].toInt(), arm["published"]["freedoms"].toInt()); // P3: 7 sensed
+    QCOMPARE(arm["reached"].toInt(), arm["poses"].toInt());
+    QVERIFY(arm["poses"].toInt() > 4000);
+    for (const char* key : {"condition", "inverse_error_m", "inverse_error_rad", "jacobian_error", "gravity_error_Nm", "weight_N", "sinks_m", "friction_error", "place_error_m"})
+        QVERIFY2(arm[QLatin1String(key)].toDouble() > 0.0 && arm[QLatin1String(key)].toDouble() <= arm["bounds"][QLatin1String(key)].toDouble(), key);
+    QCOMPARE(arm["friction"].toArray().size(), 9);
+    const CliRun words = runCli(few);
+    QCOMPARE(words.exitCode, 0);
+    for (const char* word : {"poses of the box within reach", "not printed", "7: 3 + 3 + 1", "The arm holds"})
         QVERIFY2(words.out.contains(word), word);
 }
 

@@ -76,6 +76,7 @@ core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::opti
         return tl::unexpected(fingers.error());
     check.fingers = std::move(*fingers);
     check.friction = mechanisms::identifyFingertipFriction(plant);
+    check.arm = mechanisms::verifyFingertipArm({}, *seed);
     check.damping_Ns_per_m = damping.value_or(mechanisms::fingertipDamping_Ns_per_m(check.friction, plant));
     check.stiffnessCap_N_per_m = mechanisms::stiffnessCap_N_per_m(check.damping_Ns_per_m, core::kTickSeconds, check.verification.latency_s);
     if (arguments.has(QStringLiteral("degrade"))) {
@@ -209,7 +210,7 @@ CommandSpec checkCommand() {
     CommandSpec command;
     command.group = QStringLiteral("device");
     command.verb = QStringLiteral("check");
-    command.summary = QStringLiteral("verify a mechanism: force and angle beside P3's figures, friction, latency, stiffness cap");
+    command.summary = QStringLiteral("verify a mechanism: force and angle beside P3's figures, the arm, friction, latency, stiffness cap");
     command.options = {
         {QStringLiteral("mechanism"), QStringLiteral("ID"), QStringLiteral("fingertip_arm (default) or gimbal_hprd (friction, what is felt of it, and latency)")},
         {QStringLiteral("driver"), QStringLiteral("ID"), QStringLiteral("the device's driver (default: simulated)")},

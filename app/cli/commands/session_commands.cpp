@@ -72,7 +72,13 @@ core::Result<CommandOutput> show(const Arguments& arguments) {
     auto view = viewOf(*reading->connection, reading->site.actor, *id);
     if (!view)
         return tl::unexpected(view.error());
-    return CommandOutput{QJsonDocument(sessionJson(*view, *record)), scoreText(*view), 0};
+    auto events = eventsJson(*reading->connection, reading->site.actor, *record);
+    if (!events)
+        return tl::unexpected(events.error());
+    const QJsonArray yields = yieldsOf(*events);
+    QJsonObject json = sessionJson(*view, *record);
+    json.insert("yields", yields);
+    return CommandOutput{QJsonDocument(json), scoreText(*view) + yieldsText(yields), 0};
 }
 
 core::Result<void> writeFormat(const QString& format, session::StoredSession& session, const QJsonObject& summary,
@@ -103,7 +109,7 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
     auto view = viewOf(*reading->connection, reading->site.actor, *id);
     if (!view)
         return tl::unexpected(view.error());
-    auto events = eventsJson(*reading->connection, reading->site.actor, *id);
+    auto events = eventsJson(*reading->connection, reading->site.actor, (*session)->record());
     if (!events)
         return tl::unexpected(events.error());
     QJsonObject known = sessionJson(*view, (*session)->record());

@@ -112,7 +112,7 @@ QWidget* PlaybackScreen::stageColumn() {
     connect(m_scrubber, &Scrubber::seekAsked, &m_clock, &PlaybackClock::seek);
     column->addWidget(m_scrubber);
     column->addWidget(new TransportBar(theme, locale, m_clock));
-    m_plots = new PlaybackPlots(theme, locale, m_data->track, m_data->grasp ? &*m_data->grasp : nullptr);
+    m_plots = new PlaybackPlots(theme, locale, m_data->track, m_data->setup.level.parameters, m_data->grasp ? &*m_data->grasp : nullptr);
     connect(m_plots, &PlaybackPlots::seekAsked, &m_clock, &PlaybackClock::seek);
     column->addWidget(m_plots);
     return stage;

@@ -18,8 +18,8 @@ constexpr int kLowHeight_px = 134;
 } // namespace
 
 PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track,
-                             const GraspReplay* grasp, QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_track(track), m_grasp(grasp), m_series(session_report::seriesOf(track)),
+                             const catalogue::ExerciseParameters& level, const GraspReplay* grasp, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_track(track), m_grasp(grasp), m_series(session_report::seriesOf(track, level, locale)),
       m_limit_N(track.forceLimit_N), m_column(new QVBoxLayout(this)) {
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(theme.px(4));
@@ -46,12 +46,17 @@ void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, c
         std::vector<double> scaled;
         for (const double value : *ghost.*values)
             scaled.push_back(factor * value);
-        view.addLine(name, ghost->t_s, scaled, report::PlotStyle::dashDotD);
+        const bool several = m_series.tools.size() > 1; // a ghost is its first tool's
+        view.addLine(several ? tr("%1: %2").arg(name, m_series.tools.front().name) : name, ghost->t_s, scaled, report::PlotStyle::dashDotD);
     };
     auto force = report::forcePlot(m_series, m_limit_N, look);
     second(*force, &session::GhostSeries::tissue_N, 1.0);
     slim(*force, {});
+    if (m_series.tools.size() > 1)
+        force->setYAxis({tr("Tissue force (N)"), 0.0, {}}); // what is felt has a plot of its own
     put(std::move(force), m_force, "playback.force", kForceHeight_px);
+    if (auto felt = report::feltForcePlot(m_series, m_limit_N, look))
+        putLow(std::move(felt), m_felt, "playback.felt_plot", tr("Force felt (N)"), false);
     if (canal) {
         auto offset = report::offsetPlot(m_series, look);
         second(*offset, &session::GhostSeries::offset_m, 1e3);
@@ -89,7 +94,7 @@ void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotV
 
 void PlaybackPlots::showCursor(double t_s) {
     m_cursor_s = t_s;
-    for (report::PlotView* view : {m_force, m_offset, m_alignment, m_held, m_retraction, m_energy, m_lean, m_depth, m_speed})
+    for (report::PlotView* view : {m_force, m_felt, m_offset, m_alignment, m_held, m_retraction, m_energy, m_lean, m_depth, m_speed})
         if (view)
             view->showCursor(t_s);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalogue/exercise.h"
 #include "desktop/playback/grasp_replay.h"
 #include "desktop/theme/theme.h"
 #include "report/plot_view.h"
@@ -15,15 +16,15 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// Force and speed over the whole recording, off-centre and alignment where there is a canal, tension with its band or squeeze with
+/// Force and speed of every tool over the whole recording with critical errors as crosses, off-centre and alignment where there is a canal, tension with its band or squeeze with
 /// its limit and the books of energy where something is grasped, lean and depth where something is palpated, one above the other, under one
 /// cursor; a click seeks. Pauses are hatched, the limit is a line, a second session is a dash-dotted line. GUI thread.
 class PlaybackPlots : public QWidget {
     Q_OBJECT
 public:
     /// `track` and `grasp` outlive it.
-    PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, const GraspReplay* grasp = nullptr,
-                  QWidget* parent = nullptr);
+    PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, const catalogue::ExerciseParameters& level,
+                  const GraspReplay* grasp = nullptr, QWidget* parent = nullptr);
 
     /// Draws all again, with the second session's lines or without; `name` is in the legend.
     void setGhost(const std::optional<session::GhostSeries>& ghost, const QString& name);
@@ -56,6 +57,7 @@ private:
     double m_cursor_s = 0.0;
     QVBoxLayout* m_column;
     report::PlotView* m_force = nullptr;
+    report::PlotView* m_felt = nullptr;     ///< what each of several tools was given; null where there is one alone, or nothing was felt
     report::PlotView* m_speed = nullptr;
     report::PlotView* m_offset = nullptr;    ///< null without a canal
     report::PlotView* m_alignment = nullptr; ///< the same

@@ -85,12 +85,6 @@ QString stepText(const core::LaparoscopyCues& cues, const Grasping& grasping) {
     return grasping.handling ? handlingText(cues, grasping.handling->task) : QString();
 }
 
-QString instrumentName(int tool, int tools) {
-    if (tools <= 1)
-        return Words::tr("Instrument");
-    return tool == 0 ? Words::tr("Right instrument") : tool == 1 ? Words::tr("Left instrument") : Words::tr("Instrument %1").arg(tool + 1);
-}
-
 QString heldText(const core::LaparoscopyCues& cues, const Grasping& grasping, const QLocale& locale) {
     const int bodies = std::min(cues.bodies, static_cast<int>(core::LaparoscopyCues::kMaxBodies));
     for (int i = 0; i < bodies; ++i)

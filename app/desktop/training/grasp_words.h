@@ -3,6 +3,7 @@
 
 #include "core/laparoscopy_cues.h"
 #include "desktop/training/grasping.h"
+#include "session_report/tool_words.h"
 
 #include <QLocale>
 #include <QString>
@@ -11,8 +12,7 @@ namespace chiron::desktop {
 
 /// Which of the steps of a grasping exercise it is, as one sentence about what to do now. Pure, as all of these.
 QString stepText(const core::LaparoscopyCues& cues, const Grasping& grasping);
-/// "Right instrument" (tool 0), "Left instrument" (tool 1); of one alone: "Instrument".
-QString instrumentName(int tool, int tools);
+using session_report::instrumentName;
 /// What is held: "Holding: the end of the tube", "Holding: object 2 of 3", "Holding: nothing".
 QString heldText(const core::LaparoscopyCues& cues, const Grasping& grasping, const QLocale& locale);
 

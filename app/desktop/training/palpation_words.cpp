@@ -80,15 +80,4 @@ int findingCount(const core::PalpationCues& cues) {
     return static_cast<int>(std::count_if(cues.finding.begin(), cues.finding.end(), [](const core::Finding& one) { return one.present; }));
 }
 
-QString fingerName(int tool, int hands, int fingers) {
-    // A hand's second finger is on the right of its first (PalpationKind::toolPlace): of a left hand, palm down, that is the index.
-    const bool left = hands > 1 && tool / std::max(fingers, 1) > 0;
-    const bool middle = fingers > 1 && (tool % fingers == 1) != left;
-    if (hands < 2)
-        return fingers < 2 ? Words::tr("Finger") : middle ? Words::tr("Middle finger") : Words::tr("Index finger");
-    if (!left)
-        return middle ? Words::tr("Right middle finger") : Words::tr("Right index finger");
-    return middle ? Words::tr("Left middle finger") : Words::tr("Left index finger");
-}
-
 } // namespace chiron::desktop

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/palpation_cues.h"
+#include "session_report/tool_words.h"
 
 #include <QLocale>
 #include <QString>
@@ -18,7 +19,6 @@ QString findingText(int finding, const core::PalpationCues& cues, const QLocale&
 /// What is still to be said of the findings: "Finding 2: size, confidence", one each; empty when all is said.
 QStringList missingRatings(const core::PalpationCues& cues, const QLocale& locale);
 int findingCount(const core::PalpationCues& cues);
-/// Which finger tool `tool` is: "Right index finger"; of one alone "Finger".
-QString fingerName(int tool, int hands, int fingers);
+using session_report::fingerName;
 
 } // namespace chiron::desktop

@@ -12,12 +12,12 @@ int PalpationAnswer::hits() const noexcept {
 JudgedTrial judgePalpation(const TrialTrace& trial) {
     auto truth = palpationTruthOf(trial.truth);
     if (!truth)
-        return {std::nullopt, "the trace has no lumps and search area"};
+        return {std::nullopt, UndefinedReason::noLumpsAndArea};
     auto reports = reportsOf(trial);
     if (!reports)
-        return {std::nullopt, "the trace has no reports"};
+        return {std::nullopt, UndefinedReason::noReports};
     if (reports->lost > 0)
-        return {std::nullopt, "the trace lost reports"};
+        return {std::nullopt, UndefinedReason::lostReports};
     PalpationAnswer answer;
     answer.truth = std::move(*truth);
     answer.reports = std::move(reports->reports);

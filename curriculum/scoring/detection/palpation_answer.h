@@ -5,9 +5,9 @@
 #include "scoring/detection/finding_matches.h"
 #include "scoring/detection/findings_trace.h"
 #include "scoring/detection/palpation_truth.h"
+#include "scoring/undefined_reason.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace chiron::scoring {
@@ -29,7 +29,7 @@ struct PalpationAnswer {
 /// A trial's answer, or the reason why there is none.
 struct JudgedTrial {
     std::optional<PalpationAnswer> answer;
-    std::string_view reason; ///< of static storage
+    UndefinedReason reason = UndefinedReason::noTrials; ///< where there is none
 };
 
 /// A trial that time ended is judged by what had been reported.

@@ -56,10 +56,10 @@ Measurement measureAdvanceWhileTurning(std::span<const PreparedTrial> trials) {
     double advance_m = 0.0;
     for (const PreparedTrial& trial : trials) {
         if (trial.tool->q_WT.size() != trial.tool->t_s.size())
-            return Measurement::undefined("the trace has no insertion data");
+            return Measurement::undefined(UndefinedReason::noInsertionData);
         advance_m += TurningAdvance(*trial.trial).measure(reached);
     }
-    return reached ? Measurement::of(core::mmFromM(advance_m)) : Measurement::undefined("the tip was never at the bend");
+    return reached ? Measurement::of(core::mmFromM(advance_m)) : Measurement::undefined(UndefinedReason::neverAtBend);
 }
 
 } // namespace

@@ -27,14 +27,14 @@ ApexAnswers apexAnswers(std::span<const PreparedTrial> trials) {
     for (const PreparedTrial& trial : trials) {
         const std::optional<ApexAnswer> answer = apexAnswer(trial);
         if (!answer) {
-            all.undefined = Measurement::undefined(trial.trial->apex ? "no position to score"
-                                                                     : "the apex's true place is not known");
+            all.undefined = Measurement::undefined(trial.trial->apex ? UndefinedReason::noPosition
+                                                                     : UndefinedReason::apexUnknown);
             return all;
         }
         all.answers.push_back(*answer);
     }
     if (all.answers.empty())
-        all.undefined = Measurement::undefined("no trials");
+        all.undefined = Measurement::undefined(UndefinedReason::noTrials);
     return all;
 }
 

@@ -12,16 +12,16 @@ namespace {
 /// The median of the true places is the answer that is best if it is always the same.
 Measurement measureApexErrorMeanByChance(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     std::vector<double> x_m, y_m;
     for (const PreparedTrial& trial : trials) {
         if (!trial.trial->apex || !(trial.trial->apex->radius_m > 0.0))
-            return Measurement::undefined("the apex's true place is not known");
+            return Measurement::undefined(UndefinedReason::apexUnknown);
         x_m.push_back(trial.trial->apex->x_m);
         y_m.push_back(trial.trial->apex->y_m);
     }
     if (trials.size() < 2)
-        return Measurement::undefined("one trial alone has no chance level");
+        return Measurement::undefined(UndefinedReason::oneTrialHasNoChance);
     const double bestX_m = median(x_m), bestY_m = median(y_m);
     double sum = 0.0;
     for (const PreparedTrial& trial : trials) {

@@ -12,7 +12,7 @@ Measurement measureApexErrorSd(std::span<const PreparedTrial> trials) {
     if (all.undefined)
         return *all.undefined;
     if (all.answers.size() < 2)
-        return Measurement::undefined("needs two trials or more");
+        return Measurement::undefined(UndefinedReason::needsTwoTrials);
     const double n = 2.0 * static_cast<double>(all.answers.size());
     double sum = 0.0;
     for (const ApexAnswer& answer : all.answers)
@@ -29,7 +29,7 @@ Measurement measureApexErrorSd2(std::span<const PreparedTrial> trials) {
     if (all.undefined)
         return *all.undefined;
     if (all.answers.size() < 2)
-        return Measurement::undefined("needs two trials or more");
+        return Measurement::undefined(UndefinedReason::needsTwoTrials);
     const double n = 2.0 * static_cast<double>(all.answers.size());
     double sum = 0.0, squares = 0.0;
     for (const ApexAnswer& answer : all.answers)

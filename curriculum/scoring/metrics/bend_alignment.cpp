@@ -15,7 +15,7 @@ Measurement measureBendAlignment(std::span<const PreparedTrial> trials) {
         if (isStage(series, i, core::ProcedureStage::insertion) && isAtBend(series, i))
             angle_rad.add(series.alignment_rad[i]);
     });
-    return angle_rad.empty() ? Measurement::undefined("the tip was never at the bend")
+    return angle_rad.empty() ? Measurement::undefined(UndefinedReason::neverAtBend)
                              : Measurement::of(core::degFromRad(angle_rad.value()));
 }
 
@@ -27,7 +27,7 @@ Measurement measureCurveAlignment(std::span<const PreparedTrial> trials) {
         if (isStage(series, i, core::ProcedureStage::insertion) && isInCurve(series, i))
             angle_rad.add(series.alignment_rad[i]);
     });
-    return angle_rad.empty() ? Measurement::undefined("the tip was never at the bend")
+    return angle_rad.empty() ? Measurement::undefined(UndefinedReason::neverAtBend)
                              : Measurement::of(core::degFromRad(angle_rad.value()));
 }
 

@@ -16,10 +16,10 @@ namespace chiron::scoring {
 /// trials out.
 inline std::optional<Measurement> withoutCanal(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     for (const PreparedTrial& trial : trials)
         if (trial.tool == nullptr || !trial.trial->insertion)
-            return Measurement::undefined("the trace has no insertion data");
+            return Measurement::undefined(UndefinedReason::noInsertionData);
     return std::nullopt;
 }
 
@@ -73,7 +73,7 @@ private:
 };
 
 inline Measurement neverInUrethra() {
-    return Measurement::undefined("the tip was never in the urethra");
+    return Measurement::undefined(UndefinedReason::neverInUrethra);
 }
 
 } // namespace chiron::scoring

@@ -9,12 +9,12 @@ namespace {
 
 Measurement measureCoverage(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     double sum = 0.0;
     for (const PreparedTrial& trial : trials) {
         const QuantityTrace* coverage = quantityOf(trial, "coverage");
         if (coverage == nullptr || coverage->values.empty())
-            return Measurement::undefined("the trace has no coverage");
+            return Measurement::undefined(UndefinedReason::noCoverage);
         sum += coverage->values.back();
     }
     return Measurement::of(100.0 * sum / static_cast<double>(trials.size()));

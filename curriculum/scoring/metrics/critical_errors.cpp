@@ -61,7 +61,7 @@ MetricDefinition criticalErrorsMetric() {
             .wrench = MetricWrench::tissue,
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::all,
-            .definition = "How often tissue gave way under an instrument or finger: the force passed the yield force of the content.",
+            .definition = "How often tissue gave way under an instrument or finger: the force passed the yield force of the content, or the torque its yield torque.",
             .source = "data.md, Range of a law",
             .measure = measureCriticalErrors};
 }
@@ -69,7 +69,7 @@ MetricDefinition criticalErrorsMetric() {
 MetricDefinition criticalErrorsMetric2() {
     MetricDefinition metric = criticalErrorsMetric();
     metric.version = kTraumaIsCriticalFrom;
-    metric.definition = "How often tissue gave way under an instrument or finger (the force passed the yield force of the content), or was pressed "
+    metric.definition = "How often tissue gave way under an instrument or finger (the force passed the yield force of the content, or the torque its yield torque), or was pressed "
                         "aside in a canal, over the lateral limit, for more than 1 s or with more than 4 N.";
     metric.measure = measureCriticalErrors2;
     return metric;

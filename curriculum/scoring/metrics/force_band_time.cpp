@@ -9,20 +9,20 @@ namespace {
 
 Measurement measureForceBandTime(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     double pressing_s = 0.0;
     double inBand_s = 0.0;
     for (const PreparedTrial& trial : trials) {
         const auto low_N = truthOf(trial, "band_low_N");
         const auto high_N = truthOf(trial, "band_high_N");
         if (!low_N || !high_N)
-            return Measurement::undefined("the trace has no force band");
+            return Measurement::undefined(UndefinedReason::noForceBand);
         forEachPress(trial, [&](double force_N, double begin_s, double end_s) {
             pressing_s += end_s - begin_s;
             inBand_s += force_N >= *low_N && force_N <= *high_N ? end_s - begin_s : 0.0;
         });
     }
-    return pressing_s > 0.0 ? Measurement::of(100.0 * inBand_s / pressing_s) : Measurement::undefined("nothing was pressed");
+    return pressing_s > 0.0 ? Measurement::of(100.0 * inBand_s / pressing_s) : Measurement::undefined(UndefinedReason::nothingPressed);
 }
 
 } // namespace

@@ -14,7 +14,7 @@ Measurement measureForceMean(std::span<const PreparedTrial> trials) {
             ++samples;
         }
     });
-    return samples == 0 ? Measurement::undefined("no contact")
+    return samples == 0 ? Measurement::undefined(UndefinedReason::noContact)
                         : Measurement::of(sum_N / static_cast<double>(samples));
 }
 
@@ -24,7 +24,7 @@ Measurement measureForceMean2(std::span<const PreparedTrial> trials) {
         impulse_Ns += touched ? load_N * held_s : 0.0;
         time_s += touched ? held_s : 0.0;
     });
-    return time_s > 0.0 ? Measurement::of(impulse_Ns / time_s) : Measurement::undefined("no contact");
+    return time_s > 0.0 ? Measurement::of(impulse_Ns / time_s) : Measurement::undefined(UndefinedReason::noContact);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ Measurement measureForceP95Of2(std::span<const PreparedTrial> trials) {
         }
     });
     if (loads.empty())
-        return Measurement::undefined("no contact");
+        return Measurement::undefined(UndefinedReason::noContact);
     std::sort(loads.begin(), loads.end());
     double below_s = 0.0;
     for (const auto& [load_N, held_s] : loads)

@@ -19,7 +19,7 @@ Measurement measureForcePeakRate(std::span<const PreparedTrial> trials) {
                 largest = std::max(largest, std::abs(tool.tissue_N[i + 1].norm() - tool.tissue_N[i].norm()) /
                                                 (tool.t_s[i + 1] - tool.t_s[i]));
     }
-    return largest < 0.0 ? Measurement::undefined("fewer than two samples") : Measurement::of(largest);
+    return largest < 0.0 ? Measurement::undefined(UndefinedReason::tooFewSamples) : Measurement::of(largest);
 }
 
 } // namespace

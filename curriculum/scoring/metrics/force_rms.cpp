@@ -23,7 +23,7 @@ Measurement measureForceRms2(std::span<const PreparedTrial> trials) {
         squares_N2s += touched ? load_N * load_N * held_s : 0.0;
         time_s += touched ? held_s : 0.0;
     });
-    return time_s > 0.0 ? Measurement::of(std::sqrt(squares_N2s / time_s)) : Measurement::undefined("no contact");
+    return time_s > 0.0 ? Measurement::of(std::sqrt(squares_N2s / time_s)) : Measurement::undefined(UndefinedReason::noContact);
 }
 
 } // namespace

@@ -46,7 +46,7 @@ template <class Visit> void forEachLoad(std::span<const PreparedTrial> trials, V
 }
 
 inline Measurement noSamples() {
-    return Measurement::undefined("no samples");
+    return Measurement::undefined(UndefinedReason::noSamples);
 }
 
 } // namespace chiron::scoring

@@ -25,9 +25,9 @@ Measurement measureHardnessOrder(std::span<const PreparedTrial> trials) {
     if (all.pairs > 0)
         return Measurement::of(100.0 * all.right / all.pairs);
     if (!asked && all.rated == 0)
-        return Measurement::undefined("the level asks for no hardness");
-    return Measurement::undefined(all.rated < 2 ? "fewer than two lumps of a trial were found and their hardness said"
-                                                : "the lumps that were found are equally hard");
+        return Measurement::undefined(UndefinedReason::noHardnessAsked);
+    return Measurement::undefined(all.rated < 2 ? UndefinedReason::tooFewHardnessOfATrial
+                                                : UndefinedReason::equallyHard);
 }
 
 /// All rated hits of the session: they were rated on one scale.
@@ -46,8 +46,8 @@ Measurement measureHardnessOrder2(std::span<const PreparedTrial> trials) {
     if (all.pairs > 0)
         return Measurement::of(100.0 * all.right / all.pairs);
     if (!asked && all.rated == 0)
-        return Measurement::undefined("the level asks for no hardness");
-    return Measurement::undefined(all.rated < 2 ? "fewer than two lumps were found and their hardness said" : "the lumps that were found are equally hard");
+        return Measurement::undefined(UndefinedReason::noHardnessAsked);
+    return Measurement::undefined(all.rated < 2 ? UndefinedReason::tooFewHardness : UndefinedReason::equallyHard);
 }
 
 } // namespace

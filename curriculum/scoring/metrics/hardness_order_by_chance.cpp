@@ -17,7 +17,7 @@ Measurement measureHardnessOrderByChance(std::span<const PreparedTrial> trials) 
         rated.insert(rated.end(), ofTrial.begin(), ofTrial.end());
     }
     const HardnessPairs all = hardnessPairs(rated);
-    return all.pairs > 0 ? Measurement::of(100.0 * all.rightByChance) : Measurement::undefined("no two lumps of different hardness were found and rated");
+    return all.pairs > 0 ? Measurement::of(100.0 * all.rightByChance) : Measurement::undefined(UndefinedReason::noUnequalPair);
 }
 
 } // namespace

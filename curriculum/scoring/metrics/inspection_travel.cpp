@@ -44,7 +44,7 @@ Measurement measureInspectionTravel(std::span<const PreparedTrial> trials) {
     }
     if (any)
         return Measurement::of(core::mmFromM(travel_m));
-    return Measurement::undefined(asked ? "the inspection was not reached" : "the level has no landmarks");
+    return Measurement::undefined(asked ? UndefinedReason::inspectionNotReached : UndefinedReason::noLandmarks);
 }
 
 } // namespace

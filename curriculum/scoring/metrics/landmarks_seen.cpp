@@ -15,7 +15,7 @@ Measurement measureLandmarksSeen(std::span<const PreparedTrial> trials) {
             ++asked;
             seen += std::isnan(seen_s) ? 0 : 1;
         }
-    return asked == 0 ? Measurement::undefined("the level has no landmarks")
+    return asked == 0 ? Measurement::undefined(UndefinedReason::noLandmarks)
                       : Measurement::of(100.0 * static_cast<double>(seen) / static_cast<double>(asked));
 }
 

@@ -17,7 +17,7 @@ Measurement measureLocalisationError(std::span<const PreparedTrial> trials) {
         all.sum += errors.sum;
         all.count += errors.count;
     }
-    return all.count > 0 ? Measurement::of(1e3 * all.sum / all.count) : Measurement::undefined("no lump was found");
+    return all.count > 0 ? Measurement::of(1e3 * all.sum / all.count) : Measurement::undefined(UndefinedReason::noLumpFound);
 }
 
 } // namespace

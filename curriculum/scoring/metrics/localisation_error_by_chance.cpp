@@ -18,7 +18,7 @@ Measurement measureLocalisationErrorByChance(std::span<const PreparedTrial> tria
                 sum_m += 2.0 / 3.0 * std::max(answer.truth.hitRadius_m, answer.truth.lumps[static_cast<std::size_t>(match.lump)].radius_m);
                 ++hits;
             }
-    return hits > 0 ? Measurement::of(1e3 * sum_m / hits) : Measurement::undefined("no lump was found");
+    return hits > 0 ? Measurement::of(1e3 * sum_m / hits) : Measurement::undefined(UndefinedReason::noLumpFound);
 }
 
 } // namespace

@@ -10,7 +10,7 @@ Measurement measurePalpationHitsOf(const JudgedTrials& judgedTrials) {
     if (undefined)
         return *undefined;
     if (lumpsOf(answers) == 0)
-        return Measurement::undefined("no lump was there");
+        return Measurement::undefined(UndefinedReason::noLumpThere);
     int hits = 0;
     for (const PalpationAnswer& answer : answers)
         hits += answer.hits();

@@ -21,7 +21,7 @@ Measurement measurePalpationRocAreaOf(const JudgedTrials& judgedTrials) {
     if (!core::isUsable(ratings.counts()))
         return tooFewRegions(ratings.counts());
     if (!rated)
-        return Measurement::undefined("nobody said how sure a finding is");
+        return Measurement::undefined(UndefinedReason::noConfidence);
     return Measurement::of(rocOf(ratings)->area);
 }
 

@@ -23,11 +23,11 @@ struct JudgedTrials {
 inline JudgedTrials judged(std::span<const PreparedTrial> trials) {
     JudgedTrials out;
     if (trials.empty())
-        out.undefined = Measurement::undefined("no trials");
+        out.undefined = Measurement::undefined(UndefinedReason::noTrials);
     for (const PreparedTrial& trial : trials) {
         JudgedTrial one = judgePalpation(*trial.trial);
         if (!one.answer) {
-            out.undefined = Measurement::undefined(std::string(one.reason));
+            out.undefined = Measurement::undefined(one.reason);
             return out;
         }
         out.answers.push_back(std::move(*one.answer));
@@ -83,8 +83,7 @@ inline core::DetectionCounts countsOf(const std::vector<PalpationAnswer>& answer
 
 /// Why d′, c and the ROC's area of so few regions would say nothing.
 inline Measurement tooFewRegions(const core::DetectionCounts& n) {
-    return Measurement::undefined("only " + std::to_string(n.ofSignal) + " regions with a lump and " + std::to_string(n.ofNoise) +
-                                  " without: " + std::to_string(core::kUsableCounts) + " of each are needed");
+    return Measurement::undefined(UndefinedReason::tooFewRegions, {static_cast<int>(n.ofSignal), static_cast<int>(n.ofNoise), core::kUsableCounts});
 }
 
 /// `measure` of the regions of all trials, once there are enough of them.

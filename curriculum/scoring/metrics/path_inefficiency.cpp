@@ -34,7 +34,7 @@ Measurement measurePathInefficiency(std::span<const PreparedTrial> trials) {
         ++counted;
     }
     return counted > 0 ? Measurement::of(sum_percent / counted)
-                       : Measurement::undefined("start and end are less than 5 mm apart");
+                       : Measurement::undefined(UndefinedReason::endsTooNear);
 }
 
 /// Way of the tip and its own way along the centre-line in the stages of one trial that go along it, m.
@@ -154,7 +154,7 @@ Measurement meanOverTrials(std::span<const PreparedTrial> trials, std::optional<
             sum_percent += *percent;
             ++counted;
         }
-    return counted > 0 ? Measurement::of(sum_percent / counted) : Measurement::undefined("start and end are less than 5 mm apart");
+    return counted > 0 ? Measurement::of(sum_percent / counted) : Measurement::undefined(UndefinedReason::endsTooNear);
 }
 
 /// In a canal by its stages, elsewhere as version 1.

@@ -17,7 +17,7 @@ Measurement measurePathLength(std::span<const PreparedTrial> trials) {
                 any = true;
             }
     return any ? Measurement::of(core::mmFromM(length_m))
-               : Measurement::undefined("fewer than two positions");
+               : Measurement::undefined(UndefinedReason::tooFewPositions);
 }
 
 } // namespace

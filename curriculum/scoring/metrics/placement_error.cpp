@@ -9,12 +9,12 @@ namespace {
 
 Measurement measurePlacementError(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     double sum_m = 0.0;
     for (const PreparedTrial& trial : trials) {
         const auto placed = answerOf(trial);
         if (!placed)
-            return Measurement::undefined("the trace has no objects and target");
+            return Measurement::undefined(UndefinedReason::noObjectsAndTarget);
         sum_m += placed->fromTarget_m;
     }
     return Measurement::of(core::mmFromM(sum_m / static_cast<double>(trials.size())));

@@ -26,7 +26,7 @@ Measurement rootMeanSquare(std::span<const PreparedTrial> trials, std::string_vi
             }
     }
     if (count == 0)
-        return Measurement::undefined(known ? "nothing was touched, so nothing was predicted" : "the trace has no prediction");
+        return Measurement::undefined(known ? UndefinedReason::nothingPredicted : UndefinedReason::noPrediction);
     return Measurement::of(1e3 * std::sqrt(sum / static_cast<double>(count)));
 }
 

@@ -30,11 +30,11 @@ double pressed_s(const PreparedTrial& trial) {
 
 Measurement measurePressingTime(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     double time_s = 0.0;
     for (const PreparedTrial& trial : trials) {
         if (trial.tool == nullptr)
-            return Measurement::undefined("no samples");
+            return Measurement::undefined(UndefinedReason::noSamples);
         time_s += pressed_s(trial);
     }
     return Measurement::of(time_s);

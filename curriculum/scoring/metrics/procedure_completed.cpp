@@ -10,10 +10,10 @@ namespace {
 
 Measurement shareDone(std::span<const PreparedTrial> trials, std::size_t of) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     for (const PreparedTrial& trial : trials) // where a mark ends a trial there is no procedure to complete
         if (trial.tool == nullptr || (!trial.trial->insertion && trial.trial->quantities.empty()))
-            return Measurement::undefined("the trace has no procedure");
+            return Measurement::undefined(UndefinedReason::noProcedure);
     std::size_t done = 0;
     for (const PreparedTrial& trial : trials)
         done += trial.trial->completed ? 1 : 0;

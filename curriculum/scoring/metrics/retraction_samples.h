@@ -22,7 +22,7 @@ inline std::optional<Measurement> withoutFold(std::span<const PreparedTrial> tri
         return why;
     for (const PreparedTrial& trial : trials)
         if (!tubeQuantity(trial, "retraction_N") || !tubeQuantity(trial, "fold_open") || !tubeTruth(trial, "retraction_low_N") || !tubeTruth(trial, "retraction_high_N"))
-            return Measurement::undefined("the task has no such target");
+            return Measurement::undefined(UndefinedReason::noSuchTarget);
     return std::nullopt;
 }
 

@@ -25,12 +25,12 @@ double searched_s(const ToolTrace& tool, double until_s) {
 
 Measurement measureSearchingTime(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     double time_s = 0.0;
     for (const PreparedTrial& trial : trials) {
         const auto told = reportsOf(*trial.trial);
         if (!told || trial.tool == nullptr)
-            return Measurement::undefined("the trace has no reports");
+            return Measurement::undefined(UndefinedReason::noReports);
         time_s += searched_s(*trial.tool, doneAt_s(told->reports));
     }
     return Measurement::of(time_s);

@@ -21,7 +21,7 @@ Measurement measureSizeError(std::span<const PreparedTrial> trials) {
     }
     if (all.count > 0)
         return Measurement::of(1e3 * all.sum / all.count);
-    return Measurement::undefined(asked ? "of no lump that was found the size was said" : "the level asks for no size");
+    return Measurement::undefined(asked ? UndefinedReason::noSizeSaid : UndefinedReason::noSizeAsked);
 }
 
 } // namespace

@@ -20,7 +20,7 @@ Measurement measureSizeErrorByChance(std::span<const PreparedTrial> trials) {
         for (const double radius_m : saidSizes(answer.truth, answer.findings, answer.matches))
             radii_m.push_back(radius_m);
     if (radii_m.empty())
-        return Measurement::undefined("of no lump that was found the size was said");
+        return Measurement::undefined(UndefinedReason::noSizeSaid);
     const double best_m = median(radii_m);
     double sum_m = 0.0;
     for (const double radius_m : radii_m)
@@ -41,9 +41,9 @@ Measurement measureSizeErrorByChance2(std::span<const PreparedTrial> trials) {
             radii_m.push_back(lump.radius_m);
     }
     if (!asked)
-        return Measurement::undefined("the level asks for no size");
+        return Measurement::undefined(UndefinedReason::noSizeAsked);
     if (radii_m.size() < 2)
-        return Measurement::undefined("fewer than two lumps were there");
+        return Measurement::undefined(UndefinedReason::tooFewLumps);
     const double best_m = median(radii_m);
     double sum_m = 0.0;
     for (const double radius_m : radii_m)

@@ -9,12 +9,12 @@ namespace {
 
 Measurement measureSqueezeMax(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     double largest_N = 0.0;
     for (const PreparedTrial& trial : trials) {
         const QuantityTrace* squeeze = quantityOf(trial, "squeeze_N");
         if (squeeze == nullptr)
-            return Measurement::undefined("the trace has no squeeze");
+            return Measurement::undefined(UndefinedReason::noSqueeze);
         for (std::size_t i = 0; i < squeeze->values.size(); ++i)
             if (trial.tool->paused[i] == 0)
                 largest_N = std::max(largest_N, squeeze->values[i]);

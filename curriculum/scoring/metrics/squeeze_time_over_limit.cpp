@@ -7,15 +7,15 @@ namespace {
 
 Measurement measureSqueezeTimeOverLimit(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     double time_s = 0.0;
     for (const PreparedTrial& trial : trials) {
         const QuantityTrace* squeeze = quantityOf(trial, "squeeze_N");
         if (squeeze == nullptr)
-            return Measurement::undefined("the trace has no squeeze");
+            return Measurement::undefined(UndefinedReason::noSqueeze);
         const auto limit_N = truthOf(trial, "squeeze_limit_N");
         if (!limit_N)
-            return Measurement::undefined("the trace has no squeeze limit");
+            return Measurement::undefined(UndefinedReason::noSqueezeLimit);
         const std::vector<double>& t_s = trial.tool->t_s;
         for (std::size_t i = 0; i + 1 < t_s.size(); ++i)
             if (trial.tool->paused[i] == 0 && squeeze->values[i] > *limit_N)

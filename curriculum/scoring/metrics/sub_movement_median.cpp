@@ -20,7 +20,7 @@ Measurement subMovementMedian(std::span<const PreparedTrial> trials, Motion Prep
     }
     if (!values.empty())
         return Measurement::of(median(std::move(values)));
-    return Measurement::undefined(moved ? "no sub-movement of 100 ms" : "no movement");
+    return Measurement::undefined(moved ? UndefinedReason::noSubMovement : UndefinedReason::noMovement);
 }
 
 } // namespace chiron::scoring

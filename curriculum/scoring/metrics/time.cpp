@@ -24,7 +24,7 @@ Measurement measureTime(std::span<const PreparedTrial> trials) {
             if (!tool.paused[i] && tool.t_s[i + 1] > start_s)
                 total_s += tool.t_s[i + 1] - std::max(tool.t_s[i], start_s);
     }
-    return any ? Measurement::of(total_s) : Measurement::undefined("neither movement nor contact");
+    return any ? Measurement::of(total_s) : Measurement::undefined(UndefinedReason::neitherMovementNorContact);
 }
 
 } // namespace

@@ -42,7 +42,7 @@ Measurement measureTimeInBand(std::span<const PreparedTrial> trials) {
     for (const PreparedTrial& trial : trials) {
         const auto band = bandOf(trial);
         if (!band)
-            return Measurement::undefined("the task has no such target");
+            return Measurement::undefined(UndefinedReason::noSuchTarget);
         sum += inBand_us(trial, *band);
     }
     return Measurement::of(static_cast<double>(sum) / 1e6 / static_cast<double>(trials.size()));

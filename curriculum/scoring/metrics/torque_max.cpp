@@ -11,7 +11,7 @@ Measurement measureTorqueMax(std::span<const PreparedTrial> trials) {
     double largest_Nm = -1.0;
     if (auto why = forEachTorque(trials, [&](double torque_Nm) { largest_Nm = std::max(largest_Nm, torque_Nm); }))
         return *why;
-    return largest_Nm < 0.0 ? Measurement::undefined("no samples") : Measurement::of(1e3 * largest_Nm);
+    return largest_Nm < 0.0 ? Measurement::undefined(UndefinedReason::noSamples) : Measurement::of(1e3 * largest_Nm);
 }
 
 } // namespace

@@ -16,7 +16,7 @@ Measurement measureTorqueRms(std::span<const PreparedTrial> trials) {
     });
     if (why)
         return *why;
-    return samples == 0 ? Measurement::undefined("no samples")
+    return samples == 0 ? Measurement::undefined(UndefinedReason::noSamples)
                         : Measurement::of(1e3 * std::sqrt(squares / static_cast<double>(samples)));
 }
 

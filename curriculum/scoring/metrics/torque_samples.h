@@ -18,7 +18,7 @@ std::optional<Measurement> forEachTorque(std::span<const PreparedTrial> trials, 
         if (trial.tool == nullptr)
             continue;
         if (trial.tool->tissueTorque_Nm.empty())
-            return Measurement::undefined("the trace has no torques");
+            return Measurement::undefined(UndefinedReason::noTorques);
         for (std::size_t i = 0; i < trial.tool->t_s.size(); ++i)
             if (trial.tool->paused[i] == 0)
                 visit(trial.tool->tissueTorque_Nm[i].norm());

@@ -36,12 +36,12 @@ inline std::optional<double> tubeTruth(const PreparedTrial& trial, std::string_v
 inline std::optional<Measurement> withoutTube(std::span<const PreparedTrial> trials, std::string_view quantity,
                                               std::string_view truth = {}) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     for (const PreparedTrial& trial : trials) {
         if (tubeQuantity(trial, quantity) == nullptr || tubeQuantity(trial, "step") == nullptr)
-            return Measurement::undefined("the trace has no data of a tube");
+            return Measurement::undefined(UndefinedReason::noTubeData);
         if (!truth.empty() && !tubeTruth(trial, truth))
-            return Measurement::undefined("the task has no such target");
+            return Measurement::undefined(UndefinedReason::noSuchTarget);
     }
     return std::nullopt;
 }
@@ -85,7 +85,7 @@ template <class Visit> void forEachTensionError(std::span<const PreparedTrial> t
 }
 
 inline Measurement neverHeld() {
-    return Measurement::undefined("the tension was never held");
+    return Measurement::undefined(UndefinedReason::tensionNeverHeld);
 }
 
 } // namespace chiron::scoring

@@ -9,15 +9,15 @@ constexpr double kWeigh = 1.0; ///< truth "task": simulation::HandlingTask::weig
 
 Measurement measureWeighingCorrect(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     std::size_t correct = 0;
     for (const PreparedTrial& trial : trials) {
         const auto heaviest = truthOf(trial, "heaviest");
         if (truthOf(trial, "task") != kWeigh || !heaviest)
-            return Measurement::undefined("no weighing was asked for");
+            return Measurement::undefined(UndefinedReason::noWeighing);
         const auto placed = answerOf(trial);
         if (!placed)
-            return Measurement::undefined("the trace has no objects and target");
+            return Measurement::undefined(UndefinedReason::noObjectsAndTarget);
         correct += trial.trial->completed && placed->taken && placed->number == static_cast<int>(*heaviest) ? 1 : 0;
     }
     return Measurement::of(100.0 * static_cast<double>(correct) / static_cast<double>(trials.size()));

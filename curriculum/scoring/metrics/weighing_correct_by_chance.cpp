@@ -8,12 +8,12 @@ namespace {
 /// Who chooses one of n objects without lifting any is right once in n times.
 Measurement measureWeighingCorrectByChance(std::span<const PreparedTrial> trials) {
     if (trials.empty())
-        return Measurement::undefined("no trials");
+        return Measurement::undefined(UndefinedReason::noTrials);
     double sum = 0.0;
     for (const PreparedTrial& trial : trials) {
         const auto objects = truthOf(trial, "objects");
         if (!truthOf(trial, "heaviest") || !objects || !(*objects >= 1.0))
-            return Measurement::undefined("no weighing was asked for");
+            return Measurement::undefined(UndefinedReason::noWeighing);
         sum += 1.0 / *objects;
     }
     return Measurement::of(100.0 * sum / static_cast<double>(trials.size()));

@@ -7,6 +7,7 @@
 #include "desktop/plots/session_words.h"
 #include "report/plot_view.h"
 #include "report/report_writer.h"
+#include "report/session_plots.h"
 #include "review_sessions.h"
 
 #include <QAbstractButton>
@@ -152,9 +153,13 @@ private slots:
     void initTestCase();
     void speaksOfItsOwnExercise_data();
     void speaksOfItsOwnExercise();
+    void paperMarksTheCriticalErrorsOfTheScore();
+    void paperHasEveryTool();
 
 private:
-    MadeSession scripted(const std::string& exercise, int level, double limit_s);
+    MadeSession scripted(const std::string& exercise, int level, double limit_s, const std::string& operatorName = "expert");
+    report::ReportData reportOf(database::SessionId id, const std::string& exercise, const QString& language);
+    QString print(const report::ReportData& data, const QString& name);
     void debrief(database::SessionId id, const std::string& exercise, Ending ending, const QString& language);
     void playback(database::SessionId id, const std::string& exercise, Ending ending, const QString& language);
     void results(const std::string& exercise, int level, const QString& language);
@@ -192,12 +197,12 @@ void TestEveryDebrief::speaksOfItsOwnExercise_data() {
     QCOMPARE(known, static_cast<int>(m_site->context.site().catalogue().exercises().size())); // a new exercise has words of its own
 }
 
-MadeSession TestEveryDebrief::scripted(const std::string& exercise, int level, double limit_s) {
+MadeSession TestEveryDebrief::scripted(const std::string& exercise, int level, double limit_s, const std::string& operatorName) {
     session::TrainingRequest request;
     request.level = shortened(*m_site->context.site().catalogue().find(exercise, level), limit_s);
     request.seed = 11;
     request.ringFolder = recording::defaultRingFolder();
-    auto station = session::scriptedStation(**session::exerciseKind(exercise), request.level, "expert", request.seed);
+    auto station = session::scriptedStation(**session::exerciseKind(exercise), request.level, operatorName, request.seed);
     if (!station)
         qFatal("%s", station.error().message.c_str());
     request.station = std::move(*station);
@@ -301,20 +306,77 @@ void TestEveryDebrief::results(const std::string& exercise, int level, const QSt
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
 }
 
+report::ReportData TestEveryDebrief::reportOf(database::SessionId id, const std::string& exercise, const QString& language) {
+    auto connection = m_site->database().openReader();
+    auto data = desktop::loadReport(**connection, *m_tina, id, language.toStdString());
+    if (!data)
+        qFatal("%s", data.error().message.c_str());
+    desktop::translateReport(*data, {QStringLiteral("Tina"), desktop::exerciseTitle(m_site->context.site().catalogue(), exercise, language), QStringLiteral("device")});
+    return *data;
+}
+
+QString TestEveryDebrief::print(const report::ReportData& data, const QString& name) {
+    const QString pictures = qEnvironmentVariable("CHIRON_PICTURES");
+    const QString pdf = QDir(pictures.isEmpty() ? m_site->folder() : pictures).filePath(name + QStringLiteral(".pdf"));
+    const auto written = report::writeSessionPdf(pdf, data, report::lightTheme(m_site->context.locale()));
+    if (!written)
+        qFatal("%s", written.error().message.c_str());
+    return pdf;
+}
+
 void TestEveryDebrief::paper(database::SessionId id, const std::string& exercise, const QString& language) {
     if (QStandardPaths::findExecutable(QStringLiteral("pdftotext")).isEmpty())
         return;
-    auto connection = m_site->database().openReader();
-    auto data = desktop::loadReport(**connection, *m_tina, id, language.toStdString());
-    QVERIFY2(data, data ? "" : data.error().message.c_str());
-    desktop::translateReport(*data, {QStringLiteral("Tina"), desktop::exerciseTitle(m_site->context.site().catalogue(), exercise, language), QStringLiteral("device")});
-    const QString pictures = qEnvironmentVariable("CHIRON_PICTURES");
-    const QString folder = pictures.isEmpty() ? m_site->folder() : pictures;
-    const QString pdf = QDir(folder).filePath(QStringLiteral("report_%1_%2.pdf").arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_')), language));
-    const auto written = report::writeSessionPdf(pdf, *data, report::lightTheme(m_site->context.locale()));
-    QVERIFY2(written, written ? "" : written.error().message.c_str());
-    const QStringList foreign = foreignWords(linesOf(pdf), exercise, language);
+    const QString name = QStringLiteral("report_%1_%2").arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_')), language);
+    const QStringList foreign = foreignWords(linesOf(print(reportOf(id, exercise, language), name)), exercise, language);
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
+}
+
+// What a page marks is what the score counts: of a hand that breaks tissue, and of one that does not.
+void TestEveryDebrief::paperMarksTheCriticalErrorsOfTheScore() {
+    const bool readsPdf = !QStandardPaths::findExecutable(QStringLiteral("pdftotext")).isEmpty();
+    for (const char* name : {"unsafe", "expert"}) {
+        const MadeSession made = scripted("urethra_insertion", 3, 30.0, name);
+        const database::SessionId id = tests::store(m_site->database(), *m_tina, made);
+        const report::ReportData data = reportOf(id, "urethra_insertion", QStringLiteral("en"));
+        const auto counted = std::find_if(data.metrics.begin(), data.metrics.end(), [](const auto& row) { return row.id == QLatin1String("critical_errors"); });
+        QVERIFY(counted != data.metrics.end() && counted->value);
+        QCOMPARE(static_cast<double>(data.series.criticalErrors.size()), *counted->value);
+        QCOMPARE(*counted->value > 0.0, QLatin1String(name) == QLatin1String("unsafe")); // or the test has nothing to show
+        for (const report::CriticalError& error : data.series.criticalErrors)
+            QVERIFY(!error.words.isEmpty() && !error.words.startsWith(QStringLiteral("Critical error")));
+        const bool marked = report::forcePlot(data.series, data.forceLimit_N, report::lightTheme(QLocale::c()))->legendTexts().contains(QStringLiteral("critical error"));
+        QCOMPARE(marked, *counted->value > 0.0);
+        const QString pdf = print(data, QStringLiteral("critical_%1").arg(QLatin1String(name)));
+        if (readsPdf)
+            QCOMPARE(isSaid(linesOf(pdf), QStringLiteral("What happened")), *counted->value > 0.0);
+    }
+}
+
+void TestEveryDebrief::paperHasEveryTool() {
+    const MadeSession made = scripted("elastic_tube", 6, 25.0);
+    const database::SessionId id = tests::store(m_site->database(), *m_tina, made);
+    m_site->settings.setLanguage(QStringLiteral("de"));
+    m_site->context.applyAppearance();
+    const report::ReportData data = reportOf(id, "elastic_tube", QStringLiteral("de"));
+    print(data, QStringLiteral("tools_de"));
+    const QStringList names{QStringLiteral("Rechtes Instrument"), QStringLiteral("Linkes Instrument"), QStringLiteral("Instrument 3")};
+    QCOMPARE(data.series.tools.size(), std::size_t{3});
+    const report::PlotTheme theme = report::lightTheme(QLocale(QLocale::German));
+    std::vector<std::unique_ptr<report::PlotView>> plots = report::positionPlots(data.series, theme);
+    QCOMPARE(plots.size(), std::size_t{3});
+    plots.push_back(report::forcePlot(data.series, data.forceLimit_N, theme));
+    plots.push_back(report::feltForcePlot(data.series, data.forceLimit_N, theme));
+    plots.push_back(report::speedPlot(data.series, theme));
+    for (const auto& plot : plots) {
+        QVERIFY(plot);
+        for (const QString& name : names)
+            QVERIFY2(plot->legendTexts().contains(name), qPrintable(plot->legendTexts().join(QLatin1Char('|'))));
+    }
+    QVERIFY(data.series.tools[0].tissue_N != data.series.tools[2].tissue_N); // the two hands pull on one tube with one force
+    QVERIFY(data.series.tools[0].x_mm != data.series.tools[1].x_mm && data.series.tools[1].x_mm != data.series.tools[2].x_mm);
+    m_site->settings.setLanguage(QStringLiteral("en"));
+    m_site->context.applyAppearance();
 }
 
 QTEST_MAIN(TestEveryDebrief)

@@ -144,7 +144,7 @@ private slots:
         const auto replay = GraspReplay::of(setup);
         const Theme theme = Theme::load(ThemeName::light, 1.0).value();
         const auto legend = [&] {
-            PlaybackPlots plots(theme, QLocale::c(), track, &*replay);
+            PlaybackPlots plots(theme, QLocale::c(), track, setup.level.parameters, &*replay);
             const auto* energy = plots.findChild<report::PlotView*>(QStringLiteral("playback.energy_plot"));
             if (!energy || !plots.findChild<report::PlotView*>(QStringLiteral("playback.grasp_plot")))
                 return QStringList();
@@ -154,8 +154,28 @@ private slots:
         for (std::size_t i = 100; i < 200; ++i)
             track.quantities[2].values[i] = 0.012; // more is held than was put in
         QCOMPARE(legend().size(), 3);
-        PlaybackPlots without(theme, QLocale::c(), track);
+        PlaybackPlots without(theme, QLocale::c(), track, setup.level.parameters);
+        QVERIFY(!without.findChild<report::PlotView*>(QStringLiteral("playback.felt_plot"))); // of one tool it is a line in the plot of force
         QVERIFY(!without.findChild<report::PlotView*>(QStringLiteral("playback.grasp_plot")));
+    }
+
+    void plotsHaveEveryTool() {
+        const session::SessionSetup setup = tubeSetup(TubeTask::twoHanded);
+        session::PlaybackTrack track = madeTrack(3, {{"tension_N", 1.0}});
+        track.felt = true;
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        PlaybackPlots plots(theme, QLocale::c(), track, setup.level.parameters);
+        const auto* felt = plots.findChild<report::PlotView*>(QStringLiteral("playback.felt_plot"));
+        QVERIFY(felt);
+        for (const QString& name : {QStringLiteral("Right instrument"), QStringLiteral("Left instrument"), QStringLiteral("Instrument 3")})
+            QVERIFY(plots.force().legendTexts().contains(name) && felt->legendTexts().contains(name) && plots.speed().legendTexts().contains(name));
+        session::PlaybackMark& broken = track.marks.emplace_back();
+        broken.t_s = broken.end_s = 0.5;
+        broken.kind = session::PlaybackMarkKind::yielded;
+        broken.tool = 1;
+        broken.critical = true;
+        broken.value = 8.0;
+        QVERIFY(PlaybackPlots(theme, QLocale::c(), track, setup.level.parameters).force().legendTexts().contains(QStringLiteral("critical error")));
     }
 
     void everyMarkOfGraspingHasWordsAndASign() {

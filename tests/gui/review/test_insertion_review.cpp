@@ -24,6 +24,7 @@ class TestInsertionReview : public QObject {
 private slots:
     void theSceneIsToldTheProcedure();
     void plotsOfACanal();
+    void tissueIsSaidToGiveWayToWhatItGaveWayTo();
     void theGhostHasItsOwnLines();
     void withoutASeriesNothingIsAdded();
     void aStoredProcedureIsPlayedBack();
@@ -43,12 +44,12 @@ void TestInsertionReview::theSceneIsToldTheProcedure() {
 void TestInsertionReview::plotsOfACanal() {
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
     const session::PlaybackTrack track = madeTrack();
-    desktop::PlaybackPlots plots(theme, QLocale::c(), track);
+    desktop::PlaybackPlots plots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{});
     for (const char* name : {"playback.force", "playback.offset_plot", "playback.alignment_plot", "playback.speed_plot"})
         QVERIFY2(plots.findChild<report::PlotView*>(QLatin1String(name)), name);
     plots.showCursor(3.0);
     QCOMPARE(plots.findChild<report::PlotView*>(QStringLiteral("playback.offset_plot"))->cursorX(), 3.0);
-    const report::SampleSeries series = session_report::seriesOf(track);
+    const report::SampleSeries series = session_report::seriesOf(track, simulation::UrethraInsertionParameters{}, QLocale::c());
     QCOMPARE(series.offset_mm.size(), series.t_s.size());
     QVERIFY(series.events.empty()); // one procedure has no numbers
     const auto profile = session_report::insertionProfileOf(track);
@@ -56,12 +57,23 @@ void TestInsertionReview::plotsOfACanal() {
     QVERIFY(report::alignmentDepthPlot({}, report::lightTheme(QLocale::c()))); // nothing is no crash
 }
 
+void TestInsertionReview::tissueIsSaidToGiveWayToWhatItGaveWayTo() {
+    session::PlaybackMark mark;
+    mark.kind = session::PlaybackMarkKind::yielded;
+    mark.value = 8.0;
+    const auto said = [&] { return session_report::markText(mark, simulation::UrethraInsertionParameters{}, QLocale::c()); };
+    QVERIFY2(said().contains(QStringLiteral("8.00\u00a0N")) && !said().contains(QStringLiteral("orque")), qPrintable(said()));
+    mark.detail = session::kByTorque;
+    mark.value = 0.213;
+    QVERIFY2(said().contains(QStringLiteral("torque")) && said().contains(QStringLiteral("213")) && said().contains(QStringLiteral("mN·m")), qPrintable(said()));
+}
+
 void TestInsertionReview::theGhostHasItsOwnLines() {
     const session::PlaybackTrack track = madeTrack();
     const session::GhostSeries series = session::ghostSeries(track, track);
     QCOMPARE(series.offset_m.size(), series.t_s.size());
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::dark, 1.0).value();
-    desktop::PlaybackPlots plots(theme, QLocale::c(), track);
+    desktop::PlaybackPlots plots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{});
     plots.setGhost(series, QStringLiteral("other"));
     QVERIFY(plots.force().legendTexts().contains(QStringLiteral("other")));
     QCOMPARE(plots.findChildren<report::PlotView*>(QStringLiteral("playback.offset_plot")).size(), 1); // drawn anew, not twice
@@ -73,10 +85,10 @@ void TestInsertionReview::withoutASeriesNothingIsAdded() {
     session::PlaybackTrack track = madeTrack();
     track.insertion.reset();
     QVERIFY(!track.at(4.0).insertion);
-    QVERIFY(session_report::seriesOf(track).offset_mm.empty());
+    QVERIFY(session_report::seriesOf(track, simulation::UrethraInsertionParameters{}, QLocale::c()).offset_mm.empty());
     QVERIFY(!desktop::sceneStateAt(track, nullptr, 4.0).endoscope.present);
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
-    QVERIFY(!desktop::PlaybackPlots(theme, QLocale::c(), track).findChild<report::PlotView*>(QStringLiteral("playback.offset_plot")));
+    QVERIFY(!desktop::PlaybackPlots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{}).findChild<report::PlotView*>(QStringLiteral("playback.offset_plot")));
 }
 
 /// Stored, scored and read again: what was done at a moment is told in words, and the scene takes the other picture.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mechanisms/fingertip_arm_plant.h"
+#include "mechanisms/fingertip_arm_verification.h"
 #include "mechanisms/rotation_vector.h"
 
 #include <Eigen/SVD>
@@ -84,6 +85,8 @@ private slots:
     void imuFollowsTheHandleWithinItsErrors();
     void theLeverFollowsTheFingers();
     void theApparentMassIsThatOfAPush();
+    void theVerificationHolds();
+    void theVerificationNoticesAWorseArm();
     void sameSeedSameBits();
 };
 
@@ -394,6 +397,48 @@ void TestFingertipArm::theApparentMassIsThatOfAPush() {
         sum += pushed.motion().v_DT[axis] / 1e-5;
     }
     QVERIFY(sum / 3.0 > 0.8 / arm.apparentMass_kg() && sum / 3.0 < 1.6 / arm.apparentMass_kg());
+}
+
+void TestFingertipArm::theVerificationHolds() {
+    const auto v = mechanisms::verifyFingertipArm({}, 77);
+    QVERIFY(v.holds());
+    QCOMPARE(v.poses, 9 * 9 * 9 * 6);
+    QCOMPARE(v.drags.size(), std::size_t{9});
+    for (const auto& drag : v.drags) // in the middle of the travel: 0.06 N and 0.5 N·s/m at the pad (models.md §4), by direction and with the wrist's
+        QVERIFY2(drag.felt_N > 0.04 && drag.felt_N < 0.12 + 1.0 * drag.speed_m_per_s, qPrintable(QString("%1 %2: %3").arg(drag.axis).arg(drag.speed_m_per_s).arg(drag.felt_N)));
+    qInfo("friction %.2f %%, condition %.3f, weight %.3f N, sinks %.2f mm, place %.3f mm, jacobian %.1e, gravity %.1e", 100.0 * v.frictionError(), v.condition, v.weight_N,
+          1e3 * v.sinks_m, 1e3 * v.place_m, v.jacobian, v.gravity_Nm);
+}
+
+// Each figure has to be able to fail.
+void TestFingertipArm::theVerificationNoticesAWorseArm() {
+    using Bounds = mechanisms::FingertipArmBounds;
+    const auto with = [](auto&& change) {
+        FingertipArmParameters p;
+        change(p);
+        return mechanisms::verifyFingertipArm(p, 77, {.grid = 2, .speeds_m_per_s = {0.20}});
+    };
+    const auto asItIs = with([](FingertipArmParameters&) {});
+    QVERIFY(asItIs.holds());
+    const auto shorter = with([](FingertipArmParameters& p) { p.geometry.fore_m = 0.20; });
+    QVERIFY(shorter.reached < shorter.poses && !shorter.holds());
+    const auto heavy = with([](FingertipArmParameters& p) { p.counterbalance = 0.90; });
+    QVERIFY(heavy.weight_N > Bounds::kWeight_N && heavy.sinks_m > Bounds::kSinks_m && !heavy.holds());
+    const auto coarse = with([](FingertipArmParameters& p) {
+        p.encoderBits = 14;
+        p.encoderRunout_rad[0] *= 5.0;
+    });
+    QVERIFY(coarse.countMost_m > Bounds::kCount_m && coarse.place_m > Bounds::kPlace_m && !coarse.holds());
+    const auto rough = with([](FingertipArmParameters& p) { // what the joints were given is what is felt, whatever it is
+        for (auto& friction : p.friction)
+            friction.coulomb *= 3.0;
+    });
+    QVERIFY(rough.frictionError() < Bounds::kFriction);
+    QVERIFY(rough.drags[0].felt_N > 1.5 * asItIs.drags[0].felt_N);
+    auto other = asItIs;
+    other.drags[0].felt_N = 1.06 * other.drags[0].given_N;
+    QVERIFY(!other.holds());
+    QVERIFY(!mechanisms::FingertipArmVerification{}.holds());
 }
 
 void TestFingertipArm::sameSeedSameBits() {

@@ -2,6 +2,7 @@
 // One source of what metrics are called, and which of them go first.
 #include "report/report_text.h"
 #include "scoring/metric_catalogue.h"
+#include "scoring/undefined_reason.h"
 #include "session_report/metric_words.h"
 
 #include <QtTest>
@@ -22,6 +23,18 @@ private slots:
             const auto [known, isNew] = titles.emplace(title, id);
             QVERIFY2(isNew || known->second == id, qPrintable(title));
         }
+    }
+
+    void everyReasonHasWords() {
+        std::set<QString> said;
+        for (std::size_t i = 0; i < scoring::kUndefinedReasons; ++i) {
+            const scoring::Undefined undefined{static_cast<scoring::UndefinedReason>(i), {4, 5, 20}};
+            const QString words = session_report::metricReason(QString::fromStdString(scoring::storedText(undefined)));
+            QVERIFY2(!words.isEmpty() && !words.contains(QLatin1Char('%')) && said.insert(words).second, qPrintable(words));
+        }
+        const QString counts = session_report::metricReason(QStringLiteral("only 4 regions with a lump and 5 without: 20 of each are needed"));
+        QCOMPARE(counts, QStringLiteral("only 4 regions with a lump and 5 without: 20 of each are needed"));
+        QCOMPARE(session_report::metricReason(QStringLiteral("a reason of a later version")), QStringLiteral("a reason of a later version"));
     }
 
     void whatFailedGoesFirstAndAtMostThreeAreShown() {

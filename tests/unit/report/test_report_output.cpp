@@ -23,6 +23,8 @@ private slots:
     void sessionReport();
     void pictures();
     void theLimitIsVisibleWhereForceIsOverIt();
+    void severalToolsHaveALineEach();
+    void criticalErrorsAreCrosses();
     void comparison();
     void failuresNameThePath();
 
@@ -83,18 +85,19 @@ ReportData sample(std::size_t samples) {
     for (int i = 0; i < 10; ++i)
         data.apexErrors.push_back({i, misfit[i][0], misfit[i][1], i == 6, false});
     SampleSeries& s = data.series;
+    ToolSamples& tool = s.tools.emplace_back();
     for (std::size_t i = 0; i < samples; ++i) {
         const double t = 0.001 * static_cast<double>(i);
         const double search = std::exp(-std::fmod(t, 18.0) / 7.0);
         s.t_s.push_back(t);
-        s.x_mm.push_back(20.0 * search * std::cos(2.1 * t) + 8.0 * std::sin(0.05 * t));
-        s.y_mm.push_back(20.0 * search * std::sin(2.1 * t) - 6.0);
-        s.z_mm.push_back(20.0 - 9.0 * search);
+        tool.x_mm.push_back(20.0 * search * std::cos(2.1 * t) + 8.0 * std::sin(0.05 * t));
+        tool.y_mm.push_back(20.0 * search * std::sin(2.1 * t) - 6.0);
+        tool.z_mm.push_back(20.0 - 9.0 * search);
         const double force = 1.4 + 0.9 * std::sin(3.0 * t) + (std::fmod(t, 36.0) < 0.9 ? 2.6 : 0.0);
-        s.tissue_N.push_back(std::max(0.0, force));
-        s.commanded_N.push_back(std::min(4.0, std::max(0.0, force)));
-        s.measured_N.push_back(std::min(4.0, std::max(0.0, force - 0.12)));
-        s.speed_mm_per_s.push_back(42.0 * search * (1.0 + 0.3 * std::sin(9.0 * t)));
+        tool.tissue_N.push_back(std::max(0.0, force));
+        tool.commanded_N.push_back(std::min(4.0, std::max(0.0, force)));
+        tool.measured_N.push_back(std::min(4.0, std::max(0.0, force - 0.12)));
+        tool.speed_mm_per_s.push_back(42.0 * search * (1.0 + 0.3 * std::sin(9.0 * t)));
     }
     for (int i = 0; i < 10; ++i)
         s.events.push_back({18.0 * i, QStringLiteral("trial %1").arg(i + 1)});
@@ -244,6 +247,68 @@ void TestReportOutput::theLimitIsVisibleWhereForceIsOverIt() {
     QCOMPARE(coloured(9.0), 0);
 }
 
+// Four tools, with an error of the second one: each line by its own kind, and every plot names all.
+ReportData ofFourTools() {
+    ReportData data = sample(20000);
+    ToolSamples first = data.series.tools.front();
+    data.series.tools.clear();
+    for (int tool = 0; tool < 4; ++tool) {
+        ToolSamples& samples = data.series.tools.emplace_back(first);
+        samples.name = QStringLiteral("Tool %1").arg(tool + 1);
+        for (std::vector<double>* values : {&samples.x_mm, &samples.y_mm, &samples.z_mm, &samples.tissue_N, &samples.commanded_N, &samples.measured_N})
+            for (double& value : *values)
+                value *= 1.0 - 0.2 * tool;
+    }
+    data.series.tools[1].tissue_N[10000] = 6.5;
+    data.series.criticalErrors = {{9.5, 10.5, 0, 1, QStringLiteral("Pressed on the wall for 1.00 s, up to 6.50 N")}};
+    return data;
+}
+
+void TestReportOutput::severalToolsHaveALineEach() {
+    const PlotTheme theme = lightTheme(QLocale::c());
+    const ReportData data = ofFourTools();
+    std::vector<std::unique_ptr<PlotView>> plots = positionPlots(data.series, theme);
+    QCOMPARE(plots.size(), std::size_t{3});
+    for (auto& plot : {feltForcePlot, measuredForcePlot, forcePlot})
+        plots.push_back(plot(data.series, data.forceLimit_N, theme));
+    plots.push_back(speedPlot(data.series, theme));
+    for (const auto& plot : plots) {
+        QVERIFY(plot);
+        for (int tool = 1; tool <= 4; ++tool)
+            QVERIFY(plot->legendTexts().contains(QStringLiteral("Tool %1").arg(tool)));
+    }
+    const ReportData alone = sample(1000);
+    QVERIFY(!feltForcePlot(alone.series, 4.0, theme) && !measuredForcePlot(alone.series, 4.0, theme)); // both are in the one plot of force
+    QCOMPARE(positionPlots(alone.series, theme).size(), std::size_t{1});
+    ReportData shown = ofFourTools();
+    for (ToolSamples& tool : shown.series.tools)
+        tool.commanded_N.clear();
+    QVERIFY(!feltForcePlot(shown.series, 4.0, theme));
+    QVERIFY(writeSessionPdf(path(QStringLiteral("tools.pdf")), data, theme));
+    QVERIFY(writeSessionPngs(path(QStringLiteral("tools")), data, theme));
+    for (const char* name : {"force", "position"}) {
+        const QImage image(path(QStringLiteral("tools/%1.png").arg(QLatin1String(name))));
+        QCOMPARE(image.height(), 3 * 720); // three plots, one below the other
+        const QString differs = m_kept.differs(QStringLiteral("tools_%1").arg(QLatin1String(name)), image);
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
+    }
+}
+
+// At the worst moment of the error, upon the line of the tool that made it; nothing where its tool has no samples.
+void TestReportOutput::criticalErrorsAreCrosses() {
+    const PlotTheme theme = lightTheme(QLocale::c());
+    ReportData data = ofFourTools();
+    const auto named = [&] { return forcePlot(data.series, data.forceLimit_N, theme)->legendTexts().contains(QStringLiteral("critical error")); };
+    QVERIFY(named());
+    data.series.criticalErrors[0].tool = 4;
+    QVERIFY(!named());
+    data.series.criticalErrors[0].tool = -1; // of the session, and so of its first tool
+    data.series.criticalErrors[0].begin_s = data.series.criticalErrors[0].end_s = 1e6; // after the last sample: at the last one
+    QVERIFY(named());
+    data.series.t_s.clear();
+    QVERIFY(!named());
+}
+
 void TestReportOutput::comparison() {
     ComparisonData data{QStringLiteral("Apex error of the scripted operators, haptics alone"),
                         QStringLiteral("Mean apex error"),
@@ -274,7 +339,7 @@ void TestReportOutput::failuresNameThePath() {
         QCOMPARE(failed.error().code, core::ErrorCode::storage);
         QVERIFY(failed.error().message.find(m_folder.toStdString()) != std::string::npos);
     }
-    const auto noPixels = positionPlot({}, theme)->savePng(path(QStringLiteral("none.png")), QSize(0, 0));
+    const auto noPixels = positionPlots({}, theme).front()->savePng(path(QStringLiteral("none.png")), QSize(0, 0));
     QVERIFY(!noPixels.has_value());
     QVERIFY(!QFile::exists(path(QStringLiteral("none.png"))));
 }

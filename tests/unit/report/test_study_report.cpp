@@ -9,6 +9,7 @@
 
 #include <QDir>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QtTest>
 
@@ -130,6 +131,9 @@ void TestStudyReport::tellsAll() {
                                 QStringLiteral("BRAVO"), QStringLiteral("150 N/m"), QStringLiteral("2 participant"), QStringLiteral("Fidelity"),
                                 QStringLiteral("How real did it feel?"), QStringLiteral("Weber fraction of the group"), QStringLiteral("Page"), QStringLiteral("Worth of each object")})
         QVERIFY2(text.contains(word), qPrintable(word + QStringLiteral(" is not in: ") + text));
+    // A column as on the screen, for every participant, and what it means once.
+    QCOMPARE(text.count(QStringLiteral("How much of the result was assumed beforehand")), 1);
+    QVERIFY2(QRegularExpression(QStringLiteral("ALPHA [\\d.]+ % [\\d.]+ . [\\d.]+ % [\\d.]+ N/m [\\d.]+ % \\d+ \\d+ ")).match(text).hasMatch(), qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("Median 4.5, middle half 4.25 to 4.75")), qPrintable(text)); // as the scale has it, without noughts
     QVERIFY(report(study, file("study_de.pdf"), "de"));
     QVERIFY(textOf(file("study_de.pdf")).contains(QStringLiteral("Steifigkeit fühlen")));

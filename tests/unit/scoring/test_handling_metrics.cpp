@@ -56,7 +56,7 @@ Measurement metricOf(const SessionTrace& trace, const std::string& id, int versi
     const std::vector<MetricRequest> wanted{{id, version}};
     const auto card = calculateScore(trace, wanted, {}, true);
     if (!card)
-        return Measurement::undefined(card.error().message);
+        return Measurement{std::nullopt, card.error().message};
     const auto& metric = card->metrics.front();
     return {metric.value, metric.reason};
 }

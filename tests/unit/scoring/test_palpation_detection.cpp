@@ -23,11 +23,11 @@ bool isNear(double a, double b, double tolerance) { return std::abs(a - b) <= to
 PalpationAnswer answerOf(const MadeTrial& trial) {
     JudgedTrial judged = judgePalpation(trial);
     if (!judged.answer)
-        qFatal("%s", std::string(judged.reason).c_str());
+        qFatal("%s", storedText({judged.reason, {}}).c_str());
     return std::move(*judged.answer);
 }
 
-std::string reasonOf(const TrialTrace& trial) { return std::string(judgePalpation(trial).reason); }
+std::string reasonOf(const TrialTrace& trial) { return judgePalpation(trial).answer ? std::string() : storedText({judgePalpation(trial).reason, {}}); }
 
 /// As many regions of each answer as told, surest first.
 RatingCounts ratings(std::array<int, 7> ofSignal, std::array<int, 7> ofNoise) { return {ofSignal, ofNoise}; }

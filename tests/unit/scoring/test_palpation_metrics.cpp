@@ -26,7 +26,7 @@ Measurement metricOf(const SessionTrace& trace, const std::string& id, int versi
     const std::vector<MetricRequest> wanted{{id, version}};
     const auto card = calculateScore(trace, wanted, {}, true);
     if (!card)
-        return Measurement::undefined(card.error().message);
+        return Measurement{std::nullopt, card.error().message};
     return {card->metrics.front().value, card->metrics.front().reason};
 }
 double valueOf(const std::vector<TrialTrace>& trials, const std::string& id, int version = 0) {

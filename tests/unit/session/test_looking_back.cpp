@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a recording is said to tell: stops, limits, misses, the worst moment, what was felt.
 #include "core/contact_bits.h"
+#include "core/random.h"
 #include "frames.h"
 #include "scoring/force_facts.h"
 #include "session/palpation_marks.h"
 #include "session/playback_mark.h"
 #include "session/worst_moment.h"
+#include "session/yield_cause.h"
 
 #include <QtTest>
 
@@ -164,6 +166,65 @@ private slots:
         for (PlaybackTool& tool : track.tools)
             tool.tissue_N *= 0.005; // noise of a force that was never felt
         QVERIFY(!worstMoment(track, {}, gates));
+    }
+
+    // The recording keeps what the tissue answered, and that tells which of its two limits it met.
+    void tissueTellsWhetherForceOrTorqueBrokeIt() {
+        simulation::YieldLaw law;
+        law.force_N = 8.0;
+        law.torque_Nm = 0.213;
+        core::Random random(20261125);
+        int byTorque = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const double wanted_N = random.uniform(0.0, 20.0), wanted_Nm = random.uniform(0.0, 0.6);
+            simulation::TissueYield yield(law);
+            yield.step(0.0, false, 1e-3);
+            const double left = yield.step(wanted_N, false, 1e-3, wanted_Nm);
+            if (!yield.yielded())
+                continue;
+            const bool torque = wanted_Nm / law.torque_Nm > wanted_N / law.force_N;
+            QCOMPARE(gaveWayToTorque(law, left * wanted_N, left * wanted_Nm), torque);
+            byTorque += torque ? 1 : 0;
+        }
+        QVERIFY(byTorque > 100);
+        simulation::YieldLaw before; // content of before has no yield torque
+        before.force_N = 8.0;
+        QVERIFY(!gaveWayToTorque(before, 0.1, 5.0) && !gaveWayToTorque({}, 0.0, 5.0));
+        const YieldCause stored = yieldCauseOf(law, "{\"trial\":0,\"force_mN\":2000,\"torque_mN_m\":213}");
+        QVERIFY(stored.byTorque && stored.value == 213.0);
+        const YieldCause old = yieldCauseOf(before, "{\"trial\":0,\"force_mN\":8000,\"torque_mN_m\":213}");
+        QVERIFY(!old.byTorque && old.value == 8.0);
+        QVERIFY(!yieldCauseOf(law, "damaged").byTorque);
+    }
+
+    void aYieldIsMarkedByWhatItGaveWayTo() {
+        auto frames = tests::someFrames(12);
+        for (core::HapticFrame& frame : frames)
+            frame.header.phase = core::TrialPhase::running;
+        frames[5].tool[0].tissue = {0.0, 2.0, 0.0, 0.0, 0.0, 0.213};
+        frames[5].tool[0].status |= core::contactStatus(core::contact_bits::kYielded | core::contact_bits::kThrough);
+        const auto marked = [&](const simulation::YieldLaw& law) {
+            MarkExtractor extractor(4.0, 1, false, law);
+            for (const core::HapticFrame& frame : frames)
+                extractor.add(frame, 1e-3 * static_cast<double>(frame.header.index));
+            return ofKind(extractor.take(0.011), PlaybackMarkKind::yielded).at(0);
+        };
+        simulation::YieldLaw law;
+        law.force_N = 8.0;
+        const PlaybackMark byForce = marked(law);
+        QVERIFY(byForce.critical && byForce.detail.empty());
+        QCOMPARE(byForce.value, std::optional(2.0));
+        law.torque_Nm = 0.213;
+        const PlaybackMark byTorque = marked(law);
+        QVERIFY(byTorque.critical);
+        QCOMPARE(byTorque.detail, std::string(kByTorque));
+        QCOMPARE(byTorque.value, std::optional(0.213));
+        PlaybackTrack track = quietEnd();
+        track.marks = {byTorque};
+        const std::vector<scoring::Gate> gates{{"critical_errors", {}, 0.0}};
+        const auto worst = worstMoment(track, failed({{"critical_errors", 1.0}}), gates);
+        QCOMPARE(worst->unit, std::string("mN·m"));
+        QCOMPARE(worst->value, 213.0);
     }
 
     void eachCountedEventOfATaskHasItsMoment_data() {

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/yield_cause.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace chiron::session {
+
+simulation::YieldLaw yieldLawOf(const catalogue::ExerciseParameters& level) {
+    return std::visit(
+        [](const auto& parameters) {
+            if constexpr (requires { parameters.yield; })
+                return parameters.yield;
+            else
+                return simulation::YieldLaw{};
+        },
+        level);
+}
+
+bool gaveWayToTorque(const simulation::YieldLaw& law, double force_N, double torque_Nm) noexcept {
+    return torque_Nm / law.torque_Nm > force_N / law.force_N; // without a limit: 0
+}
+
+YieldCause yieldCauseOf(const simulation::YieldLaw& law, const std::string& detailJson) {
+    const QJsonObject detail = QJsonDocument::fromJson(QByteArray::fromStdString(detailJson)).object();
+    const double force_N = 1e-3 * detail.value(QLatin1String("force_mN")).toDouble();
+    const double torque_mNm = detail.value(QLatin1String("torque_mN_m")).toDouble();
+    const bool byTorque = gaveWayToTorque(law, force_N, 1e-3 * torque_mNm);
+    return {byTorque, byTorque ? torque_mNm : force_N};
+}
+
+} // namespace chiron::session

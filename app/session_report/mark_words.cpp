@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session_report/mark_words.h"
+
+#include "report/report_text.h"
+
+#include <QCoreApplication>
+#include <array>
+#include <utility>
+
+namespace chiron::session_report {
+
+using session::PlaybackMarkKind;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(PlaybackMarks)
+};
+
+// clang-format off
+constexpr std::array<std::pair<const char*, const char*>, 8> kGuards{{
+    {"over_velocity", QT_TRANSLATE_NOOP("PlaybackMarks", "Force held: the tool moved too fast")},
+    {"bad_sample", QT_TRANSLATE_NOOP("PlaybackMarks", "A sample of the device was not usable")},
+    {"sample_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: too many samples of the device were not usable")},
+    {"watchdog", QT_TRANSLATE_NOOP("PlaybackMarks", "Force held: samples of the device came late")},
+    {"watchdog_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: the device went silent")},
+    {"window_frozen", QT_TRANSLATE_NOOP("PlaybackMarks", "Force held: the window did not answer")},
+    {"passivity", QT_TRANSLATE_NOOP("PlaybackMarks", "Force damped to keep it stable")},
+    {"device_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: the device reported one")},
+}};
+constexpr std::array<std::pair<const char*, const char*>, 11> kStages{{
+    {"insertion", QT_TRANSLATE_NOOP("PlaybackMarks", "The insertion begins")},
+    {"inspection", QT_TRANSLATE_NOOP("PlaybackMarks", "The inspection begins")},
+    {"withdrawal", QT_TRANSLATE_NOOP("PlaybackMarks", "The withdrawal begins")},
+    {"grasp", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: take hold")},
+    {"stretch", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: stretch")},
+    {"hold", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: hold still")},
+    {"hand_over", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: hand over")},
+    {"lift", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: lift")},
+    {"carry", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: carry to the target")},
+    {"place", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: set down")},
+    {"retract", QT_TRANSLATE_NOOP("PlaybackMarks", "Step: hold the tissue back")},
+}};
+// clang-format on
+
+QString guardText(const std::string& detail) {
+    for (const auto& [token, text] : kGuards)
+        if (detail == token)
+            return QCoreApplication::translate("PlaybackMarks", text);
+    return Words::tr("The force supervisor stepped in");
+}
+
+QString stageText(const std::string& stage) {
+    for (const auto& [token, text] : kStages)
+        if (stage == token)
+            return QCoreApplication::translate("PlaybackMarks", text);
+    return Words::tr("The next stage begins");
+}
+
+/// What a trial's end, and damage, are called in an exercise. None is anybody's default.
+struct EndWords {
+    QString marked;
+    QString completed;
+    QString timedOut;
+    QString failed;
+    QString damaged;
+};
+
+struct EndWordsOf {
+    EndWords operator()(const simulation::SphereApexParameters&) const {
+        return {Words::tr("Marked the highest point"), Words::tr("The trial was done"), Words::tr("Time was up without a mark"),
+                Words::tr("The trial could not be done any more"), Words::tr("The tissue was damaged")};
+    }
+    EndWords operator()(const simulation::UrethraInsertionParameters&) const {
+        return {Words::tr("Ended"), Words::tr("The procedure was done to its end"), Words::tr("Time was up before the end of the procedure"),
+                Words::tr("The procedure could not be done any more"), Words::tr("The tissue was damaged")};
+    }
+    EndWords operator()(const simulation::ElasticTubeParameters&) const {
+        return {Words::tr("Ended"), Words::tr("The tube was held as asked"), Words::tr("Time was up before the tube was held as asked"),
+                Words::tr("The tube tore: the trial could not be done any more"), Words::tr("The tube was stretched too far")};
+    }
+    EndWords operator()(const simulation::ObjectHandlingParameters&) const {
+        return {Words::tr("Ended"), Words::tr("An object was set down in the target"), Words::tr("Time was up before an object was set down in the target"),
+                Words::tr("The trial could not be done any more"), Words::tr("The object was squeezed too hard")};
+    }
+    EndWords operator()(const simulation::PalpationParameters&) const {
+        return {Words::tr("Ended"), Words::tr("The search was reported as done"), Words::tr("Time was up before the search was reported as done"),
+                Words::tr("The search could not be done any more"), Words::tr("The tissue was damaged")};
+    }
+    EndWords operator()(const simulation::ComparisonParameters&) const {
+        return {Words::tr("Answered"), Words::tr("The comparison was done"), Words::tr("Time was up without an answer"),
+                Words::tr("The comparison could not be done any more"), Words::tr("The object was damaged")};
+    }
+};
+
+QString seconds(double span_s, const QLocale& locale) {
+    return report::formatValue(span_s, QStringLiteral("s"), locale);
+}
+
+} // namespace
+
+QString whatHappened(const session::PlaybackMark& mark, const catalogue::ExerciseParameters& level, const QLocale& locale) {
+    const EndWords end = std::visit(EndWordsOf{}, level);
+    const double span_s = mark.end_s - mark.t_s;
+    switch (mark.kind) {
+    case PlaybackMarkKind::trialStarted: return Words::tr("Trial %1 begins").arg(locale.toString(mark.trial + 1));
+    case PlaybackMarkKind::marked: return end.marked;
+    case PlaybackMarkKind::timedOut: return end.timedOut;
+    case PlaybackMarkKind::traceEnded: return Words::tr("The trace ended without a mark");
+    case PlaybackMarkKind::contact: return Words::tr("In contact for %1").arg(seconds(span_s, locale));
+    case PlaybackMarkKind::overLimit:
+        return Words::tr("Over the limit for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
+    case PlaybackMarkKind::paused: return Words::tr("Paused for %1").arg(seconds(span_s, locale));
+    case PlaybackMarkKind::forceStopped:
+        return span_s > 0.0 ? Words::tr("Force stopped by the person, for %1").arg(seconds(span_s, locale)) : Words::tr("Force stopped by the person");
+    case PlaybackMarkKind::rearmed: return Words::tr("Force armed again");
+    case PlaybackMarkKind::guard:
+    case PlaybackMarkKind::fault: return guardText(mark.detail);
+    case PlaybackMarkKind::ended: return Words::tr("The person ended the session");
+    case PlaybackMarkKind::completed: return end.completed;
+    case PlaybackMarkKind::stageChanged: return stageText(mark.detail);
+    case PlaybackMarkKind::landmarkSeen:
+        return mark.value ? Words::tr("Landmarks seen: %1").arg(locale.toString(static_cast<int>(*mark.value))) : Words::tr("A landmark was seen");
+    case PlaybackMarkKind::trauma:
+        return Words::tr("Pressed on the wall for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
+    case PlaybackMarkKind::reversal:
+        return Words::tr("Went back by %1").arg(report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mm"), locale));
+    case PlaybackMarkKind::offCentre:
+        return Words::tr("Off the middle for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mm"), locale));
+    case PlaybackMarkKind::overTorque:
+        return Words::tr("Torque over its limit for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mN·m"), locale));
+    case PlaybackMarkKind::grasped: return Words::tr("Took hold");
+    case PlaybackMarkKind::released: return Words::tr("Let go");
+    case PlaybackMarkKind::slipped: return Words::tr("Slipped out or dropped");
+    case PlaybackMarkKind::damaged: return end.damaged;
+    case PlaybackMarkKind::yielded:
+        if (mark.detail == session::kByTorque)
+            return Words::tr("The tissue gave way to a torque of %1").arg(report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mN·m"), locale));
+        return Words::tr("The tissue gave way at %1").arg(report::formatValue(mark.value, QStringLiteral("N"), locale));
+    case PlaybackMarkKind::found: return Words::tr("Finding %1 marked").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
+    case PlaybackMarkKind::takenBack: return Words::tr("Finding %1 taken back").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
+    case PlaybackMarkKind::failed: return end.failed;
+    case PlaybackMarkKind::limited:
+        return Words::tr("Felt less than the tissue answered for %1, which was up to %2")
+            .arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
+    case PlaybackMarkKind::missed: return Words::tr("A miss: not on what was to be marked");
+    case PlaybackMarkKind::falseAlarm: return Words::tr("Finding %1 marked where no lump was").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
+    case PlaybackMarkKind::lumpMissed: return Words::tr("A lump was missed");
+    }
+    return {};
+}
+
+QString markText(const session::PlaybackMark& mark, const catalogue::ExerciseParameters& level, const QLocale& locale) {
+    const QString what = whatHappened(mark, level, locale);
+    return mark.critical ? Words::tr("Critical error: %1").arg(what) : what;
+}
+
+} // namespace chiron::session_report
