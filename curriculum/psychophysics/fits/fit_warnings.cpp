@@ -63,7 +63,7 @@ bool mayBeStep(const FitResult& result, const PreparedLevels& levels, const FitO
 }
 
 void warnOfWidth(FitResult& result, const PreparedLevels& levels, const FitOptions& options) {
-    if (result.best.width < 0.5 * levels.spacing || mayBeStep(result, levels, options)) {
+    if (result.best.width < 0.5 * levels.spacing || result.ci.width.low == 0.0 || mayBeStep(result, levels, options)) {
         result.warnings.push_back("step_function: answers may jump from guessing to right between two neighbouring intensities, or at one; "
                                   "the width is only known to be small (present intensities in between)");
     } else if (result.best.width > 3.0 * levels.range) {
