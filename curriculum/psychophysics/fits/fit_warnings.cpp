@@ -34,7 +34,7 @@ void warnOfBounds(FitResult& result, const FitOptions& options) {
     }
 }
 
-/// Trials whose expected share lies between 20 and 80 % of the way from guess to 1 − lapse.
+/// Trials whose expected share lies between 10 and 90 % of the way from guess to 1 − lapse.
 void warnOfThreshold(FitResult& result, const PreparedLevels& levels) {
     const double low = levels.centre - 0.5 * levels.range, high = levels.centre + 0.5 * levels.range;
     const double threshold = result.best.threshold;
@@ -80,7 +80,7 @@ void warnOfSpacing(FitResult& result, const PreparedLevels& levels) {
     }
 }
 
-/// A fall that chance explains badly: the share at higher intensities below that at lower ones by more than 3 standard errors.
+/// A fall that chance explains badly: the share at higher intensities below that at lower ones by more than 2.58 standard errors (p = 0.01).
 void warnOfFall(FitResult& result, const PreparedLevels& levels) {
     double rightBelow = 0.0, below = 0.0;
     for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
