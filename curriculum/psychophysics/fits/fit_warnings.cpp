@@ -96,11 +96,13 @@ void warnOfFall(FitResult& result, const PreparedLevels& levels) {
     }
 }
 
-void warnOfScatter(FitResult& result) {
+void warnOfScatter(FitResult& result, const FitOptions& options) {
     constexpr double kUnlikely = 0.01;
     if (result.pValue < kUnlikely) {
-        result.warnings.push_back("overdispersion: answers scatter more around the curve than chance allows (p < 0.01); the participant "
-                                  "changed during the run, or another curve is needed; use the Bayesian interval");
+        const bool allowedFor = result.method == FitMethod::bayesian && options.overdispersion;
+        result.warnings.push_back(std::string("overdispersion: answers scatter more around the curve than chance allows (p < 0.01); the participant "
+                                              "changed during the run, or another curve is needed; ") +
+                                  (allowedFor ? "the intervals allow for the scatter" : "use the Bayesian interval"));
     } else if (result.method == FitMethod::bayesian && result.mean.eta > 0.25) {
         result.warnings.push_back("overdispersion: answers scatter much more around the curve than chance allows");
     }
@@ -117,7 +119,7 @@ void addWarnings(FitResult& result, const PreparedLevels& levels, const FitOptio
     warnOfBounds(result, options);
     warnOfWidth(result, levels, options);
     warnOfThreshold(result, levels);
-    warnOfScatter(result);
+    warnOfScatter(result, options);
     warnOfSpacing(result, levels);
 }
 

@@ -86,6 +86,20 @@ void TestFitWarnings::warningsBeginWhereTheySay() {
     QCOMPARE(says([](FitResult& f) { f.method = FitMethod::bayesian, f.mean.eta = 0.25; }), QString());
     QCOMPARE(says([](FitResult& f) { f.method = FitMethod::bayesian, f.mean.eta = 0.2501; }), QStringLiteral("overdispersion"));
     QCOMPARE(says([](FitResult& f) { f.mean.eta = 0.9; }), QString());
+    // A fit whose intervals are that of the posterior already is not sent there; without overdispersion it does not allow for scatter either.
+    const auto advises = [&](FitMethod method, bool overdispersion) {
+        FitResult fit;
+        fit.fitted = true;
+        fit.method = method;
+        fit.best = {2.0, 2.0, 0.02, 0.5, 0.0};
+        summarise(fit, levels);
+        fit.pValue = 0.001;
+        FitOptions options;
+        options.overdispersion = overdispersion;
+        addWarnings(fit, levels, options);
+        return fit.warnings.size() == 1 && fit.warnings.front().ends_with("use the Bayesian interval");
+    };
+    QVERIFY(advises(FitMethod::maximumLikelihood, true) && advises(FitMethod::bayesian, false) && !advises(FitMethod::bayesian, true));
     // A range of a thousand spacings, which only a posterior minds.
     PreparedLevels uneven = levels;
     uneven.spacing = 0.004;
