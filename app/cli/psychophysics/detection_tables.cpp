@@ -126,6 +126,9 @@ QJsonObject yesNoJson(const std::array<long long, 4>& c, bool corrected) {
     QJsonArray warnings;
     if (any && !std::isfinite(core::dPrime(hit, alarm)))
         warnings.append(QStringLiteral("no_limit: a rate is 0 or 1, so d' has no finite value without a correction"));
+    if (any && corrected)
+        for (const std::string& warning : warningsOfRates(c[0], c[0] + c[1], c[2], c[2] + c[3]))
+            warnings.append(QString::fromStdString(warning));
     if (!any)
         warnings.append(QStringLiteral("no_trials: there are no trials with, or none without, the stimulus"));
     else if (!core::isUsable(counts))

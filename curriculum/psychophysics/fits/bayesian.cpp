@@ -126,12 +126,24 @@ void beginAtStep(FitResult& result, const PosteriorModel& model, const FitOption
     }
 }
 
+/// The likeliest curve of all and what most of the posterior holds are two things, and where answers say little (or the intervals are another prior's)
+/// the first may lie outside of the second: a reader must not take it for a printing error.
+void warnOfMode(FitResult& result) {
+    const auto outside = [](double value, const FitInterval& interval) { return value < interval.low || value > interval.high; };
+    const bool threshold = outside(result.threshold, result.ci.threshold), width = outside(result.width, result.ci.width);
+    if (threshold || width) {
+        result.warnings.push_back(std::string("mode_outside: the likeliest curve has its ") + (!width ? "threshold" : threshold ? "threshold and width" : "width") +
+                                  " outside of the interval, because answers tell curves hardly apart; go by the interval");
+    }
+}
+
 void takeIntervals(FitResult& result, const Posterior& posterior, const FitOptions& options) {
     result.intervalPrior = posterior.model.priors.ofWidth;
     addIntervals(result, posterior.parts, posterior.model.priors, posterior.model.levels, options);
     beginAtStep(result, posterior.model, options);
     warnOfWidthPrior(result, posterior, options);
     warnOfPriors(result, posterior.parts, posterior.model);
+    warnOfMode(result);
 }
 
 } // namespace

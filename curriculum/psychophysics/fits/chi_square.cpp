@@ -67,4 +67,31 @@ double chiSquareQuantileOne(double confidence) noexcept {
     return z * z;
 }
 
+double chiBarSquareQuantile(double confidence, int bounded) noexcept {
+    if (bounded < 0 || bounded > 2 || !(confidence > 0.0) || !(confidence < 1.0)) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    if (bounded == 0) {
+        return chiSquareQuantileOne(confidence);
+    }
+    const int most = bounded + 1;
+    const auto above = [&](double value) { // the mass at 0 lies above nothing
+        double share = 0.0, ways = 1.0;
+        for (int j = 1; j <= most; ++j) {
+            ways *= static_cast<double>(most - j + 1) / j;
+            share += ways * chiSquareTail(value, j);
+        }
+        return std::ldexp(share, -most);
+    };
+    double low = 0.0, high = 1.0;
+    while (above(high) > 1.0 - confidence) {
+        high *= 2.0;
+    }
+    for (int halving = 0; halving < 60; ++halving) {
+        const double between = 0.5 * (low + high);
+        (above(between) > 1.0 - confidence ? low : high) = between;
+    }
+    return 0.5 * (low + high);
+}
+
 } // namespace chiron::psychophysics

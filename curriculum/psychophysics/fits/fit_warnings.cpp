@@ -34,7 +34,7 @@ void warnOfBounds(FitResult& result, const FitOptions& options) {
     }
 }
 
-/// Trials whose expected share lies between 20 and 80 % of the way from guess to 1 − lapse.
+/// Trials whose expected share lies between 10 and 90 % of the way from guess to 1 − lapse.
 void warnOfThreshold(FitResult& result, const PreparedLevels& levels) {
     const double low = levels.centre - 0.5 * levels.range, high = levels.centre + 0.5 * levels.range;
     const double threshold = result.best.threshold;
@@ -63,7 +63,7 @@ bool mayBeStep(const FitResult& result, const PreparedLevels& levels, const FitO
 }
 
 void warnOfWidth(FitResult& result, const PreparedLevels& levels, const FitOptions& options) {
-    if (result.best.width < 0.5 * levels.spacing || mayBeStep(result, levels, options)) {
+    if (result.best.width < 0.5 * levels.spacing || result.ci.width.low == 0.0 || mayBeStep(result, levels, options)) {
         result.warnings.push_back("step_function: answers may jump from guessing to right between two neighbouring intensities, or at one; "
                                   "the width is only known to be small (present intensities in between)");
     } else if (result.best.width > 3.0 * levels.range) {
@@ -80,7 +80,7 @@ void warnOfSpacing(FitResult& result, const PreparedLevels& levels) {
     }
 }
 
-/// A fall that chance explains badly: the share at higher intensities below that at lower ones by more than 3 standard errors.
+/// A fall that chance explains badly: the share at higher intensities below that at lower ones by more than 2.58 standard errors (p = 0.01).
 void warnOfFall(FitResult& result, const PreparedLevels& levels) {
     double rightBelow = 0.0, below = 0.0;
     for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
@@ -96,11 +96,13 @@ void warnOfFall(FitResult& result, const PreparedLevels& levels) {
     }
 }
 
-void warnOfScatter(FitResult& result) {
+void warnOfScatter(FitResult& result, const FitOptions& options) {
     constexpr double kUnlikely = 0.01;
     if (result.pValue < kUnlikely) {
-        result.warnings.push_back("overdispersion: answers scatter more around the curve than chance allows (p < 0.01); the participant "
-                                  "changed during the run, or another curve is needed; use the Bayesian interval");
+        const bool allowedFor = result.method == FitMethod::bayesian && options.overdispersion;
+        result.warnings.push_back(std::string("overdispersion: answers scatter more around the curve than chance allows (p < 0.01); the participant "
+                                              "changed during the run, or another curve is needed; ") +
+                                  (allowedFor ? "the intervals allow for the scatter" : "use the Bayesian interval"));
     } else if (result.method == FitMethod::bayesian && result.mean.eta > 0.25) {
         result.warnings.push_back("overdispersion: answers scatter much more around the curve than chance allows");
     }
@@ -117,7 +119,7 @@ void addWarnings(FitResult& result, const PreparedLevels& levels, const FitOptio
     warnOfBounds(result, options);
     warnOfWidth(result, levels, options);
     warnOfThreshold(result, levels);
-    warnOfScatter(result);
+    warnOfScatter(result, options);
     warnOfSpacing(result, levels);
 }
 

@@ -101,7 +101,9 @@ double crossing(Drop&& drop, double from, double step) {
 
 ParameterIntervals profileIntervals(const PreparedLevels& levels, const FitOptions& options, const SearchResult& best) {
     Profile profile(levels, options, best);
-    const double allowed = 0.5 * chiSquareQuantileOne(options.confidence);
+    const FreeParameters free = freeParameters(options);
+    const int bounded = static_cast<int>(free.lapse) + static_cast<int>(free.guess);
+    const double allowed = 0.5 * chiBarSquareQuantile(options.confidence, bounded);
     const StimulusScale scale = options.scale.value_or(ownScale(options.function));
     const SigmoidUnits units = unitsOf(options.function);
     const double middle = (units.middle - best.curve.alpha) / best.curve.beta;

@@ -31,6 +31,15 @@ void warn(DPrimeEstimate& result, long long right, long long of, double chance) 
 
 } // namespace
 
+std::vector<std::string> warningsOfRates(long long hits, long long ofSignal, long long falseAlarms, long long ofNoise) {
+    const long long yes = hits + falseAlarms;
+    if (yes == 0 || yes == ofSignal + ofNoise)
+        return {"one_answer: every answer was the same; d' is what the correction makes of it, and says nothing"};
+    if (hits == 0 || hits == ofSignal || falseAlarms == 0 || falseAlarms == ofNoise)
+        return {"rate_at_limit: a rate is 0 or 1; how large d' is depends on the correction, and its true value has no bound on one side"};
+    return {};
+}
+
 DPrimeEstimate dPrimeOfCounts(const DiscriminationTask& task, long long right, long long of, ProportionLimits limits, double level) {
     DPrimeEstimate result;
     if (of <= 0 || right < 0 || right > of) {
@@ -104,6 +113,8 @@ DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long
         return result;
     }
     result.dPrime = sameDifferentDPrime(h, f);
+    if (correction != core::RateCorrection::none)
+        result.warnings = warningsOfRates(hits, ofDifferent, falseAlarms, ofSame);
     if (ofDifferent < kFewCounts || ofSame < kFewCounts)
         result.warnings.emplace_back("few_trials: fewer than 20 equal or different pairs");
     if (result.dPrime <= 0.0) {

@@ -20,7 +20,7 @@ struct DPrimeEstimate {
     double pValue = std::numeric_limits<double>::quiet_NaN(); ///< exact binomial: so many right or more by guessing
     double scoreChiSquare = std::numeric_limits<double>::quiet_NaN(); ///< (k − n p₀)²/(n p₀ (1 − p₀))
     double scoreP = std::numeric_limits<double>::quiet_NaN(); ///< its one-sided p
-    std::vector<std::string> warnings; ///< no_trials, few_trials, chance, all_right
+    std::vector<std::string> warnings; ///< no_trials, few_trials, chance, all_right, one_answer, rate_at_limit
 };
 
 enum class ProportionLimits : std::uint8_t { exact, score }; ///< Clopper & Pearson; Wilson with continuity correction (as sensR's "score")
@@ -46,6 +46,10 @@ double sameDifferentDPrime(double hitRate, double falseAlarmRate) noexcept;
 /// of 0 and 1 (warning no_limit). Yes–no: core/signal_detection.h.
 DPrimeEstimate sameDifferentOfCounts(long long hits, long long ofDifferent, long long falseAlarms, long long ofSame, double level = 0.95,
                                      core::RateCorrection correction = core::RateCorrection::logLinear);
+
+/// What a d' of counts with the log-linear correction must say: one_answer where every answer was the same, so that d' is the correction's alone (a
+/// silent observer with 20 trials with and 4 without the stimulus has -0.7); rate_at_limit where one rate is 0 or 1. For counts that can be.
+std::vector<std::string> warningsOfRates(long long hits, long long ofSignal, long long falseAlarms, long long ofNoise);
 
 /// Exact power of a one-sided binomial test against guessing at level α, of n trials with true d′.
 double discriminationPower(const DiscriminationTask& task, double dPrime, int trials, double alpha = 0.05) noexcept;

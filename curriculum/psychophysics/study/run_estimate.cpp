@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/study/run_estimate.h"
 
+#include "psychophysics/measures/exact_tests.h"
 #include "psychophysics/measures/run_curve.h"
 #include "psychophysics/measures/run_fit.h"
 #include "psychophysics/measures/run_warnings.h"
@@ -49,6 +50,31 @@ ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers)
     return prior;
 }
 
+/// Answers at one difference only: a few of them have few outcomes, and the interval of a posterior, which the prior then shapes, holds some observers in
+/// two of three such runs and some never. It is widened to the exact interval of their share (Clopper & Pearson): its lower end with the lapses that the
+/// posterior expects, its upper end without any.
+void widenToExact(ThurstonePosterior& posterior, const ThurstonePrior& prior, Task task, const ScoredAnswers& answers) {
+    if (answers.levels != 1 || (task != Task::rank3 && task != Task::twoAfc && task != Task::threeAfc && task != Task::oddity))
+        return;
+    long long right = 0, of = 0;
+    for (const CurvePoint& point : answers.points)
+        if (point.difference != 0.0) {
+            right += point.right;
+            of += point.of;
+        }
+    const ProportionInterval exact = exactInterval(right, of);
+    const auto sigmaAt = [&](double share, double lapse) { // falls as σ grows; the prior's ends where no observer has that share
+        double low = prior.lowLog10Sigma, high = prior.highLog10Sigma;
+        for (int halving = 0; halving < 60; ++halving) {
+            const double between = 0.5 * (low + high);
+            (answerProbability(task, answers.largestDifference, kindOfCurve(task), {between, lapse, 0.0}) > share ? low : high) = between;
+        }
+        return 0.5 * (low + high);
+    };
+    posterior.lowLog10Sigma = std::min(posterior.lowLog10Sigma, sigmaAt(exact.high, posterior.meanLapse));
+    posterior.highLog10Sigma = std::max(posterior.highLog10Sigma, sigmaAt(exact.low, 0.0));
+}
+
 void takeSigma(RunEstimate& result, const ThurstonePosterior& posterior, double reference) {
     const auto weber = [](double log10Sigma) { return std::expm1(std::log(10.0) * kJndPerSigma * std::pow(10.0, log10Sigma)); };
     result.sigma_log10 = std::pow(10.0, posterior.medianLog10Sigma);
@@ -70,9 +96,10 @@ void fromAnswers(RunEstimate& result, const Condition& condition, const std::vec
     result.points = answers.points;
     result.method = ranksThree(condition.task) ? EstimateMethod::observerOfOrders : EstimateMethod::observer;
     const ThurstonePrior prior = priorOf(condition, answers);
-    const ThurstonePosterior posterior =
+    ThurstonePosterior posterior =
         answers.levels > 0 ? thurstonePosterior(condition.task, answers.counts, prior) : ThurstonePosterior{};
     if (posterior.known) {
+        widenToExact(posterior, prior, condition.task, answers);
         result.priorInfluence = posterior.sdLog10Sigma / priorLog10SigmaSd(condition.task, prior);
         takeSigma(result, posterior, condition.stimulus.reference);
         if (condition.task == Task::yesNo)

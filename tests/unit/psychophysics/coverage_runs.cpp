@@ -65,22 +65,27 @@ PsychometricData answersOf(core::Random& random, const FitResult& observer) {
 struct Fitting {
     const char* name;
     Sigmoid function;
-    double guess; ///< 0: free (yes-no)
+    double guess; ///< of the observer; told to the fit, except in yes-no
+    bool yesNo;   ///< the guess is free, too
     std::function<FitResult(const PsychometricData&, FitOptions)> fit;
 };
 
-void addFits(std::vector<Row>& rows, int runs, std::uint64_t seed) {
+void addFits(std::vector<Row>& rows, int runs, std::uint64_t seed, const QString& only) {
     const auto bayes = [](const PsychometricData& data, FitOptions options) { return fitBayesian(data, options); };
     const auto wide = [](const PsychometricData& data, FitOptions options) {
         options.widthPrior = WidthPrior::wide;
         return fitBayesian(data, options);
     };
     const auto likely = [](const PsychometricData& data, const FitOptions& options) { return fitMaximumLikelihood(data, options); };
-    const Fitting fittings[] = {{"fit, bayes, 2AFC", Sigmoid::gauss, 0.5, bayes},
-                                {"fit, bayes, wide prior, 2AFC", Sigmoid::gauss, 0.5, wide},
-                                {"fit, bayes, 4AFC logistic", Sigmoid::logistic, 0.25, bayes},
-                                {"fit, ml, 2AFC", Sigmoid::gauss, 0.5, likely}};
-    for (const Fitting& fitting : fittings)
+    const Fitting fittings[] = {{"fit, bayes, 2AFC", Sigmoid::gauss, 0.5, false, bayes},
+                                {"fit, bayes, wide prior, 2AFC", Sigmoid::gauss, 0.5, false, wide},
+                                {"fit, bayes, 4AFC logistic", Sigmoid::logistic, 0.25, false, bayes},
+                                {"fit, bayes, yes-no", Sigmoid::gauss, 0.02, true, bayes},
+                                {"fit, ml, 2AFC", Sigmoid::gauss, 0.5, false, likely},
+                                {"fit, ml, yes-no", Sigmoid::gauss, 0.02, true, likely}};
+    for (const Fitting& fitting : fittings) {
+        if (!QString::fromLatin1(fitting.name).contains(only))
+            continue;
         for (const double factor : kFactors) {
             std::vector<Outcome> threshold, width;
             for (int run = 0; run < runs; ++run) {
@@ -90,7 +95,7 @@ void addFits(std::vector<Row>& rows, int runs, std::uint64_t seed) {
                 observer.best = {random.uniform(0.35, 0.65), 0.5 * factor, 0.02, fitting.guess, 0.0};
                 FitOptions options;
                 options.function = fitting.function;
-                options.guess = Asymptote::fixedAt(fitting.guess);
+                options.guess = fitting.yesNo ? Asymptote::fitted() : Asymptote::fixedAt(fitting.guess);
                 const FitResult fit = fitting.fit(answersOf(random, observer), options);
                 const auto outcome = [&](const FitInterval& ci, double truth, double influence) {
                     return Outcome{holds(ci.low, ci.high, truth), !fit.warnings.empty(), std::isfinite(ci.low), influence};
@@ -101,11 +106,14 @@ void addFits(std::vector<Row>& rows, int runs, std::uint64_t seed) {
             rows.push_back(rowOf(QString::fromLatin1(fitting.name), QStringLiteral("threshold"), factor, threshold));
             rows.push_back(rowOf(QString::fromLatin1(fitting.name), QStringLiteral("width"), factor, width));
         }
+    }
 }
 
 // QUEST: slope 3.5 assumed, an observer's slope a third or three times that (a flat one has the larger width).
 
-void addQuest(std::vector<Row>& rows, int runs, std::uint64_t seed) {
+void addQuest(std::vector<Row>& rows, int runs, std::uint64_t seed, const QString& only) {
+    if (!QStringLiteral("quest, its own interval").contains(only) && !QStringLiteral("quest, slope open").contains(only))
+        return;
     for (const double factor : kFactors) {
         std::vector<Outcome> own, open;
         for (int run = 0; run < runs; ++run) {
@@ -209,9 +217,11 @@ std::vector<std::pair<QString, Condition>> conditions() {
             {QStringLiteral("run, descending, rank3"), conditionOf(Task::rank3, descending)}};
 }
 
-void addRuns(std::vector<Row>& rows, int runs, std::uint64_t seed) {
+void addRuns(std::vector<Row>& rows, int runs, std::uint64_t seed, const QString& only) {
     constexpr double kExpectedSigma = 0.05;
     for (const auto& [name, condition] : conditions()) {
+        if (!name.contains(only))
+            continue;
         const auto simulator = RunSimulator::make(condition);
         for (const double factor : kFactors) {
             std::vector<Outcome> outcomes;
@@ -229,20 +239,18 @@ void addRuns(std::vector<Row>& rows, int runs, std::uint64_t seed) {
 
 } // namespace
 
-std::vector<Row> coverageTable(int runs, std::uint64_t seed) {
+std::vector<Row> coverageTable(int runs, std::uint64_t seed, const QString& only) {
     std::vector<Row> rows;
-    addFits(rows, runs, seed);
-    addQuest(rows, runs, seed);
-    addRuns(rows, runs, seed);
+    addFits(rows, runs, seed, only);
+    addQuest(rows, runs, seed, only);
+    addRuns(rows, runs, seed, only);
     return rows;
 }
 
-bool notTooFew(const Row& row) { return 1.0 - binomialUpperTail(row.covered + 1, row.runs, 0.95) > 0.0005; }
-
-int fewestByChance(int runs) {
-    int held = runs;
-    while (held > 0 && 1.0 - binomialUpperTail(held, runs, 0.95) > 0.025) // P(fewer than held)
-        --held;
+int fewestHeld(int runs, int rows) {
+    int held = 0;
+    while (held < runs && binomialLowerTail(held, runs, 0.95) < 0.05 / rows)
+        ++held;
     return held;
 }
 

@@ -21,14 +21,12 @@ struct Row {
     double influence = 0.0; ///< median over runs: how much the prior decided; not a number where there is no prior
 };
 
-/// All rows, `runs` each; answers are drawn from `seed`.
-std::vector<Row> coverageTable(int runs, std::uint64_t seed);
+/// All rows, or those whose procedure has `only` in its name, `runs` each; answers are drawn from `seed`, those of a row whatever others are asked for.
+std::vector<Row> coverageTable(int runs, std::uint64_t seed, const QString& only = {});
 
-/// Exact: whether 95 % lies in the 99.9 % interval (Clopper & Pearson) of what was covered, from below: more than 95 % is no fault.
-bool notTooFew(const Row& row);
-
-/// The fewest of so many runs that 95 % intervals hold by chance alone: the lower end of the exact 95 % interval of their number (184 of 200).
-int fewestByChance(int runs);
+/// The fewest of so many intervals that one row of a table of so many rows may hold, if each holds the truth with a chance of 95 %: fewer has a chance
+/// below 5 % / rows in its row (exact binomial), so that a table of true 95 % intervals fails at most one time in twenty (Bonferroni). More is no fault.
+int fewestHeld(int runs, int rows);
 
 void print(const std::vector<Row>& rows);
 

@@ -1,7 +1,7 @@
 foreach(name IN ITEMS test_fit_published_likelihood test_fit_published_posterior)
     chiron_test(${name} SOURCES ${name}.cpp fit_published.cpp LINKS psychophysics LABELS fast unit)
 endforeach()
-foreach(name IN ITEMS test_fit_degenerate test_fit_functions test_fit_optima test_fit_posterior)
+foreach(name IN ITEMS test_fit_degenerate test_fit_functions test_fit_optima test_fit_posterior test_fit_warnings)
     chiron_test(${name} SOURCES ${name}.cpp LINKS psychophysics LABELS fast unit)
 endforeach()
 chiron_test(test_fit_coverage SOURCES test_fit_coverage.cpp LINKS psychophysics LABELS long unit)

@@ -57,6 +57,7 @@ private slots:
     void steepAndFlatObservers_data();
     void steepAndFlatObservers();
     void influenceOfThePrior();
+    void modeOutsideOfItsInterval();
 };
 
 /// Places that long searches from outside found (simplex climbs from hundreds of starts): no place is higher than what is reported.
@@ -172,6 +173,19 @@ void TestFitPosterior::influenceOfThePrior() {
     QVERIFY(std::any_of(few.warnings.begin(), few.warnings.end(), [](const std::string& w) { return w.starts_with("prior_decides: "); }));
     QVERIFY(many.priorInfluence.threshold < 0.03 && many.priorInfluence.width < 0.05);
     QVERIFY(std::isnan(many.priorInfluence.lapse) && std::isnan(many.priorInfluence.eta));
+}
+
+/// Answers near chance everywhere, with guess and lapses free: the likeliest curve is steeper than all but a fortieth of the posterior.
+void TestFitPosterior::modeOutsideOfItsInterval() {
+    const auto said = [](const FitResult& fit) { return std::any_of(fit.warnings.begin(), fit.warnings.end(), [](const std::string& w) { return w.starts_with("mode_outside: "); }); };
+    FitOptions options;
+    options.guess = Asymptote::fitted();
+    const FitResult flat = fitBayesian(counts({0, 1, 2, 3, 4, 5, 6, 7}, {20, 21, 20, 19, 21, 22, 24, 27}, 40), options);
+    QVERIFY2(flat.width < flat.ci.width.low, qPrintable(QString::number(flat.width)));
+    QVERIFY(said(flat));
+    const FitResult usual = fitBayesian(counts({0, 1, 2, 3, 4, 5, 6, 7}, {20, 21, 23, 28, 33, 37, 39, 40}, 40), FitOptions{});
+    QVERIFY(usual.ci.width.low <= usual.width && usual.width <= usual.ci.width.high);
+    QVERIFY(!said(usual));
 }
 
 /// One trial a level says nothing of overdispersion: its interval is that of Beta(1, 10).

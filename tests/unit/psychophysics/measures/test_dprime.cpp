@@ -48,6 +48,7 @@ private slots:
     void degenerate();
     void tails();
     void orderTable();
+    void ratesAtTheirLimitsAreSaid();
 };
 
 /// sensR, tests/discrim.Rout.save (published_small_checks.json, sensR_tests): last printed digit.
@@ -223,6 +224,24 @@ void TestDPrime::orderTable() {
     }
     qInfo("rank-3 table against the integral: %.2g", worst);
     QVERIFY(worst < 1e-7);
+}
+
+/// Of 20 places with and 24 without the stimulus.
+void TestDPrime::ratesAtTheirLimitsAreSaid() {
+    const auto token = [](long long hits, long long falseAlarms) {
+        const auto warnings = warningsOfRates(hits, 20, falseAlarms, 24);
+        return warnings.empty() ? std::string() : warnings.front().substr(0, warnings.front().find(':'));
+    };
+    QCOMPARE(token(0, 0), std::string("one_answer"));
+    QCOMPARE(token(20, 24), std::string("one_answer"));
+    for (const auto& [hits, falseAlarms] : {std::pair{20, 0}, {0, 24}, {20, 3}, {0, 3}, {7, 0}, {7, 24}})
+        QCOMPARE(token(hits, falseAlarms), std::string("rate_at_limit"));
+    for (const auto& [hits, falseAlarms] : {std::pair{1, 1}, {19, 23}, {19, 1}})
+        QCOMPARE(token(hits, falseAlarms), std::string());
+    const auto first = [](const DPrimeEstimate& estimate) { return estimate.warnings.empty() ? std::string() : estimate.warnings.front(); };
+    QVERIFY(first(sameDifferentOfCounts(20, 20, 0, 24)).starts_with("rate_at_limit: "));
+    QVERIFY(first(sameDifferentOfCounts(20, 20, 0, 24, 0.95, chiron::core::RateCorrection::none)).starts_with("no_limit: "));
+    QCOMPARE(first(sameDifferentOfCounts(19, 20, 1, 24)), std::string());
 }
 
 QTEST_APPLESS_MAIN(TestDPrime)

@@ -2,6 +2,7 @@
 // What a run says, from Thurstone observers of known σ written out here, and from data that carry nothing.
 #include "psychophysics/study/run_estimate.h"
 
+#include "psychophysics/measures/thurstone_posterior.h"
 #include "tests/unit/psychophysics/measures/thurstone_runs.h"
 
 #include <QElapsedTimer>
@@ -31,6 +32,8 @@ private slots:
     void nothingToEstimateFrom();
     void degenerateRuns_data();
     void degenerateRuns();
+    void oneLevelIsHeldExactly_data();
+    void oneLevelIsHeldExactly();
     void settings();
     void magnitudes();
     void outcomeFromArrangementAndAnswer();
@@ -129,6 +132,52 @@ void TestRunEstimate::degenerateRuns() {
         qInfo("%s", warningText(warning).c_str());
     QVERIFY(warns(estimate, token.toUtf8().constData()));
     QVERIFY(kind != "no difference" || std::isnan(estimate.weber));
+}
+
+void TestRunEstimate::oneLevelIsHeldExactly_data() {
+    QTest::addColumn<int>("task");
+    QTest::addColumn<int>("of");
+    for (const Task task : {Task::rank3, Task::twoAfc, Task::threeAfc, Task::oddity})
+        for (const int of : {5, 10, 20})
+            QTest::newRow((std::string(token(task)) + ' ' + std::to_string(of)).c_str()) << static_cast<int>(task) << of;
+}
+
+/// Few answers at one difference have few outcomes: their chances are summed for every observer within the prior, so that nothing is left to chance.
+void TestRunEstimate::oneLevelIsHeldExactly() {
+    QFETCH(int, task);
+    QFETCH(int, of);
+    const auto which = static_cast<Task>(task);
+    const double difference = 0.1;
+    std::vector<Interval> held; // by the number of right answers
+    for (int right = 0; right <= of; ++right) {
+        std::vector<ScoredTrial> trials;
+        for (int i = 0; i < of; ++i) {
+            ScoredTrial trial;
+            trial.difference = difference;
+            trial.arrangement = i % static_cast<int>(arrangements(which).size());
+            trial.answer = correctAnswer(which, trial.arrangement);
+            if (i >= right)
+                trial.answer = (trial.answer + 1) % answers(which);
+            trial.outcome = outcomeOf(which, trial.arrangement, trial.answer);
+            trials.push_back(trial);
+        }
+        const RunEstimate estimate = estimateRun(conditionOf(which), trials, 1);
+        QVERIFY(warns(estimate, "one_level"));
+        QVERIFY(estimate.sigma95.low <= estimate.sigma_log10 && estimate.sigma_log10 <= estimate.sigma95.high);
+        held.push_back(estimate.sigma95);
+    }
+    const int kind = which == Task::rank3 ? 0 : 1;
+    double least = 1.0, at = 0.0;
+    for (double log10Sigma = -1.9; log10Sigma < -0.1; log10Sigma += 0.005) {
+        const double p = answerProbability(which, difference, kind, {log10Sigma, 0.02, 0.0});
+        double covered = 0.0;
+        for (int right = 0; right <= of; ++right)
+            if (const Interval& interval = held[static_cast<std::size_t>(right)]; interval.low <= std::pow(10.0, log10Sigma) && std::pow(10.0, log10Sigma) <= interval.high)
+                covered += std::exp(std::lgamma(of + 1.0) - std::lgamma(right + 1.0) - std::lgamma(of - right + 1.0) + right * std::log(p) + (of - right) * std::log1p(-p));
+        if (covered < least)
+            least = covered, at = log10Sigma;
+    }
+    QVERIFY2(least >= 0.95, qPrintable(QStringLiteral("%1 of observers of log10 sigma %2").arg(least).arg(at)));
 }
 
 void TestRunEstimate::settings() {

@@ -39,12 +39,167 @@ bool warns(Task task, const std::vector<ScoredTrial>& trials) {
     return std::any_of(warnings.begin(), warnings.end(), [](const Warning& w) { return w.kind == WarningKind::positionBias; });
 }
 
+/// A run of 100 trials at two differences, 80 right: nothing to say of it.
+ScoredAnswers ordinary() {
+    ScoredAnswers answers;
+    answers.points = {{0.05, 30, 50}, {0.1, 50, 50}};
+    answers.used = 100;
+    answers.right = 80;
+    answers.levels = 2;
+    return answers;
+}
+
+ThurstonePosterior quiet() {
+    ThurstonePosterior posterior;
+    posterior.known = true;
+    posterior.meanLapse = 0.02;
+    return posterior;
+}
+
+/// The only kinds of warning, in order.
+bool saysOnly(Task task, const ScoredAnswers& answers, const ThurstonePosterior& posterior, const std::vector<WarningKind>& kinds) {
+    std::vector<Warning> warnings;
+    warnOfAnswers(warnings, task, answers, posterior);
+    std::string all;
+    for (const Warning& warning : warnings)
+        all += warningText(warning) + '\n';
+    qInfo("%s", all.c_str());
+    return std::equal(warnings.begin(), warnings.end(), kinds.begin(), kinds.end(), [](const Warning& w, WarningKind kind) { return w.kind == kind; });
+}
+
 } // namespace
 
 /// What a reader of an estimate is told of the places of wrong answers.
 class TestRunWarnings : public QObject {
     Q_OBJECT
 private slots:
+    void sizeOfARun() {
+        using enum WarningKind;
+        ScoredAnswers answers = ordinary();
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {}));
+        answers.leftOut = 3;
+        answers.binned = true;
+        std::vector<Warning> warnings;
+        warnOfAnswers(warnings, Task::twoAfc, answers, quiet());
+        QCOMPARE(warnings.size(), 2U);
+        QVERIFY((warnings[0] == Warning{leftOutTrials, 3}) && warnings[1].kind == binned);
+        answers = ordinary();
+        answers.used = 20;
+        answers.right = 16;
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {}));
+        answers.used = 19;
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {fewTrials}));
+        warnings.clear();
+        warnOfAnswers(warnings, Task::twoAfc, answers, quiet());
+        QCOMPARE(warnings.front().count, 19);
+        answers = ordinary();
+        answers.levels = 1;
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {oneLevel}));
+        answers.levels = 0;
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {noDifference}));
+        answers.used = answers.right = 0; // nothing more is said of nothing
+        answers.leftOut = 7;
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {leftOutTrials, noTrials}));
+    }
+    /// Right answers of 20 from which on guessing is refuted (P of as many or more below 0.05, summed by hand: 0.0207, 0.0376, 0.0371; one fewer 0.0577, 0.0919,
+    /// 0.1018).
+    void guessing_data() {
+        QTest::addColumn<int>("task");
+        QTest::addColumn<int>("enough");
+        QTest::newRow("2afc") << static_cast<int>(Task::twoAfc) << 15;
+        QTest::newRow("3afc") << static_cast<int>(Task::threeAfc) << 11;
+        QTest::newRow("oddity") << static_cast<int>(Task::oddity) << 11;
+        QTest::newRow("rank3") << static_cast<int>(Task::rank3) << 7;
+        QTest::newRow("rank3_ties") << static_cast<int>(Task::rank3Ties) << 7;
+    }
+    void guessing() {
+        using enum WarningKind;
+        QFETCH(int, task);
+        QFETCH(int, enough);
+        const auto of = static_cast<Task>(task);
+        ScoredAnswers answers = ordinary();
+        answers.used = 20;
+        answers.right = enough;
+        QVERIFY(saysOnly(of, answers, quiet(), {}));
+        answers.right = enough - 1;
+        QVERIFY(saysOnly(of, answers, quiet(), {chance}));
+        answers.right = 19;
+        QVERIFY(saysOnly(of, answers, quiet(), {}));
+        answers.right = 20;
+        QVERIFY(saysOnly(of, answers, quiet(), {allRight}));
+    }
+    /// Whoever says yes (different) always or never tells nothing of differences; the number of right answers does not matter there.
+    void oneAnswerOnly() {
+        using enum WarningKind;
+        for (const Task task : {Task::yesNo, Task::sameDifferent}) {
+            ScoredAnswers answers = ordinary();
+            answers.right = 50;
+            answers.points = {{0.0, 0, 50}, {0.05, 0, 25}, {0.1, 0, 25}};
+            QVERIFY(saysOnly(task, answers, quiet(), {oneAnswer}));
+            answers.points.back().right = 1;
+            QVERIFY(saysOnly(task, answers, quiet(), {}));
+            answers.points = {{0.0, 50, 50}, {0.05, 25, 25}, {0.1, 25, 25}};
+            QVERIFY(saysOnly(task, answers, quiet(), {oneAnswer}));
+            answers.points.front().right = 49;
+            QVERIFY(saysOnly(task, answers, quiet(), {}));
+        }
+    }
+    /// From never better than chance to always right.
+    void steps() {
+        using enum WarningKind;
+        ScoredAnswers answers = ordinary();
+        answers.points = {{0.02, 20, 40}, {0.05, 10, 20}, {0.1, 40, 40}}; // exactly at chance, then all
+        answers.right = 70;
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {stepFunction}));
+        answers.points[1].right = 11; // better than chance, and not all
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {}));
+        answers.points[1].right = 20;
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {stepFunction}));
+        answers.points[2].right = 39;
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {}));
+        answers.points = {{0.05, 60, 60}, {0.1, 40, 40}}; // never at chance: no step is seen
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {}));
+        answers.points = {{0.05, 30, 60}, {0.1, 20, 40}}; // never above
+        QVERIFY(saysOnly(Task::twoAfc, answers, quiet(), {}));
+        answers.points = {{0.05, 10, 30}, {0.1, 70, 70}}; // a third is chance of three
+        QVERIFY(saysOnly(Task::threeAfc, answers, quiet(), {stepFunction}));
+        QVERIFY(saysOnly(Task::oddity, answers, quiet(), {stepFunction}));
+        QVERIFY(saysOnly(Task::rank3, answers, quiet(), {}));
+        answers.points[0].right = 5; // a sixth
+        QVERIFY(saysOnly(Task::rank3, answers, quiet(), {stepFunction}));
+        QVERIFY(saysOnly(Task::rank3Ties, answers, quiet(), {stepFunction}));
+        answers.points = {{0.0, 0, 30}, {0.1, 70, 70}}; // of who says yes: never, then always
+        QVERIFY(saysOnly(Task::yesNo, answers, quiet(), {stepFunction}));
+        answers.points[0].right = 1;
+        QVERIFY(saysOnly(Task::yesNo, answers, quiet(), {}));
+    }
+    /// 0.147 is exp(-3.841/2): the end lies within the 95 % region of the likelihood.
+    void endsOfThePrior() {
+        using enum WarningKind;
+        const auto says = [](double low, double high, const std::vector<WarningKind>& kinds) {
+            ThurstonePosterior posterior = quiet();
+            posterior.densityAtLowSigma = low;
+            posterior.densityAtHighSigma = high;
+            return saysOnly(Task::twoAfc, ordinary(), posterior, kinds);
+        };
+        QVERIFY(says(0.0199, 0.0199, {}));
+        QVERIFY(says(0.02, 0.01, {priorBoundLow}) && says(0.01, 0.02, {priorBoundHigh}));
+        QVERIFY(says(0.146, 0.01, {priorBoundLow}) && says(0.01, 0.146, {priorBoundHigh}));
+        QVERIFY(says(0.147, 0.01, {priorEdgeLow}) && says(0.01, 0.147, {priorEdgeHigh}));
+        QVERIFY(says(0.9, 1.0, {priorEdgeHigh}) && says(1.0, 0.9, {priorEdgeLow}));
+        ThurstonePosterior posterior = quiet();
+        posterior.known = false;
+        posterior.densityAtHighSigma = 1.0;
+        QVERIFY(saysOnly(Task::twoAfc, ordinary(), posterior, {}));
+    }
+    void manyLapses() {
+        using enum WarningKind;
+        ThurstonePosterior posterior = quiet();
+        posterior.meanLapse = 0.1;
+        QVERIFY(saysOnly(Task::twoAfc, ordinary(), posterior, {}));
+        posterior.meanLapse = 0.1001;
+        QVERIFY(saysOnly(Task::twoAfc, ordinary(), posterior, {lapses}));
+    }
     void biasForAPlaceIsTold_data() {
         QTest::addColumn<int>("task");
         QTest::addColumn<int>("enough"); // wrong answers, all of them on one place, until p < 0.001
