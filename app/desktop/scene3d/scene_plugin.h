@@ -19,6 +19,8 @@ inline QByteArray sceneAbi() {
 inline constexpr const char* kScenePluginFile = "chiron_scene3d.so"; ///< in the folder of the program
 inline constexpr const char* kSceneAbiSymbol = "chironSceneAbi";
 inline constexpr const char* kSceneMakeSymbol = "chironMakeScene";
+/// Of the window that is the view's input source: the Qt3D entity that it draws, for a test that reads what a scene is made of.
+inline constexpr const char* kSceneRootProperty = "scene.root";
 
 using SceneAbiFunction = const char* (*)();
 /// The caller owns what comes back; nullptr where the exercise has no drawn scene.

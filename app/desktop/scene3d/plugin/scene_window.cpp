@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene3d/plugin/scene_window.h"
 
+#include "desktop/scene3d/scene_plugin.h"
+
 #include <QCoreApplication>
 #include <QEvent>
 #include <QSurfaceFormat>
@@ -47,6 +49,7 @@ SceneWindow::~SceneWindow() {
 
 void SceneWindow::setRoot(Qt3DCore::QEntity* root) {
     m_root = Qt3DCore::QEntityPtr(root);
+    setProperty(kSceneRootProperty, QVariant::fromValue<QObject*>(root));
 }
 
 void SceneWindow::start() {
