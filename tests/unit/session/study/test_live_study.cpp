@@ -174,6 +174,7 @@ void TestLiveStudy::noClockRunsWhilePaused() {
     QVERIFY2(paused_s > 1.0, trial.fidelityJson.c_str());
     QVERIFY2(std::abs(trial.exploration_s + paused_s - whole_s) < 0.0025, trial.fidelityJson.c_str());
     QVERIFY(trial.answer_s <= trial.exploration_s);
+    QCOMPARE(trial.answer, 0); // as it was given
     QVERIFY(trial.felt && !*trial.felt && !trial.device.empty()); // keyboard and mouse
     const QJsonObject fidelity = QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object();
     QVERIFY(fidelity["shown"].toBool() && fidelity["stiffness_error"].isNull() && fidelity["saturated"].isNull() && fidelity["peak_force_N"].isNull());
