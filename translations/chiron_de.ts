@@ -2804,6 +2804,10 @@ Möchten Sie die Datei ersetzen?</translation>
             <numerusform>vor %n Tagen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Comparison (study)</source>
+        <translation>Vergleich (Studie)</translation>
+    </message>
 </context>
 <context>
     <name>Sessions</name>
@@ -9863,6 +9867,10 @@ Eingabetaste oder Doppelklick öffnet die Auswertung der gewählten Sitzung, Str
         <source>Clear the filters</source>
         <translation>Filter löschen</translation>
     </message>
+    <message>
+        <source>A sitting of a blinded study can be looked at once the study is unblinded.</source>
+        <translation>Eine Sitzung einer verblindeten Studie lässt sich ansehen, sobald die Studie entblindet ist.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SettingsScreen</name>
@@ -10612,22 +10620,6 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
         <translation>Als BIDS exportieren</translation>
     </message>
     <message>
-        <source>Unblind this study?</source>
-        <translation>Diese Studie entblinden?</translation>
-    </message>
-    <message>
-        <source>Stay blind</source>
-        <translation>Blind bleiben</translation>
-    </message>
-    <message>
-        <source>Unblind</source>
-        <translation>Entblinden</translation>
-    </message>
-    <message>
-        <source>The study was not unblinded.</source>
-        <translation>Die Studie wurde nicht entblindet.</translation>
-    </message>
-    <message>
         <source>Where should the folder go?</source>
         <translation>Wohin soll der Ordner?</translation>
     </message>
@@ -10744,25 +10736,6 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
     <message>
         <source>blind: conditions by sealed codes</source>
         <translation>blind: Bedingungen unter versiegelten Codes</translation>
-    </message>
-    <message>
-        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it, when and why. This cannot be undone.</source>
-        <translation>Von jetzt an heißen die Bedingungen bei ihren Namen, für alle. Festgehalten wird, wer wann und warum entblindet hat. Das lässt sich nicht rückgängig machen.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.</source>
-        <translation>
-            <numerusform>%n teilnehmende Person kommt noch. Wer deren Läufe leitet, ist dann nicht mehr blind.</numerusform>
-            <numerusform>%n Teilnehmende kommen noch. Wer deren Läufe leitet, ist dann nicht mehr blind.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Why is it unblinded now? Please name nobody: the reason is kept for ever.</source>
-        <translation>Warum wird sie jetzt entblindet? Bitte nennen Sie niemanden: Der Grund bleibt für immer gespeichert.</translation>
-    </message>
-    <message>
-        <source>Reason for unblinding</source>
-        <translation>Grund für das Entblinden</translation>
     </message>
     <message>
         <source>What came of a study.
@@ -11663,6 +11636,42 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>This run was begun with another version of its procedure than this program has. A version never continues another one&apos;s run, so that all of its trials can be compared. What was answered is kept; enrol another participant for this condition.</source>
         <translation>Dieser Lauf wurde mit einer anderen Fassung seines Verfahrens begonnen, als dieses Programm hat. Keine Fassung setzt den Lauf einer anderen fort, damit alle Durchgänge vergleichbar bleiben. Was beantwortet wurde, bleibt erhalten; nehmen Sie für diese Bedingung jemand anderen auf.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::UnblindDialog</name>
+    <message>
+        <source>Unblind this study?</source>
+        <translation>Diese Studie entblinden?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.</source>
+        <translation>
+            <numerusform>%n teilnehmende Person kommt noch. Wer deren Läufe leitet, ist dann nicht mehr blind.</numerusform>
+            <numerusform>%n Teilnehmende kommen noch. Wer deren Läufe leitet, ist dann nicht mehr blind.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Reason for unblinding</source>
+        <translation>Grund für das Entblinden</translation>
+    </message>
+    <message>
+        <source>Please name nobody: the reason is kept for ever.</source>
+        <translation>Bitte nennen Sie niemanden: Der Grund bleibt für immer gespeichert.</translation>
+    </message>
+    <message>
+        <source>Unblind</source>
+        <translation>Entblinden</translation>
+    </message>
+    <message>
+        <source>The study was not unblinded.
+%1</source>
+        <translation>Die Studie wurde nicht entblindet.
+%1</translation>
+    </message>
+    <message>
+        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it, when and why. This cannot be undone.</source>
+        <translation>Von jetzt an heißen die Bedingungen bei ihren Namen, für alle. Festgehalten wird, wer wann und warum entblindet hat. Das lässt sich nicht rückgängig machen.</translation>
     </message>
 </context>
 <context>

@@ -2804,6 +2804,10 @@ Do you want to replace it?</source>
             <numerusform>πριν από %n ημέρες</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Comparison (study)</source>
+        <translation>Σύγκριση (μελέτη)</translation>
+    </message>
 </context>
 <context>
     <name>Sessions</name>
@@ -9863,6 +9867,10 @@ Enter or a double click opens the debrief of the selected session, Ctrl+P plays 
         <source>Clear the filters</source>
         <translation>Καθαρισμός φίλτρων</translation>
     </message>
+    <message>
+        <source>A sitting of a blinded study can be looked at once the study is unblinded.</source>
+        <translation>Μια συνεδρία τυφλής μελέτης ανοίγει μόλις η μελέτη παύσει να είναι τυφλή.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SettingsScreen</name>
@@ -10612,22 +10620,6 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
         <translation>Εξαγωγή σε BIDS</translation>
     </message>
     <message>
-        <source>Unblind this study?</source>
-        <translation>Άρση τυφλότητας της μελέτης;</translation>
-    </message>
-    <message>
-        <source>Stay blind</source>
-        <translation>Παραμονή τυφλή</translation>
-    </message>
-    <message>
-        <source>Unblind</source>
-        <translation>Άρση</translation>
-    </message>
-    <message>
-        <source>The study was not unblinded.</source>
-        <translation>Η τυφλότητα δεν άρθηκε.</translation>
-    </message>
-    <message>
         <source>Where should the folder go?</source>
         <translation>Πού να μπει ο φάκελος;</translation>
     </message>
@@ -10744,25 +10736,6 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
     <message>
         <source>blind: conditions by sealed codes</source>
         <translation>τυφλή: συνθήκες με σφραγισμένους κωδικούς</translation>
-    </message>
-    <message>
-        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it, when and why. This cannot be undone.</source>
-        <translation>Από εδώ και πέρα οι συνθήκες φαίνονται με τα ονόματά τους, για όλους. Καταγράφεται ποιος, πότε και γιατί. Δεν αναιρείται.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.</source>
-        <translation>
-            <numerusform>Απομένει %n συμμετέχων. Όποιος διεξάγει τις εκτελέσεις του δεν θα είναι πια τυφλός.</numerusform>
-            <numerusform>Απομένουν %n συμμετέχοντες. Όποιος διεξάγει τις εκτελέσεις τους δεν θα είναι πια τυφλός.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Why is it unblinded now? Please name nobody: the reason is kept for ever.</source>
-        <translation>Γιατί αίρεται τώρα η τυφλότητα; Μην αναφέρετε ονόματα: ο λόγος διατηρείται για πάντα.</translation>
-    </message>
-    <message>
-        <source>Reason for unblinding</source>
-        <translation>Λόγος άρσης της τυφλότητας</translation>
     </message>
     <message>
         <source>What came of a study.
@@ -11663,6 +11636,42 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     <message>
         <source>This run was begun with another version of its procedure than this program has. A version never continues another one&apos;s run, so that all of its trials can be compared. What was answered is kept; enrol another participant for this condition.</source>
         <translation>Αυτή η εκτέλεση άρχισε με άλλη έκδοση της διαδικασίας της από αυτήν του προγράμματος. Καμία έκδοση δεν συνεχίζει εκτέλεση άλλης, ώστε όλες οι δοκιμές να είναι συγκρίσιμες. Ό,τι απαντήθηκε διατηρείται· εγγράψτε άλλον συμμετέχοντα για αυτή τη συνθήκη.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::UnblindDialog</name>
+    <message>
+        <source>Unblind this study?</source>
+        <translation>Άρση τυφλότητας της μελέτης;</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.</source>
+        <translation>
+            <numerusform>Απομένει %n συμμετέχων. Όποιος διεξάγει τις εκτελέσεις του δεν θα είναι πια τυφλός.</numerusform>
+            <numerusform>Απομένουν %n συμμετέχοντες. Όποιος διεξάγει τις εκτελέσεις τους δεν θα είναι πια τυφλός.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Reason for unblinding</source>
+        <translation>Λόγος άρσης της τυφλότητας</translation>
+    </message>
+    <message>
+        <source>Please name nobody: the reason is kept for ever.</source>
+        <translation>Μην αναφέρετε ονόματα: ο λόγος διατηρείται για πάντα.</translation>
+    </message>
+    <message>
+        <source>Unblind</source>
+        <translation>Άρση</translation>
+    </message>
+    <message>
+        <source>The study was not unblinded.
+%1</source>
+        <translation>Η τυφλότητα δεν άρθηκε.
+%1</translation>
+    </message>
+    <message>
+        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it, when and why. This cannot be undone.</source>
+        <translation>Από εδώ και πέρα οι συνθήκες φαίνονται με τα ονόματά τους, για όλους. Καταγράφεται ποιος, πότε και γιατί. Δεν αναιρείται.</translation>
     </message>
 </context>
 <context>

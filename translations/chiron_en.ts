@@ -506,13 +506,6 @@
             <numerusform>%n scored trials</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.</source>
-        <translation>
-            <numerusform>%n participant is still to come. Whoever conducts their runs will no longer be blind.</numerusform>
-            <numerusform>%n participants are still to come. Whoever conducts their runs will no longer be blind.</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>chiron::desktop::StudyScreen</name>
@@ -531,6 +524,16 @@
         <translation>
             <numerusform>Rest your hand. It can go on in %n second.</numerusform>
             <numerusform>Rest your hand. It can go on in %n seconds.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::UnblindDialog</name>
+    <message numerus="yes">
+        <source>%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.</source>
+        <translation>
+            <numerusform>%n participant is still to come. Whoever conducts their runs will no longer be blind.</numerusform>
+            <numerusform>%n participants are still to come. Whoever conducts their runs will no longer be blind.</numerusform>
         </translation>
     </message>
 </context>

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kPercent = 100.0;
 constexpr double kWeberPlotHeight = 200.0;
-constexpr double kCurveHeight = 220.0;
+constexpr double kCurveHeight = 300.0; // its legend has up to six lines
 constexpr std::size_t kCurvesInRow = 2;
 
 std::unique_ptr<PlotView> curvePlot(const session::AnalysedRun& run, bool ranks, const report::PlotTheme& theme) {
@@ -109,7 +109,7 @@ void StudyReportBlocks::addRuns(std::size_t at) {
                         locale.toString(run.scored), locale.toString(run.spoiled), words::runState(run.run.state)});
     addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"), Words::tr("Prior's part"), Words::tr("Scored"),
               Words::tr("Repeated"), Words::tr("Run")},
-             rows, {0.13, 0.14, 0.18, 0.12, 0.12, 0.1, 0.1, 0.11}, {false, true, true, true, true, true, true, false});
+             rows, {0.1, 0.12, 0.16, 0.11, 0.13, 0.1, 0.12, 0.16}, {false, true, true, true, true, true, true, false});
     const auto known = [](const session::AnalysedRun& run) { return std::isfinite(run.estimate.priorInfluence); };
     if (std::any_of(condition.runs.begin(), condition.runs.end(), known))
         addMuted(Words::tr("Prior's part: %1").arg(influenceMeaning()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/plots/session_words.h"
 
+#include "desktop/sessions/session_words.h"
 #include "desktop/training/training_words.h"
 
 #include <QCoreApplication>
@@ -102,7 +103,7 @@ QString exerciseTitle(const catalogue::Catalogue& catalogue, const std::string& 
     for (const catalogue::Exercise& entry : catalogue.exercises())
         if (entry.id == exercise)
             return QString::fromStdString(catalogue::textIn(entry.title, language.toStdString()));
-    return QString::fromStdString(exercise).replace(QLatin1Char('_'), QLatin1Char(' '));
+    return exercise == SessionWords::kComparison ? SessionWords::comparison() : QString::fromStdString(exercise).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
 QString levelTitle(const catalogue::Catalogue& catalogue, const std::string& exercise, int level, const QString& language) {

@@ -3,6 +3,7 @@
 
 #include "catalogue/catalogue.h"
 #include "database/repositories/session_reader.h"
+#include "desktop/sessions/session_words.h"
 
 namespace chiron::desktop {
 
@@ -11,6 +12,7 @@ ExerciseTitles exerciseTitles(const catalogue::Catalogue& catalogue, const QStri
     for (const catalogue::Exercise& exercise : catalogue.exercises())
         titles.insert(QString::fromStdString(exercise.id),
                       QString::fromStdString(catalogue::textIn(exercise.title, language.toStdString())));
+    titles.insert(QString::fromLatin1(SessionWords::kComparison), SessionWords::comparison());
     return titles;
 }
 

@@ -82,7 +82,7 @@ QString SessionTableModel::text(const SessionRow& row, int column) const {
     case exercise:
         return row.exercise;
     case level:
-        return m_locale.toString(session.level);
+        return session.exercise == SessionWords::kComparison ? QStringLiteral("–") : m_locale.toString(session.level);
     case state:
         return session.archived ? tr("%1, archived").arg(SessionWords::state(session.state)) : SessionWords::state(session.state);
     case outcome:

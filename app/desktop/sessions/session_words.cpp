@@ -115,4 +115,6 @@ QString SessionWords::bytes(std::uint64_t bytes, const QLocale& locale) {
     return locale.formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
 }
 
+QString SessionWords::comparison() { return tr("Comparison (study)"); }
+
 } // namespace chiron::desktop

@@ -36,6 +36,9 @@ public:
     /// "5 minutes ago"; the date from a month on.
     static QString ago(const QDateTime& then, const QDateTime& now, const QLocale& locale);
     static QString bytes(std::uint64_t bytes, const QLocale& locale);
+    /// The exercise of a study's trials, which no catalogue has, and which has no levels.
+    static constexpr const char* kComparison = "comparison";
+    static QString comparison();
     static QDateTime timeOf(const std::string& utc); ///< UTC; invalid where it cannot be read
 };
 

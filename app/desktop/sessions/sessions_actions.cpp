@@ -63,12 +63,17 @@ void SessionsScreen::selectSomething() {
         m_wanted = wanted; // it may be among those that have not come yet
 }
 
+QString SessionsScreen::sealedWords() { return tr("A sitting of a blinded study can be looked at once the study is unblinded."); }
+
 void SessionsScreen::showActions() {
     const SessionRow* row = m_panel->state() == StatePanel::State::content ? selected() : nullptr;
     const bool ended = row && row->summary.state != database::SessionState::running;
     const bool changes = context().has(database::Role::trainer) || context().has(database::Role::admin);
-    m_open->setEnabled(ended);
-    m_play->setEnabled(ended && !row->summary.recordingErased && row->summary.frames > 0);
+    const bool sealed = row && row->summary.sealed;
+    m_open->setEnabled(ended && !sealed);
+    m_play->setEnabled(ended && !sealed && !row->summary.recordingErased && row->summary.frames > 0);
+    for (QPushButton* button : {m_open, m_play})
+        button->setToolTip(sealed ? sealedWords() : QString());
     m_void->setVisible(changes);
     m_void->setEnabled(ended && row->summary.state != database::SessionState::voided);
     m_archive->setVisible(changes);
@@ -82,6 +87,10 @@ void SessionsScreen::open(const QString& screen) {
         return;
     if (row->summary.state == database::SessionState::running) {
         context().messages().information(tr("Session %1 is still running. It can be opened as soon as it has ended.").arg(row->summary.id));
+        return;
+    }
+    if (row->summary.sealed) {
+        context().messages().information(sealedWords());
         return;
     }
     noteState();

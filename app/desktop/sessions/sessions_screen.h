@@ -48,6 +48,7 @@ private:
     void showState();
     void noteState();
     void selectSomething();
+    static QString sealedWords();
     void showActions();
     const SessionRow* selected() const;
     void open(const QString& screen);

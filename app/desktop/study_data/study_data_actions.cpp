@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unblinding and exports.
 #include "desktop/study_data/study_data_screen.h"
+#include "desktop/study_data/unblind_dialog.h"
 
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/flow_layout.h"
@@ -13,9 +14,6 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileDialog>
-#include <QGridLayout>
-#include <QLineEdit>
-#include <QMessageBox>
 #include <QProgressDialog>
 #include <QTimer>
 
@@ -48,41 +46,12 @@ std::vector<ScreenCommand> StudyDataScreen::commands() {
 }
 
 void StudyDataScreen::askUnblind() {
-    auto* box = new QMessageBox(QMessageBox::Warning, title(), tr("Unblind this study?"), QMessageBox::NoButton, window());
-    box->setObjectName(QStringLiteral("data.ask_unblind"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    QString words = tr("From now on conditions go by their names, for everybody. It is recorded who unblinded it, when and why. This cannot be undone.");
     std::vector<database::Participant> people;
     for (const ParticipantRow& row : m_facts.study.participants)
         people.push_back(row.participant);
-    if (const int toCome = session::peopleToCome(m_facts.study.design, m_facts.study.summary, people); toCome > 0)
-        words += QStringLiteral("\n\n") + tr("%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.", nullptr, toCome);
-    box->setInformativeText(words + QStringLiteral("\n\n") + tr("Why is it unblinded now? Please name nobody: the reason is kept for ever."));
-    auto* reason = new QLineEdit;
-    reason->setObjectName(QStringLiteral("data.ask_unblind.reason"));
-    reason->setAccessibleName(tr("Reason for unblinding"));
-    reason->setPlaceholderText(tr("Reason for unblinding"));
-    reason->setMaxLength(500);
-    if (auto* grid = qobject_cast<QGridLayout*>(box->layout()))
-        grid->addWidget(reason, grid->rowCount(), 0, 1, grid->columnCount());
-    QPushButton* keep = box->addButton(tr("Stay blind"), QMessageBox::RejectRole);
-    QPushButton* unblind = box->addButton(tr("Unblind"), QMessageBox::DestructiveRole);
-    unblind->setObjectName(QStringLiteral("data.ask_unblind.unblind"));
-    unblind->setEnabled(false);
-    connect(reason, &QLineEdit::textChanged, unblind, [unblind](const QString& text) { unblind->setEnabled(!text.trimmed().isEmpty()); });
-    box->setDefaultButton(keep);
-    box->setEscapeButton(keep);
-    connect(unblind, &QPushButton::clicked, this, [this, reason] {
-        writeStudies(
-            context(), this, [study = m_study, why = reason->text().trimmed().toStdString()](database::StudyRepository& studies) { return studies.unblindStudy(study, why); },
-            [this](const core::Result<void>& done) {
-                if (!done)
-                    context().messages().error(tr("The study was not unblinded."), done.error());
-                else
-                    load();
-            });
-    });
-    box->open();
+    auto* dialog = new UnblindDialog(context(), m_study, session::peopleToCome(m_facts.study.design, m_facts.study.summary, people), window());
+    connect(dialog, &UnblindDialog::changed, this, &StudyDataScreen::load);
+    dialog->open();
 }
 
 void StudyDataScreen::askFolder(void (StudyDataScreen::*then)(const QString&)) {

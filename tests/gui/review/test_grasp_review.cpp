@@ -175,7 +175,12 @@ private slots:
         broken.tool = 1;
         broken.critical = true;
         broken.value = 8.0;
-        QVERIFY(PlaybackPlots(theme, QLocale::c(), track, setup.level.parameters).force().legendTexts().contains(QStringLiteral("critical error")));
+        PlaybackPlots marked(theme, QLocale::c(), track, setup.level.parameters);
+        QVERIFY(marked.force().legendTexts().contains(QStringLiteral("critical error")));
+        if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty()) {
+            marked.resize(900, 620);
+            marked.grab().save(folder + QStringLiteral("/playback_tools.png"));
+        }
     }
 
     void everyMarkOfGraspingHasWordsAndASign() {

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A blinded study as its author sees it and as somebody sees it who may not know: codes instead of conditions, on every page, and runs all the same.
+#include "desktop/sessions/session_table_model.h"
+#include "desktop/sessions/session_words.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/study_run/trials_screen.h"
+#include "session/study/study_runner.h"
 #include "support/every_place.h"
+#include "support/settled.h"
 
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QTableView>
 #include <QTableWidget>
 
 using namespace chiron;
@@ -19,9 +25,33 @@ private slots:
     void cleanupTestCase() { m_site.reset(); }
     void theAuthorSeesTheDesign();
     void othersSeeCodes();
-    void othersRunIt();
+    void unblindingIsReadable();
+    void sealedSittingsAreToldAsSuch();
+    void othersRunIt(); // the last: it leaves a sitting that runs
 
 private:
+    /// `look` in every language, at 100 and 200 %, in the light and the dark theme; CHIRON_KEEP_PICTURES=<folder> keeps the pictures.
+    template <class Look> void everyLook(Look look) {
+        for (const char* language : {"de", "el", "en"})
+            for (const double scale : {2.0, 1.0})
+                for (const auto theme : {desktop::ThemeName::dark, desktop::ThemeName::light}) {
+                    m_site->settings.setLanguage(QLatin1String(language));
+                    m_site->settings.setScale(scale);
+                    m_site->settings.setTheme(theme);
+                    m_site->context.applyAppearance();
+                    m_site->window->resize(1280, 720);
+                    look(QStringLiteral("%1_%2_%3").arg(QLatin1String(language)).arg(100 * scale).arg(theme == desktop::ThemeName::dark ? "dark" : "light"));
+                    if (QTest::currentTestFailed())
+                        return;
+                }
+        m_site->settings.setLanguage(QStringLiteral("en"));
+        m_site->settings.setScale(1.0);
+        m_site->context.applyAppearance();
+    }
+    static void keep(QWidget* widget, const QString& name) {
+        if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty())
+            widget->grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
+    }
     /// Everything that can be read on the screen.
     QString told() const {
         QStringList all;
@@ -89,12 +119,62 @@ void TestMaskedStudy::othersSeeCodes() {
 }
 
 void TestMaskedStudy::othersRunIt() {
+    m_site->logIn("rob");
     show("study_run", 0);
     m_site->find<QPushButton>(QStringLiteral("run.begin"))->click();
     auto* screen = m_site->screen<desktop::TrialsScreen>();
     QVERIFY(screen);
     QVERIFY(screen->live()); // rendered by its own condition, which the list does not tell
     QVERIFY(!told().contains(QStringLiteral("Stiffness of")) && !told().contains(QStringLiteral("Mass of")));
+}
+
+void TestMaskedStudy::unblindingIsReadable() {
+    m_site->logIn("rhea");
+    everyLook([this](const QString& name) {
+        show("study_data", 0);
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.unblind")), 30000);
+        m_site->find<QPushButton>(QStringLiteral("data.unblind"))->click();
+        QTRY_VERIFY(m_site->find<QDialog>(QStringLiteral("data.ask_unblind")));
+        auto* dialog = m_site->find<QDialog>(QStringLiteral("data.ask_unblind"));
+        const QStringList findings = tests::settledFindings(dialog);
+        QVERIFY2(findings.isEmpty(), qPrintable(name + QStringLiteral(": ") + findings.join(QLatin1Char('\n'))));
+        keep(dialog, QStringLiteral("unblind_") + name);
+        QVERIFY2(dialog->width() <= 1280 && dialog->height() <= 720, qPrintable(QStringLiteral("%1: %2 × %3").arg(name).arg(dialog->width()).arg(dialog->height())));
+        auto* reason = dialog->findChild<QLineEdit*>(QStringLiteral("data.ask_unblind.reason"));
+        auto* accept = dialog->findChild<QPushButton*>(QStringLiteral("data.ask_unblind.accept"));
+        QVERIFY(accept && !accept->isEnabled());
+        QVERIFY(reason->mapToGlobal(QPoint(0, reason->height())).y() <= accept->mapToGlobal(QPoint()).y()); // asked for before it is decided
+        QTest::keyClick(dialog, Qt::Key_Escape); // it stays blind
+        QTRY_VERIFY(!m_site->find<QDialog>(QStringLiteral("data.ask_unblind")));
+    });
+}
+
+void TestMaskedStudy::sealedSittingsAreToldAsSuch() {
+    session::StudyRunRequest request;
+    request.study = m_study;
+    request.trialsAtMost = 1;
+    request.observer.weber = 0.12;
+    const auto simulated = tests::writeAs(*m_site, m_site->actor("rhea"), [&](database::StudyRepository& studies) { return studies.enrolParticipant(m_study, {}, 0, "weber:0.12", "SIM01"); });
+    request.participantCode = simulated->code;
+    const auto run = session::runStudyHeadless(m_site->database(), m_site->actor("rhea"), request);
+    QVERIFY2(run, run ? "" : run.error().message.c_str());
+    everyLook([this](const QString& name) {
+        m_site->go(QStringLiteral("sessions"));
+        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), 30000);
+        auto* table = m_site->find<QTableView>(QStringLiteral("sessions.table"));
+        QTRY_VERIFY(table && table->model()->rowCount() > 0);
+        const QStringList findings = tests::settledFindings(m_site->window->screen());
+        QVERIFY2(findings.isEmpty(), qPrintable(name + QStringLiteral(": ") + findings.join(QLatin1Char('\n'))));
+        keep(m_site->window.get(), QStringLiteral("sealed_sessions_") + name);
+        const auto cell = [&](int column) { return table->model()->index(table->currentIndex().row(), column).data().toString(); };
+        QCOMPARE(cell(desktop::SessionTableModel::exercise), desktop::SessionWords::comparison()); // and not its token
+        QCOMPARE(cell(desktop::SessionTableModel::length), desktop::SessionTableModel::tr("sealed"));
+        // Nobody is led to what stays closed: neither by a button nor by Enter.
+        for (const char* button : {"sessions.open", "sessions.play"})
+            QVERIFY(!m_site->find<QPushButton>(QLatin1String(button))->isEnabled() && !m_site->find<QPushButton>(QLatin1String(button))->toolTip().isEmpty());
+        emit table->activated(table->currentIndex());
+        QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("sessions"));
+    });
 }
 
 QTEST_MAIN(TestMaskedStudy)

@@ -12,7 +12,6 @@
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QRadioButton>
 #include <QScrollBar>
 #include <QTabBar>
@@ -214,14 +213,16 @@ void TestStudyScreens::dataAndUnblinding() {
     }
     m_site->find<QTabBar>(QStringLiteral("data.tabs"))->setCurrentIndex(desktop::StudyDataScreen::groupTab);
     click("data.unblind");
-    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.unblind")));
-    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.unblind"))->isEnabled()); // not without a reason
-    auto* box = m_site->find<QMessageBox>(QStringLiteral("data.ask_unblind"));
-    QVERIFY2(box->informativeText().contains(QStringLiteral("6 participants are still to come")), qPrintable(box->informativeText())); // one has begun, five are planned
+    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.accept")));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.accept"))->isEnabled()); // not without a reason
+    QString toCome; // one has begun, five are planned
+    for (const QLabel* label : m_site->find<QWidget>(QStringLiteral("data.ask_unblind.to_come"))->findChildren<QLabel*>())
+        toCome += label->text();
+    QVERIFY2(toCome.contains(QStringLiteral("6 participants are still to come")), qPrintable(toCome));
     m_site->find<QLineEdit>(QStringLiteral("data.ask_unblind.reason"))->setText(QStringLiteral("  "));
-    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.unblind"))->isEnabled());
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.accept"))->isEnabled());
     m_site->find<QLineEdit>(QStringLiteral("data.ask_unblind.reason"))->setText(QStringLiteral("A serious event"));
-    click("data.ask_unblind.unblind");
+    click("data.ask_unblind.accept");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.condition.0")) &&
                                  m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() == QStringLiteral("Stiffness of a tube"),
                              30000);

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The preview of a design as a researcher uses it: assumptions of a comparison as fields, what they do to what is told, errors beside figures.
+#include "desktop/studies/preview_page.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/kit.h"
+#include "support/every_place.h"
+#include "support/made_study.h"
+#include "support/settled.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSpinBox>
+
+using namespace chiron;
+
+namespace {
+constexpr int kRuns = 6;
+
+/// Short, so that it is simulated soon.
+psychophysics::StudyDesign twoConditions() {
+    psychophysics::StudyDesign design = tests::smallStudy("two");
+    for (psychophysics::Condition& condition : design.conditions)
+        for (psychophysics::ProcedureSpec& procedure : condition.procedures)
+            std::get<psychophysics::Rank3Spec>(procedure).stop.trials = 14;
+    return design;
+}
+} // namespace
+
+class TestPreviewPage : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        m_site = std::make_unique<tests::DesktopFixture>();
+        m_site->logIn("rhea");
+    }
+    void cleanup() { m_page.reset(); }
+    void cleanupTestCase() { m_site.reset(); }
+    void aComparisonHasItsAssumptions();
+    void whatIsAssumedDecidesWhatIsFound();
+    void oneConditionComparesNothing();
+    void itsWordsFit();
+
+private:
+    void show(const psychophysics::StudyDesign& design) {
+        m_draft.load(design);
+        m_page = std::make_unique<desktop::PreviewPage>(desktop::DesignPage{m_site->context, m_draft, false, QStringLiteral("en"), {}, false});
+        find<QSpinBox>("preview.runs")->setValue(kRuns);
+    }
+    template <class Widget> Widget* find(const char* name) const { return m_page->findChild<Widget*>(QLatin1String(name)); }
+    void preview() {
+        find<QPushButton>("preview.start")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->findChildren<QFrame*>(QStringLiteral("preview.result")).isEmpty(), 60000);
+    }
+    QList<QLabel*> detectable() const { return m_page->findChildren<QLabel*>(QStringLiteral("preview.detectable")); }
+    QStringList texts() const {
+        QStringList all;
+        for (const QLabel* label : m_page->findChildren<QLabel*>())
+            all << label->text();
+        return all;
+    }
+    QString ratioText(double ratio) const { return QStringLiteral("× %1").arg(desktop::study_words::number(ratio, m_site->context.locale())); }
+
+    std::unique_ptr<tests::DesktopFixture> m_site;
+    desktop::StudyDraft m_draft;
+    std::unique_ptr<desktop::PreviewPage> m_page;
+};
+
+void TestPreviewPage::aComparisonHasItsAssumptions() {
+    show(twoConditions());
+    const psychophysics::PowerQuestion usual;
+    QCOMPARE(find<QCheckBox>("preview.paired")->isChecked(), usual.paired);
+    QCOMPARE(find<QSpinBox>("preview.participants")->value(), 6); // as the design plans
+    QCOMPARE(find<QDoubleSpinBox>("preview.effect_sd")->value(), usual.effectSdLog10);
+    QCOMPARE(find<QDoubleSpinBox>("preview.person_sd")->value(), usual.personSdLog10);
+    QCOMPARE(find<QDoubleSpinBox>("preview.alpha")->value(), 100.0 * usual.alpha);
+    QCOMPARE(find<QDoubleSpinBox>("preview.power")->value(), 80.0);
+    // Which spread counts follows from who does what.
+    QVERIFY(find<QDoubleSpinBox>("preview.effect_sd")->isEnabled() && !find<QDoubleSpinBox>("preview.person_sd")->isEnabled());
+    find<QCheckBox>("preview.paired")->click();
+    QVERIFY(!find<QDoubleSpinBox>("preview.effect_sd")->isEnabled() && find<QDoubleSpinBox>("preview.person_sd")->isEnabled());
+    find<QDoubleSpinBox>("preview.alpha")->setValue(0.0);
+    QVERIFY(find<QDoubleSpinBox>("preview.alpha")->value() > 0.0); // no level of 0 %
+    find<QSpinBox>("preview.participants")->setValue(1);
+    QCOMPARE(find<QSpinBox>("preview.participants")->value(), 2);
+}
+
+void TestPreviewPage::whatIsAssumedDecidesWhatIsFound() {
+    const psychophysics::StudyDesign design = twoConditions();
+    show(design);
+    preview();
+    QCOMPARE(m_page->findChildren<QFrame*>(QStringLiteral("preview.result")).size(), 2);
+    const QList<QLabel*> labels = detectable();
+    QCOMPARE(labels.size(), 2);
+    std::vector<double> runSd; // the same runs, asked for without the screen
+    for (std::size_t i = 0; i < design.conditions.size(); ++i) {
+        const auto result = desktop::previewCondition(design, i, {.weber = 0.1, .lapse = 0.02}, kRuns, [](double) { return true; });
+        QVERIFY2(result, result ? "" : result.error().message.c_str());
+        runSd.push_back(result->plan.sdLog10);
+    }
+    psychophysics::PowerQuestion question;
+    question.participants = 6;
+    double wanted = 0.8;
+    const auto told = [&] {
+        for (std::size_t i = 0; i < runSd.size(); ++i) {
+            question.runSdLog10 = runSd[i];
+            const double ratio = psychophysics::detectableRatio(question, wanted);
+            if (labels[static_cast<int>(i)]->text() != (std::isfinite(ratio) ? ratioText(ratio) : QStringLiteral("none up to × 10")))
+                return QStringLiteral("%1 instead of %2").arg(labels[static_cast<int>(i)]->text()).arg(ratio);
+        }
+        return QString();
+    };
+    QCOMPARE(told(), QString());
+    const auto after = [&](const char* field, double value) { find<QDoubleSpinBox>(field)->setValue(value); };
+    const QString before = labels[0]->text();
+    after("preview.alpha", 0.1);
+    question.alpha = 0.001;
+    QCOMPARE(told(), QString());
+    QVERIFY(labels[0]->text() != before); // and nothing is simulated again: the same labels
+    after("preview.power", 95.0);
+    wanted = 0.95;
+    QCOMPARE(told(), QString());
+    after("preview.effect_sd", 0.2);
+    question.effectSdLog10 = 0.2;
+    QCOMPARE(told(), QString());
+    after("preview.person_sd", 0.4); // of people who do both nothing changes
+    QCOMPARE(told(), QString());
+    find<QCheckBox>("preview.paired")->click();
+    question.paired = false;
+    question.personSdLog10 = 0.4;
+    QCOMPARE(told(), QString());
+    find<QSpinBox>("preview.participants")->setValue(2);
+    question.participants = 2;
+    QCOMPARE(told(), QString());
+    QCOMPARE(labels[0]->text(), QStringLiteral("none up to × 10"));
+    // What is assumed stands in the words beside the number, and every figure has its Monte Carlo error.
+    QVERIFY(!texts().filter(QStringLiteral("by two groups of 2 participants")).isEmpty());
+    int errors = 0;
+    for (const QString& text : texts())
+        errors += text.contains(QStringLiteral(" ± ")) ? 1 : 0;
+    QCOMPARE(errors, 2 * 5);
+    QVERIFY(!texts().filter(QStringLiteral("±: one standard error")).isEmpty());
+}
+
+void TestPreviewPage::oneConditionComparesNothing() {
+    psychophysics::StudyDesign design = twoConditions();
+    design.conditions.resize(1);
+    show(design);
+    for (const char* field : {"preview.paired", "preview.participants", "preview.effect_sd", "preview.person_sd", "preview.alpha", "preview.power"})
+        QVERIFY2(!find<QWidget>(field), field);
+    preview();
+    QVERIFY(detectable().isEmpty());
+}
+
+void TestPreviewPage::itsWordsFit() {
+    QStringList findings;
+    for (const auto& [language, scale] : {std::pair{"de", 2.0}, std::pair{"el", 2.0}, std::pair{"de", 1.0}}) {
+        m_site->settings.setLanguage(QLatin1String(language));
+        m_site->settings.setScale(scale);
+        m_site->context.applyAppearance();
+        show(twoConditions());
+        preview();
+        QScrollArea area; // as the screen shows it
+        area.setWidgetResizable(true);
+        area.resize(1000, 640);
+        area.setWidget(m_page.release());
+        area.show();
+        for (const QString& finding : tests::settledFindings(&area))
+            findings << QStringLiteral("%1 %2: %3").arg(QLatin1String(language)).arg(scale).arg(finding);
+        if (const QString folder = qEnvironmentVariable("CHIRON_KEEP_PICTURES"); !folder.isEmpty())
+            area.widget()->grab().save(QStringLiteral("%1/preview_%2_%3.png").arg(folder, QLatin1String(language)).arg(scale));
+    }
+    m_site->settings.setLanguage(QStringLiteral("en"));
+    m_site->settings.setScale(1.0);
+    m_site->context.applyAppearance();
+    QVERIFY2(findings.isEmpty(), qPrintable(findings.join(QLatin1Char('\n'))));
+}
+
+QTEST_MAIN(TestPreviewPage)
+#include "test_preview_page.moc"
