@@ -43,7 +43,7 @@ std::vector<ExportColumn> answerColumns() {
             {"correct", "", "the answer was right; n/a where none is, and while blinded where conditions differ in the task", kYesNo},
             {"outcome", "1", "what the procedure was told: rank3 0..5, 0 all correct; rank3_ties 0..12, as the responses with objects in true order for places; others 1 right (yes), 0 wrong (no)"},
             {"value", "", "a number said (magnitude), or the value set in SI (adjustment; n/a while blinded)"},
-            {"exploration_time", "s", "until the answer, without pauses; trials whose paused_s is n/a were stored before pauses were measured, and hold them"},
+            {"exploration_time", "s", "until the answer, without pauses; n/a where nothing was explored (simulated without rendering); trials whose paused_s is n/a were stored before pauses were measured, and hold them"},
             {"response_time", "s", "from the last contact to the answer, without pauses; as exploration_time"},
             {"paused_s", "s", "pauses of the trial, until force was back in full"}};
 }
@@ -111,8 +111,10 @@ void addAnswer(QStringList& cells, const StudyExportData& data, const ExportedRu
     const bool tells = tellsTask(data);
     const auto index = [tells](int value) { return value < 0 || !tells ? kNotAvailable : QString::number(value); };
     const bool physical = run.condition->task == psychophysics::Task::adjustment;
+    const bool timed = trial.exploration_s > 0.0; // an observer who was told the values explored nothing
     cells << index(trial.answer) << (right < 0 || trial.answer < 0 || !tells ? kNotAvailable : exportFlag(trial.answer == right)) << index(trial.outcome)
-          << (trial.value && tells && !(data.blinded && physical) ? exportNumber(*trial.value) : kNotAvailable) << exportNumber(trial.exploration_s) << exportNumber(trial.answer_s) << exportNumber(pausedOf(trial.fidelityJson));
+          << (trial.value && tells && !(data.blinded && physical) ? exportNumber(*trial.value) : kNotAvailable) << (timed ? exportNumber(trial.exploration_s) : kNotAvailable)
+          << (timed ? exportNumber(trial.answer_s) : kNotAvailable) << exportNumber(pausedOf(trial.fidelityJson));
 }
 
 void addMark(QStringList& cells, const StudyExportData& data, const StudyTrial& trial) {

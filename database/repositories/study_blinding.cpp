@@ -144,7 +144,7 @@ void addTrials(ParticipantQuality& quality, const std::vector<StudyTrial>& trial
         quality.practice += trial.practice ? 1 : 0;
         const bool scored = !trial.practice && !trial.undone && trial.spoiled.empty();
         quality.scored += scored ? 1 : 0;
-        if (scored) {
+        if (scored && trial.exploration_s > 0.0) { // simulated without rendering: nothing was explored
             times.push_back(trial.exploration_s);
         }
         if (!trial.practice && !trial.spoiled.empty()) {

@@ -13,6 +13,7 @@
 #include <QJsonObject>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chiron::desktop {
 
@@ -94,7 +95,7 @@ QWidget* TrialsPageOfRun::table(const RunFacts& run) const {
         else
             put(countsColumn, tr("Counts"))->setIcon(theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good));
         shown->item(row, countsColumn)->setToolTip(shown->item(row, countsColumn)->text());
-        put(timeColumn, study_words::number(trial.exploration_s, locale));
+        put(timeColumn, study_words::number(trial.exploration_s > 0.0 ? trial.exploration_s : std::numeric_limits<double>::quiet_NaN(), locale));
         put(forceColumn, study_words::number(numberIn(fidelity, "peak_force_N"), locale));
         put(speedColumn, study_words::number(1e3 * numberIn(fidelity, "mean_speed_m_per_s"), locale));
         put(lateColumn, study_words::percent(numberIn(fidelity, "late_ticks"), locale));

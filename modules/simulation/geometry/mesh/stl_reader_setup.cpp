@@ -127,9 +127,10 @@ ReadMesh readText(std::string_view bytes, double scale, MeshReport& report) {
 } // namespace
 
 ReadMesh readStl(std::string_view bytes, double metresPerUnit, MeshReport& report) {
-    const bool textual = bytes.substr(0, 5) == "solid";
-    // binary files may begin with "solid" too: the length tells
-    if (bytes.size() >= kBegin && (!textual || bytes.size() == expectedSize(bytes)))
+    // Binary files may begin with "solid", too. Text holds no zero bytes, and the number of triangles always has one.
+    static_assert(TriangleMesh::kMostTriangles < 1U << 24);
+    const bool textual = bytes.substr(0, 5) == "solid" && bytes.substr(0, kBegin).find('\0') == std::string_view::npos;
+    if (bytes.size() >= kBegin && !textual)
         return readBinary(bytes, metresPerUnit, report);
     if (textual)
         return readText(bytes, metresPerUnit, report);

@@ -218,12 +218,13 @@ private slots:
         const auto written = site.writeTo(folder, false);
         QVERIFY2(written, written ? "" : written.error().message.c_str());
         const QByteArray trials = bytesOf(folder + "/trials.csv");
-        for (const char* name : {"force_measured", "force_error_rms", "late_ticks", "worst_lateness", "saturated", "duration", "peak_force", "mean_speed", "contacts", "rendering_error"}) {
+        for (const char* name : {"force_measured", "force_error_rms", "late_ticks", "worst_lateness", "saturated", "duration", "peak_force", "mean_speed", "contacts", "rendering_error", "exploration_time", "response_time"}) {
             const QList<QByteArray> cells = column(trials, ',', name);
             QVERIFY(!cells.isEmpty());
             for (const QByteArray& cell : cells)
                 QVERIFY2(cell == "n/a", (QByteArray(name) + ": " + cell).constData());
         }
+        QCOMPARE(column(bytesOf(folder + "/quality.csv"), ',', "exploration_time").front(), QByteArray("n/a"));
     }
     void fidelityHasNoNumberOfWhatWasNotMeasured() {
         using simulation::ComparedAttribute;

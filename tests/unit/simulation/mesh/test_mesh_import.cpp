@@ -256,6 +256,10 @@ private slots:
         row("STL with NaN", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\n", false, MeshProblem::badNumber, "line 4");
         row("binary STL cut off", binary.substr(0, binary.size() - 20), false, MeshProblem::truncated, "");
         row("binary STL, header alone", binary.substr(0, 60), false, MeshProblem::truncated, "byte 60");
+        std::string named = binary; // as some programs write it: words, then spaces
+        named.replace(0, 80, "solid of a program" + std::string(62, ' '));
+        const std::string end = "byte " + std::to_string(named.size() - 20);
+        row("binary STL called solid, cut off", named.substr(0, named.size() - 20), false, MeshProblem::truncated, end.c_str());
         std::string spoiled = binary;
         for (std::size_t i = 0; i < 4; ++i)
             spoiled[84 + 50 * 3 + 12 + i] = static_cast<char>(0xff); // a NaN
