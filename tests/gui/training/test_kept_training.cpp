@@ -90,6 +90,7 @@ haptics::DisplayState overLimits() {
         for (double& f : tool.tissue)
             f *= -5.5;
         tool.p_WT_m[2] -= 0.012;
+        tool.rendersForce = !tool.rendersForce; // drawn at the surface
         tool.jaw_rad = 0.04;
     }
     state.trial = 2;
@@ -148,8 +149,8 @@ std::vector<session::LiveSample> samplesOf(const haptics::DisplayState& state, d
         }
         for (std::size_t k = 0; k < 4; ++k)
             sample.q_WT[k] = static_cast<float>(state.tool[0].q_WT[k]);
-        sample.tissueNorm_N = static_cast<float>(1.6 * share);
-        sample.speed_m_per_s = static_cast<float>(0.02 * (1.0 - share));
+        sample.tissueNorm_N = static_cast<float>(share * std::hypot(state.tool[0].tissue[0], state.tool[0].tissue[1], state.tool[0].tissue[2]));
+        sample.speed_m_per_s = static_cast<float>(0.02 * (1.0 - share) + (i % 200 < 100 ? 0.01 : 0.0));
         sample.phase = state.phase;
         sample.paused = state.paused;
         samples.push_back(sample);
@@ -275,7 +276,7 @@ private:
     }
     /// The screen, and of what draws itself what it draws at a size of its own.
     static QStringList outline(desktop::TrainingScreen& screen) {
-        QStringList lines = tests::ScreenOutline::of(screen);
+        QStringList lines = tests::ScreenOutline::of(screen, true);
         lines.removeIf([](const QString& line) { return line.contains(QLatin1String("QScrollBar")) || line.contains(QLatin1String("524287")); }); // Qt's own
         for (QWidget* widget : screen.findChildren<QWidget*>()) {
             const QString kind = QString::fromLatin1(widget->metaObject()->className());
