@@ -25,8 +25,10 @@ namespace chiron::tests {
 /// can be reached. Without what differs from run to run: dates, digests, codes that are drawn, and where exactly things lie on the screen.
 class ScreenOutline {
 public:
-    static QStringList of(const QWidget& page) {
+    /// `grids`: also how a grid's rows and columns stretch, and the gaps between them.
+    static QStringList of(const QWidget& page, bool grids = false) {
         ScreenOutline outline;
+        outline.m_grids = grids;
         outline.add(page, 0);
         return outline.m_lines;
     }
@@ -62,6 +64,15 @@ private:
         line(depth, QStringLiteral("%1 %2 %3,%4,%5,%6").arg(QLatin1String(layout.metaObject()->className())).arg(layout.spacing()).arg(m.left()).arg(m.top()).arg(m.right()).arg(m.bottom()));
         const auto* box = qobject_cast<const QBoxLayout*>(&layout);
         const auto* grid = qobject_cast<const QGridLayout*>(&layout);
+        if (grid && m_grids) {
+            QStringList stretches;
+            for (int column = 0; column < grid->columnCount(); ++column)
+                stretches << QString::number(grid->columnStretch(column));
+            stretches << QStringLiteral("rows");
+            for (int row = 0; row < grid->rowCount(); ++row)
+                stretches << QString::number(grid->rowStretch(row));
+            line(depth + 1, QStringLiteral("gaps %1x%2, stretches %3").arg(grid->horizontalSpacing()).arg(grid->verticalSpacing()).arg(stretches.join(QLatin1Char(' '))));
+        }
         for (int i = 0; i < layout.count(); ++i) {
             QLayoutItem* item = layout.itemAt(i);
             if (isOfWaiting(item->widget()) || (item->spacerItem() && item->sizeHint().isEmpty()))
@@ -212,6 +223,7 @@ private:
     }
 
     QStringList m_lines;
+    bool m_grids = false;
 };
 
 } // namespace chiron::tests

@@ -189,9 +189,11 @@ void addPalpation(std::map<QString, Scene>& scenes) {
 Scene urethra(const QStringList& states, bool stricture = false) {
     Scene scene{stricture ? samples::shippedCanal() : samples::urethraPictures().at(states.front()).setup, {}};
     if (stricture) {
-        auto& anatomy = std::get<simulation::UrethraInsertionParameters>(scene.setup.parameters).anatomy;
-        anatomy.changes[0].centre_m = 0.085;
-        anatomy.changeCount = 1;
+        auto& parameters = std::get<simulation::UrethraInsertionParameters>(scene.setup.parameters);
+        parameters.anatomy.changes[0].centre_m = 0.085;
+        parameters.anatomy.changeCount = 1;
+        parameters.landmarks.push_back({"lesion", 1.0, 0.4});
+        parameters.landmarks.push_back({"diverticulum", 0.7, 2.2});
     }
     const auto pictures = samples::urethraPictures();
     for (const QString& name : states) {
