@@ -33,7 +33,11 @@ public:
     }
 
 private:
-    static QString said(const QString& text) { return withoutToday(text.left(400)).replace(QLatin1Char('\n'), QLatin1Char('|')).simplified(); }
+    /// Why a scene is flat is the machine's: no OpenGL, or no part of three dimensions built.
+    static QString said(const QString& text) {
+        static const QRegularExpression why(QStringLiteral("(Drawn in two dimensions: )[^.]*"));
+        return withoutToday(text.left(400)).replace(why, QStringLiteral("\\1…")).replace(QLatin1Char('\n'), QLatin1Char('|')).simplified();
+    }
 
     void line(int depth, const QString& text) { m_lines << QString(depth, QLatin1Char(' ')) + text; }
 
