@@ -15,9 +15,9 @@ namespace {
 
 // A4 in logical pixels of 1/96 inch, and what is kept free around the body.
 constexpr int kResolution = 1200;
-constexpr double kPixel = kResolution / 96.0;
-constexpr double kPageWidth = 210.0 / 25.4 * 96.0;
-constexpr double kPageHeight = 297.0 / 25.4 * 96.0;
+constexpr double kPixelsPerInch = 96.0;
+constexpr double kPageWidth = 210.0 / 25.4 * kPixelsPerInch;
+constexpr double kPageHeight = 297.0 / 25.4 * kPixelsPerInch;
 constexpr double kHeaderHeight = 78.0;
 constexpr double kFooterHeight = 62.0;
 constexpr double kBodyHeight = kPageHeight - kHeaderHeight - kFooterHeight;
@@ -64,17 +64,20 @@ void configure(QPdfWriter& writer, const PageFrame& frame) {
     writer.setCreator(frame.creator);
 }
 
-bool paintPages(QPdfWriter& writer, const PageFrame& frame, const std::vector<Block>& blocks, const PlotTheme& theme) {
+} // namespace
+
+bool paintPages(QPagedPaintDevice& device, const PageFrame& frame, const std::vector<Block>& blocks, const PlotTheme& theme) {
     const auto pages = paginate(blocks, kBodyHeight);
+    const double pixel = device.logicalDpiX() / kPixelsPerInch;
     QCPPainter painter;
-    if (!painter.begin(&writer))
+    if (!painter.begin(&device))
         return false;
     painter.setMode(QCPPainter::pmVectorized);
     for (std::size_t i = 0; i < pages.size(); ++i) {
-        if (i > 0 && !writer.newPage())
+        if (i > 0 && !device.newPage())
             return false;
         painter.resetTransform();
-        painter.scale(kPixel, kPixel);
+        painter.scale(pixel, pixel);
         paintHeader(painter, frame, theme);
         paintFooter(painter, frame, theme, static_cast<int>(i) + 1, static_cast<int>(pages.size()));
         for (const PlacedBlock& placed : pages[i]) {
@@ -86,8 +89,6 @@ bool paintPages(QPdfWriter& writer, const PageFrame& frame, const std::vector<Bl
     }
     return painter.end();
 }
-
-} // namespace
 
 core::Result<void> writePages(const QString& path, const PageFrame& frame, const std::vector<Block>& blocks, const PlotTheme& theme) {
     QSaveFile file(path);

@@ -8,6 +8,8 @@
 #include <QString>
 #include <vector>
 
+class QPagedPaintDevice;
+
 namespace chiron::report {
 
 /// What stands around the body of every page, and in the file's own properties.
@@ -26,5 +28,8 @@ inline constexpr double kPageBodyWidth = 210.0 / 25.4 * 96.0 - 2 * kPageSide;
 /// Puts blocks made for kPageBodyWidth on A4 pages: PDF/A-1b with embedded fonts, vectors. Needs a QApplication. GUI thread; replaces
 /// `path` only when the whole file is written. Failure: storage, naming the path.
 core::Result<void> writePages(const QString& path, const PageFrame& frame, const std::vector<Block>& blocks, const PlotTheme& theme);
+
+/// The same pages on somebody's own device, at its resolution. False where it cannot be painted on, or gives no further page. GUI thread.
+bool paintPages(QPagedPaintDevice& device, const PageFrame& frame, const std::vector<Block>& blocks, const PlotTheme& theme);
 
 } // namespace chiron::report

@@ -78,6 +78,11 @@ core::Result<void> writeSessionPdf(const QString& path, const ReportData& data, 
     return writePages(path, frameOf(data, theme), content.blocks(), theme);
 }
 
+bool paintSession(QPagedPaintDevice& device, const ReportData& data, const PlotTheme& theme) {
+    const ReportBlocks content(data, theme, kPageBodyWidth);
+    return paintPages(device, frameOf(data, theme), content.blocks(), theme);
+}
+
 core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const ReportData& data,
                                                     const PlotTheme& theme) {
     const QDir directory(folder);

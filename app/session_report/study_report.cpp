@@ -32,14 +32,8 @@ core::Result<StudyReportData> dataOf(database::StudyReader& reader, database::St
     return StudyReportData{std::move(*analysis), std::move(*participants), std::move(*answers), language};
 }
 
-} // namespace
-
-core::Result<void> writeStudyReport(const QString& path, database::StudyReader& reader, database::StudyNumber study,
-                                    const report::PlotTheme& theme, const std::string& language) {
-    const auto data = dataOf(reader, study, language);
-    if (!data)
-        return tl::unexpected(data.error());
-    const database::StudySummary& summary = data->analysis.record.summary;
+report::PageFrame frameOf(const StudyReportData& data) {
+    const database::StudySummary& summary = data.analysis.record.summary;
     const QString key = QString::fromStdString(summary.key);
     const QString sha256 = QString::fromStdString(summary.sha256);
     report::PageFrame frame;
@@ -48,8 +42,29 @@ core::Result<void> writeStudyReport(const QString& path, database::StudyReader& 
     frame.proof = sha256;
     frame.title = QStringLiteral("Chiron study report: %1, design %2").arg(key, sha256);
     frame.creator = QStringLiteral("Chiron");
+    return frame;
+}
+
+} // namespace
+
+core::Result<void> writeStudyReport(const QString& path, database::StudyReader& reader, database::StudyNumber study,
+                                    const report::PlotTheme& theme, const std::string& language) {
+    const auto data = dataOf(reader, study, language);
+    if (!data)
+        return tl::unexpected(data.error());
     const StudyReportBlocks content(*data, theme, report::kPageBodyWidth);
-    return report::writePages(path, frame, content.blocks(), theme);
+    return report::writePages(path, frameOf(*data), content.blocks(), theme);
+}
+
+core::Result<void> paintStudyReport(QPagedPaintDevice& device, database::StudyReader& reader, database::StudyNumber study,
+                                    const report::PlotTheme& theme, const std::string& language) {
+    const auto data = dataOf(reader, study, language);
+    if (!data)
+        return tl::unexpected(data.error());
+    const StudyReportBlocks content(*data, theme, report::kPageBodyWidth);
+    if (!report::paintPages(device, frameOf(*data), content.blocks(), theme))
+        return core::fail(core::ErrorCode::storage, "study " + std::to_string(study) + ": the pages could not be drawn");
+    return {};
 }
 
 } // namespace chiron::session_report

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "support/of_today.h"
+
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QBoxLayout>
@@ -11,7 +13,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
-#include <QRegularExpression>
 #include <QTableView>
 #include <QWidget>
 
@@ -34,17 +35,10 @@ public:
     }
 
 private:
-    /// Days, times of day, sizes of files, digests, folders and the codes of participants are of today, and become one 0.
+    /// Why a scene is flat is the machine's: no OpenGL, or no part of three dimensions built.
     static QString said(const QString& text) {
-        static const QRegularExpression digest(QStringLiteral("\\b[0-9a-f]{8,}\\b")),
-            day(QStringLiteral("\\b((Mon|Tue|Wed|Thu|Fri|Sat|Sun)[a-z]*,? )?([0-9]{1,2} )?(Jan|Feb|Mar|Apr|May|Jun|Jul|Aug|Sep|Oct|Nov|Dec)[a-z]*( [0-9]{1,2})?(,? [0-9]{4})?\\b")),
-            hour(QStringLiteral("\\b[0-9]{1,2}:[0-9]{2}(:[0-9]{2})?([\\x{202f}\\x{00a0} ](AM|PM))?")), isoDay(QStringLiteral("\\b20[0-9]{2}-[0-9]{2}-[0-9]{2}\\b")),
-            folder(QStringLiteral("/[^ ]*/")), code(QStringLiteral("\\b[0-9A-Z]{3}-[0-9A-Z]{3}\\b")),
-            shortDay(QStringLiteral("\\b[0-9]{1,2}/[0-9]{1,2}/[0-9]{4}\\b")), size(QStringLiteral("\\b[0-9.]+[\\x{202f}\\x{00a0} ](kB|MB|GB|TB)\\b"));
-        QString out = text.left(400);
-        for (const QRegularExpression& ofToday : {code, digest, isoDay, shortDay, day, hour, size})
-            out.replace(ofToday, QStringLiteral("0"));
-        return out.replace(folder, QStringLiteral("/…/")).replace(QLatin1Char('\n'), QLatin1Char('|')).simplified();
+        static const QRegularExpression why(QStringLiteral("(Drawn in two dimensions: )[^.]*"));
+        return withoutToday(text.left(400)).replace(why, QStringLiteral("\\1…")).replace(QLatin1Char('\n'), QLatin1Char('|')).simplified();
     }
 
     void line(int depth, const QString& text) { m_lines << QString(depth, QLatin1Char(' ')) + text; }

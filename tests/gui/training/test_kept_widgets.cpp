@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the desktop paints by hand, as it was looked at (support/kept_pictures.h): bars, dials, plots that scroll, charts, pictures of exercises.
+// What the desktop paints by hand: bars, dials, plots that scroll, charts, pictures of exercises. As it was looked at (support/kept_pictures.h),
+// and as lines of what is painted (support/paint_outline.h). Kept anew, and the difference read:
+// CHIRON_STORE_PICTURES=1 CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/training/test_kept_widgets
 #include "catalogue/catalogue.h"
 #include "desktop/debrief/band_bar.h"
 #include "desktop/home/exercise_picture.h"
@@ -15,6 +17,8 @@
 #include "desktop/training/target_bar.h"
 #include "session/playback_track.h"
 #include "support/kept_pictures.h"
+#include "support/kept_text.h"
+#include "support/paint_outline.h"
 
 #include <QtTest>
 #include <cmath>
@@ -178,11 +182,15 @@ private slots:
                                                                                         : QSize(look.px(420), std::max(size.height(), look.px(24))));
         const QString differs = m_kept.differs(QLatin1String(QTest::currentDataTag()), widget.grab().toImage());
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
+        const QString outline = m_outlines.differs(QLatin1String(QTest::currentDataTag()), tests::OutlineDevice::of(widget));
+        QVERIFY2(outline.isEmpty(), qPrintable(outline));
     }
+    void nothingElseIsKept() { QCOMPARE(m_outlines.unseen(), QStringList()); }
 
 private:
     catalogue::Catalogue m_catalogue = *catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
     tests::KeptPictures m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/training/kept_widgets.json")};
+    tests::KeptText m_outlines{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/training/kept_widgets.txt")};
 };
 
 QTEST_MAIN(TestKeptWidgets)
