@@ -133,6 +133,11 @@ void addObjects(std::map<QString, Scene>& scenes) {
     addPictures(scenes, QStringLiteral("ovary"), pictures, {QStringLiteral("ovary_lying"), QStringLiteral("ovary_carried"), QStringLiteral("ovary_squeezed")});
     addPictures(scenes, QStringLiteral("ovary_organ"), pictures, {QStringLiteral("ovary_organ")});
     Scene& bed = scenes[QStringLiteral("ovary_organ")];
+    const auto narrow = [](SceneSetup& setup) { std::get<simulation::ObjectHandlingParameters>(setup.parameters).bedMesh.halfAxisY_m = 0.070; }; // x and y are told apart
+    narrow(bed.setup);
+    for (Step& step : bed.steps)
+        if (step.setup)
+            narrow(*step.setup);
     SceneState pressed = bed.steps.front().state; // the second tool presses, and one body is taken
     pressed.tool[1] = samples::grasper({-0.012, -0.010, 0.001}, true, 0.2);
     pressed.laparoscopy.body[0].heldBy = 2;
