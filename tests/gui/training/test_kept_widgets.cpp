@@ -228,9 +228,9 @@ private slots:
                       : size.width() < look.px(200) && size.width() < size.height() * 4 ? size
                                                                                         : QSize(look.px(420), std::max(size.height(), look.px(24))));
         const QString differs = m_kept.differs(QLatin1String(QTest::currentDataTag()), widget.grab().toImage());
-        QVERIFY2(differs.isEmpty(), qPrintable(differs));
         const QString outline = m_outlines.differs(QLatin1String(QTest::currentDataTag()), tests::OutlineDevice::of(widget));
         QVERIFY2(outline.isEmpty(), qPrintable(outline));
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
     void nothingElseIsKept() { QCOMPARE(m_outlines.unseen(), QStringList()); }
 
