@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every scene, flat and in three dimensions, as it was looked at (support/kept_pictures.h). On a display with OpenGL those of three
-// dimensions, else the flat ones.
+// dimensions, else the flat ones, these as lines of what is painted, too (support/paint_outline.h), as are the faces that both have.
+// CHIRON_STORE_PICTURES=1 CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/scene3d/test_kept_scenes
+#include "desktop/scene3d/laparoscopy_dial.h"
+#include "desktop/scene3d/palpation/finding_flag.h"
+#include "desktop/scene3d/palpation/map_legend.h"
 #include "desktop/scene3d/scene_loader.h"
+#include "desktop/scene3d/urethra_insertion/notice_painter.h"
 #include "gui/scene3d/picture_states.h"
 #include "support/kept_pictures.h"
+#include "support/kept_text.h"
+#include "support/paint_outline.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -39,6 +46,33 @@ std::map<QString, Kept> all() {
     pictures["tube_large_contrast"].setup.colours = samples::highContrast();
     pictures["tube_large_contrast"].setup.scale = 1.5;
     return pictures;
+}
+
+/// What is painted on faces in the scene: bars, legends of maps, flags of findings, the notice.
+std::map<QString, std::function<void(QPainter&)>> faces() {
+    std::map<QString, std::function<void(QPainter&)>> all;
+    const auto add = [&all](const char* name, auto paint) {
+        for (const bool dark : {false, true})
+            all[QStringLiteral("face_%1%2").arg(QLatin1String(name), dark ? QStringLiteral(" dark") : QString())] = [paint, dark](QPainter& painter) {
+                SceneSetup setup = samples::palpationSetup(samples::Tissue::pad);
+                if (dark) {
+                    setup.colours = samples::dark();
+                    setup.scale = 1.5;
+                }
+                paint(painter, setup);
+            };
+    };
+    add("force_bar", [](QPainter& painter, const SceneSetup&) { GaugePainter(samples::setup(), forceDial(samples::setup())).paint(painter); });
+    add("bar_with_band", [](QPainter& painter, const SceneSetup& setup) { GaugePainter(setup, {QStringLiteral("Tension (N)"), 3.0, 2.5, 1.05, 1.35}).paint(painter); });
+    for (const auto kind : {core::SurfaceMapKind::coverage, core::SurfaceMapKind::force})
+        add(kind == core::SurfaceMapKind::force ? "legend_force" : "legend_coverage", [kind](QPainter& painter, const SceneSetup& setup) { MapLegend(setup, kind, 37).paint(painter); });
+    for (const auto& [name, outcome] : {std::pair{"flag_open", core::FindingOutcome::open}, {"flag_hit", core::FindingOutcome::hit}, {"flag_false_alarm", core::FindingOutcome::falseAlarm}})
+        add(name, [of = outcome](QPainter& painter, const SceneSetup& setup) {
+            paintFindingFlag(painter, QRectF(10, 10, 40, 60), {1, of, false}, setup);
+            paintFindingFlag(painter, QRectF(60, 10, 40, 60), {2, of, true}, setup);
+        });
+    add("notice", [](QPainter& painter, const SceneSetup& setup) { NoticePainter(setup).paint(painter, QRectF(0, 0, 400, 300), 1.0); });
+    return all;
 }
 
 } // namespace
@@ -83,6 +117,8 @@ private slots:
             scene.view->show(picture.state);
             QCoreApplication::processEvents();
             image = window.grab().toImage();
+            const QString outline = m_outlines.differs(name, tests::OutlineDevice::of(window));
+            QVERIFY2(outline.isEmpty(), qPrintable(outline));
         } else {
             int same = 0;
             for (int i = 0; i < 40 && same < 3; ++i) { // a newly shown part arrives over some frames, on a busy machine over more
@@ -98,10 +134,32 @@ private slots:
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
 
+    void faceIsPaintedAsItWas_data() {
+        QTest::addColumn<QString>("name");
+        for (const auto& [name, paint] : faces())
+            QTest::newRow(qPrintable(name)) << name;
+    }
+    void faceIsPaintedAsItWas() {
+        if (!m_flat)
+            QSKIP("the same faces as without OpenGL");
+        QFETCH(QString, name);
+        tests::OutlineDevice device(QSize(600, 500));
+        QPainter painter(&device);
+        faces().at(name)(painter);
+        painter.end();
+        const QString outline = m_outlines.differs(name, device.take());
+        QVERIFY2(outline.isEmpty(), qPrintable(outline));
+    }
+    void nothingElseIsKept() {
+        if (m_flat)
+            QCOMPARE(m_outlines.unseen(), QStringList());
+    }
+
 private:
     bool m_flat = true;
     std::map<QString, Kept> m_all = all();
     tests::KeptPictures m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/scene3d/kept_scenes.json")};
+    tests::KeptText m_outlines{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/scene3d/kept_flat_scenes.txt")};
 };
 
 QTEST_MAIN(TestKeptScenes)

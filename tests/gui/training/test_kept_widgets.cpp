@@ -5,7 +5,12 @@
 #include "catalogue/catalogue.h"
 #include "desktop/debrief/band_bar.h"
 #include "desktop/home/exercise_picture.h"
+#include "desktop/people/people_model.h"
+#include "desktop/people/role_chips.h"
 #include "desktop/playback/scrubber.h"
+#include "desktop/plots/palpation_map_view.h"
+#include "desktop/plots/plot_theme_of.h"
+#include "desktop/sessions/plain_cell_delegate.h"
 #include "desktop/station/lateness_chart.h"
 #include "desktop/study_run/places_view.h"
 #include "desktop/training/force_bar.h"
@@ -20,6 +25,8 @@
 #include "support/kept_text.h"
 #include "support/paint_outline.h"
 
+#include <QStandardItemModel>
+#include <QTableView>
 #include <QtTest>
 #include <cmath>
 
@@ -29,6 +36,43 @@ using namespace chiron::desktop;
 namespace {
 
 using Made = std::unique_ptr<QWidget>;
+
+/// Cells of a table by a delegate of its own: plain, with a sign, in a colour, too long, selected.
+Made cells(const Theme& theme, bool chips) {
+    auto view = std::make_unique<QTableView>();
+    auto* model = new QStandardItemModel(2, 3, view.get());
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 3; ++column) {
+            auto* item = new QStandardItem(column == 2 ? QStringLiteral("far too long for the room of a cell") : QStringLiteral("cell %1").arg(column));
+            if (chips)
+                item->setData(column == 0 ? QStringList{QStringLiteral("Trainer")} : QStringList{QStringLiteral("Trainee"), QStringLiteral("Researcher")}, PeopleModel::kChips);
+            else if (column == 1) {
+                item->setData(static_cast<int>(Qt::AlignRight | Qt::AlignVCenter), Qt::TextAlignmentRole);
+                item->setData(theme.color(Colour::bad), Qt::ForegroundRole);
+            } else if (row == 0 && column == 0)
+                item->setData(theme.icon("object-unlocked"), Qt::DecorationRole);
+            model->setItem(row, column, item);
+        }
+    view->setModel(model);
+    view->setItemDelegate(chips ? static_cast<QAbstractItemDelegate*>(new RoleChips(theme, view.get())) : new PlainCellDelegate(theme, view.get()));
+    view->selectionModel()->select(model->index(1, 0), QItemSelectionModel::Select | QItemSelectionModel::Rows);
+    return view;
+}
+
+Made palpationMap(const Theme& theme, const QLocale& locale) {
+    simulation::SurfaceMap map({0.04, 0.03}, 0.0045, 0.5);
+    for (int i = 0; i < 30; ++i)
+        map.press({-0.03 + 0.002 * i, 0.01 * std::sin(0.4 * i)}, 0.25 * i);
+    report::PalpationMapView view;
+    view.kind = core::SurfaceMapKind::force;
+    view.lumps = {{0.010, 0.005, 0.006, 0.005, 3, true}, {-0.020, -0.015, 0.004, 0.004, 5, false}};
+    view.findings = {{1, 0.012, 0.004, 0.006, core::FindingOutcome::hit, true}, {2, 0.030, -0.020, 0.0, core::FindingOutcome::falseAlarm, false},
+                     {3, -0.030, 0.020, 0.005, core::FindingOutcome::open, false}};
+    auto widget = std::make_unique<PalpationMapView>(plotThemeOf(theme, locale));
+    widget->setMinimumSize(theme.px(560), theme.px(380));
+    widget->show(map, view);
+    return widget;
+}
 
 std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const catalogue::Catalogue& catalogue) {
     std::map<QString, Made> all;
@@ -125,6 +169,9 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const
     scrubber->setComments({25.0});
     scrubber->setPosition(14.0);
     all[QStringLiteral("scrubber")] = std::move(scrubber);
+    all[QStringLiteral("palpation_map")] = palpationMap(theme, locale);
+    for (const bool chips : {false, true})
+        all[chips ? QStringLiteral("cells_chips") : QStringLiteral("cells_plain")] = cells(theme, chips);
     // ---- what an exercise and a comparison look like ----
     for (const catalogue::Exercise& exercise : catalogue.exercises())
         for (const std::size_t i : {std::size_t{0}, exercise.levels.size() - 1})
@@ -181,9 +228,9 @@ private slots:
                       : size.width() < look.px(200) && size.width() < size.height() * 4 ? size
                                                                                         : QSize(look.px(420), std::max(size.height(), look.px(24))));
         const QString differs = m_kept.differs(QLatin1String(QTest::currentDataTag()), widget.grab().toImage());
-        QVERIFY2(differs.isEmpty(), qPrintable(differs));
         const QString outline = m_outlines.differs(QLatin1String(QTest::currentDataTag()), tests::OutlineDevice::of(widget));
         QVERIFY2(outline.isEmpty(), qPrintable(outline));
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
     void nothingElseIsKept() { QCOMPARE(m_outlines.unseen(), QStringList()); }
 

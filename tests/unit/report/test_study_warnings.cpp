@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "session_report/study_report_words.h"
 #include "session_report/study_warning_words.h"
 
 #include <QSet>
 #include <QTranslator>
 #include <QtTest>
+#include <cmath>
 
 using namespace chiron;
 using psychophysics::EstimateMethod;
@@ -18,6 +20,12 @@ static void initialiseCatalogues() { Q_INIT_RESOURCE(i18n); }
 class TestStudyWarnings : public QObject {
     Q_OBJECT
 private slots:
+    /// Three digits, without an exponent from 0.00001 to ten millions.
+    void numbersHaveThreeDigits() {
+        for (const auto& [value, words] : {std::pair{0.0, "0"}, {1.0, "1.00"}, {-12.345, "-12.3"}, {123.45, "123"}, {1234567.0, "1234567"}, {12345678.0, "1.23e+07"},
+                                           {0.00001234, "0.0000123"}, {0.000001234, "1.23e-06"}, {std::nan(""), "–"}})
+            QCOMPARE(chiron::session_report::study_report_words::number(value, QLocale::c()), QString::fromUtf8(words));
+    }
     void initTestCase() { initialiseCatalogues(); }
     void everyKindHasWords_data();
     void everyKindHasWords();
