@@ -32,12 +32,17 @@ core::Result<StudyReportData> dataOf(database::StudyReader& reader, database::St
     return StudyReportData{std::move(*analysis), std::move(*participants), std::move(*answers), language};
 }
 
+/// By itself: lupdate loses the words' context in a function that returns a type of another namespace.
+QString heading() {
+    return Words::tr("Study report");
+}
+
 report::PageFrame frameOf(const StudyReportData& data) {
     const database::StudySummary& summary = data.analysis.record.summary;
     const QString key = QString::fromStdString(summary.key);
     const QString sha256 = QString::fromStdString(summary.sha256);
     report::PageFrame frame;
-    frame.heading = Words::tr("Study report");
+    frame.heading = heading();
     frame.who = QStringLiteral("%1 · %2").arg(key, study_report_words::state(summary.state));
     frame.proof = sha256;
     frame.title = QStringLiteral("Chiron study report: %1, design %2").arg(key, sha256);
