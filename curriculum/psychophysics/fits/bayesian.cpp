@@ -8,6 +8,7 @@
 #include "psychophysics/fits/posterior_region.h"
 #include "psychophysics/fits/posterior_summary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -126,15 +127,10 @@ void beginAtStep(FitResult& result, const PosteriorModel& model, const FitOption
     }
 }
 
-/// The likeliest curve of all and what most of the posterior holds are two things, and where answers say little (or the intervals are another prior's)
-/// the first may lie outside of the second: a reader must not take it for a printing error.
-void warnOfMode(FitResult& result) {
-    const auto outside = [](double value, const FitInterval& interval) { return value < interval.low || value > interval.high; };
-    const bool threshold = outside(result.threshold, result.ci.threshold), width = outside(result.width, result.ci.width);
-    if (threshold || width) {
-        result.warnings.push_back(std::string("mode_outside: the likeliest curve has its ") + (!width ? "threshold" : threshold ? "threshold and width" : "width") +
-                                  " outside of the interval, because answers tell curves hardly apart; go by the interval");
-    }
+/// A prior that is open at one end may only add to an interval: alone it also draws in the other end, and the threshold's.
+void holdBoth(FitInterval& interval, const FitInterval& other) {
+    interval.low = std::min(interval.low, other.low);
+    interval.high = std::max(interval.high, other.high);
 }
 
 void takeIntervals(FitResult& result, const Posterior& posterior, const FitOptions& options) {
@@ -143,7 +139,6 @@ void takeIntervals(FitResult& result, const Posterior& posterior, const FitOptio
     beginAtStep(result, posterior.model, options);
     warnOfWidthPrior(result, posterior, options);
     warnOfPriors(result, posterior.parts, posterior.model);
-    warnOfMode(result);
 }
 
 } // namespace
@@ -176,7 +171,17 @@ FitResult fitBayesian(const PsychometricData& data, const FitOptions& given) {
     result.freeParameters = free.count();
     summarise(result, levels);
     addMeans(result, posterior.parts, levels, options);
-    takeIntervals(result, options.widthPrior == WidthPrior::automatic ? forIntervals(std::move(posterior)) : posterior, options);
+    if (options.widthPrior == WidthPrior::automatic) {
+        FitOptions endsAlone = options;
+        endsAlone.draws = endsAlone.curvePoints = 0;
+        addIntervals(result, posterior.parts, posterior.model.priors, posterior.model.levels, endsAlone);
+        const ParameterIntervals before = result.ci;
+        takeIntervals(result, forIntervals(std::move(posterior)), options);
+        holdBoth(result.ci.threshold, before.threshold);
+        holdBoth(result.ci.width, before.width);
+    } else {
+        takeIntervals(result, posterior, options);
+    }
     addCurve(result, levels, options);
     addGoodnessOfFit(result, data, options);
     addWarnings(result, levels, options);
