@@ -130,11 +130,18 @@ private slots:
 
 /// A posterior is right when its intervals hold what the priors say they hold.
 void TestFitCoverage::observersFromThePriors() {
-    const Covered covered = simulate(true, 0.0, [](const PsychometricData& data) { return fitBayesian(data, FitOptions{}); });
+    FitOptions theirs; // the priors that they come from: neither too few nor too many
+    theirs.widthPrior = WidthPrior::psignifit;
+    const Covered covered = simulate(true, 0.0, [&](const PsychometricData& data) { return fitBayesian(data, theirs); });
     print("Bayesian, observers and overdispersion from the priors", covered);
     QCOMPARE(covered.unfitted, 0);
     QVERIFY(accepted(covered.threshold));
     QVERIFY(accepted(covered.width));
+    // What is opened where the prior would decide holds what it held before, and more.
+    const Covered opened = simulate(true, 0.0, [](const PsychometricData& data) { return fitBayesian(data, FitOptions{}); });
+    print("Bayesian, the same observers, a prior that opens", opened);
+    QCOMPARE(opened.unfitted, 0);
+    QVERIFY(opened.threshold >= covered.threshold && opened.width >= covered.width);
 }
 
 void TestFitCoverage::overdispersedAnswers() {
