@@ -15,7 +15,9 @@ namespace chiron::tests {
 /// anew: with CHIRON_STORE_OUTLINES set nothing is compared, the file is written at the end, and its difference is read in review.
 class KeptText {
 public:
-    explicit KeptText(QString file) : m_file(std::move(file)) {
+    using Same = bool (*)(const QString& was, const QString& is);
+    /// `same`: which lines count as the same; by default only equal ones.
+    explicit KeptText(QString file, Same same = [](const QString& was, const QString& is) { return was == is; }) : m_file(std::move(file)), m_same(same) {
         QFile stored(m_file);
         if (!stored.open(QIODevice::ReadOnly))
             return;
@@ -45,8 +47,8 @@ public:
         if (kept.isEmpty())
             return name + QStringLiteral(": nothing is kept of this. ") + kAnew;
         for (qsizetype i = 0; i < std::max(kept.size(), lines.size()); ++i)
-            if (!isSame(kept.value(i), lines.value(i)))
-                return QStringLiteral("%1, line %2\n   was: %3\n   is:  %4\n%5").arg(name).arg(i + 1).arg(kept.value(i).left(600), lines.value(i).left(600), kAnew);
+            if (!m_same(kept.value(i), lines.value(i)))
+                return QStringLiteral("%1, line %2\n   was: %3\n   is:  %4\n%5").arg(name + stepAt(lines, i)).arg(i + 1).arg(kept.value(i).left(600), lines.value(i).left(600), kAnew);
         return {};
     }
     /// What is kept and was not held against anything: of something that is gone.
@@ -60,7 +62,7 @@ public:
 
     /// Outside of quotes numbers with a point may differ by their last digit (0.1, or 0.2 % of large ones), which rounding decides; all else is
     /// the same.
-    static bool isSame(const QString& was, const QString& is) {
+    static bool nearly(const QString& was, const QString& is) {
         if (was == is)
             return true;
         static const QRegularExpression number(QStringLiteral("-?[0-9]+\\.[0-9]+"));
@@ -82,10 +84,18 @@ public:
     }
 
 private:
+    /// A section's step ("-- as it is made") that a line is of.
+    static QString stepAt(const QStringList& lines, qsizetype at) {
+        for (qsizetype i = std::min(at, lines.size() - 1); i >= 0; --i)
+            if (lines[i].startsWith(QLatin1String("-- ")))
+                return QStringLiteral(", ") + lines[i].mid(3);
+        return {};
+    }
     static bool keeps() { return qEnvironmentVariableIsSet("CHIRON_STORE_OUTLINES"); }
     static inline const QString kAnew = QStringLiteral("If it should be so, run the whole test once with CHIRON_STORE_OUTLINES=1, and read the difference of the kept file.");
 
     QString m_file;
+    Same m_same;
     QMap<QString, QStringList> m_kept, m_seen;
 };
 

@@ -48,7 +48,7 @@ private:
     std::unique_ptr<DesktopFixture> m_site;
     std::optional<database::Actor> m_tina;
     database::Actor m_rhea = database::Actor::simulated(); ///< until she has logged in
-    KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/review/kept_reports.txt")};
+    KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/review/kept_reports.txt"), &KeptText::nearly};
 };
 
 void TestKeptReports::initTestCase() {

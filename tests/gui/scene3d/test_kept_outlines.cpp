@@ -6,10 +6,10 @@
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/scene3d/scene_plugin.h"
 #include "gui/scene3d/picture_states.h"
+#include "support/kept_text.h"
 #include "support/scene_outline.h"
 
 #include <QApplication>
-#include <QFile>
 #include <QLocale>
 #include <QResizeEvent>
 #include <QTest>
@@ -242,15 +242,6 @@ private slots:
         QLocale::setDefault(QLocale::c());
         m_plugin = loadScenePlugin(QStringLiteral(CHIRON_BINARY_DIR "/app/desktop"));
         QVERIFY2(m_plugin.make, qPrintable(m_plugin.why));
-        QFile file(kFile);
-        if (!file.open(QIODevice::ReadOnly))
-            return;
-        QString name;
-        for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n')))
-            if (line.startsWith(QLatin1String("== ")))
-                name = line.mid(3);
-            else if (!line.isEmpty())
-                m_kept[name] << line;
     }
     void isMadeAsItWas_data() {
         QTest::addColumn<QString>("name");
@@ -280,33 +271,13 @@ private slots:
             view->show(state);
             now << QStringLiteral("-- ") + step.name << outline.of(*root);
         }
-        m_now[name] = now;
-        if (qEnvironmentVariableIsSet("CHIRON_STORE_OUTLINES"))
-            return;
-        const QStringList kept = m_kept.value(name);
-        QVERIFY2(!kept.isEmpty(), "nothing is kept of this scene: see the head of this file");
-        QString step, path;
-        for (qsizetype i = 0; i < std::max(kept.size(), now.size()); ++i) {
-            if (now.value(i).startsWith(QLatin1String("-- ")))
-                step = now.value(i).mid(3);
-            else if (now.value(i).startsWith(QLatin1Char('0')))
-                path = now.value(i);
-            QVERIFY2(kept.value(i) == now.value(i), qPrintable(QStringLiteral("\"%1\", at %2, line %3\n   was: %4\n   is:  %5").arg(step, path).arg(i + 1).arg(kept.value(i).left(600), now.value(i).left(600))));
-        }
+        const QString differs = m_kept.differs(name, now);
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
     /// What nobody asks for again is no longer kept.
     void keepsNothingOfNoScene() {
-        if (!qEnvironmentVariableIsSet("CHIRON_STORE_OUTLINES"))
-            for (auto it = m_kept.begin(); it != m_kept.end(); ++it)
-                QVERIFY2(m_all.count(it.key()) == 1, qPrintable(it.key()));
-    }
-    void cleanupTestCase() {
-        if (!qEnvironmentVariableIsSet("CHIRON_STORE_OUTLINES"))
-            return;
-        QFile file(kFile);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        for (auto it = m_now.begin(); it != m_now.end(); ++it)
-            file.write((QStringLiteral("== ") + it.key() + QLatin1Char('\n') + it.value().join(QLatin1Char('\n')) + QLatin1Char('\n')).toUtf8());
+        for (const QString& name : m_kept.unseen())
+            QVERIFY2(m_all.count(name) == 1, qPrintable(name));
     }
 
 private:
@@ -317,10 +288,9 @@ private:
         QCoreApplication::sendEvent(&window, &event);
     }
 
-    const QString kFile = QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/scene3d/kept_outlines.txt");
     ScenePlugin m_plugin;
     std::map<QString, Scene> m_all = all();
-    QMap<QString, QStringList> m_kept, m_now;
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/scene3d/kept_outlines.txt")};
 };
 
 QTEST_MAIN(TestKeptOutlines)

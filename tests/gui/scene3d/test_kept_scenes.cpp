@@ -159,7 +159,7 @@ private:
     bool m_flat = true;
     std::map<QString, Kept> m_all = all();
     tests::KeptPictures m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/scene3d/kept_scenes.json")};
-    tests::KeptText m_outlines{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/scene3d/kept_flat_scenes.txt")};
+    tests::KeptText m_outlines{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/scene3d/kept_flat_scenes.txt"), &tests::KeptText::nearly};
 };
 
 QTEST_MAIN(TestKeptScenes)

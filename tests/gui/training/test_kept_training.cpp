@@ -2,7 +2,7 @@
 // The training screen of every level, against what was looked at and kept: how it is made (support/screen_outline.h), and what its
 // panels say and draw of moments that are given to them by hand, so that nothing is of this run: no session begins, since the screen
 // begins one when it has been painted. A change that is meant is kept anew, and the difference is read in review:
-// CHIRON_STORE_TRAINING=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/training/test_kept_training
+// CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/training/test_kept_training
 #include "desktop/training/control_bar.h"
 #include "desktop/training/force_notice.h"
 #include "desktop/training/force_words.h"
@@ -12,9 +12,9 @@
 #include "desktop/training/training_screen.h"
 #include "support/desktop_fixture.h"
 #include "support/drawing_outline.h"
+#include "support/kept_text.h"
 #include "support/screen_outline.h"
 
-#include <QFile>
 #include <QProgressBar>
 
 #include <algorithm>
@@ -167,15 +167,6 @@ private slots:
         m_desktop = std::make_unique<tests::DesktopFixture>();
         m_desktop->logIn("tina");
         m_desktop->window->resize(1280, 720);
-        QFile file(kFile);
-        if (!file.open(QIODevice::ReadOnly))
-            return;
-        QString name;
-        for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n')))
-            if (line.startsWith(QLatin1String("== ")))
-                name = line.mid(3);
-            else if (!line.isEmpty())
-                m_kept[name] << line;
     }
     void isMadeAsItWas_data() {
         QTest::addColumn<QVariantMap>("plan");
@@ -244,29 +235,17 @@ private slots:
         }
         QVERIFY2(!screen->feed(), "a session has begun");
         const QString name = QLatin1String(QTest::currentDataTag());
-        m_now[name] = now;
         m_desktop->go(QStringLiteral("settings"));
-        if (qEnvironmentVariableIsSet("CHIRON_STORE_TRAINING"))
-            return;
-        const QStringList kept = m_kept.value(name);
-        QVERIFY2(!kept.isEmpty(), "nothing is kept of this level: see the head of this file");
-        for (qsizetype i = 0; i < std::max(kept.size(), now.size()); ++i)
-            QVERIFY2(kept.value(i) == now.value(i), qPrintable(QStringLiteral("line %1\n   was: %2\n   is:  %3").arg(i + 1).arg(kept.value(i).left(600), now.value(i).left(600))));
+        const QString differs = m_kept.differs(name, now);
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
+        ++m_held;
     }
     /// What nobody asks for again is no longer kept.
     void keepsNothingOfNoLevel() {
-        if (!qEnvironmentVariableIsSet("CHIRON_STORE_TRAINING") && m_now.size() > 1) // not of one row alone
-            QCOMPARE(m_kept.keys(), m_now.keys());
+        if (m_held > 1) // not of one row alone
+            QCOMPARE(m_kept.unseen(), QStringList());
     }
-    void cleanupTestCase() {
-        if (qEnvironmentVariableIsSet("CHIRON_STORE_TRAINING")) {
-            QFile file(kFile);
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            for (auto it = m_now.begin(); it != m_now.end(); ++it)
-                file.write((QStringLiteral("== ") + it.key() + QLatin1Char('\n') + it.value().join(QLatin1Char('\n')) + QLatin1Char('\n')).toUtf8());
-        }
-        m_desktop.reset();
-    }
+    void cleanupTestCase() { m_desktop.reset(); }
 
 private:
     /// Of what a line tells.
@@ -295,9 +274,9 @@ private:
         return lines;
     }
 
-    const QString kFile = QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/training/kept_training.txt");
     std::unique_ptr<tests::DesktopFixture> m_desktop;
-    QMap<QString, QStringList> m_kept, m_now;
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/training/kept_training.txt")};
+    int m_held = 0;
 };
 
 QTEST_MAIN(TestKeptTraining)

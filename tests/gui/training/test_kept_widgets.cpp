@@ -237,7 +237,7 @@ private slots:
 private:
     catalogue::Catalogue m_catalogue = *catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
     tests::KeptPictures m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/training/kept_widgets.json")};
-    tests::KeptText m_outlines{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/training/kept_widgets.txt")};
+    tests::KeptText m_outlines{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/training/kept_widgets.txt"), &tests::KeptText::nearly};
 };
 
 QTEST_MAIN(TestKeptWidgets)

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How every screen is made (support/screen_outline.h), against what was looked at and kept: a widget that is in no layout any more, a
 // margin, a name that a screen reader says, a row of a table. A change that is meant is kept anew, and the difference is read in review:
-// CHIRON_STORE_SCREENS=1 xvfb-run -a build/release/tests/gui/whole/test_kept_screens
+// CHIRON_STORE_OUTLINES=1 xvfb-run -a build/release/tests/gui/whole/test_kept_screens
 #include "desktop/screen_catalogue.h"
 #include "support/every_place.h"
+#include "support/kept_text.h"
 #include "support/screen_outline.h"
 #include "support/settled.h"
-
-#include <QFile>
 
 using namespace chiron;
 
@@ -19,15 +18,6 @@ private slots:
         const tests::VisitedSessions sessions = tests::addVisitedSessions(*m_desktop);
         m_places = tests::everyPlace(sessions, tests::addVisitedStudies(*m_desktop));
         m_desktop->window->resize(1280, 720);
-        QFile file(kFile);
-        if (!file.open(QIODevice::ReadOnly))
-            return;
-        QString name;
-        for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n')))
-            if (line.startsWith(QLatin1String("== ")))
-                name = line.mid(3);
-            else if (!line.isEmpty())
-                m_kept[name] << line;
     }
     void isMadeAsItWas_data() {
         QTest::addColumn<int>("index");
@@ -48,30 +38,23 @@ private slots:
             quiet = next == now && tests::waitUntilLoaded(*m_desktop) ? quiet + 1 : 0;
             now = next;
         }
-        m_now[name] = now;
-        if (qEnvironmentVariableIsSet("CHIRON_STORE_SCREENS"))
-            return;
-        const QStringList kept = m_kept.value(name);
-        QVERIFY2(!kept.isEmpty(), "nothing is kept of this screen: see the head of this file");
-        for (qsizetype i = 0; i < std::max(kept.size(), now.size()); ++i)
-            QVERIFY2(kept.value(i) == now.value(i), qPrintable(QStringLiteral("line %1\n   was: %2\n   is:  %3").arg(i + 1).arg(kept.value(i).left(300), now.value(i).left(300))));
+        const QString differs = m_kept.differs(name, now);
+        QVERIFY2(differs.isEmpty(), qPrintable(differs));
+        ++m_held;
     }
-    void cleanupTestCase() {
-        if (qEnvironmentVariableIsSet("CHIRON_STORE_SCREENS")) {
-            QFile file(kFile);
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            for (auto it = m_now.begin(); it != m_now.end(); ++it)
-                file.write((QStringLiteral("== ") + it.key() + QLatin1Char('\n') + it.value().join(QLatin1Char('\n')) + QLatin1Char('\n')).toUtf8());
-        }
-        m_desktop.reset();
+    /// What nobody asks for again is no longer kept.
+    void keepsNothingOfNoScreen() {
+        if (m_held > 1) // not of one row alone
+            QCOMPARE(m_kept.unseen(), QStringList());
     }
+    void cleanupTestCase() { m_desktop.reset(); }
 
 private:
-    const QString kFile = QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/whole/kept_screens.txt");
     std::unique_ptr<tests::DesktopFixture> m_desktop;
     std::vector<tests::VisitedPlace> m_places;
     std::string m_person;
-    QMap<QString, QStringList> m_kept, m_now;
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/whole/kept_screens.txt")};
+    int m_held = 0;
 };
 
 QTEST_MAIN(TestKeptScreens)
