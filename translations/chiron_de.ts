@@ -2805,8 +2805,8 @@ Möchten Sie die Datei ersetzen?</translation>
         </translation>
     </message>
     <message>
-        <source>Comparison (study)</source>
-        <translation>Vergleich (Studie)</translation>
+        <source>Study</source>
+        <translation>Studie</translation>
     </message>
 </context>
 <context>

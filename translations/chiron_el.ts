@@ -2805,8 +2805,8 @@ Do you want to replace it?</source>
         </translation>
     </message>
     <message>
-        <source>Comparison (study)</source>
-        <translation>Σύγκριση (μελέτη)</translation>
+        <source>Study</source>
+        <translation>Μελέτη</translation>
     </message>
 </context>
 <context>

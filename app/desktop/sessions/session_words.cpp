@@ -115,6 +115,6 @@ QString SessionWords::bytes(std::uint64_t bytes, const QLocale& locale) {
     return locale.formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
 }
 
-QString SessionWords::comparison() { return tr("Comparison (study)"); }
+QString SessionWords::comparison() { return tr("Study"); }
 
 } // namespace chiron::desktop
