@@ -25,7 +25,8 @@ class Mutant:
     state: str = "not run"
     by: str = ""
     old: str = ""
-    reached: int = field(default=0)
+    passed: set = field(default_factory=set)  # the tests that come by it and did not notice
+    ended: bool = False  # nothing is left to try
 
     def applied(self, text):
         return text[: self.start] + self.new + text[self.end:]
@@ -150,6 +151,8 @@ def dropped_statements(text):
             continue
         if word in KEYWORDS or statement.count("(") != statement.count(")"):
             continue
+        if re.search(r"(?:\.|->)reserve\([^;]*\);$", statement):
+            continue  # room set aside beforehand changes no result
         before = text[: match.start()].rstrip()
         if before and before[-1] not in ";{}:)" and not before.endswith("else"):
             continue  # goes on from the line before
