@@ -79,11 +79,11 @@ QJsonObject sceneForces(const catalogue::Catalogue& catalogue) {
 }
 
 /// A dome with friction through loop, passivity controller and supervisor: what the device was commanded.
-QJsonArray commandedForces() {
+QJsonArray commandedForces(const simulation::SphereApexParameters& ball) {
     tests::BenchDevice device(tests::circlingPath);
     haptics::LiveInputs inputs;
     tests::FrameStore frames;
-    tests::LoopBench bench({{device, {}}}, inputs, frames, tests::apexScene());
+    tests::LoopBench bench({{device, {}}}, inputs, frames, tests::apexScene(ball));
     inputs.post({core::CommandKind::start});
     realtime::TickSource ticks;
     Sums sums;
@@ -94,6 +94,14 @@ QJsonArray commandedForces() {
         sums.add(frame.header.index, {c[0], c[1], c[2], c[3], c[4], c[5]}, 0, 1);
     }
     return sums.json();
+}
+
+/// A ball whose dimple reaches into the circle of the bench's path; the sweep's paths walk past that of the level.
+simulation::SphereApexParameters dimpledBall() {
+    simulation::SphereApexParameters ball = tests::benchExercise();
+    ball.dimpleDepth_m = 0.0015;
+    ball.dimpleRadius_m = 0.009;
+    return ball;
 }
 
 double largest(const QJsonValue& value) {
@@ -123,6 +131,7 @@ private slots:
     void initTestCase();
     void forcesAreTheStoredOnes();
     void everyLevelIsFelt();
+    void theDimpleIsFelt();
 
 private:
     QJsonObject m_now;
@@ -131,7 +140,8 @@ private:
 void TestModelsId::initTestCase() {
     core::setModelFloatingPointEnvironment();
     m_now = sceneForces(*catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content"));
-    m_now[QStringLiteral("loop")] = commandedForces();
+    m_now[QStringLiteral("loop")] = commandedForces(tests::benchExercise());
+    m_now[QStringLiteral("loop, dimple")] = commandedForces(dimpledBall());
     if (qEnvironmentVariableIsSet("CHIRON_STORE_MODEL_FORCES")) {
         QFile file(kFile);
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -167,6 +177,10 @@ void TestModelsId::forcesAreTheStoredOnes() {
 void TestModelsId::everyLevelIsFelt() {
     for (const QString& key : m_now.keys())
         QVERIFY2(largest(m_now[key]) > 1.0, qPrintable(key)); // N × ticks: a path that touches nothing watches over nothing
+}
+
+void TestModelsId::theDimpleIsFelt() {
+    QVERIFY(difference(m_now[QStringLiteral("loop")], m_now[QStringLiteral("loop, dimple")]) > 1.0);
 }
 
 QTEST_GUILESS_MAIN(TestModelsId)
