@@ -4,21 +4,30 @@
 #include "support/of_today.h"
 
 #include <QAbstractButton>
+#include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QDateEdit>
+#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListView>
+#include <QPlainTextEdit>
 #include <QProgressBar>
+#include <QScrollBar>
+#include <QSpinBox>
+#include <QTabBar>
 #include <QTableView>
 #include <QWidget>
 
 #include <qcustomplot.h>
 
 #include <cmath>
+#include <map>
 
 namespace chiron::tests {
 
@@ -117,11 +126,50 @@ private:
         return parts.join(QStringLiteral(", "));
     }
 
+    /// The colour that most of a sign has: signs are of one colour each.
+    static QString inkOf(const QImage& picture) {
+        std::map<QRgb, int> inks;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                if (const QRgb dot = picture.pixel(x, y); qAlpha(dot) == 255)
+                    ++inks[dot];
+        const auto most = std::max_element(inks.begin(), inks.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+        return most == inks.end() ? QStringLiteral("thin") : QColor(most->first).name();
+    }
+    static QString icon(const QIcon& icon, const QSize& size) {
+        return icon.isNull() ? QString() : QStringLiteral(" icon %1x%2 %3").arg(size.width()).arg(size.height()).arg(inkOf(icon.pixmap(QSize(32, 32), 1.0).toImage()));
+    }
+    /// What may be typed or turned to.
+    static QString range(const QWidget& widget) {
+        if (const auto* whole = qobject_cast<const QSpinBox*>(&widget))
+            return QStringLiteral("%1 of %2 to %3 by %4 \"%5\" \"%6\"").arg(whole->value()).arg(whole->minimum()).arg(whole->maximum()).arg(whole->singleStep()).arg(whole->prefix(), whole->suffix());
+        if (const auto* real = qobject_cast<const QDoubleSpinBox*>(&widget))
+            return QStringLiteral("%1 of %2 to %3 by %4 \"%5\" \"%6\" digits %7").arg(number(real->value()), number(real->minimum()), number(real->maximum()), number(real->singleStep()),
+                                                                                        real->prefix(), real->suffix()).arg(real->decimals());
+        if (const auto* date = qobject_cast<const QDateEdit*>(&widget))
+            return QStringLiteral("day as %1%2").arg(date->displayFormat(), date->calendarPopup() ? QStringLiteral(" popup") : QString());
+        if (const auto* slider = qobject_cast<const QAbstractSlider*>(&widget); slider && !qobject_cast<const QScrollBar*>(slider)) // a scroll bar is of where things lie
+            return QStringLiteral("%1 of %2 to %3 by %4/%5").arg(slider->value()).arg(slider->minimum()).arg(slider->maximum()).arg(slider->singleStep()).arg(slider->pageStep());
+        if (const auto* text = qobject_cast<const QPlainTextEdit*>(&widget))
+            return QStringLiteral("\"%1\" for \"%2\"%3%4").arg(said(text->toPlainText()), said(text->placeholderText()), text->isReadOnly() ? QStringLiteral(" read only") : QString(),
+                                                               text->tabChangesFocus() ? QStringLiteral(" tab leaves") : QString());
+        if (const auto* bar = qobject_cast<const QTabBar*>(&widget)) {
+            QStringList tabs;
+            for (int i = 0; i < bar->count(); ++i)
+                tabs << said(bar->tabText(i)) + (i == bar->currentIndex() ? QStringLiteral("*") : QString()) + (bar->isTabEnabled(i) ? QString() : QStringLiteral(" disabled"));
+            return tabs.join(QLatin1Char('/'));
+        }
+        return {};
+    }
+
     static QString words(const QWidget& widget) {
-        if (const auto* label = qobject_cast<const QLabel*>(&widget))
-            return QStringLiteral("\"%1\" %2%3").arg(said(label->text())).arg(static_cast<int>(label->alignment()), 0, 16).arg(label->wordWrap() ? QStringLiteral(" wraps") : QString());
+        if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+            const QPixmap sign = label->pixmap();
+            return QStringLiteral("\"%1\" %2%3%4").arg(said(label->text())).arg(static_cast<int>(label->alignment()), 0, 16).arg(label->wordWrap() ? QStringLiteral(" wraps") : QString(),
+                       sign.isNull() ? QString() : QStringLiteral(" sign %1x%2 %3").arg(sign.width()).arg(sign.height()).arg(inkOf(sign.toImage())));
+        }
         if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
-            return QStringLiteral("\"%1\"%2%3%4").arg(said(button->text()), button->icon().isNull() ? QString() : QStringLiteral(" icon"),
+            return QStringLiteral("\"%1\"%2%3%4").arg(said(button->text()), icon(button->icon(), button->iconSize()),
                                                       button->isCheckable() ? QStringLiteral(" checkable") : QString(), button->isChecked() ? QStringLiteral(" checked") : QString());
         if (const auto* edit = qobject_cast<const QLineEdit*>(&widget))
             return QStringLiteral("\"%1\" for \"%2\" %3 mode %4%5").arg(said(edit->text()), said(edit->placeholderText())).arg(edit->maxLength()).arg(static_cast<int>(edit->echoMode()))
@@ -134,7 +182,7 @@ private:
         }
         if (const auto* box = qobject_cast<const QGroupBox*>(&widget))
             return QStringLiteral("\"%1\"").arg(said(box->title()));
-        return {};
+        return range(widget);
     }
 
     /// The words of a cell, how they stand, and whether there is a picture.
@@ -158,6 +206,14 @@ private:
             for (int column = 0; column < model.columnCount(); ++column)
                 cells << cell(model.index(row, column));
             line(depth, QStringLiteral("row ") + cells.join(QLatin1Char('/')));
+        }
+    }
+
+    /// The lines of a list, as those of a table.
+    void add(const QListView& list, int depth) {
+        for (int row = 0; row < std::min(list.model()->rowCount(), 40); ++row) {
+            const QModelIndex at = list.model()->index(row, 0);
+            line(depth, QStringLiteral("item ") + cell(at) + (at == list.currentIndex() ? QStringLiteral(" *") : QString()));
         }
     }
 
@@ -205,9 +261,14 @@ private:
             add(*table, depth + 1);
             return;
         }
+        if (const auto* list = qobject_cast<const QListView*>(&widget); list && list->model()) {
+            add(*list, depth + 1);
+            return;
+        }
         if (const auto* plot = qobject_cast<const QCustomPlot*>(&widget))
             return add(const_cast<QCustomPlot&>(*plot), depth + 1); // its readers are not const
-        if (qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QLineEdit*>(&widget))
+        if (qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QLineEdit*>(&widget) ||
+            qobject_cast<const QPlainTextEdit*>(&widget) || qobject_cast<const QTabBar*>(&widget) || qobject_cast<const QAbstractSlider*>(&widget))
             return; // what it is made of is Qt's
         if (widget.layout())
             add(*widget.layout(), depth + 1);

@@ -73,7 +73,7 @@ private:
     bool m_saved = true;     ///< and is stored
     bool m_saving = false;
     int m_version = 0;       ///< of the design, counted by changes
-    QTimer m_check;
+    QTimer m_check{this};
     StatePanel* m_panel = nullptr;
     QWidget* m_view = nullptr; ///< head, tabs and page; null until there is a study
     QTabBar* m_bar = nullptr;

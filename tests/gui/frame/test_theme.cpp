@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/theme/theme.h"
 
+#include "support/kept_text.h"
+
 #include <QFile>
+#include <QMetaEnum>
+#include <QPainter>
 #include <QtTest>
 #include <cmath>
 
@@ -84,6 +88,73 @@ private slots:
         QVERIFY(!broken);
         QVERIFY2(QString::fromStdString(broken.error().message).contains(QStringLiteral("themes.dark.accentSoft")), broken.error().message.c_str());
         QVERIFY(!Theme::fromJson("not json", ThemeName::light, 1.0));
+    }
+
+    /// Colours, letters and the sheet of every theme, against what was read and kept: a disabled word that is no longer grey, a margin that
+    /// does not grow with the scale. A change that is meant is kept anew with CHIRON_STORE_OUTLINES=1.
+    void looksAsItDid() {
+        static const QMetaEnum roles = QMetaEnum::fromType<QPalette::ColorRole>();
+        tests::KeptText kept(QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/frame/kept_theme.txt"));
+        for (const auto& [name, look, scale] : {std::tuple{"light", ThemeName::light, 1.0}, {"dark, half as large again", ThemeName::dark, 1.5}, {"high contrast, twice as large", ThemeName::highContrast, 2.0},
+                                                {"light, smaller than the smallest", ThemeName::light, 0.5}}) {
+            const Theme theme = Theme::load(look, scale).value();
+            QStringList lines{QStringLiteral("scale %1, 7 px are %2, name %3").arg(theme.scale()).arg(theme.px(7)).arg(static_cast<int>(theme.name()))};
+            const QPalette palette = theme.palette();
+            for (int i = 0; i < roles.keyCount() && roles.value(i) < QPalette::NColorRoles; ++i)
+                if (const auto role = static_cast<QPalette::ColorRole>(roles.value(i)); palette.isBrushSet(QPalette::Active, role))
+                    lines << QStringLiteral("%1 %2 disabled %3").arg(QLatin1String(roles.key(i)), palette.color(QPalette::Active, role).name(), palette.color(QPalette::Disabled, role).name());
+#define CHIRON_STYLE(style)                                                                                                                                        \
+    lines << QStringLiteral(#style " %1 px, weight %2, %3").arg(theme.font(TextStyle::style).pixelSize()).arg(theme.font(TextStyle::style).weight()).arg(theme.font(TextStyle::style).families().join(QLatin1Char('/')));
+            CHIRON_TEXT_STYLES(CHIRON_STYLE)
+#undef CHIRON_STYLE
+            lines << theme.styleSheet().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+            const QString differs = kept.differs(QLatin1String(name), lines);
+            QVERIFY2(differs.isEmpty(), qPrintable(differs));
+        }
+        QCOMPARE(kept.unseen(), QStringList());
+    }
+
+    /// An icon is all of its one ink, in the size that is asked for; greyed where it is disabled; what is not there is a dot in the middle.
+    void iconsAreOfOneInk() {
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        for (const char* name : {"dialog-error", "no-such-icon"})
+            for (const auto& [mode, ink] : {std::pair{QIcon::Normal, Colour::bad}, {QIcon::Disabled, Colour::muted}}) {
+                const QImage picture = theme.icon(QLatin1String(name), Colour::bad).pixmap(QSize(36, 36), 1.0, mode).toImage().convertToFormat(QImage::Format_ARGB32);
+                QCOMPARE(picture.size(), QSize(36, 36));
+                int solid = 0;
+                for (int y = 0; y < picture.height(); ++y)
+                    for (int x = 0; x < picture.width(); ++x)
+                        if (qAlpha(picture.pixel(x, y)) == 255) {
+                            ++solid;
+                            QCOMPARE(QColor(picture.pixel(x, y)).name(), theme.color(ink).name());
+                        }
+                QVERIFY2(solid > 40, name);
+            }
+        const QImage dot = theme.icon(QStringLiteral("no-such-icon")).pixmap(QSize(40, 20), 1.0).toImage();
+        for (const auto& [x, y, there] : {std::tuple{20, 10, true}, {14, 10, true}, {25, 10, true}, {20, 7, true}, {20, 12, true}, {10, 10, false}, {29, 10, false}, {20, 4, false}, {20, 15, false}})
+            QVERIFY2((qAlpha(dot.pixel(x, y)) > 128) == there, qPrintable(QStringLiteral("%1,%2").arg(x).arg(y)));
+        QImage sheet(60, 60, QImage::Format_ARGB32);
+        sheet.fill(Qt::transparent);
+        QPainter painter(&sheet);
+        theme.icon(QStringLiteral("no-such-icon"), Colour::bad).paint(&painter, QRect(20, 20, 20, 20));
+        painter.end();
+        QCOMPARE(QColor(sheet.pixel(30, 30)).name(), theme.color(Colour::bad).name());
+        QVERIFY(qAlpha(sheet.pixel(22, 22)) == 0 && qAlpha(sheet.pixel(10, 10)) == 0);
+    }
+
+    /// What is wrong in the tokens is said with its place; what is just right is taken.
+    void everyTokenIsAskedFor() {
+        for (const auto& [was, is, place] : {std::tuple{"\"body\": 14", "\"body\": 7", "text_px.body"}, {"\"body\": 14", "\"body\": 8", ""},
+                                             {"\"display\": 700", "\"display\": 99", "text_weight.display"}, {"\"display\": 700", "\"display\": 100", ""},
+                                             {"\"control_px\": 36", "\"control_px\": 23.5", "control_px"}, {"\"control_px\": 36", "\"control_px\": 24", ""},
+                                             {"\"mono_families\"", "\"others\"", "families"}, {"\"families\"", "\"others\"", "families"}}) {
+            QByteArray text = tokens();
+            QVERIFY2(text.contains(was), was);
+            const auto theme = Theme::fromJson(text.replace(was, is), ThemeName::light, 1.0);
+            QCOMPARE(theme.has_value(), *place == '\0');
+            if (!theme)
+                QVERIFY2(QString::fromStdString(theme.error().message).contains(QLatin1String(place)), theme.error().message.c_str());
+        }
     }
 
     void iconsAreThere() {

@@ -134,6 +134,29 @@ private slots:
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
 
+    /// Drawn flat, both views share what room there is: wide, high, small, large and without a reason below them.
+    void roomIsSharedAsItWas_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QSize>("size");
+        for (const char* name : {"apex_playback", "tube_large_contrast", "breast_two_hands", "urethra_i_seen"})
+            for (const QSize& size : {QSize(1000, 320), QSize(340, 760), QSize(210, 160), QSize(1500, 1100)})
+                QTest::addRow("%s in %d x %d", name, size.width(), size.height()) << QString::fromLatin1(name) << size;
+    }
+    void roomIsSharedAsItWas() {
+        if (!m_flat)
+            QSKIP("of the flat scene");
+        QFETCH(QString, name);
+        QFETCH(QSize, size);
+        Kept& picture = m_all.at(name);
+        picture.state.surfaceMap = picture.map.get();
+        const std::unique_ptr<ISceneView> view(makeFlatSceneView(picture.setup, size.width() > 1200 ? QString() : QStringLiteral("Drawn in two dimensions, for a reason that is long."), nullptr));
+        QVERIFY(view->widget()->minimumSizeHint().isValid());
+        view->widget()->resize(size);
+        view->show(picture.state);
+        const QString outline = m_outlines.differs(QLatin1String(QTest::currentDataTag()), tests::OutlineDevice::of(*view->widget()));
+        QVERIFY2(outline.isEmpty(), qPrintable(outline));
+    }
+
     void faceIsPaintedAsItWas_data() {
         QTest::addColumn<QString>("name");
         for (const auto& [name, paint] : faces())
