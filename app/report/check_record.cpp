@@ -17,7 +17,6 @@ namespace {
 
 // A4 in logical pixels of 1/96 inch.
 constexpr int kResolution = 1200;
-constexpr double kPixel = kResolution / 96.0;
 constexpr double kPageWidth = 210.0 / 25.4 * 96.0;
 constexpr double kPageHeight = 297.0 / 25.4 * 96.0;
 constexpr double kSide = 60.0;
@@ -29,12 +28,12 @@ constexpr double kWidth = kPageWidth - 2 * kSide;
 /// Writes from the top of a page to its bottom, then on the next one.
 class Pages {
 public:
-    Pages(QPdfWriter& writer, QCPPainter& painter) : m_writer(writer), m_painter(painter) { scale(); }
+    Pages(QPagedPaintDevice& device, QCPPainter& painter) : m_device(device), m_painter(painter) { scale(); }
 
     /// Room for something this high; `drawn` draws it there.
     template <class Draw> void put(double height, Draw draw) {
         if (m_y + height > kPageHeight - kBottom && m_y > kTop) {
-            m_whole = m_writer.newPage() && m_whole;
+            m_whole = m_device.newPage() && m_whole;
             m_y = kTop;
             scale();
         }
@@ -51,11 +50,12 @@ public:
 
 private:
     void scale() {
+        const double pixel = m_device.logicalDpiX() / 96.0;
         m_painter.resetTransform();
-        m_painter.scale(kPixel, kPixel);
+        m_painter.scale(pixel, pixel);
     }
 
-    QPdfWriter& m_writer;
+    QPagedPaintDevice& m_device;
     QCPPainter& m_painter;
     double m_y = kTop;
     bool m_whole = true;
@@ -82,12 +82,18 @@ void putTable(Pages& pages, QCPPainter& painter, const CheckTable& table, const 
     pages.text(QString(QLatin1Char(' ')), theme.font(8), theme.ink, 0);
 }
 
-bool paint(QPdfWriter& writer, const CheckRecord& record, const PlotTheme& theme) {
+core::Error notWritten(const QString& path, const QString& reason) {
+    return {core::ErrorCode::storage, path.toStdString() + ": was not written: " + reason.toStdString()};
+}
+
+} // namespace
+
+bool paintCheck(QPagedPaintDevice& device, const CheckRecord& record, const PlotTheme& theme) {
     QCPPainter painter;
-    if (!painter.begin(&writer))
+    if (!painter.begin(&device))
         return false;
     painter.setMode(QCPPainter::pmVectorized);
-    Pages pages(writer, painter);
+    Pages pages(device, painter);
     pages.text(record.title, theme.font(18, true), theme.accent, 2);
     pages.text(record.when, theme.font(10), theme.muted, 10);
     pages.text(record.verdict, theme.font(13, true), theme.ink, 6);
@@ -99,12 +105,6 @@ bool paint(QPdfWriter& writer, const CheckRecord& record, const PlotTheme& theme
         pages.put(kPlotHeight, [&](const QRectF& box) { plot->paintTo(painter, box.adjusted(0, 0, 0, -8)); });
     return painter.end() && pages.whole();
 }
-
-core::Error notWritten(const QString& path, const QString& reason) {
-    return {core::ErrorCode::storage, path.toStdString() + ": was not written: " + reason.toStdString()};
-}
-
-} // namespace
 
 core::Result<void> writeCheckPdf(const QString& path, const CheckRecord& record, const PlotTheme& theme) {
     QSaveFile file(path);
@@ -120,7 +120,7 @@ core::Result<void> writeCheckPdf(const QString& path, const CheckRecord& record,
         writer.setPageMargins(QMarginsF(0, 0, 0, 0));
         writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
         writer.setTitle(record.title);
-        if (!paint(writer, record, theme))
+        if (!paintCheck(writer, record, theme))
             return tl::unexpected(notWritten(path, QStringLiteral("the pages could not be drawn")));
     }
     if (file.write(bytes) != bytes.size() || !file.commit())

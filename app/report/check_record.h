@@ -8,6 +8,8 @@
 #include <QStringList>
 #include <vector>
 
+class QPagedPaintDevice;
+
 namespace chiron::report {
 
 class PlotView;
@@ -31,5 +33,8 @@ struct CheckRecord {
 /// Writes it as A4 pages (PDF/A-1b). GUI thread; replaces `path` only when the whole file is written. Fails with storage, naming
 /// the path.
 core::Result<void> writeCheckPdf(const QString& path, const CheckRecord& record, const PlotTheme& theme);
+
+/// The same pages on somebody's own device, at its resolution. False where it cannot be painted on, or gives no further page. GUI thread.
+bool paintCheck(QPagedPaintDevice& device, const CheckRecord& record, const PlotTheme& theme);
 
 } // namespace chiron::report

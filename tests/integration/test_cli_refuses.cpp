@@ -15,6 +15,12 @@ private slots:
     void oneByOne();
     void generatedTables_data();
     void generatedTables();
+    void rangesAreSaid_data();
+    void rangesAreSaid();
+    void endsOfRangesAreTaken_data();
+    void endsOfRangesAreTaken();
+    void filesHaveTheirLimit_data();
+    void filesHaveTheirLimit();
     void passwordsAreNotRepeated();
 
 private:
@@ -103,6 +109,7 @@ void TestCliRefuses::oneByOne_data() {
     row("option with its value only", words("--database x.db"), 2, {"no command given"});
     row("dashes alone", {"--"}, 2, {"--"});
     row("control characters", {QStringLiteral("e\u001b[31mvil\n")}, 2, {"\\u001b", "\\u000a"});
+    row("long password input", words("user list --as ada --password-stdin"), 3, {"stdin: more than 16384 bytes"}, QByteArray(16385, 'x'));
     row("long word", {QString(5000, QLatin1Char('x'))}, 2, {"…"});
     row("group alone", {"device"}, 2, {"device", "second word", "list"});
     row("group with a wrong word", words("device lst"), 2, {"\"lst\"", "list"});
@@ -250,6 +257,92 @@ void TestCliRefuses::generatedTables() {
     QFETCH(QByteArray, input);
     QFETCH(QString, place);
     check(runCli({"evaluate", "hemisphere"}, input), 3, {place});
+}
+
+// Every option that is a number: what is just outside of its range is refused with the range.
+void TestCliRefuses::rangesAreSaid_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QStringList>("outside");
+    QTest::addColumn<QString>("range");
+    const auto option = [](const char* command, const char* name, const char* below, const char* above, const char* range) {
+        QTest::addRow("%s --%s", command, name) << words(command) + QStringList{QStringLiteral("--%1").arg(QLatin1String(name))} << QStringList{QLatin1String(below), QLatin1String(above)}
+                                                << QString::fromLatin1(range);
+    };
+    option("psychophysics compare none.csv --by who", "monte-carlo", "-1", "100001", "a whole number from 0 to 100000");
+    option("psychophysics rank none.csv", "regularise", "-0.001", "1000001", "a number from 0 to 1e+06");
+    option("psychophysics fit none.csv --method ml", "bootstrap", "-1", "1000001", "a whole number from 0 to 1000000");
+    option("psychophysics fit none.csv", "monte-carlo", "-1", "1000001", "a whole number from 0 to 1000000");
+    option("psychophysics fit none.csv", "curve", "-1", "10001", "a whole number from 0 to 10000");
+    option("psychophysics fit none.csv", "confidence", "0.499", "0.9991", "a number from 0.5 to 0.999");
+    option("psychophysics dprime --task mafc --correct 3 --total 5", "m", "1", "1001", "a whole number from 2 to 1000");
+    option("psychophysics dprime --task 2afc", "proportion", "-0.001", "1.001", "a number from 0 to 1");
+    option("psychophysics dprime --task 2afc --total 5", "correct", "-1", "1000000001", "a whole number from 0 to 1000000000");
+    option("study plan stiffness_2afc --observer weber:0.1", "runs", "-1", "100001", "a whole number from 0 to 100000");
+    option("study plan stiffness_2afc --observer weber:0.1 --power", "participants", "1", "100001", "a whole number from 2 to 100000");
+    option("study plan stiffness_2afc --observer weber:0.1 --power", "wanted", "0.009", "0.99991", "a number from 0.01 to 0.9999");
+    option("study plan stiffness_2afc --observer weber:0.1 --power", "alpha", "9e-7", "0.51", "a number from 1e-06 to 0.5");
+    option("study plan stiffness_2afc --observer weber:0.1 --power", "between-sd", "-0.1", "3.1", "a number from 0 to 3");
+    option("study plan stiffness_2afc --observer weber:0.1 --power", "ratio", "0.009", "100.1", "a number from 0.01 to 100");
+    option("study run stiffness_2afc --observer weber:0.1", "trials", "0", "100001", "a whole number from 1 to 100000");
+    option("score 1", "metric-version", "0", "1001", "a whole number from 1 to 1000");
+    option("metrics none.csv", "force-limit", "0.009", "100.1", "a number from 0.01 to 100");
+    option("session list", "limit", "0", "1000001", "a whole number from 1 to 1000000");
+    option("device check", "frequency", "0.049", "5.01", "a number from 0.05 to 5");
+    option("device check", "poses", "0", "10001", "a whole number from 1 to 10000");
+    option("device check", "damping", "0.009", "100.1", "a number from 0.01 to 100");
+    option("device check --mechanism gimbal_hprd", "sample-delay", "-1", "4", "a whole number from 0 to 3");
+    option("train sphere_apex --operator expert", "level", "0", "99", "a whole number from 1 to ");
+    option("train sphere_apex --operator expert", "seed", "-1", "18446744073709551616", "a whole number from 0 to 18446744073709551615");
+}
+
+void TestCliRefuses::rangesAreSaid() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QStringList, outside);
+    QFETCH(QString, range);
+    for (const QString& value : outside)
+        check(runCli(arguments + QStringList{value}), 2, {arguments.constLast(), QStringLiteral("\"%1\": expected %2").arg(value, range)});
+    for (const char* session : {"session show", "session export", "score", "replay"})
+        if (arguments.constLast() == u"--limit")
+            check(runCli(words(session) + QStringList{"0"}), 2, {"ID", "\"0\": expected a whole number from 1 to 9223372036854775807"});
+}
+
+void TestCliRefuses::endsOfRangesAreTaken_data() {
+    QTest::addColumn<QStringList>("arguments");
+    for (const char* line : {"psychophysics dprime --task 2afc --proportion 0 --json", "psychophysics dprime --task 2afc --proportion 1 --json",
+                             "psychophysics dprime --task mafc --m 2 --correct 38 --total 50", "psychophysics dprime --task mafc --m 1000 --correct 38 --total 50",
+                             "psychophysics dprime --task 2afc --correct 0 --total 5 --json", "psychophysics dprime --task 2afc --correct 1000000000 --total 1000000000 --json"})
+        QTest::addRow("%s", line) << words(line);
+}
+
+void TestCliRefuses::endsOfRangesAreTaken() {
+    QFETCH(QStringList, arguments);
+    const CliRun run = runCli(arguments);
+    QVERIFY2(run.ended && run.exitCode == 0, run.err.constData());
+}
+
+// A file larger than any that is meant is not read into memory: the limit is said, and it is the limit that is said.
+void TestCliRefuses::filesHaveTheirLimit_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<qint64>("most");
+    QTest::newRow("people") << QStringList{"user", "import-csv", "FILE", "--as", "ada"} << (qint64{16} << 20);
+    QTest::newRow("parameters") << QStringList{"evaluate", "hemisphere", "--parameters", "FILE"} << (qint64{16} << 20);
+    QTest::newRow("procedure") << QStringList{"psychophysics", "adaptive", "--procedure", "FILE"} << (qint64{16} << 20) + 1;
+    QTest::newRow("study") << QStringList{"study", "plan", "FILE", "--observer", "weber:0.1"} << (qint64{1} << 20);
+    QTest::newRow("table") << QStringList{"psychophysics", "rank", "FILE"} << (qint64{256} << 20);
+    QTest::newRow("mesh") << QStringList{"mesh", "check", "FILE"} << (qint64{256} << 20);
+}
+
+void TestCliRefuses::filesHaveTheirLimit() {
+    QFETCH(QStringList, arguments);
+    QFETCH(qint64, most);
+    const QString path = m_folder.filePath(QStringLiteral("large.json"));
+    QFile large(path);
+    QVERIFY(large.open(QIODevice::WriteOnly) && large.resize(most + 1)); // holds nothing, and takes no room
+    large.close();
+    arguments.replaceInStrings(QStringLiteral("FILE"), path);
+    check(runCli(arguments, kPoint + "0,0,0,0,0,0\n", {{"CHIRON_PASSWORD", "a long password for tests"}}), 3,
+          {path, QStringLiteral("%1 bytes; expected at most %2").arg(most + 1).arg(most)});
+    QVERIFY(large.remove());
 }
 
 void TestCliRefuses::passwordsAreNotRepeated() {

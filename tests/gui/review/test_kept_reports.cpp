@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every page of the printed reports, as lines of what is painted (support/paint_outline.h), against what was read and kept: sessions of each
-// exercise, however they ended, and studies. What a session's recording and scores come to is in it, so that a changed force or metric
-// shows here, too. A change that is meant is kept anew, and the difference is read in review:
+// exercise, however they ended, with what playback shows of them (support/track_outline.h), and studies. What a session's recording and scores
+// come to is in it, so that a changed force or metric shows here, too. A change that is meant is kept anew, and the difference is read in review:
 // CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/review/test_kept_reports
 #include "desktop/debrief/debrief_data.h"
 #include "desktop/debrief/report_words.h"
 #include "desktop/plots/session_words.h"
+#include "report/check_record.h"
 #include "report/plot_view.h"
 #include "report/report_writer.h"
 #include "report/session_plots.h"
@@ -18,6 +19,7 @@
 #include "support/of_today.h"
 #include "support/paint_outline.h"
 #include "support/palpation_session.h"
+#include "support/track_outline.h"
 
 #include <qcustomplot.h>
 
@@ -33,6 +35,7 @@ private slots:
     void studyIsPaintedAsItWas_data();
     void studyIsPaintedAsItWas();
     void comparisonIsPaintedAsItWas();
+    void checkIsPaintedAsItWas();
     void nothingElseIsKept() { QCOMPARE(m_kept.unseen(), QStringList()); }
     void cleanupTestCase() { m_site.reset(); }
 
@@ -155,6 +158,16 @@ void TestKeptReports::sessionIsPaintedAsItWas() {
     QVERIFY(report::paintSession(pages, *data, report::lightTheme(m_site->context.locale())));
     const QString differs = m_kept.differs(QLatin1String(QTest::currentDataTag()), pages.take());
     QVERIFY2(differs.isEmpty(), qPrintable(differs));
+    // And what playback shows of the same session, by its marks' own words.
+    auto stored = session::StoredSession::open(**connection, *m_tina, session);
+    QVERIFY2(stored, stored ? "" : stored.error().message.c_str());
+    auto track = session::buildPlaybackTrack(**stored);
+    const auto card = (*stored)->computeScores();
+    QVERIFY2(track && card, track ? card ? "" : card.error().message.c_str() : track.error().message.c_str());
+    if (track->empty())
+        return;
+    const QString moved = m_kept.differs(QLatin1String(QTest::currentDataTag()) + QStringLiteral(", playback"), TrackOutline(*track, (*stored)->setup().level, *card).lines());
+    QVERIFY2(moved.isEmpty(), qPrintable(moved));
 }
 
 /// Frozen. Of people codes are drawn, whose width would move words from line to line: who does it are programs with codes of their own.
@@ -271,6 +284,32 @@ void TestKeptReports::comparisonIsPaintedAsItWas() {
         data.pointLabel.clear();
         data.unit.clear();
     }
+}
+
+/// A record of a check over two pages: paragraphs, a table that is cut by the page's end, plots.
+void TestKeptReports::checkIsPaintedAsItWas() {
+    const report::PlotTheme theme = report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom));
+    report::PlotView plot(theme);
+    plot.addLine(QStringLiteral("force"), std::vector<double>{0.0, 1.0, 2.0, 3.0}, std::vector<double>{0.5, 1.5, 1.0, 2.0}, report::PlotStyle::solidA);
+    report::CheckRecord record;
+    record.title = QStringLiteral("Verification of a platform");
+    record.when = QStringLiteral("On a Tuesday, in the laboratory");
+    record.verdict = QStringLiteral("It holds.");
+    record.facts = {QStringLiteral("Force within 0.07 N of what was asked for, over three cycles of a sine of one newton at half a hertz, which is what the figure shows, "
+                                   "and angles within two degrees."),
+                    QStringLiteral("Simulated.")};
+    report::CheckTable figures{QStringLiteral("Figures"), {{QStringLiteral("what"), QStringLiteral("here"), QStringLiteral("published")}}};
+    for (int row = 0; row < 34; ++row)
+        figures.lines.push_back({QStringLiteral("row %1").arg(row), row % 9 == 4 ? QStringLiteral("a cell with so many words that it takes more than one line of its column") : QString::number(0.5 * row),
+                                 QStringLiteral("1.95")});
+    figures.lines.insert(figures.lines.begin() + 3, QStringList()); // nothing: left out
+    record.tables = {figures, {QStringLiteral("Fingers"), {{QStringLiteral("finger"), QStringLiteral("rmse")}, {QStringLiteral("soft"), QStringLiteral("0.05")}}}};
+    record.plots = {&plot, &plot};
+    OutlinePages pages;
+    QVERIFY(report::paintCheck(pages, record, theme));
+    QCOMPARE(pages.pages(), 2);
+    const QString differs = m_kept.differs(QStringLiteral("check"), pages.take());
+    QVERIFY2(differs.isEmpty(), qPrintable(differs));
 }
 
 QTEST_MAIN(TestKeptReports)

@@ -5,7 +5,9 @@
 #include "database/query.h"
 
 #include <QCryptographicHash>
+#include <QScopeGuard>
 #include <bit>
+#include <ctime>
 #include <limits>
 
 using namespace chiron;
@@ -17,6 +19,8 @@ class TestSessions : public QObject {
     Q_OBJECT
 private slots:
     void everythingComesBack();
+    void everyFieldIsItsOwn();
+    void listsChooseWhatIsAsked();
     void scoresComeBackBitForBit();
     void contentIsSharedAndHashed();
     void endedSessionsAreClosed();
@@ -73,6 +77,147 @@ void TestSessions::everythingComesBack() {
     QCOMPARE(sessions.trials(*id)->front().sceneJson, std::string(R"({"R_m":0.02})"));
     QCOMPARE(sessions.events(*id)->front().kind, std::string("marked"));
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
+}
+
+// No field stands for another: two sessions that differ in everything, each field with a value that no other has.
+void TestSessions::everyFieldIsItsOwn() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(ada);
+    qputenv("TZ", "XXX-5:45"); // a quarter to six ahead
+    tzset();
+    const auto back = qScopeGuard([] {
+        qunsetenv("TZ");
+        tzset();
+    });
+    NewSession one = someSession();
+    NewSession other{"palpation", 3, R"({"b":2})", 77, "", false, R"({"d":1})", R"({"m":2})", R"({"s":3})", R"({"v":4})", "built", "chip", 2.5, 7, true, true, "/run/other", {9, 8}};
+    const std::vector<TrialRecord> trials{{0, 5, SessionState::stopped, 11, 22, true, false, R"({"t":0})"},
+                                          {1, 0xfedcba9876543210ULL, SessionState::completed, 33, 44, false, true, R"({"t":1})"}};
+    const std::vector<EventRecord> events{{17, 0.017, 1, "first", R"({"e":1})"}, {18, 0.25, 2, "second", R"({"e":2})"}};
+    const std::vector<recording::SecondSummary> seconds{{0, 1, 251, 0.01, 1.5, 0.5, 0.25, 0.125, 3}, {2, 3, 252, 0.02, 2.5, 0.75, 0.375, 0.0625, 4}};
+    recording::Chunk chunk = someChunk(0, 33);
+    const auto begun = f.database->write([&](WriteContext& w) -> core::Result<SessionId> {
+        const auto first = SessionRepository(w.connection(), Actor::simulated()).beginSession(one);
+        return first ? SessionRepository(w.connection(), *ada).beginSession(other) : first;
+    });
+    REQUIRE(begun);
+    QCOMPARE(*begun, SessionId{2});
+    const auto read = [&](SessionId id) {
+        auto reader = f.database->openReader();
+        return SessionReader(**reader, *ada).session(id).value();
+    };
+    QCOMPARE(read(1).setup.ringFile, one.ringFile);
+    QVERIFY(read(2).setup.ringFile == "/run/other" && read(2).summary.state == SessionState::running && read(2).endedUtc.empty());
+    REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
+        SessionRepository sessions(w.connection(), *ada);
+        auto sink = sessions.openSink(2);
+        auto done = sink ? (*sink)->write({&chunk, 1}, seconds) : tl::unexpected(sink.error());
+        for (const TrialRecord& trial : trials) {
+            done = done ? sessions.storeTrial(2, trial) : done;
+        }
+        done = done ? sessions.storeEvents(2, events) : done;
+        done = done ? sessions.finishSession(2, {SessionState::incomplete, 901, 802, 703, R"({"late":1})"}) : done;
+        const auto comment = done ? sessions.addComment(2, "a word", 42) : tl::unexpected(done.error());
+        done = comment ? sessions.setArchived(2, true) : tl::unexpected(comment.error());
+        return done ? sessions.voidSession(2, "the chair fell") : done;
+    }));
+    const SessionRecord got = read(2);
+    const SessionSummary& line = got.summary;
+    QVERIFY(line.id == 2 && line.person == ada->personId() && line.personName == "ada" && line.exercise == "palpation" && line.level == 3);
+    QVERIFY(line.state == SessionState::voided && got.stateBeforeVoid == SessionState::incomplete);
+    QVERIFY(got.voidReason == "the chair fell" && got.voidedBy == ada->personId());
+    QCOMPARE(line.utcOffset_min, 345);
+    QVERIFY(line.operatorName.empty() && !line.felt && line.familiarisation && !line.demonstration && line.archived && !line.recordingErased && !line.passed);
+    QVERIFY(line.ticks == 901 && line.frames == 802 && line.dropped == 703 && line.chunks == 1 && line.recordingBytes == 33 && !line.sealed);
+    QVERIFY(!line.startedUtc.empty() && got.endedUtc >= line.startedUtc);
+    const NewSession& setup = got.setup;
+    QVERIFY(setup.exercise == "palpation" && setup.level == 3 && setup.contentJson == R"({"b":2})" && setup.seed == 77 && setup.operatorName.empty() && !setup.felt);
+    QVERIFY(setup.deviceJson == R"({"d":1})" && setup.mappingJson == R"({"m":2})" && setup.supervisorJson == R"({"s":3})" && setup.versionsJson == R"({"v":4})");
+    QVERIFY(setup.buildId == "built" && setup.cpuClass == "chip" && setup.forceLimit_N == 2.5 && setup.plannedTrials == 7);
+    QVERIFY(setup.familiarisation && setup.realtime && setup.ringFile.empty() && setup.channelTable == (std::vector<std::uint8_t>{9, 8}));
+    QCOMPARE(got.contentSha256, QCryptographicHash::hash(R"({"b":2})", QCryptographicHash::Sha256).toHex().toStdString());
+    QCOMPARE(got.loopJson, std::string(R"({"late":1})"));
+    const SessionRecord first = read(1);
+    QVERIFY(first.setup.buildId == "build" && first.setup.cpuClass == "cpu" && first.setup.plannedTrials == 10 && !first.setup.realtime && !first.setup.familiarisation);
+    QVERIFY(first.summary.felt && !first.summary.archived && first.summary.person == Actor::kSimulatedPerson && !first.stateBeforeVoid && first.voidedBy == 0);
+
+    auto reader = f.database->openReader();
+    SessionReader sessions(**reader, *ada);
+    const auto storedTrials = sessions.trials(2);
+    REQUIRE(storedTrials);
+    QCOMPARE(storedTrials->size(), trials.size());
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const TrialRecord &a = trials[i], &b = storedTrials->at(i);
+        QVERIFY(a.index == b.index && a.seed == b.seed && a.state == b.state && a.firstTick == b.firstTick && a.lastTick == b.lastTick && a.marked == b.marked &&
+                a.timedOut == b.timedOut && a.sceneJson == b.sceneJson);
+    }
+    const auto storedEvents = sessions.events(2);
+    REQUIRE(storedEvents);
+    QCOMPARE(storedEvents->size(), events.size());
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        const EventRecord &a = events[i], &b = storedEvents->at(i);
+        QVERIFY(a.tick == b.tick && a.time_s == b.time_s && a.tool == b.tool && a.kind == b.kind && a.detailJson == b.detailJson);
+    }
+    const auto storedSeconds = sessions.secondSummaries(2);
+    REQUIRE(storedSeconds);
+    QCOMPARE(storedSeconds->size(), seconds.size());
+    for (std::size_t i = 0; i < seconds.size(); ++i) {
+        const recording::SecondSummary &a = seconds[i], &b = storedSeconds->at(i);
+        QVERIFY(a.second == b.second && a.tool == b.tool && a.frames == b.frames && a.pathLength_m == b.pathLength_m && a.maximumForce_N == b.maximumForce_N &&
+                a.meanForce_N == b.meanForce_N && a.impulse_Ns == b.impulse_Ns && a.timeOverLimit_s == b.timeOverLimit_s && a.events == b.events);
+    }
+    const auto comments = sessions.comments(2);
+    REQUIRE(comments);
+    QVERIFY(comments->size() == 1 && comments->front().id == 1 && comments->front().author == ada->personId() && !comments->front().utc.empty() &&
+            comments->front().text == "a word" && comments->front().tick == 42U);
+}
+
+void TestSessions::listsChooseWhatIsAsked() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    REQUIRE(ada);
+    REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
+        for (int i = 0; i < 6; ++i) { // 1, 3, 5 are ada's; 1 to 3 of level 1; 5 and 6 of another exercise; 2 has ended; 4 is archived
+            NewSession setup = someSession();
+            setup.level = i < 3 ? 1 : 2;
+            setup.exercise = i < 4 ? "sphere_apex" : "palpation";
+            if (const auto id = SessionRepository(w.connection(), i % 2 == 0 ? *ada : Actor::simulated()).beginSession(setup); !id) {
+                return tl::unexpected(id.error());
+            }
+        }
+        auto done = SessionRepository(w.connection(), Actor::simulated()).finishSession(2, {});
+        return done ? SessionRepository(w.connection(), *ada).setArchived(4, true) : done;
+    }));
+    auto reader = f.database->openReader();
+    const auto listed = [&](const SessionFilter& filter) {
+        const auto found = SessionReader(**reader, *ada).listSessions(filter);
+        std::vector<SessionId> ids;
+        for (const SessionSummary& each : found.value_or(std::vector<SessionSummary>{})) {
+            ids.push_back(each.id);
+        }
+        return ids;
+    };
+    using Ids = std::vector<SessionId>;
+    const auto with = [&](auto change) {
+        SessionFilter filter;
+        change(filter);
+        return listed(filter);
+    };
+    QCOMPARE(listed({}), (Ids{1, 2, 3, 5, 6}));
+    QCOMPARE(with([](SessionFilter& s) { s.includeArchived = true; }), (Ids{1, 2, 3, 4, 5, 6}));
+    QCOMPARE(with([&](SessionFilter& s) { s.person = ada->personId(); }), (Ids{1, 3, 5}));
+    QCOMPARE(with([](SessionFilter& s) { s.exercise = "palpation"; }), (Ids{5, 6}));
+    QCOMPARE(with([](SessionFilter& s) { s.level = 1; }), (Ids{1, 2, 3}));
+    QCOMPARE(with([](SessionFilter& s) { s.state = SessionState::completed; }), (Ids{2}));
+    QCOMPARE(with([](SessionFilter& s) { s.newestFirst = true; }), (Ids{6, 5, 3, 2, 1}));
+    QCOMPARE(with([](SessionFilter& s) { s.limit = 1; }), (Ids{1}));
+    QCOMPARE(with([](SessionFilter& s) { s.limit = 2, s.newestFirst = true; }), (Ids{6, 5}));
+    QCOMPARE(with([](SessionFilter& s) { s.afterSession = 1; }), (Ids{2, 3, 5, 6}));
+    QCOMPARE(with([](SessionFilter& s) { s.afterSession = 3, s.newestFirst = true; }), (Ids{2, 1}));
+    QCOMPARE(with([](SessionFilter& s) { s.afterSession = 0, s.newestFirst = true, s.limit = 1; }), (Ids{6}));
 }
 
 void TestSessions::scoresComeBackBitForBit() {

@@ -187,10 +187,12 @@ void TestStudyBlinding::qualityIsOfAllConditions() {
     REQUIRE(second);
     store(*second, 0, "", 0.05, 6.0);
     store(*second, 1, "saturation", 0.07, 40.0);
+    store(*second, 2, "", 0.01, 0.0); // simulated without rendering: nothing was explored
     QVERIFY(!quality().whole);
     REQUIRE(as(m_ruth, [&](StudyRepository& s) { return s.finishRun(*second, StudyRunState::completed); }));
     const ParticipantQuality whole = quality();
-    QVERIFY(whole.whole && whole.presentations == 5 && whole.practice == 1 && whole.scored == 2);
+    QVERIFY(whole.whole && whole.presentations == 6 && whole.practice == 1 && whole.scored == 3);
+    QVERIFY(std::abs(whole.lateTicks - 0.034) < 1e-12 && whole.worstLateness_us == 300.0);
     QVERIFY(whole.spoiled.size() == 1 && whole.spoiled[0].first == "saturation" && whole.spoiled[0].second == 2);
     QCOMPARE(whole.exploration_s, 4.0);
 }

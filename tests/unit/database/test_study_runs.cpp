@@ -19,6 +19,7 @@ private slots:
     void consentComesBeforeARun();
     void runsAreOpenOnceAndResumed();
     void trialsComeBackAsStored();
+    void everyFieldIsItsOwn();
     void trialsFollowOnAndStay();
     void sealedCodesCannotBeComputed();
     void answersMustFit();
@@ -125,6 +126,73 @@ void TestStudyRuns::trialsComeBackAsStored() {
     QVERIFY(trials->at(1).session == 0 && std::isnan(trials->at(1).entropyMargin) && trials->at(1).spoiled == "late_ticks");
     QVERIFY(trials->at(2).value == -0.1 - 0.2 && trials->at(2).fidelityJson == "{\"contacts\":3}");
     QCOMPARE(StudyReader(*reader(), m_ruth).study(study)->summary.trials, 1); // neither practice nor spoiled
+}
+
+// No field stands for another: each has a value that no other has.
+void TestStudyRuns::everyFieldIsItsOwn() {
+    (void)frozen("before"); // no number is the same by chance
+    const StudyNumber study = frozen("fields");
+    (void)consented(study);
+    const auto enrolled = write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(study, "", 0, "weber:0.3", "K-1"); });
+    REQUIRE(enrolled);
+    const Participant who = StudyReader(*reader(), m_ruth).participants(study)->at(1);
+    QVERIFY(who.id == enrolled->id && who.study == study && who.code == "K-1" && who.order == 0 && who.state == ParticipantState::enrolled && who.simulated);
+    QVERIFY(who.observer == "weber:0.3" && who.enrolledBy == m_ruth.personId() && !who.enrolledUtc.empty() && !who.recordingsToErase && !who.erased);
+    QVERIFY(who.consentUtc.empty() && who.consentSha256.empty());
+    const Participant person = StudyReader(*reader(), m_ruth).participants(study)->at(0);
+    QVERIFY(!person.simulated && person.observer.empty() && person.state == ParticipantState::consented && person.consentSha256 == consentDigest());
+    const auto run = write(m_ruth, [&](StudyRepository& s) { return s.beginRun({who.id, codeOf(*reader(), study, "hard"), 3, 0xfedcba9876543210ULL, "descending@1,other@2"}); });
+    REQUIRE(run);
+    const auto session = storeSession(*m->database, m_ruth, 1);
+    REQUIRE(session);
+    StudyTrial trial = someTrial(*run, 0, *session);
+    trial.procedure = 1;
+    trial.firstTick = 111;
+    trial.lastTick = 222;
+    trial.candidate = 5;
+    trial.arrangement = 7;
+    trial.difference = -0.125;
+    trial.entropyMargin = 0.375;
+    trial.answer = 9;
+    trial.outcome = 11;
+    trial.value = 0.625;
+    trial.exploration_s = 1.75;
+    trial.answer_s = 0.875;
+    trial.practice = false;
+    trial.spoiled = "speed";
+    trial.utc = "2001-02-03T04:05:06.789Z";
+    StudyTrial plain = someTrial(*run, 1);
+    plain.answer = plain.outcome = -1;
+    plain.practice = true;
+    plain.spoiled.clear();
+    plain.utc = "2002-03-04T05:06:07.890Z";
+    for (const StudyTrial& each : {trial, plain}) {
+        REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.storeStudyTrial(each); }));
+    }
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.finishRun(*run, StudyRunState::stopped); }));
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(study, "all are done"); }));
+    const auto runs = StudyReader(*reader(), m_ruth).runs(who.id);
+    REQUIRE(runs);
+    QCOMPARE(runs->size(), std::size_t{1});
+    const StudyRun& stored = runs->front();
+    QVERIFY(stored.id == *run && stored.participant == who.id && stored.condition == "hard" && stored.sealedCode == codeOf(*reader(), study, "hard"));
+    QVERIFY(stored.position == 3 && stored.seed == 0xfedcba9876543210ULL && stored.procedures == "descending@1,other@2" && stored.state == StudyRunState::stopped);
+    QVERIFY(!stored.startedUtc.empty() && stored.endedUtc >= stored.startedUtc);
+    const auto trials = StudyReader(*reader(), m_ruth).studyTrials(*run);
+    REQUIRE(trials);
+    QCOMPARE(trials->size(), std::size_t{2});
+    for (const auto& [a, b] : {std::pair{trial, trials->at(0)}, {plain, trials->at(1)}}) {
+        QVERIFY(a.run == b.run && a.ordinal == b.ordinal && a.procedure == b.procedure && a.session == b.session && a.firstTick == b.firstTick && a.lastTick == b.lastTick);
+        QVERIFY(a.candidate == b.candidate && a.arrangement == b.arrangement && a.difference == b.difference && a.answer == b.answer && a.outcome == b.outcome);
+        QVERIFY(a.entropyMargin == b.entropyMargin || (std::isnan(a.entropyMargin) && std::isnan(b.entropyMargin)));
+        QVERIFY(a.value == b.value && a.exploration_s == b.exploration_s && a.answer_s == b.answer_s && a.practice == b.practice && !b.undone);
+        QVERIFY(a.spoiled == b.spoiled && a.fidelityJson == b.fidelityJson && a.utc == b.utc);
+    }
+    QVERIFY(trials->at(0).felt == true && trials->at(0).device.empty() && !trials->at(1).felt && trials->at(1).device.empty()); // the session's device has no model
+    const StudySummary line = StudyReader(*reader(), m_ruth).study(study)->summary;
+    QVERIFY(line.id == study && line.key == "fields" && line.title == "Stiffness of fields" && line.state == StudyState::frozen && line.sha256.size() == 64);
+    QVERIFY(line.author == m_ruth.personId() && !line.createdUtc.empty() && line.frozenUtc >= line.createdUtc && line.unblinded && !line.demonstration);
+    QVERIFY(line.participants == 2 && line.completed == 0 && line.trials == 0);
 }
 
 void TestStudyRuns::trialsFollowOnAndStay() {

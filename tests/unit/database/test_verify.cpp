@@ -30,6 +30,8 @@ private slots:
     void forgedHeadIsFound();
     void missingKeyIsTold();
     void scoreCheckIsAskedForEachSession();
+    void watchHearsAllOfIt();
+    void watchEndsIt();
     void noiseIsAFinding();
 
 private:
@@ -295,6 +297,67 @@ void TestVerify::scoreCheckIsAskedForEachSession() {
     QCOMPARE(asked, (std::vector<SessionId>{1, 2, 3}));
     QCOMPARE(report.findings.size(), std::size_t{1});
     QCOMPARE(report.findings[0].kind, std::string("score"));
+}
+
+// From nothing to all of it, in steps of which a session's scores are 500 and a row is one; asked every 64 steps, no oftener.
+void TestVerify::watchHearsAllOfIt() {
+    using Told = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
+    const auto heard = [&](const ScoreCheck& check) {
+        Told told;
+        const VerifyReport report = verifyDatabase(m.path(), m.options, check, [&](std::uint64_t done, std::uint64_t of) {
+            told.emplace_back(done, of);
+            return true;
+        });
+        return report.ok() ? told : Told{};
+    };
+    auto connection = Connection::open(m.path(), Connection::Mode::readOnly);
+    REQUIRE(connection);
+    std::uint64_t rows = 0;
+    for (const DigestedTable& table : digestedTables()) {
+        rows += static_cast<std::uint64_t>(selectInteger(**connection, "SELECT count(*) FROM " + std::string(table.name))->value_or(0));
+    }
+    QVERIFY(rows > 64);
+    Told expected;
+    for (std::uint64_t done = 0; done <= rows; done += 64) {
+        expected.emplace_back(done, rows);
+    }
+    QCOMPARE(heard({}), expected);
+    const auto sound = [](Connection&, SessionId) { return std::vector<Finding>{}; };
+    for (auto& [done, of] : expected) {
+        of = rows + 1500; // three sessions
+    }
+    for (std::uint64_t session = 1; session <= 3; ++session) {
+        expected.emplace_back(rows + 500 * session, rows + 1500);
+    }
+    QCOMPARE(heard(sound), expected);
+}
+
+void TestVerify::watchEndsIt() {
+    for (const int after : {0, 1}) {
+        int asked = 0;
+        std::vector<SessionId> checked;
+        const VerifyReport report = verifyDatabase(
+            m.path(), m.options,
+            [&](Connection&, SessionId id) {
+                checked.push_back(id);
+                return std::vector<Finding>{};
+            },
+            [&](std::uint64_t, std::uint64_t) { return asked++ < after; });
+        QVERIFY(report.cancelled && !report.ok());
+        QCOMPARE(asked, after + 1); // not asked again
+        QCOMPARE(report.rowsChecked, static_cast<std::uint64_t>(64 * after));
+        QVERIFY(report.findings.empty() && checked.empty()); // what was not looked at is not called missing
+    }
+    std::vector<SessionId> checked;
+    const VerifyReport report = verifyDatabase(
+        m.path(), m.options,
+        [&](Connection&, SessionId id) {
+            checked.push_back(id);
+            return std::vector<Finding>{};
+        },
+        [&](std::uint64_t, std::uint64_t) { return checked.size() < 2; });
+    QVERIFY(report.cancelled && report.findings.empty());
+    QCOMPARE(checked, (std::vector<SessionId>{1, 2}));
 }
 
 void TestVerify::noiseIsAFinding() {

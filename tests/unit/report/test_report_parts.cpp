@@ -17,12 +17,18 @@ private slots:
     void everyPeakSurvives();
     void columnsAreBounded();
     void gapsStay();
+    void eachColumnKeepsItsFour();
+    void fourAColumnAreLeftAsTheyAre();
     void partAboveCrossesAtTheLimit();
     void pagesHoldTheirBlocks();
     void headingsGoWithWhatFollows();
     void tableHeadsAreRepeated();
     void aTallBlockGetsItsOwnPage();
+    void blocksStandUnderEachOther();
+    void aPageIsFilledToItsEnd();
     void numbersFollowTheLocale();
+    void digitsFollowTheSize();
+    void whatWasFeltInWords();
     void gatesAndBandsInWords();
     void momentsShowTheirOffset();
 };
@@ -90,6 +96,71 @@ void TestReportParts::gapsStay() {
     QCOMPARE(std::count_if(line.y.begin(), line.y.end(), [](double v) { return std::isnan(v); }), 1);
 }
 
+// As it is said, written down once more: of each column first, lowest, highest and last, a run of what is no number as one gap.
+void TestReportParts::eachColumnKeepsItsFour() {
+    const double nothing = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> x, y;
+    double at = 3.0; // neither even nor from 0
+    for (int i = 0; i < 4000; ++i) {
+        at += 0.01 + 0.009 * std::sin(0.7 * i);
+        x.push_back(at);
+        y.push_back(i % 700 > 680 || i == 100 ? nothing : std::sin(0.013 * i) + 0.3 * std::sin(2.1 * i));
+    }
+    x[50] = nothing;
+    constexpr int columns = 37;
+    Polyline expected;
+    const double width = x.back() - x.front();
+    std::vector<std::size_t> held;
+    const auto keep = [&] {
+        if (held.empty())
+            return;
+        const auto lower = [&](std::size_t a, std::size_t b) { return y[a] < y[b]; };
+        std::vector<std::size_t> four{held.front(), *std::min_element(held.begin(), held.end(), lower), *std::max_element(held.begin(), held.end(), lower), held.back()};
+        std::sort(four.begin(), four.end());
+        four.erase(std::unique(four.begin(), four.end()), four.end());
+        for (const std::size_t i : four) {
+            expected.x.push_back(x[i]);
+            expected.y.push_back(y[i]);
+        }
+        held.clear();
+    };
+    int before = -1;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (!std::isfinite(x[i]) || !std::isfinite(y[i])) {
+            keep();
+            if (std::isfinite(x[i]) && !std::isnan(expected.y.back())) {
+                expected.x.push_back(x[i]);
+                expected.y.push_back(nothing);
+            }
+            continue;
+        }
+        const int column = static_cast<int>(std::floor((x[i] - x.front()) / width * columns));
+        if (column != before)
+            keep();
+        before = column;
+        held.push_back(i);
+    }
+    keep();
+    const Polyline line = decimate(x, y, columns);
+    QVERIFY(line.x == expected.x);
+    QCOMPARE(line.y.size(), expected.y.size());
+    for (std::size_t i = 0; i < line.y.size(); ++i)
+        QVERIFY(line.y[i] == expected.y[i] || (std::isnan(line.y[i]) && std::isnan(expected.y[i])));
+    QVERIFY(line.x.size() > 4 * (columns - 1) && line.x.size() < 4 * columns + 20);
+}
+
+void TestReportParts::fourAColumnAreLeftAsTheyAre() {
+    const auto of = [](std::size_t count, int columns) {
+        const auto x = ramp(count);
+        return decimate(x, std::vector<double>(count, 1.0), columns).x.size();
+    };
+    QCOMPARE(of(400, 100), std::size_t{400});
+    QVERIFY(of(401, 100) < 401);
+    QCOMPARE(of(4, 0), std::size_t{4}); // no columns are one
+    QCOMPARE(of(4, -3), std::size_t{4});
+    QVERIFY(of(5, 0) < 5);
+}
+
 void TestReportParts::partAboveCrossesAtTheLimit() {
     const Polyline line{{0.0, 1.0, 2.0}, {0.0, 4.0, 0.0}};
     const Polyline above = partAbove(line, 1.0);
@@ -145,6 +216,46 @@ void TestReportParts::aTallBlockGetsItsOwnPage() {
     QCOMPARE(pages[1].size(), std::size_t{1});
 }
 
+// Each begins where the one before ended and its own gap has passed; the first of a page at its top, without a gap.
+void TestReportParts::blocksStandUnderEachOther() {
+    auto blocks = rows(5, 20.0);
+    const std::vector<double> gaps{7.0, 3.0, 0.0, 5.0, 9.0};
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        blocks[i].gapBefore = gaps[i];
+    const auto pages = paginate(blocks, 65.0);
+    const std::vector<std::vector<double>> tops{{0.0, 23.0, 43.0}, {0.0, 29.0}};
+    QCOMPARE(pages.size(), tops.size());
+    int next = 0;
+    for (std::size_t page = 0; page < tops.size(); ++page) {
+        QCOMPARE(pages[page].size(), tops[page].size());
+        for (std::size_t i = 0; i < tops[page].size(); ++i) {
+            QCOMPARE(pages[page][i].block, next++);
+            QCOMPARE(pages[page][i].top, tops[page][i]);
+        }
+    }
+}
+
+// What just fits stays, gaps counted; a head is repeated first, and what it heads stands under it with its gap.
+void TestReportParts::aPageIsFilledToItsEnd() {
+    auto blocks = rows(3, 30.0);
+    blocks[1].gapBefore = blocks[2].gapBefore = 5.0;
+    QCOMPARE(paginate(blocks, 100.0).size(), std::size_t{1});
+    QCOMPARE(paginate(blocks, 99.9).size(), std::size_t{2});
+    blocks[0].height = 10.0;
+    blocks[2].header = 0;
+    const auto pages = paginate(blocks, 79.0);
+    QCOMPARE(pages.size(), std::size_t{2});
+    QCOMPARE(pages[1].size(), std::size_t{2});
+    QVERIFY(pages[1][0].block == 0 && pages[1][0].top == 0.0 && pages[1][1].block == 2 && pages[1][1].top == 15.0);
+    // A heading whose followers together do not fit goes with all of them.
+    auto chain = rows(4, 20.0);
+    chain[1].keepWithNext = chain[2].keepWithNext = true;
+    for (auto& block : chain)
+        block.gapBefore = 2.0;
+    QCOMPARE(paginate(chain, 86.0).front().size(), std::size_t{4});
+    QCOMPARE(paginate(chain, 85.9).front().size(), std::size_t{1});
+}
+
 void TestReportParts::numbersFollowTheLocale() {
     const QLocale german(QLocale::German, QLocale::Germany);
     const QLocale english(QLocale::English, QLocale::UnitedKingdom);
@@ -156,6 +267,54 @@ void TestReportParts::numbersFollowTheLocale() {
     QCOMPARE(formatValue(std::nullopt, QStringLiteral("N"), english), QStringLiteral("–"));
     QCOMPARE(formatValue(3.0, QStringLiteral("N"), english), QStringLiteral("3.00\u00a0N"));
     QCOMPARE(formatDuration(125.4, english), QStringLiteral("2\u00a0min 05\u00a0s"));
+}
+
+// Three digits or four that say something, to the ends of each range, whatever the sign.
+void TestReportParts::digitsFollowTheSize() {
+    const QLocale english(QLocale::English, QLocale::UnitedKingdom);
+    for (const auto& [value, words] : std::initializer_list<std::pair<double, const char*>>{
+             {0.0, "0.00"}, {0.00099, "9.90e-04"}, {0.001, "0.001"}, {0.9994, "0.999"}, {1.0, "1.00"}, {99.994, "99.99"}, {100.0, "100.0"}, {9'999'999.0, "9,999,999.0"}, {1e7, "1.00e+07"}}) {
+        QCOMPARE(formatNumber(value, english).toLower(), QString::fromLatin1(words));
+        if (value != 0.0)
+            QCOMPARE(formatNumber(-value, english).toLower(), QLatin1Char('-') + QString::fromLatin1(words));
+    }
+    const QString count = QStringLiteral("count");
+    QCOMPARE(formatValue(3.0, count, english), QStringLiteral("3")); // counts need no word behind them
+    QCOMPARE(formatValue(2.5, count, english), QStringLiteral("2.50")); // a mean of counts
+    QCOMPARE(formatValue(2.5, QString(), english), QStringLiteral("2.50"));
+    for (const auto& [seconds, words] : std::initializer_list<std::pair<double, const char*>>{
+             {0.0, "0.0 s"}, {59.94, "59.9 s"}, {60.0, "1 min 00 s"}, {119.6, "2 min 00 s"}, {3599.0, "59 min 59 s"}, {-0.1, "–"}})
+        QCOMPARE(formatDuration(seconds, english).replace(QChar(0x00a0), QLatin1Char(' ')), QString::fromUtf8(words));
+    QCOMPARE(formatDuration(std::numeric_limits<double>::infinity(), english), QStringLiteral("–"));
+}
+
+void TestReportParts::whatWasFeltInWords() {
+    const QLocale english(QLocale::English, QLocale::UnitedKingdom);
+    ForceFacts force;
+    force.tissue_N = 0.0199;
+    QCOMPARE(feltWords(force, true, english), QStringLiteral("Nothing was touched."));
+    force.tissue_N = 0.02; // a contact, as for every metric
+    QVERIFY(feltWords(force, true, english).endsWith(QStringLiteral("0.020\u00a0N, and all of it was felt.")));
+    QVERIFY(feltWords(force, false, english).endsWith(QStringLiteral("the force was shown.")));
+    force.firstLimited_s = 61.0;
+    force.felt_N = 0.01;
+    force.limited_s = 0.5;
+    QVERIFY(feltWords(force, true, english).endsWith(QStringLiteral("at most 0.010\u00a0N were felt: the force was limited for 0.500\u00a0s, the first time after 1\u00a0min 01\u00a0s.")));
+    force.beyondChecked = kBeyondCheckedSaid;
+    QVERIFY(beyondCheckedWords(force, english).isEmpty());
+    force.beyondChecked = 2.0 * kBeyondCheckedSaid;
+    QVERIFY(beyondCheckedWords(force, english).startsWith(formatValue(200.0 * kBeyondCheckedSaid, QStringLiteral("%"), english)));
+    // Of what failed first, the three that stand on the first page.
+    std::vector<MetricRow> rows(6);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].name = QString::number(i);
+        rows[i].headline = i != 1;
+        rows[i].passed = i == 4 ? std::optional(false) : i == 2 ? std::optional(true) : std::nullopt;
+    }
+    QStringList chosen;
+    for (const MetricRow& row : headlineRows(rows))
+        chosen << row.name;
+    QCOMPARE(chosen, (QStringList{"4", "0", "2"}));
 }
 
 void TestReportParts::gatesAndBandsInWords() {

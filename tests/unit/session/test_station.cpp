@@ -139,6 +139,32 @@ private slots:
         QVERIFY(pointer && !pointer->mappings.front().turned()); // a mouse has no base
     }
 
+    /// What a workspace may be, to its ends.
+    void aWorkspaceHasItsLimits() {
+        using Choice = session::WorkspaceChoice;
+        const auto said = [](const Choice& choice) {
+            const auto mapping = session::mappingOf(choice);
+            return mapping ? std::string() : mapping.error().message;
+        };
+        for (const double scale : {0.25, 4.0}) {
+            QCOMPARE(said({.scale = scale}), std::string());
+            QVERIFY(said({.scale = scale < 1.0 ? std::nextafter(scale, 0.0) : std::nextafter(scale, 9.0)}).ends_with("expected 0.25 to 4"));
+        }
+        for (std::size_t i = 0; i < 3; ++i)
+            for (const double side : {-1.0, 1.0}) {
+                Choice shifted, turned;
+                shifted.origin_m[i] = side * 0.03;
+                turned.turn_rad[i] = side * 0.25 * core::kPi;
+                QCOMPARE(said(shifted), std::string());
+                QCOMPARE(said(turned), std::string());
+                QCOMPARE(session::mappingOf(shifted)->origin_m, shifted.origin_m);
+                shifted.origin_m[i] *= 1.0001;
+                turned.turn_rad[i] *= 1.0001;
+                QVERIFY(said(shifted).ends_with("expected at most 0.03 m either way"));
+                QVERIFY(said(turned).ends_with("expected at most 45 degrees either way"));
+            }
+    }
+
     /// What a level says of its bases holds, each beside where the exercise puts it, until somebody says otherwise.
     void aLevelMountsItsBases() {
         const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -59,6 +60,62 @@ session::FidelitySample sampleOf(int place, double force_N, std::int64_t now_ns)
     sample.displacement_m = force_N / kStiffness_N_per_m;
     sample.commanded_N = {0.0, 0.0, force_N};
     return sample;
+}
+
+using simulation::ComparedAttribute;
+
+/// What a hand does at a tick, and what answers.
+struct Touched {
+    double displacement_m = 0.0, depth_m = 0.0;
+    std::array<double, 3> velocity_m_per_s{}, force_N{};
+    bool saturated = false;
+};
+
+/// 4,000 ticks of one contact with an object of this attribute.
+template <class Hand> session::PlaceFidelity felt(ComparedAttribute attribute, double asked, Hand hand) {
+    simulation::ComparisonParameters parameters;
+    parameters.attribute = attribute;
+    parameters.places = 1;
+    parameters.hookReach_m = 0.006;
+    parameters.object.stiffness_N_per_m = 400.0;
+    parameters.object.bristleStiffness_N_per_m = 1000.0;
+    session::FidelityMeter meter(parameters, {}, false);
+    meter.begin({asked});
+    for (int i = 0; i < 4000; ++i) {
+        const Touched touched = hand(i);
+        session::FidelitySample sample = sampleOf(1, 0.0, (i + 1) * std::int64_t{1'000'000});
+        sample.displacement_m = touched.displacement_m;
+        sample.depth_m = touched.depth_m;
+        sample.velocity_m_per_s = touched.velocity_m_per_s;
+        sample.commanded_N = touched.force_N;
+        sample.saturated = touched.saturated;
+        meter.add(sample);
+    }
+    return meter.finish().places.at(0);
+}
+
+bool about(double value, double expected, double share = 1e-6) { return std::abs(value - expected) <= share * std::abs(expected); }
+
+/// A little of every limit: late ticks, a force at its limit, a force off its command, one off its object, a peak, a speed.
+session::TrialFidelity underLimits(const psychophysics::FidelityLimits& limits) {
+    simulation::ComparisonParameters parameters;
+    parameters.attribute = ComparedAttribute::stiffness;
+    parameters.places = 1;
+    session::FidelityMeter meter(parameters, limits, false);
+    meter.begin({1.1 * kStiffness_N_per_m});
+    std::int64_t now_ns = 0;
+    for (int i = 0; i < 1000; ++i) {
+        now_ns += i % 100 == 50 ? 1'500'001 : i % 100 == 51 ? 1'500'000 : 1'000'000; // half a millisecond is not late, more is
+        const double force_N = 1.0 + std::sin(0.01 * i);
+        session::FidelitySample sample = sampleOf(1, force_N, now_ns);
+        sample.velocity_m_per_s = {0.02, 0.0, 0.03 * std::cos(0.07 * i)};
+        sample.measures = true;
+        sample.measured_N = {0.0, 0.0, force_N};
+        sample.commanded_N = {0.03, 0.0, force_N + 0.04};
+        sample.saturated = i % 50 == 0;
+        meter.add(sample);
+    }
+    return meter.finish();
 }
 
 } // namespace
@@ -150,6 +207,109 @@ private slots:
                 QCOMPARE(fidelity.contacts, 1);
             } else {
                 QVERIFY(std::isnan(fidelity.peakForce_N) && std::isnan(fidelity.places[0].peakForce_N) && std::isnan(fidelity.places[0].terminalForce_N));
+            }
+        }
+    }
+    /// Each attribute is found exactly from the ticks that speak of it, whatever the force is at the others.
+    void eachLawIsFoundWhereItSpeaks() {
+        const double nonsense_N = 9.0;
+        const auto speed = [](int i) { return 0.020 + 0.015 * std::sin(0.011 * i); };
+        const auto along = [](int i) { return std::array{std::cos(0.003 * i), std::sin(0.003 * i)}; };
+
+        const auto spring = felt(ComparedAttribute::stiffness, 500.0, [&](int i) {
+            const double d_m = 0.002 + 0.0018 * std::sin(0.011 * i), v = 0.05 * std::cos(0.037 * i);
+            return Touched{d_m, 0.0, {0.0, 0.0, v}, {0.0, 0.0, d_m > 0.0005 ? 500.0 * d_m + 0.3 + 4.0 * v : nonsense_N}};
+        });
+        QVERIFY2(about(spring.rendered, 500.0), qPrintable(QString::number(spring.rendered)));
+
+        const auto object = felt(ComparedAttribute::mass, 0.25, [&](int i) {
+            const double d_m = 0.008 + 0.004 * std::sin(0.011 * i);
+            return Touched{d_m, 0.0, {}, {0.0, 0.0, d_m > 0.008 ? -0.25 * core::kStandardGravity : -nonsense_N}};
+        });
+        QVERIFY2(about(object.rendered, 0.25), qPrintable(QString::number(object.rendered)));
+
+        const auto rough = felt(ComparedAttribute::roughness, 0.0002, [&](int i) {
+            const double d_m = 0.001 + 0.0005 * std::sin(0.017 * i), v = 0.02 * std::cos(0.037 * i), s = speed(i);
+            return Touched{0.0, d_m, {s * along(i)[0], s * along(i)[1], v}, {0.0, 0.0, s > 0.010 ? 300.0 * d_m + 0.2 + 2.0 * v + (i % 2 == 0 ? 0.08 : -0.08) : nonsense_N}};
+        });
+        QVERIFY2(about(rough.rendered, 0.08 / 400.0, 0.01), qPrintable(QString::number(rough.rendered)));
+        QVERIFY(std::isnan(rough.standardError));
+
+        const auto viscous = felt(ComparedAttribute::viscosity, 12.0, [&](int i) {
+            const double s = speed(i), depth_m = i % 5 == 0 ? 0.0004 : 0.002;
+            const double back_N = s > 0.010 && depth_m > 0.0005 ? 12.0 * s + 0.4 : nonsense_N;
+            return Touched{0.0, depth_m, {s * along(i)[0], s * along(i)[1], 0.0}, {-back_N * along(i)[0], -back_N * along(i)[1], 1.0}};
+        });
+        QVERIFY2(about(viscous.rendered, 12.0), qPrintable(QString::number(viscous.rendered)));
+
+        // What yields slowly: of the 33 times that are tried, from 5 ms to 5 s, the one that it has; a force at its limit says nothing of it.
+        for (const int which : {0, 9, 20, 32}) {
+            const double time_s = 0.005 * std::pow(1000.0, which / 32.0), share = 1.0 - std::exp(-core::kTickSeconds / time_s);
+            double dent_m = 0.0;
+            const auto yielding = felt(ComparedAttribute::deformation, time_s, [&](int i) {
+                const double d_m = 0.003 + 0.001 * std::sin(0.02 * i) + (i % 700 < 350 ? 0.001 : 0.0);
+                const double force_N = 200.0 * d_m + 150.0 * (d_m - dent_m) + 0.1;
+                dent_m += (d_m - dent_m) * share;
+                return Touched{0.0, d_m, {}, {0.0, 0.0, i % 7 == 0 ? nonsense_N : force_N}, i % 7 == 0};
+            });
+            QVERIFY2(about(yielding.rendered, time_s), qPrintable(QStringLiteral("%1: %2").arg(time_s).arg(yielding.rendered)));
+        }
+    }
+    /// Dry friction says itself once the bristles are bent over: after a turn so far as a trail of 1.5 times their length and half a millisecond
+    /// takes to turn, and only of what is dragged faster than a hand trembles.
+    void frictionIsOfWhatSlides() {
+        constexpr double mu = 0.5, per_m = 0.001 * 0.041;
+        const auto dragged = felt(ComparedAttribute::friction, mu, [&](int i) {
+            const int stroke = i / 400, at = i % 400;
+            const bool slow = stroke % 4 == 3; // 15 mm/s
+            const double direction = stroke % 2 == 0 ? 1.0 : -1.0, v = slow ? 0.015 : 0.041;
+            const double pressed_N = at < 150 || at >= 300 ? 2.0 : 2.0 + std::sin(0.05 * (at - 150));
+            const double trail_m = 0.0005 + 1.5 * mu * 2.0 / 1000.0; // 2 mm
+            const double way_m = (at + 1) * per_m;
+            const bool bent = way_m > (stroke == 0 ? 1.0 : 2.0) * trail_m + 1e-9;
+            return Touched{0.0, 0.001, {v * direction, 0.0, 0.0}, {slow || !bent ? 0.3 : -mu * pressed_N * direction, 0.0, pressed_N}};
+        });
+        QVERIFY2(about(dragged.rendered, mu), qPrintable(QString::number(dragged.rendered)));
+    }
+    /// A trial is within a limit up to the limit itself; the first that is passed is named, in their order.
+    void aMeasureAtItsLimitIsWithinIt() {
+        psychophysics::FidelityLimits wide;
+        wide.lateTicks = wide.saturated = wide.forceErrorRms_N = wide.stiffnessError = wide.peakForce_N = wide.meanSpeed_m_per_s = 1e9;
+        const session::TrialFidelity f = underLimits(wide);
+        QVERIFY2(f.outside.empty(), f.outside.c_str());
+        QCOMPARE(f.lateTicks, 0.010);
+        QVERIFY(about(f.worstLateness_us, 500.001));
+        QCOMPARE(f.saturated, 0.020);
+        QVERIFY(about(f.forceErrorRms_N, 0.05) && f.measured);
+        QVERIFY(about(f.stiffnessError, 1.0 - 1.0 / 1.1, 1e-3));
+        QCOMPARE(f.duration_s, 1.0);
+        const psychophysics::FidelityLimits exact{f.forceErrorRms_N, f.stiffnessError, f.lateTicks, f.saturated, f.peakForce_N, f.meanSpeed_m_per_s};
+        QVERIFY2(underLimits(exact).outside.empty(), underLimits(exact).outside.c_str());
+        const std::vector<std::pair<double psychophysics::FidelityLimits::*, std::string>> ordered{
+            {&psychophysics::FidelityLimits::meanSpeed_m_per_s, "speed"},       {&psychophysics::FidelityLimits::peakForce_N, "peak_force"},
+            {&psychophysics::FidelityLimits::stiffnessError, "stiffness_error"}, {&psychophysics::FidelityLimits::forceErrorRms_N, "force_error"},
+            {&psychophysics::FidelityLimits::saturated, "saturation"},           {&psychophysics::FidelityLimits::lateTicks, "late_ticks"}};
+        psychophysics::FidelityLimits closer = exact;
+        for (const auto& [limit, word] : ordered) { // each is named before those that were passed already
+            closer.*limit = std::nextafter(exact.*limit, 0.0);
+            QCOMPARE(underLimits(closer).outside, word);
+        }
+    }
+    /// Where every place is to be touched, one that was not is the reason, before all others.
+    void untouchedPlacesAreTold() {
+        for (const int touched : {0b11, 0b01, 0b10}) {
+            for (const bool mustTouchAll : {true, false}) {
+                simulation::ComparisonParameters parameters;
+                parameters.places = 2;
+                session::FidelityMeter meter(parameters, {}, mustTouchAll);
+                meter.begin({kStiffness_N_per_m, kStiffness_N_per_m});
+                session::FidelitySample sample = sampleOf(0, 0.0, 1'000'000);
+                for (const int bit : {1, 2}) { // one after the other
+                    sample.touched = static_cast<std::uint8_t>(touched & bit);
+                    sample.now_ns += 1'000'000;
+                    meter.add(sample);
+                }
+                QCOMPARE(meter.finish().outside, mustTouchAll && touched != 0b11 ? std::string("untouched") : std::string());
             }
         }
     }
