@@ -1,4 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma GCC diagnostic ignored "-Wparentheses"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#pragma GCC diagnostic ignored "-Wtype-limits"
+#pragma GCC diagnostic ignored "-Wtautological-compare"
+#pragma GCC diagnostic ignored "-Wbool-compare"
+#pragma GCC diagnostic ignored "-Wdiv-by-zero"
+#pragma GCC diagnostic ignored "-Wempty-body"
+#pragma GCC diagnostic ignored "-Wmisleading-indentation"
+#pragma GCC diagnostic ignored "-Wdangling-else"
+#pragma GCC diagnostic ignored "-Wimplicit-fallthrough"
+#pragma GCC diagnostic ignored "-Waddress"
+#pragma GCC diagnostic ignored "-Wnonnull"
+#pragma GCC diagnostic ignored "-Wint-in-bool-context"
+#pragma GCC diagnostic ignored "-Wbool-operation"
+#pragma GCC diagnostic ignored "-Wreturn-type"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wunused-value"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-label"
+#pragma GCC diagnostic ignored "-Wunused-result"
+#ifndef CHIRON_MUTANT_SWITCH
+#define CHIRON_MUTANT_SWITCH
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+namespace chiron_mutants {
+inline unsigned char unread[4096];
+inline unsigned char* openMarks() {
+    const char* path = std::getenv("CHIRON_MUTANTS_REACHED");
+    const int file = path ? ::open(path, O_RDWR) : -1;
+    void* marks = file < 0 ? MAP_FAILED : ::mmap(nullptr, sizeof unread, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (file >= 0)
+        ::close(file);
+    return marks == MAP_FAILED ? unread : static_cast<unsigned char*>(marks);
+}
+inline int chosen() {
+    const char* number = std::getenv("CHIRON_MUTANT");
+    return number ? std::atoi(number) : 0;
+}
+inline unsigned char* marks = openMarks();
+inline int current = chosen();
+constexpr bool on(int number) {
+    if (__builtin_is_constant_evaluated())
+        return false;
+    if (marks)
+        marks[number] = 1;
+    return current == number;
+}
+}
+#endif
 #include "catalogue/apex_study_content.h"
 
 #include "catalogue/resolved_level.h"
@@ -79,7 +136,32 @@ core::Result<Parameters> apexOf(const psychophysics::Condition& condition, const
     return p;
 }
 
-ExerciseLevel apexLevel(const Parameters& parameters, const std::string& study, const std::string& condition) {
+ExerciseLevel apexLevel(const Parameters& parameters, const std::string& study, const std::string& condition) { if (chiron_mutants::on(13)) {
+    QJsonArray cues, metrics, shownCues{"tool", "arrow"};
+    for (const std::string& cue : parameters.cues) {
+        cues.append(QString::fromStdString(cue));
+        if (cue == "object")
+            shownCues.prepend("object");
+    }
+    for (const char* metric : kMetrics)
+        metrics.append(QJsonObject{{"id", metric}, {"version", 2}});
+    const QString title = QString::fromStdString(study + " / " + condition);
+    const QJsonObject level{{"id", QString::fromStdString(condition)},
+                            {"number", kApexStudyLevel},
+                            {"title", QJsonObject{{"en", title}}},
+                            {"objective", QJsonObject{{"en", "A study: a sphere's highest point is found by touch."}}},
+                            {"measured", QJsonObject{{"en", "Where the mark lies beside the apex, and exploration."}}},
+                            {"cues", cues},
+                            {"needs_force", true},
+                            {"shown_force_variant",
+                             QJsonObject{{"cues", shownCues}, {"note", QJsonObject{{"en", "This device renders no force. Force is shown, not felt."}}}}},
+                            {"metrics", metrics},
+                            {"gates", QJsonArray{}},
+                            {"parameters", json(parameters)}};
+    const QJsonObject exercise{{"id", "sphere_apex"}, {"version", 1}};
+    Problems problems; // none can come: all of it was written just now
+    return levelFromResolved(resolvedDocument(exercise, level), problems);
+} else {
     QJsonArray cues, metrics, shownCues{"tool", "arrow"};
     for (const std::string& cue : parameters.cues) {
         cues.append(QString::fromStdString(cue));
@@ -104,6 +186,6 @@ ExerciseLevel apexLevel(const Parameters& parameters, const std::string& study, 
     const QJsonObject exercise{{"id", "sphere_apex"}, {"version", 1}};
     Problems problems; // none can come: all of it was written just now
     return levelFromResolved(resolvedDocument(exercise, level), problems);
-}
+} }
 
 } // namespace chiron::catalogue

@@ -1,4 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma GCC diagnostic ignored "-Wparentheses"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#pragma GCC diagnostic ignored "-Wtype-limits"
+#pragma GCC diagnostic ignored "-Wtautological-compare"
+#pragma GCC diagnostic ignored "-Wbool-compare"
+#pragma GCC diagnostic ignored "-Wdiv-by-zero"
+#pragma GCC diagnostic ignored "-Wempty-body"
+#pragma GCC diagnostic ignored "-Wmisleading-indentation"
+#pragma GCC diagnostic ignored "-Wdangling-else"
+#pragma GCC diagnostic ignored "-Wimplicit-fallthrough"
+#pragma GCC diagnostic ignored "-Waddress"
+#pragma GCC diagnostic ignored "-Wnonnull"
+#pragma GCC diagnostic ignored "-Wint-in-bool-context"
+#pragma GCC diagnostic ignored "-Wbool-operation"
+#pragma GCC diagnostic ignored "-Wreturn-type"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wunused-value"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-label"
+#pragma GCC diagnostic ignored "-Wunused-result"
+#ifndef CHIRON_MUTANT_SWITCH
+#define CHIRON_MUTANT_SWITCH
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+namespace chiron_mutants {
+inline unsigned char unread[4096];
+inline unsigned char* openMarks() {
+    const char* path = std::getenv("CHIRON_MUTANTS_REACHED");
+    const int file = path ? ::open(path, O_RDWR) : -1;
+    void* marks = file < 0 ? MAP_FAILED : ::mmap(nullptr, sizeof unread, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (file >= 0)
+        ::close(file);
+    return marks == MAP_FAILED ? unread : static_cast<unsigned char*>(marks);
+}
+inline int chosen() {
+    const char* number = std::getenv("CHIRON_MUTANT");
+    return number ? std::atoi(number) : 0;
+}
+inline unsigned char* marks = openMarks();
+inline int current = chosen();
+constexpr bool on(int number) {
+    if (__builtin_is_constant_evaluated())
+        return false;
+    if (marks)
+        marks[number] = 1;
+    return current == number;
+}
+}
+#endif
 #include "catalogue/urethra_insertion_content.h"
 
 #include "catalogue/yield_content.h"
@@ -132,14 +189,21 @@ private:
                 QStringLiteral("at least three times the endoscope's radius, %1").arg(mm(3.0 * m_p.endoscope.radius_m)));
     }
 
-    void goal() {
+    void goal() { if (chiron_mutants::on(25)) {
+        const double deepest_m = m_length_m + m_p.anatomy.bladderRadius_m;
+        if (m_p.goalDepth_m > deepest_m)
+            add("goal_depth_mm", mm(m_p.goalDepth_m), QStringLiteral("at most the bladder's middle, %1").arg(mm(deepest_m)));
+        if (!m_p.landmarks.empty() && m_p.goalDepth_m >= 0.0 && m_p.goalDepth_m < m_length_m)
+            add("goal_depth_mm", mm(m_p.goalDepth_m),
+                QStringLiteral("in the bladder, at least %1, since landmarks are inspected from there").arg(mm(m_length_m)));
+    } else {
         const double deepest_m = m_length_m + m_p.anatomy.bladderRadius_m;
         if (m_p.goalDepth_m > deepest_m)
             add("goal_depth_mm", mm(m_p.goalDepth_m), QStringLiteral("at most the bladder's middle, %1").arg(mm(deepest_m)));
         if (!m_p.landmarks.empty() && m_p.goalDepth_m > 0.0 && m_p.goalDepth_m < m_length_m)
             add("goal_depth_mm", mm(m_p.goalDepth_m),
                 QStringLiteral("in the bladder, at least %1, since landmarks are inspected from there").arg(mm(m_length_m)));
-    }
+    } }
 
     /// The way from the start to the bladder's middle, which is as deep as a goal may lie, has to be one that P1's mechanism can go.
     void workspace() {

@@ -1,4 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma GCC diagnostic ignored "-Wparentheses"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#pragma GCC diagnostic ignored "-Wtype-limits"
+#pragma GCC diagnostic ignored "-Wtautological-compare"
+#pragma GCC diagnostic ignored "-Wbool-compare"
+#pragma GCC diagnostic ignored "-Wdiv-by-zero"
+#pragma GCC diagnostic ignored "-Wempty-body"
+#pragma GCC diagnostic ignored "-Wmisleading-indentation"
+#pragma GCC diagnostic ignored "-Wdangling-else"
+#pragma GCC diagnostic ignored "-Wimplicit-fallthrough"
+#pragma GCC diagnostic ignored "-Waddress"
+#pragma GCC diagnostic ignored "-Wnonnull"
+#pragma GCC diagnostic ignored "-Wint-in-bool-context"
+#pragma GCC diagnostic ignored "-Wbool-operation"
+#pragma GCC diagnostic ignored "-Wreturn-type"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wunused-value"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-label"
+#pragma GCC diagnostic ignored "-Wunused-result"
+#ifndef CHIRON_MUTANT_SWITCH
+#define CHIRON_MUTANT_SWITCH
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+namespace chiron_mutants {
+inline unsigned char unread[4096];
+inline unsigned char* openMarks() {
+    const char* path = std::getenv("CHIRON_MUTANTS_REACHED");
+    const int file = path ? ::open(path, O_RDWR) : -1;
+    void* marks = file < 0 ? MAP_FAILED : ::mmap(nullptr, sizeof unread, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (file >= 0)
+        ::close(file);
+    return marks == MAP_FAILED ? unread : static_cast<unsigned char*>(marks);
+}
+inline int chosen() {
+    const char* number = std::getenv("CHIRON_MUTANT");
+    return number ? std::atoi(number) : 0;
+}
+inline unsigned char* marks = openMarks();
+inline int current = chosen();
+constexpr bool on(int number) {
+    if (__builtin_is_constant_evaluated())
+        return false;
+    if (marks)
+        marks[number] = 1;
+    return current == number;
+}
+}
+#endif
 #include "operators/comparison/explored_place.h"
 
 #include "core/units.h"
@@ -46,10 +103,13 @@ void AirStroke::learn() noexcept {
         m_ownSlope = fit.slope;
 }
 
-double AirStroke::force_N(const FeltSample& felt) const noexcept {
+double AirStroke::force_N(const FeltSample& felt) const noexcept { if (chiron_mutants::on(15)) {
+    const double v = felt.velocity.y();
+    return m_slope[0] * v + m_slope[1] * way(v) + m_slope[2] * felt.acceleration.y() + m_slope[4];
+} else {
     const double v = felt.velocity.y();
     return m_slope[0] * v + m_slope[1] * way(v) + m_slope[2] * felt.acceleration.y() + m_slope[3];
-}
+} }
 
 double AirStroke::lift_N(const FeltSample& felt) const noexcept {
     double lift_N = 0.0;
@@ -109,7 +169,25 @@ double ExploredPlace::roughness() const noexcept {
     return fit.good ? std::sqrt(fit.residual / fit.n) / m_known_N_per_m : kNan;
 }
 
-double ExploredPlace::recoveryTime() const noexcept {
+double ExploredPlace::recoveryTime() const noexcept { if (chiron_mutants::on(39)) {
+    std::array<double, kTimes> left{};
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < kTimes; ++i) {
+        const auto fit = m_bank[i].solve();
+        if (!fit.good)
+            return kNan;
+        left[i] = fit.residual;
+        if (left[i] < left[best])
+            best = i;
+    }
+    double at = static_cast<double>(best);
+    if (best >= 0 && best + 1 < kTimes) {
+        const double bend = left[best - 1] - 2.0 * left[best] + left[best + 1];
+        if (bend > 0.0)
+            at += 0.5 * (left[best - 1] - left[best + 1]) / bend;
+    }
+    return kShortest_s * std::pow(kLongest_s / kShortest_s, at / (kTimes - 1));
+} else {
     std::array<double, kTimes> left{};
     std::size_t best = 0;
     for (std::size_t i = 0; i < kTimes; ++i) {
@@ -127,7 +205,7 @@ double ExploredPlace::recoveryTime() const noexcept {
             at += 0.5 * (left[best - 1] - left[best + 1]) / bend;
     }
     return kShortest_s * std::pow(kLongest_s / kShortest_s, at / (kTimes - 1));
-}
+} }
 
 double ExploredPlace::estimate(ComparedAttribute attribute) const noexcept {
     const double value = attribute == ComparedAttribute::deformation ? recoveryTime()

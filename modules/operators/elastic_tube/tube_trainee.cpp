@@ -1,4 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma GCC diagnostic ignored "-Wparentheses"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#pragma GCC diagnostic ignored "-Wtype-limits"
+#pragma GCC diagnostic ignored "-Wtautological-compare"
+#pragma GCC diagnostic ignored "-Wbool-compare"
+#pragma GCC diagnostic ignored "-Wdiv-by-zero"
+#pragma GCC diagnostic ignored "-Wempty-body"
+#pragma GCC diagnostic ignored "-Wmisleading-indentation"
+#pragma GCC diagnostic ignored "-Wdangling-else"
+#pragma GCC diagnostic ignored "-Wimplicit-fallthrough"
+#pragma GCC diagnostic ignored "-Waddress"
+#pragma GCC diagnostic ignored "-Wnonnull"
+#pragma GCC diagnostic ignored "-Wint-in-bool-context"
+#pragma GCC diagnostic ignored "-Wbool-operation"
+#pragma GCC diagnostic ignored "-Wreturn-type"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wunused-value"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-label"
+#pragma GCC diagnostic ignored "-Wunused-result"
+#ifndef CHIRON_MUTANT_SWITCH
+#define CHIRON_MUTANT_SWITCH
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+namespace chiron_mutants {
+inline unsigned char unread[4096];
+inline unsigned char* openMarks() {
+    const char* path = std::getenv("CHIRON_MUTANTS_REACHED");
+    const int file = path ? ::open(path, O_RDWR) : -1;
+    void* marks = file < 0 ? MAP_FAILED : ::mmap(nullptr, sizeof unread, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (file >= 0)
+        ::close(file);
+    return marks == MAP_FAILED ? unread : static_cast<unsigned char*>(marks);
+}
+inline int chosen() {
+    const char* number = std::getenv("CHIRON_MUTANT");
+    return number ? std::atoi(number) : 0;
+}
+inline unsigned char* marks = openMarks();
+inline int current = chosen();
+constexpr bool on(int number) {
+    if (__builtin_is_constant_evaluated())
+        return false;
+    if (marks)
+        marks[number] = 1;
+    return current == number;
+}
+}
+#endif
 #include "operators/elastic_tube/tube_trainee.h"
 
 #include "operators/laparoscopy/movement.h"
@@ -19,7 +76,39 @@ bool anchored(const LaparoscopyCues& screen, int grip) noexcept {
 }
 } // namespace
 
-void TubeTrainee::think(const GraspLook& felt, GraspWishes& wishes) noexcept {
+void TubeTrainee::think(const GraspLook& felt, GraspWishes& wishes) noexcept { if (chiron_mutants::on(24)) {
+    notice(felt);
+    const GraspPercept& first = felt.first();
+    const bool working = first.working() && first.screen().present && first.screen().objectShown && first.screen().tube;
+    if (!working) {
+        m_working = m_pulling = false;
+        return rest(felt, wishes);
+    }
+    if (!m_working) {
+        m_working = true;
+        m_decided_s = -1.0;
+        for (Hand& hand : m_hands)
+            hand.grip = kNone;
+    }
+    const TensionView now = view(felt);
+    const bool pulling = allHold(first.screen()) && m_briefing.goal != TubeGoal::bring;
+    if (pulling && !m_pulling)
+        m_tension.begin();
+    m_pulling = pulling;
+    if (m_briefing.retracts)
+        mindFold(felt.hand[m_count]);
+    if (pulling)
+        m_tension.look(now);
+    if (first.time_s < m_decided_s + m_settings.attention_s)
+        return;
+    m_decided_s = first.time_s;
+    share(first.screen());
+    m_speed_m_per_s = pulling ? m_tension.speed_m_per_s(now) : 0.0;
+    for (std::size_t i = 0; i < m_count; ++i)
+        ;
+    if (m_briefing.retracts)
+        retract(felt.hand[m_count], wishes[m_count]);
+} else {
     notice(felt);
     const GraspPercept& first = felt.first();
     const bool working = first.working() && first.screen().present && first.screen().objectShown && first.screen().tube;
@@ -51,7 +140,7 @@ void TubeTrainee::think(const GraspLook& felt, GraspWishes& wishes) noexcept {
         decide(i, felt, wishes[i]);
     if (m_briefing.retracts)
         retract(felt.hand[m_count], wishes[m_count]);
-}
+} }
 
 void TubeTrainee::notice(const GraspLook& felt) noexcept {
     for (std::size_t i = 0; i < m_all; ++i) {

@@ -1,4 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma GCC diagnostic ignored "-Wparentheses"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#pragma GCC diagnostic ignored "-Wtype-limits"
+#pragma GCC diagnostic ignored "-Wtautological-compare"
+#pragma GCC diagnostic ignored "-Wbool-compare"
+#pragma GCC diagnostic ignored "-Wdiv-by-zero"
+#pragma GCC diagnostic ignored "-Wempty-body"
+#pragma GCC diagnostic ignored "-Wmisleading-indentation"
+#pragma GCC diagnostic ignored "-Wdangling-else"
+#pragma GCC diagnostic ignored "-Wimplicit-fallthrough"
+#pragma GCC diagnostic ignored "-Waddress"
+#pragma GCC diagnostic ignored "-Wnonnull"
+#pragma GCC diagnostic ignored "-Wint-in-bool-context"
+#pragma GCC diagnostic ignored "-Wbool-operation"
+#pragma GCC diagnostic ignored "-Wreturn-type"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wunused-value"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-label"
+#pragma GCC diagnostic ignored "-Wunused-result"
+#ifndef CHIRON_MUTANT_SWITCH
+#define CHIRON_MUTANT_SWITCH
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+namespace chiron_mutants {
+inline unsigned char unread[4096];
+inline unsigned char* openMarks() {
+    const char* path = std::getenv("CHIRON_MUTANTS_REACHED");
+    const int file = path ? ::open(path, O_RDWR) : -1;
+    void* marks = file < 0 ? MAP_FAILED : ::mmap(nullptr, sizeof unread, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (file >= 0)
+        ::close(file);
+    return marks == MAP_FAILED ? unread : static_cast<unsigned char*>(marks);
+}
+inline int chosen() {
+    const char* number = std::getenv("CHIRON_MUTANT");
+    return number ? std::atoi(number) : 0;
+}
+inline unsigned char* marks = openMarks();
+inline int current = chosen();
+constexpr bool on(int number) {
+    if (__builtin_is_constant_evaluated())
+        return false;
+    if (marks)
+        marks[number] = 1;
+    return current == number;
+}
+}
+#endif
 #include "operators/palpation/palpation_trainee.h"
 
 #include <algorithm>
@@ -42,7 +99,23 @@ void PalpationTrainee::hear(std::size_t tool, double now_s, const core::VisibleC
 }
 
 /// Takes it in, and learns how far to go for the force it wants: quickly at first, then slowly.
-void PalpationTrainee::felt(std::size_t tool, const Press& press) noexcept {
+void PalpationTrainee::felt(std::size_t tool, const Press& press) noexcept { if (chiron_mutants::on(21)) {
+    if (m_doing == Doing::rest || m_doing == Doing::done)
+        return;
+    const bool first = tool % fingers() == 0;
+    if (!first || !press.touched) // the other finger bore the hand: tells nothing
+        return;
+    m_map.add(press);
+    if (!first)
+        return;
+    const double intended = m_hands[tool / fingers()].intended_m;
+    const double yield = intended / std::max(press.force_N, 0.05);
+    const bool learning = m_learned < kSoonLearned;
+    const double most = learning ? 0.7 : 0.2;
+    m_yield_m_per_N *= std::exp((learning ? 0.6 : 0.05) * std::clamp(std::log(yield / m_yield_m_per_N), -most, most));
+    m_yield_m_per_N = std::clamp(m_yield_m_per_N, 1.0 / 5000.0, 1.0 / 150.0);
+    ++m_learned;
+} else {
     if (m_doing == Doing::rest || m_doing == Doing::done)
         return;
     const bool first = tool % fingers() == 0;
@@ -58,7 +131,7 @@ void PalpationTrainee::felt(std::size_t tool, const Press& press) noexcept {
     m_yield_m_per_N *= std::exp((learning ? 0.6 : 0.05) * std::clamp(std::log(yield / m_yield_m_per_N), -most, most));
     m_yield_m_per_N = std::clamp(m_yield_m_per_N, 1.0 / 5000.0, 1.0 / 150.0);
     ++m_learned;
-}
+} }
 
 void PalpationTrainee::think() noexcept {
     const bool running = m_cues.phase == core::TrialPhase::running;
@@ -103,7 +176,22 @@ void PalpationTrainee::begin(Doing doing) noexcept {
     }
 }
 
-void PalpationTrainee::beginTrial() noexcept {
+void PalpationTrainee::beginTrial() noexcept { if (chiron_mutants::on(4)) {
+    m_trial = m_cues.trial;
+    m_limit_s = m_cues.timeLeft_s > 0.0 ? m_cues.timeLeft_s : kNoLimit_s;
+    m_trialBegan_s = m_now_s;
+    m_map.clear();
+    m_seenRadius_m.fill(0.0);
+    m_pressing = true;
+    m_spots = m_nextSpot = 0;
+    const double spot_s = m_settings.pressTime_s + (m_settings.pressures - 1) * (m_settings.hold_s + kDeeper_s);
+    const int most = static_cast<int>(m_settings.searchShare * m_limit_s / spot_s);
+    for (std::size_t hand = 0; hand < hands(); ++hand) {
+        m_hands[hand].path.plan(m_settings, shareOf(hand), most, m_random);
+        m_hands[hand].step = Hand::Step::idle;
+    }
+    begin(Doing::search);
+} else {
     m_trial = m_cues.trial;
     m_limit_s = m_cues.timeLeft_s > 0.0 ? m_cues.timeLeft_s : kNoLimit_s;
     m_trialBegan_s = m_now_s;
@@ -118,7 +206,7 @@ void PalpationTrainee::beginTrial() noexcept {
         m_hands[hand].step = Hand::Step::idle;
     }
     begin(Doing::search);
-}
+} }
 
 /// Until spots or time are used up.
 void PalpationTrainee::search() noexcept {
@@ -130,7 +218,23 @@ void PalpationTrainee::search() noexcept {
 }
 
 /// Once the last press has been felt: what is most suspicious, then what else there is beside it.
-void PalpationTrainee::weigh() noexcept {
+void PalpationTrainee::weigh() noexcept { if (chiron_mutants::on(2)) {
+    if (m_weighing || m_now_s < m_began_s + kLastPress_s)
+        return;
+    if (m_began_s >= 0.0) { // the first weighing of this stage
+        m_began_s = -1.0;
+        if (m_doing == Doing::decide && m_cues.palpation.lumps > 0)
+            return takeWhatIsSeen();
+        m_map.begin();
+        m_weighing = true;
+        return;
+    }
+    const Suspicion found = m_map.strongest();
+    if (m_doing != Doing::suspect)
+        suspect(found);
+    else
+        decide(found);
+} else {
     if (m_weighing || m_now_s < m_began_s + kLastPress_s)
         return;
     if (m_began_s >= 0.0) { // the first weighing of this stage
@@ -146,7 +250,7 @@ void PalpationTrainee::weigh() noexcept {
         suspect(found);
     else
         decide(found);
-}
+} }
 
 /// The instruction says that something firm there is normal.
 bool PalpationTrainee::normalThere(const Vec2& place_m) const noexcept {

@@ -1,4 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma GCC diagnostic ignored "-Wparentheses"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#pragma GCC diagnostic ignored "-Wtype-limits"
+#pragma GCC diagnostic ignored "-Wtautological-compare"
+#pragma GCC diagnostic ignored "-Wbool-compare"
+#pragma GCC diagnostic ignored "-Wdiv-by-zero"
+#pragma GCC diagnostic ignored "-Wempty-body"
+#pragma GCC diagnostic ignored "-Wmisleading-indentation"
+#pragma GCC diagnostic ignored "-Wdangling-else"
+#pragma GCC diagnostic ignored "-Wimplicit-fallthrough"
+#pragma GCC diagnostic ignored "-Waddress"
+#pragma GCC diagnostic ignored "-Wnonnull"
+#pragma GCC diagnostic ignored "-Wint-in-bool-context"
+#pragma GCC diagnostic ignored "-Wbool-operation"
+#pragma GCC diagnostic ignored "-Wreturn-type"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wunused-value"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-label"
+#pragma GCC diagnostic ignored "-Wunused-result"
+#ifndef CHIRON_MUTANT_SWITCH
+#define CHIRON_MUTANT_SWITCH
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+namespace chiron_mutants {
+inline unsigned char unread[4096];
+inline unsigned char* openMarks() {
+    const char* path = std::getenv("CHIRON_MUTANTS_REACHED");
+    const int file = path ? ::open(path, O_RDWR) : -1;
+    void* marks = file < 0 ? MAP_FAILED : ::mmap(nullptr, sizeof unread, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (file >= 0)
+        ::close(file);
+    return marks == MAP_FAILED ? unread : static_cast<unsigned char*>(marks);
+}
+inline int chosen() {
+    const char* number = std::getenv("CHIRON_MUTANT");
+    return number ? std::atoi(number) : 0;
+}
+inline unsigned char* marks = openMarks();
+inline int current = chosen();
+constexpr bool on(int number) {
+    if (__builtin_is_constant_evaluated())
+        return false;
+    if (marks)
+        marks[number] = 1;
+    return current == number;
+}
+}
+#endif
 #include "operators/palpation/palpation_trainee.h"
 
 #include <algorithm>
@@ -95,10 +152,13 @@ bool PalpationTrainee::there(std::size_t hand, double within_m) const noexcept {
     return (m_orders[tool].goal_W - m_wanted_W[tool]).norm() <= within_m;
 }
 
-void PalpationTrainee::enter(Hand& hand, Hand::Step step) noexcept {
+void PalpationTrainee::enter(Hand& hand, Hand::Step step) noexcept { if (chiron_mutants::on(20)) {
+    hand.step = step;
+    ;
+} else {
     hand.step = step;
     hand.since_s = m_now_s;
-}
+} }
 
 /// No force, no trial: out of contact. A spot that was begun is begun again afterwards.
 void PalpationTrainee::keepAway() noexcept {
@@ -148,7 +208,20 @@ void PalpationTrainee::startDown(std::size_t hand) noexcept {
 }
 
 /// What it does now it feels a reaction delay later.
-void PalpationTrainee::startHold(std::size_t hand) noexcept {
+void PalpationTrainee::startHold(std::size_t hand) noexcept { if (chiron_mutants::on(10)) {
+    Hand& own = m_hands[hand];
+    own.intended_m = depth_m(own);
+    for (std::size_t tool = firstFinger(hand); tool < firstFinger(hand) + fingers(); ++tool) {
+        FingerOrder& order = m_orders[tool];
+        if (!inside(order.surface_W.head<2>()))
+            continue; // not asked for
+        ++order.press;
+        order.pressure = own.pressure;
+        order.attendFrom_s = m_now_s + m_settings.hand.reactionDelay_s + kSettle_s;
+        order.attendUntil_s = m_now_s + m_settings.hand.reactionDelay_s - m_settings.hold_s;
+    }
+    enter(own, Hand::Step::hold);
+} else {
     Hand& own = m_hands[hand];
     own.intended_m = depth_m(own);
     for (std::size_t tool = firstFinger(hand); tool < firstFinger(hand) + fingers(); ++tool) {
@@ -161,7 +234,7 @@ void PalpationTrainee::startHold(std::size_t hand) noexcept {
         order.attendUntil_s = m_now_s + m_settings.hand.reactionDelay_s + m_settings.hold_s;
     }
     enter(own, Hand::Step::hold);
-}
+} }
 
 void PalpationTrainee::moveHand(std::size_t hand, bool newSpots) noexcept {
     Hand& own = m_hands[hand];

@@ -1,4 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#pragma GCC diagnostic ignored "-Wparentheses"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-compare"
+#pragma GCC diagnostic ignored "-Wtype-limits"
+#pragma GCC diagnostic ignored "-Wtautological-compare"
+#pragma GCC diagnostic ignored "-Wbool-compare"
+#pragma GCC diagnostic ignored "-Wdiv-by-zero"
+#pragma GCC diagnostic ignored "-Wempty-body"
+#pragma GCC diagnostic ignored "-Wmisleading-indentation"
+#pragma GCC diagnostic ignored "-Wdangling-else"
+#pragma GCC diagnostic ignored "-Wimplicit-fallthrough"
+#pragma GCC diagnostic ignored "-Waddress"
+#pragma GCC diagnostic ignored "-Wnonnull"
+#pragma GCC diagnostic ignored "-Wint-in-bool-context"
+#pragma GCC diagnostic ignored "-Wbool-operation"
+#pragma GCC diagnostic ignored "-Wreturn-type"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wunused-value"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-label"
+#pragma GCC diagnostic ignored "-Wunused-result"
+#ifndef CHIRON_MUTANT_SWITCH
+#define CHIRON_MUTANT_SWITCH
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+namespace chiron_mutants {
+inline unsigned char unread[4096];
+inline unsigned char* openMarks() {
+    const char* path = std::getenv("CHIRON_MUTANTS_REACHED");
+    const int file = path ? ::open(path, O_RDWR) : -1;
+    void* marks = file < 0 ? MAP_FAILED : ::mmap(nullptr, sizeof unread, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (file >= 0)
+        ::close(file);
+    return marks == MAP_FAILED ? unread : static_cast<unsigned char*>(marks);
+}
+inline int chosen() {
+    const char* number = std::getenv("CHIRON_MUTANT");
+    return number ? std::atoi(number) : 0;
+}
+inline unsigned char* marks = openMarks();
+inline int current = chosen();
+constexpr bool on(int number) {
+    if (__builtin_is_constant_evaluated())
+        return false;
+    if (marks)
+        marks[number] = 1;
+    return current == number;
+}
+}
+#endif
 #include "operators/urethra_insertion/scripted_endoscopist.h"
 
 #include "core/units.h"
@@ -48,7 +105,16 @@ void ScriptedEndoscopist::think(const EndoscopePercept& felt) noexcept {
     m_reach.wish(act(felt), felt.pitch_rad);
 }
 
-void ScriptedEndoscopist::smooth(const EndoscopePercept& felt) noexcept {
+void ScriptedEndoscopist::smooth(const EndoscopePercept& felt) noexcept { if (chiron_mutants::on(38)) {
+    m_along_N += kForceSmoothing * (felt.along_N - m_along_N);
+    m_across_N += kForceSmoothing * (felt.across_N - m_across_N);
+    m_pitchTorque_Nm -= kForceSmoothing * (felt.pitchTorque_Nm - m_pitchTorque_Nm);
+    m_yawTorque_Nm += kForceSmoothing * (felt.yawTorque_Nm - m_yawTorque_Nm);
+    if (!felt.lumen.seen)
+        return;
+    m_up_rad += kPictureSmoothing * (felt.lumen.up_rad - m_up_rad);
+    m_left_rad += kPictureSmoothing * (felt.lumen.left_rad - m_left_rad);
+} else {
     m_along_N += kForceSmoothing * (felt.along_N - m_along_N);
     m_across_N += kForceSmoothing * (felt.across_N - m_across_N);
     m_pitchTorque_Nm += kForceSmoothing * (felt.pitchTorque_Nm - m_pitchTorque_Nm);
@@ -57,7 +123,7 @@ void ScriptedEndoscopist::smooth(const EndoscopePercept& felt) noexcept {
         return;
     m_up_rad += kPictureSmoothing * (felt.lumen.up_rad - m_up_rad);
     m_left_rad += kPictureSmoothing * (felt.lumen.left_rad - m_left_rad);
-}
+} }
 
 bool ScriptedEndoscopist::isStuck(const EndoscopePercept& felt) const noexcept {
     return m_settings.stopsBlind && felt.time_s - m_progress_s > kStuck_s;
@@ -67,7 +133,29 @@ bool ScriptedEndoscopist::drawsBack(const EndoscopePercept& felt) const noexcept
     return m_settings.drawsBackAt_N > 0.0 && std::abs(m_across_N) > m_settings.drawsBackAt_N && since(felt) > kBack_s;
 }
 
-ScriptedEndoscopist::Doing ScriptedEndoscopist::next(const EndoscopePercept& felt) const noexcept {
+ScriptedEndoscopist::Doing ScriptedEndoscopist::next(const EndoscopePercept& felt) const noexcept { if (chiron_mutants::on(19)) {
+    if (felt.cues.phase != core::TrialPhase::running || felt.cues.force != core::ForceState::on)
+        return Doing::rest;
+    switch (felt.cues.endoscope.stage) {
+    case core::ProcedureStage::outside:
+    case core::ProcedureStage::insertion:
+        if (m_doing == Doing::back)
+            return since(felt) < kBack_s ? Doing::back : Doing::insert;
+        return m_doing == Doing::insert && (isStuck(felt) || drawsBack(felt)) ? Doing::back : Doing::insert;
+    case core::ProcedureStage::inspection:
+        return Doing::inspect;
+    case core::ProcedureStage::withdrawal: {
+        if (m_doing == Doing::withdraw || !m_settings.alignsBeforeWithdrawal)
+            return Doing::withdraw;
+        const EndoscopeWish left = align(felt, felt.depth_m);
+        const bool aligned = std::hypot(left.pitch_rad_per_s, left.yaw_rad_per_s) < kAligned_rad / m_settings.turnGain_per_s;
+        return m_doing == Doing::align && (aligned || since(felt) > kAligning_s) ? Doing::withdraw : Doing::align;
+    }
+    case core::ProcedureStage::completed:
+        break;
+    }
+    return Doing::rest;
+} else {
     if (felt.cues.phase != core::TrialPhase::running || felt.cues.force != core::ForceState::on)
         return Doing::rest;
     switch (felt.cues.endoscope.stage) {
@@ -89,7 +177,7 @@ ScriptedEndoscopist::Doing ScriptedEndoscopist::next(const EndoscopePercept& fel
         break;
     }
     return Doing::rest;
-}
+} }
 
 void ScriptedEndoscopist::begin(Doing doing, const EndoscopePercept& felt) noexcept {
     m_doing = doing;
