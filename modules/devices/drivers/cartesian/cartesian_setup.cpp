@@ -2,6 +2,8 @@
 // Making one allocates error texts, so it is kept apart from the code that the tick calls.
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
 
+#include <cmath>
+
 namespace chiron::devices {
 
 core::Result<CartesianKinematics> CartesianKinematics::create(const DeviceDescriptor& descriptor) {
@@ -15,9 +17,9 @@ core::Result<CartesianKinematics> CartesianKinematics::create(const DeviceDescri
         if (axis.unit != (i < 3 ? AxisUnit::metre : AxisUnit::radian))
             return core::fail(core::ErrorCode::badInput, "cartesian kinematics: axis " + axis.id + " must be in " +
                                                              (i < 3 ? "metres" : "radians"));
-        if (!(axis.resolution > 0.0))
+        if (!(axis.resolution > 0.0) || !std::isfinite(axis.resolution))
             return core::fail(core::ErrorCode::badInput, "cartesian kinematics: axis " + axis.id + " has resolution " +
-                                                             std::to_string(axis.resolution) + ", expected > 0");
+                                                             std::to_string(axis.resolution) + ", expected finite and > 0");
         kinematics.m_resolution[i] = axis.resolution;
     }
     kinematics.m_jawResolution_rad = descriptor.jawResolution_rad;

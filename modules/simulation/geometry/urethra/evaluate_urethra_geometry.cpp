@@ -178,7 +178,7 @@ std::string profileProblem(std::span<const double> p, std::span<const double>) {
 std::string surfaceProblem(std::span<const double> p, std::span<const double> in) {
     if (std::string problem = wallProblem(p, meshFrom(p)); !problem.empty() || in.empty())
         return problem;
-    const double length_m = UrethraCentreline(p[0], p[1]).length_m();
+    const double length_m = UrethraCentreline(anatomyFrom(p)).length_m();
     return in[0] >= 0.0 && in[0] <= length_m ? std::string() : core::lawProblem("s_m", in[0], "from 0 to the bladder neck, " + std::to_string(length_m) + " m");
 }
 
