@@ -49,7 +49,7 @@ inline bool sameFigures(const QString& was, const QString& is) {
             continue;
         bool numberA = false, numberB = false;
         const double x = a[i].toDouble(&numberA), y = b[i].toDouble(&numberB);
-        if (!numberA || !numberB || !(std::abs(x - y) <= 1e-6 * std::max(std::abs(x), std::abs(y)) + 1e-9))
+        if (!numberA || !numberB || !std::isfinite(x) || !std::isfinite(y) || !(std::abs(x - y) <= 1e-6 * std::max(std::abs(x), std::abs(y)) + 1e-9))
             return false;
     }
     return true;

@@ -18,6 +18,7 @@
 #include "scoring/score_calculator.h"
 #include "scoring/smoothness.h"
 #include "scoring/trace_builder.h"
+#include "scoring/trace_columns.h"
 #include "scoring/trace_csv.h"
 
 #include <QtTest>
@@ -233,6 +234,8 @@ private slots:
     void events();
     void truths();
     void files();
+    void cells();
+    void headers();
     void nothingElseIsKept() { QCOMPARE(m_kept.unseen(), QStringList()); }
 
 private:
@@ -421,6 +424,73 @@ void TestKeptScores::files() {
         }
     }
     hold(QStringLiteral("files"), out);
+}
+
+/// Each cell of a row with every column, at the ends of what it may be and beyond, and how it is written again.
+void TestKeptScores::cells() {
+    Figures out;
+    SessionTrace trace = drawn();
+    trace.trials.resize(1);
+    trace.trials[0].unfinished = true;
+    TraceRows all = rowsOf(trace);
+    all.columns.jaw = all.columns.buttons = all.columns.phase = true;
+    all.rows.resize(1);
+    all.rows[0].quantities[1] = -0.0;
+    all.rows[0].quantities[2] = std::nan("");
+    const QStringList lines = QString::fromStdString(writeTraceCsv(all)).split(QLatin1Char('\n'));
+    const QStringList names = lines[0].split(QLatin1Char(',')), usual = lines[1].split(QLatin1Char(','));
+    for (qsizetype i = 0; i < names.size(); ++i)
+        out.say(names[i], usual[i].toStdString());
+    for (qsizetype i = 0; i < names.size(); ++i) {
+        const int known = findTraceColumn(names[i].toStdString());
+        QStringList values{QString(), QStringLiteral("0"), QStringLiteral("1"), QStringLiteral("-1"), QStringLiteral("2"), QStringLiteral("0.5"), QStringLiteral("-0"), QStringLiteral("0.00000049"), QStringLiteral("x"), QStringLiteral("1e400"), QStringLiteral("running"), QStringLiteral("withdrawal")};
+        if (known >= 0) {
+            const TraceColumn& column = traceColumns()[static_cast<std::size_t>(known)];
+            for (const double end : {column.least, column.most})
+                for (const double away : {-1.0, 0.0, 1.0})
+                    values << QString::number(end + away * std::max(1.0, 1e-9 * std::abs(end)), 'g', 17);
+        }
+        values.removeDuplicates();
+        for (const QString& value : values) {
+            QStringList row = usual;
+            row[i] = value;
+            const auto read = readTraceCsv((names.join(QLatin1Char(',')) + QLatin1Char('\n') + row.join(QLatin1Char(','))).toStdString(), "t");
+            out.say(names[i] + QStringLiteral(" = ") + value, read ? QString::fromStdString(writeTraceCsv(*read)).section(QLatin1Char('\n'), 1, 1).section(QLatin1Char(','), i, i).toStdString() : read.error().message.substr(0, 160));
+        }
+    }
+    hold(QStringLiteral("cells"), out);
+}
+
+/// Columns that are missing, given twice, unknown or too many, and lines that are no rows.
+void TestKeptScores::headers() {
+    Figures out;
+    const auto told = [&](const std::string& name, const std::string& text) {
+        const auto read = readTraceCsv(text, "t");
+        const auto built = read ? buildSessionTrace(*read, "drawn") : core::Result<SessionTrace>(SessionTrace{});
+        out.say(QString::fromStdString(name), !read ? read.error().message.substr(0, 200) : !built ? built.error().message : "read, " + std::to_string(read->rows.size()) + " rows, " + std::to_string(built->trials.size()) + " trials");
+    };
+    const std::string head = "t_s,x_mm,y_mm,z_mm", row = "\n0,1,2,3\n";
+    for (const TraceColumn& column : traceColumns()) {
+        told("with " + std::string(column.name), head + "," + std::string(column.name) + "\n0,1,2,3,1\n");
+        told("twice " + std::string(column.name), std::string(column.name) + "," + std::string(column.name) + row);
+    }
+    for (const char* name : {"", "x", "quantity_", "quantity_a", "quantity_A", "quantity_a b", "truth_", "truth_a_1", "truth_1", "quantity_a,quantity_a", "quantity_a,truth_a"})
+        told(std::string("named ") + name, head + "," + name + "\n0,1,2,3,1\n");
+    for (const int count : {64, 65})
+        for (const char* prefix : {"quantity_a", "truth_a"}) {
+            std::string names = head, cells = "\n0,1,2,3";
+            for (int i = 0; i < count; ++i) {
+                names += "," + std::string(prefix) + std::to_string(i);
+                cells += ",1";
+            }
+            told(std::to_string(count) + prefix, names + cells);
+        }
+    for (const char* text : {"", "\n", "\xef\xbb\xbf", "\xef\xbb\xbft_s,x_mm,y_mm,z_mm\n0,1,2,3", "t_s,x_mm,y_mm,z_mm", "t_s,x_mm,y_mm,z_mm\r\n0,1,2,3\r\n", "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n\n\n", "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n\n1,1,2,3", "t_s,x_mm,y_mm,z_mm\n\n0,1,2,3",
+                             "t_s,x_mm,y_mm,z_mm\n0,1,2\n", "t_s,x_mm,y_mm,z_mm\n0,1,2,3,\n", "t_s,x_mm,y_mm,z_mm\n0,\x1f\x20\x7e\x7f\x80,2,3\n", "t_s,x_mm,y_mm,z_mm\n0,1234567890123456789012345678901234567890,2,x\n", "t_s,x_mm,y_mm,z_mm\n0,12345678901234567890123456789012345678901x,2,3\n",
+                             "t_s,x_mm,y_mm,z_mm,tool\n0,1,2,3,0\n0,1,2,3,1\n0,1,2,3,1\n", "t_s,x_mm,y_mm,z_mm,trial\n0,1,2,3,1\n1,1,2,3,2\n2,1,2,3,1\n", "t_s,x_mm,y_mm,z_mm,phase\n0,1,2,3,ready\n", "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n0,1,2,3,1.0009,0,0,0\n1,1,2,3,1.0011,0,0,0\n",
+                             "t_s,x_mm,y_mm,z_mm,force_limit_N\n0,1,2,3,2\n1,1,2,3,3\n", "t_s,x_mm,y_mm,z_mm,trials_planned\n0,1,2,3,2\n1,1,2,3,3\n", "t_s,x_mm,y_mm,z_mm,failed\n0,1,2,3,0\n1,1,2,3,1\n", "t_s,x_mm,y_mm,z_mm,unfinished\n0,1,2,3,1\n1,1,2,3,0\n", "t_s,x_mm,y_mm,z_mm,truth_a\n0,1,2,3,1\n1,1,2,3,2\n"})
+        told(text, text);
+    hold(QStringLiteral("headers"), out);
 }
 
 QTEST_APPLESS_MAIN(TestKeptScores)
