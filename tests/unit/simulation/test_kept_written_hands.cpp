@@ -2,7 +2,7 @@
 // Everything that scenes answer to written hands, for parameters as they are made and for what no level of the content asks for: other laws,
 // tasks, yields, decoys. And what is planned for a session, trial by trial. Levels are held by tests/replay/test_scene_answers; here is what
 // a new level or a change of one would meet. Against what was looked at and kept; a change that is meant is kept anew, and its difference is
-// read in review: CHIRON_STORE_OUTLINES=1 ctest --test-dir build/release -R "^test_kept_answers$"
+// read in review: CHIRON_STORE_OUTLINES=1 ctest --test-dir build/release -R "^test_kept_written_hands$"
 #include "core/fp_environment.h"
 #include "simulation/exercises/elastic_tube/elastic_tube_plan.h"
 #include "simulation/exercises/elastic_tube/elastic_tube_scene.h"
@@ -349,7 +349,7 @@ private:
         const QString differs = m_kept.differs(name, lines);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
-    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/simulation/kept_answers.txt"), &tests::sameNumbers};
+    tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/simulation/kept_written_hands.txt"), &tests::sameNumbers};
 };
 
 void TestKeptAnswers::scenesAnswerAsTheyWereKept_data() {
@@ -435,4 +435,4 @@ void TestKeptAnswers::plansAreAsTheyWereKept() {
 }
 
 QTEST_APPLESS_MAIN(TestKeptAnswers)
-#include "test_kept_answers.moc"
+#include "test_kept_written_hands.moc"
