@@ -283,7 +283,6 @@ void TestCliRefuses::rangesAreSaid_data() {
     option("study plan stiffness_2afc --observer weber:0.1 --power", "alpha", "9e-7", "0.51", "a number from 1e-06 to 0.5");
     option("study plan stiffness_2afc --observer weber:0.1 --power", "between-sd", "-0.1", "3.1", "a number from 0 to 3");
     option("study plan stiffness_2afc --observer weber:0.1 --power", "ratio", "0.009", "100.1", "a number from 0.01 to 100");
-    option("study run stiffness_2afc --observer weber:0.1", "trials", "0", "100001", "a whole number from 1 to 100000");
     option("score 1", "metric-version", "0", "1001", "a whole number from 1 to 1000");
     option("metrics none.csv", "force-limit", "0.009", "100.1", "a number from 0.01 to 100");
     option("session list", "limit", "0", "1000001", "a whole number from 1 to 1000000");
