@@ -35,10 +35,12 @@ namespace chiron::tests {
 /// can be reached. Without what differs from run to run: dates, digests, codes that are drawn, and where exactly things lie on the screen.
 class ScreenOutline {
 public:
-    /// `grids`: also how a grid's rows and columns stretch, and the gaps between them.
-    static QStringList of(const QWidget& page, bool grids = false) {
+    /// `grids`: also how a grid's rows and columns stretch, and the gaps between them; `details`: also ranges and values of what is turned or
+    /// typed, tabs, the lines of lists, and the colours of signs.
+    static QStringList of(const QWidget& page, bool grids = false, bool details = false) {
         ScreenOutline outline;
         outline.m_grids = grids;
+        outline.m_details = details;
         outline.add(page, 0);
         return outline.m_lines;
     }
@@ -136,7 +138,9 @@ private:
         const auto most = std::max_element(inks.begin(), inks.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
         return most == inks.end() ? QStringLiteral("thin") : QColor(most->first).name();
     }
-    static QString icon(const QIcon& icon, const QSize& size) {
+    QString icon(const QIcon& icon, const QSize& size) const {
+        if (!m_details)
+            return icon.isNull() ? QString() : QStringLiteral(" icon");
         return icon.isNull() ? QString() : QStringLiteral(" icon %1x%2 %3").arg(size.width()).arg(size.height()).arg(inkOf(icon.pixmap(QSize(32, 32), 1.0).toImage()));
     }
     /// What may be typed or turned to.
@@ -162,9 +166,9 @@ private:
         return {};
     }
 
-    static QString words(const QWidget& widget) {
+    QString words(const QWidget& widget) const {
         if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
-            const QPixmap sign = label->pixmap();
+            const QPixmap sign = m_details ? label->pixmap() : QPixmap();
             return QStringLiteral("\"%1\" %2%3%4").arg(said(label->text())).arg(static_cast<int>(label->alignment()), 0, 16).arg(label->wordWrap() ? QStringLiteral(" wraps") : QString(),
                        sign.isNull() ? QString() : QStringLiteral(" sign %1x%2 %3").arg(sign.width()).arg(sign.height()).arg(inkOf(sign.toImage())));
         }
@@ -182,7 +186,7 @@ private:
         }
         if (const auto* box = qobject_cast<const QGroupBox*>(&widget))
             return QStringLiteral("\"%1\"").arg(said(box->title()));
-        return range(widget);
+        return m_details ? range(widget) : QString();
     }
 
     /// The words of a cell, how they stand, and whether there is a picture.
@@ -261,15 +265,16 @@ private:
             add(*table, depth + 1);
             return;
         }
-        if (const auto* list = qobject_cast<const QListView*>(&widget); list && list->model()) {
+        if (const auto* list = qobject_cast<const QListView*>(&widget); m_details && list && list->model()) {
             add(*list, depth + 1);
             return;
         }
         if (const auto* plot = qobject_cast<const QCustomPlot*>(&widget))
             return add(const_cast<QCustomPlot&>(*plot), depth + 1); // its readers are not const
-        if (qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QLineEdit*>(&widget) ||
-            qobject_cast<const QPlainTextEdit*>(&widget) || qobject_cast<const QTabBar*>(&widget) || qobject_cast<const QAbstractSlider*>(&widget))
+        if (qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QLineEdit*>(&widget))
             return; // what it is made of is Qt's
+        if (m_details && (qobject_cast<const QPlainTextEdit*>(&widget) || qobject_cast<const QTabBar*>(&widget) || qobject_cast<const QAbstractSlider*>(&widget)))
+            return;
         if (widget.layout())
             add(*widget.layout(), depth + 1);
         for (const QObject* child : widget.children())
@@ -279,6 +284,7 @@ private:
 
     QStringList m_lines;
     bool m_grids = false;
+    bool m_details = false;
 };
 
 } // namespace chiron::tests

@@ -409,7 +409,7 @@ private:
     void take(const char* moment) {
         say(QStringLiteral("-- ") + QLatin1String(moment));
         static const QRegularExpression seconds(QStringLiteral("[0-9]+ second")); // that are left
-        const QStringList now = tests::ScreenOutline::of(*m_widget, true).replaceInStrings(seconds, QStringLiteral("… second"));
+        const QStringList now = tests::ScreenOutline::of(*m_widget, true, true).replaceInStrings(seconds, QStringLiteral("… second"));
         for (const QString& line : now)
             if (!m_before.contains(line))
                 say(line);

@@ -157,7 +157,7 @@ private slots:
             desktop::PlaybackPlots plots(theme, m_desktop->context.locale(), of->track, of->setup.level.parameters);
             plots.setGhost(session::ghostSeries(of->track, beside->track), QStringLiteral("second session"));
             plots.showCursor(1.5);
-            m_lines << tests::ScreenOutline::of(plots, true);
+            m_lines << tests::ScreenOutline::of(plots, true, true);
         }
         const QString differs = m_kept.differs(QStringLiteral("a second session"), m_lines);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
@@ -207,7 +207,7 @@ private:
             find<QCheckBox>("playback.contacts")->setChecked(!penalties);
             find<QCheckBox>("playback.penalties_only")->setChecked(penalties);
             say(penalties ? QStringLiteral("-- penalties") : QStringLiteral("-- all events"));
-            m_lines << tests::ScreenOutline::of(*marks->parentWidget());
+            m_lines << tests::ScreenOutline::of(*marks->parentWidget(), false, true);
         }
         find<QCheckBox>("playback.penalties_only")->setChecked(false);
         for (const int row : {0, marks->count() / 2, marks->count() - 1}) {

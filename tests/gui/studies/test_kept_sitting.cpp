@@ -292,7 +292,7 @@ private:
     /// What has changed since it was looked at last; all of it at first.
     void take(const char* moment, const QWidget& widget) {
         say(QStringLiteral("-- ") + QLatin1String(moment));
-        const QStringList now = tests::ScreenOutline::of(widget, true);
+        const QStringList now = tests::ScreenOutline::of(widget, true, true);
         for (const QString& line : now)
             if (!m_before.contains(line))
                 say(line);

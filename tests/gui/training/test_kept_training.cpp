@@ -255,7 +255,7 @@ private:
     }
     /// The screen, and of what draws itself what it draws at a size of its own.
     static QStringList outline(desktop::TrainingScreen& screen) {
-        QStringList lines = tests::ScreenOutline::of(screen, true);
+        QStringList lines = tests::ScreenOutline::of(screen, true, true);
         lines.removeIf([](const QString& line) { return line.contains(QLatin1String("QScrollBar")) || line.contains(QLatin1String("524287")); }); // Qt's own
         for (QWidget* widget : screen.findChildren<QWidget*>()) {
             const QString kind = QString::fromLatin1(widget->metaObject()->className());

@@ -34,7 +34,7 @@ private slots:
         QStringList now;
         for (int quiet = 0, look = 0; quiet < 3 && look < 400; ++look) { // until what workers bring is there
             QTest::qWait(20);
-            const QStringList next = tests::ScreenOutline::of(*m_desktop->window->screen());
+            const QStringList next = tests::ScreenOutline::of(*m_desktop->window->screen(), false, true);
             quiet = next == now && tests::waitUntilLoaded(*m_desktop) ? quiet + 1 : 0;
             now = next;
         }
