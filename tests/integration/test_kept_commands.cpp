@@ -31,8 +31,9 @@ QByteArray table(const QByteArray& header, std::initializer_list<const char*> ro
 QString masked(QString text, const QString& folder) {
     text.replace(folder, QStringLiteral("DIR"));
     static const QRegularExpression digest(QStringLiteral("\\b(?=[0-9a-f]*[0-9])[0-9a-f]{7,}\\b")), time(QStringLiteral("\\b20[0-9]{2}-[0-9]{2}-[0-9]{2}([T ][0-9:.]+Z?)?")),
-        code(QStringLiteral("\\b[0-9A-Z]{3}-[0-9A-Z]{3}\\b")), recovery(QStringLiteral("\\b[0-9A-Za-z]{4,}(-[0-9A-Za-z]{4,}){3,}\\b")), build(QStringLiteral("\\+g?[0-9a-f]{6,}(-dirty|\\.dirty)?"));
-    for (const QRegularExpression& ofToday : {recovery, code, time, build, digest})
+        code(QStringLiteral("\\b[0-9A-Z]{3}-[0-9A-Z]{3}\\b")), recovery(QStringLiteral("\\b[0-9A-Za-z]{4,}(-[0-9A-Za-z]{4,}){3,}\\b")), build(QStringLiteral("\\+g?[0-9a-f]{6,}(-dirty|\\.dirty)?")),
+        processor(QStringLiteral("\\b(x86-64|aarch64)(\\+[0-9a-z]+)*"));
+    for (const QRegularExpression& ofToday : {recovery, code, time, build, digest, processor})
         text.replace(ofToday, QStringLiteral("0"));
     return text;
 }
