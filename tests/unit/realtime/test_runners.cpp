@@ -6,6 +6,8 @@
 
 #include <QtTest>
 #include <limits>
+#include <pthread.h>
+#include <sys/prctl.h>
 #include <thread>
 #include <vector>
 
@@ -148,8 +150,12 @@ private slots:
     void threadSetUpSaysWhatWasGrantedOrWhyNot() {
         RealtimeStatus status;
         double denormalProduct = 1.0;
+        int slack_ns = -1, policy = -1;
+        sched_param granted{};
         std::thread thread([&] {
             status = setUpRealtimeThread();
+            slack_ns = prctl(PR_GET_TIMERSLACK, 0UL, 0UL, 0UL, 0UL);
+            pthread_getschedparam(pthread_self(), &policy, &granted);
             volatile double tiny = std::numeric_limits<double>::min();
             volatile double half = 0.5;
             denormalProduct = tiny * half;
@@ -159,6 +165,11 @@ private slots:
         QVERIFY(!status.memoryDetail.empty());
         QCOMPARE(status.priorityGranted, status.priorityDetail.rfind("SCHED_FIFO priority", 0) == 0);
         QCOMPARE(status.memoryLocked, status.memoryDetail == "memory locked");
+        QCOMPARE(status.priorityGranted, policy == SCHED_FIFO);
+        QCOMPARE(granted.sched_priority, status.priorityGranted ? 80 : 0);
+        QVERIFY2(status.priorityDetail.find("80") != std::string::npos, status.priorityDetail.c_str());
+        QVERIFY2(status.memoryLocked || status.memoryDetail.rfind("memory not locked: ", 0) == 0, status.memoryDetail.c_str());
+        QVERIFY2(slack_ns >= 0 && slack_ns <= 1, qPrintable(QString::number(slack_ns))); // the default of 50 µs is half of what is spun
         QVERIFY2(denormalProduct == 0.0, "denormals are flushed on that thread");
     }
 };

@@ -5,6 +5,7 @@
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
 #include "session/study/live_study.h"
+#include "session/study/presentation_order.h"
 #include "session/study/sample_tap.h"
 #include "session/study/study_analysis.h"
 #include "session/study/study_setup.h"
@@ -113,6 +114,7 @@ private slots:
     void pausedAndResumedBeforeTheFirstTick();
     void pausesAndGoesOn();
     void noClockRunsWhilePaused();
+    void theTrialAtHandIsTold();
     void timeIsNeverUpWithoutAnAnswer();
     void whatIsShownIsNotInTheGroup();
     void stopsWhilePaused();
@@ -220,6 +222,49 @@ void TestLiveStudy::whatIsShownIsNotInTheGroup() {
         QCOMPARE(cells.value(names.indexOf("force_class")), QByteArray("shown"));
         QVERIFY2(names.contains("device") && cells.value(names.indexOf("device")) != "n/a" && !cells.value(names.indexOf("device")).isEmpty(), lines[1].constData());
     }
+}
+
+/// Practice tells what was right, a scored trial where the design says so; then a break is due, and for how long.
+void TestLiveStudy::theTrialAtHandIsTold() {
+    Site site(false, [](psychophysics::StudyDesign& design) {
+        design.trial.exploreLimit_s = 25.0;
+        design.trial.betweenTrials_s = 0.0;
+        design.trial.practiceTrials = 1;
+        design.trial.breakEvery = 1;
+        design.trial.breakAtLeast_s = 40.0;
+        design.fidelity.lateTicks = 1.0; // on a busy machine, too
+    });
+    const auto live = site.sit();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    const session::LiveStudyView first = live->view();
+    QVERIFY(first.state == View::exploring && first.practice && first.trial == 0 && first.places == 3 && first.place == -1 && first.touched == 0);
+    QCOMPARE(first.ofAtMost, session::trialsAtMost(live->condition()));
+    QVERIFY(first.timeLeft_s > 0.0 && first.timeLeft_s <= 25.0 && first.breakLeft_s == 0.0 && !first.right);
+    QVERIFY(live->numbers().practice == 0 && live->numbers().repeats == 0 && live->numbers().lastSpoiled.empty());
+    QVERIFY(live->answer(2).has_value());
+    QVERIFY(!live->answer(2)); // once
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().practice == 1), kPatience_ms);
+    const session::LiveStudyView told = live->view();
+    const auto stored = [&](std::size_t trial) {
+        auto connection = site.fixture.database->openReader();
+        database::StudyReader reader(**connection, site.actor);
+        const auto runs = reader.runs(reader.participantByCode(site.study, site.code)->id);
+        return reader.studyTrials(runs->front().id)->at(trial);
+    };
+    const database::StudyTrial practised = stored(0);
+    QVERIFY(practised.practice && practised.answer == 2 && practised.ordinal == 0);
+    QVERIFY(told.state == View::feedback && !told.practice && told.trial == 0 && told.ofAtMost == first.ofAtMost);
+    QCOMPARE(told.right, std::optional(psychophysics::correctAnswer(psychophysics::Task::rank3, practised.arrangement) == 2));
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    QVERIFY(!live->view().practice && !live->view().right);
+    QVERIFY(live->answer(1).has_value());
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored == 1), kPatience_ms);
+    const session::LiveStudyView rest = live->view();
+    QVERIFY(!rest.right); // scored ones are not told
+    QVERIFY(!stored(1).practice && stored(1).answer == 1 && stored(1).ordinal == 1);
+    QVERIFY(rest.state == View::breakDue && rest.trial == 1 && !rest.canAnswer && rest.timeLeft_s == 0.0);
+    QVERIFY(rest.breakLeft_s > 0.0 && rest.breakLeft_s <= 40.0);
+    QCOMPARE(live->numbers().practice, 1);
 }
 
 /// Objects that were not all touched when they go cannot be answered about: the trial ends at once and comes again, and nobody is asked for an answer.
