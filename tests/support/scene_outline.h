@@ -190,14 +190,20 @@ private:
         if (!data)
             return m_made[&image] = className(image);
         const QByteArray bytes = data->data();
-        std::vector<double> sums(8, 0.0);
+        const int width = std::max(1, data->width());
         const double count = std::max(1.0, double(bytes.size()) / 4.0);
+        std::vector<double> sums(16, 0.0); // of each channel the mean, and what lies left and right, above and below, and across
         for (qsizetype i = 0; i < bytes.size(); ++i) {
-            const double x = static_cast<std::uint8_t>(bytes[i]) / count;
-            sums[std::size_t(2 * (i % 4))] += x;
-            sums[std::size_t(2 * (i % 4) + 1)] += x * double(i / 4 % 8191 % 89) / 89.0;
+            const double value = static_cast<std::uint8_t>(bytes[i]) / count;
+            const double across = std::sin(2.0 * M_PI * double(i / 4 % width) / width), down = std::sin(2.0 * M_PI * double(i / 4 / width) * width / count);
+            double* of = &sums[std::size_t(4 * (i % 4))];
+            of[0] += value;
+            of[1] += value * across;
+            of[2] += value * down;
+            of[3] += value * across * (1.0 + down);
         }
-        return m_made[&image] = QStringLiteral("computed %1x%2 %3").arg(data->width()).arg(data->height()).arg(outlined(sums, 5));
+        return m_made[&image] = QStringLiteral("computed %1x%2 target %3 format %4 pixels %5/%6 layers %7 faces %8 %9").arg(data->width()).arg(data->height()).arg(data->target()).arg(data->format())
+                                    .arg(data->pixelFormat()).arg(data->pixelType()).arg(data->layers()).arg(data->faces()).arg(outlined(sums, 5));
     }
 
     // ---- looks ----

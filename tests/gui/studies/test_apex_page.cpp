@@ -48,7 +48,13 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), 20000);
         const auto* table = m_site->find<QTableWidget>(QStringLiteral("data.runs"));
         QCOMPARE(table->rowCount(), 4);
-        QVERIFY2(table->item(0, 1)->text().contains(QStringLiteral("mm (")), qPrintable(table->item(0, 1)->text()));
+        for (int row = 0; row < table->rowCount(); ++row)
+            for (int column = 0; column < table->columnCount(); ++column) {
+                const auto* cell = table->item(row, column);
+                QVERIFY2(cell && !cell->text().isEmpty(), qPrintable(table->horizontalHeaderItem(column)->text()));
+                if (column > 0 && column < table->columnCount() - 2) // bias, SD (of which there is no share) and error
+                    QVERIFY2(cell->text().contains(column == 3 || column == 4 ? QStringLiteral("mm") : QStringLiteral("mm (")), qPrintable(cell->text()));
+            }
         const auto* marks = m_site->find<report::PlotView>(QStringLiteral("data.apex_marks"));
         QVERIFY(marks);
         const QStringList legend = marks->legendTexts();

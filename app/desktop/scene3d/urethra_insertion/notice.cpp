@@ -52,7 +52,6 @@ Notice::Notice(EffectShelf& effects, Qt3DRender::QLayer* layer, Qt3DCore::QEntit
     m_part = new Part(flatSquare(-0.9992), effects.material("screen.vert", "notice.frag", {face}, Blend::opaque, root), root);
     m_part->addComponent(layer);
     m_part->at().setScale3D({float(kWide), float(kHigh), 1.0F});
-    m_part->setEnabled(false);
 }
 
 void Notice::change(const SceneSetup& setup) {
