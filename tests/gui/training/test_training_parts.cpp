@@ -25,6 +25,7 @@ private slots:
     void aPlotIsQuicklyPainted();
     void pixelsBecomeMetres();
     void aPointerLedBackMakesNoJump();
+    void onlyACapturedPointerIsLedBackWhenItLeaves();
     void heldKeysBecomeASpeed();
     void everyStateHasItsWords();
     void aPlanComesBackFromItsPlace();
@@ -162,6 +163,33 @@ void TestTrainingParts::aPointerLedBackMakesNoJump() {
     QVERIFY(qFuzzyCompare(moveTo(500.0), 220.0));
     pointer.release();
     QVERIFY(qFuzzyCompare(moveTo(100.0), 220.0));
+}
+
+/// A pointer that is nobody's hand, or whose window is not the one in front, goes where it likes.
+void TestTrainingParts::onlyACapturedPointerIsLedBackWhenItLeaves() {
+    devices::PointerMailbox mailbox;
+    PointerControl hand(mailbox, 1.0);
+    QWidget area;
+    area.resize(300, 200);
+    area.show();
+    area.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&area));
+    ScenePointer pointer(hand, area, area);
+    const QPoint away = area.mapToGlobal(QPoint(5, 5));
+    const auto left = [&] {
+        QCursor::setPos(away);
+        QEvent leave(QEvent::Leave);
+        QApplication::sendEvent(&area, &leave);
+        return QCursor::pos();
+    };
+    QCOMPARE(left(), away);
+    pointer.capture();
+    QCOMPARE(left(), area.mapToGlobal(area.rect().center()));
+    QWidget other;
+    other.show();
+    other.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&other));
+    QCOMPARE(left(), away);
 }
 
 void TestTrainingParts::heldKeysBecomeASpeed() {

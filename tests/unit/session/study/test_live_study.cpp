@@ -115,6 +115,7 @@ private slots:
     void pausesAndGoesOn();
     void noClockRunsWhilePaused();
     void theTrialAtHandIsTold();
+    void anUnknownConditionIsRefused();
     void timeIsNeverUpWithoutAnAnswer();
     void whatIsShownIsNotInTheGroup();
     void stopsWhilePaused();
@@ -222,6 +223,16 @@ void TestLiveStudy::whatIsShownIsNotInTheGroup() {
         QCOMPARE(cells.value(names.indexOf("force_class")), QByteArray("shown"));
         QVERIFY2(names.contains("device") && cells.value(names.indexOf("device")) != "n/a" && !cells.value(names.indexOf("device")).isEmpty(), lines[1].constData());
     }
+}
+
+void TestLiveStudy::anUnknownConditionIsRefused() {
+    Site site;
+    auto asked = site.request();
+    asked.condition = "nowhere";
+    const auto live = session::LiveStudy::start(*site.fixture.database, site.actor, std::move(asked));
+    QVERIFY(!live);
+    QCOMPARE(live.error().code, core::ErrorCode::notFound);
+    QVERIFY2(live.error().message.find("nowhere") != std::string::npos, live.error().message.c_str());
 }
 
 /// Practice tells what was right, a scored trial where the design says so; then a break is due, and for how long.

@@ -127,6 +127,26 @@ private slots:
         QVERIFY(ended->completed);
         QCOMPARE(ended->runs.front().scored, 12);
     }
+    void onlyAConditionThatIsOpenIsRun() {
+        psychophysics::StudyDesign design = testing::rank3Study(psychophysics::Attribute::stiffness, 12, 12);
+        design.conditions.push_back(design.conditions.front());
+        design.conditions.back().id = "other";
+        Site site(design);
+        auto asked = site.request(site.enrol(kObserver), true);
+        asked.condition = "main";
+        QVERIFY(site.run(asked));
+        const auto again = site.run(asked);
+        QVERIFY(!again && again.error().code == core::ErrorCode::wrongUse);
+        QVERIFY2(again.error().message.find("main is completed") != std::string::npos, again.error().message.c_str());
+        asked.condition = "nowhere";
+        const auto unknown = site.run(asked);
+        QVERIFY(!unknown);
+        QVERIFY2(unknown.error().message.find("nowhere") != std::string::npos, unknown.error().message.c_str());
+        asked.condition.clear(); // whatever is open
+        const auto rest = site.run(asked);
+        QVERIFY(rest && rest->completed && rest->runs.size() == 1);
+        QCOMPARE(rest->runs.front().condition, std::string("other"));
+    }
     void anotherVersionNeverGoesOn() {
         Site site(testing::rank3Study(psychophysics::Attribute::stiffness, 12, 12), true);
         const std::string code = site.enrol(kObserver);
