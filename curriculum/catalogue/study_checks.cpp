@@ -107,13 +107,13 @@ void checkLevels(const Condition& condition, const QString& path, Problems& prob
     const bool logarithm = condition.scale == ProcedureScale::logDifference;
     if ((logarithm && table.front() <= 0.0))
         return;
-    const double slack = 1e-9;
-    const double lowest = (logarithm ? std::log10(table.front()) : table.front()) - slack;
-    const double highest = (logarithm ? std::log10(table.back()) : table.back()) + slack;
+    constexpr double kSlack = 1e-9; // levels that are written as logarithms are rounded
+    const double lowest = logarithm ? std::log10(table.front()) : table.front();
+    const double highest = logarithm ? std::log10(table.back()) : table.back();
     for (std::size_t i = 0; i < condition.procedures.size(); ++i) {
         const QString at = elementPath(memberPath(path, "procedures"), static_cast<qsizetype>(i));
         const auto inside = [&](const char* key, const std::vector<double>& levels) {
-            const auto outside = std::find_if(levels.begin(), levels.end(), [&](double x) { return x < lowest || x > highest; });
+            const auto outside = std::find_if(levels.begin(), levels.end(), [&](double x) { return x < lowest - kSlack || x > highest + kSlack; });
             if (outside != levels.end())
                 problems.push_back({memberPath(at, key), QString::number(*outside),
                                     QStringLiteral("%1 to %2, as the table of differences has").arg(lowest).arg(highest)});

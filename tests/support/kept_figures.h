@@ -36,23 +36,7 @@ public:
     QStringList lines;
 };
 
-/// The same words, and figures within a millionth: libraries of mathematics round differently on other processors, and searches end near
-/// their optimum. What is smaller than a thousand-millionth is 0.
-inline bool sameFigures(const QString& was, const QString& is) {
-    if (was == is)
-        return true;
-    const QStringList a = was.split(QLatin1Char(' ')), b = is.split(QLatin1Char(' '));
-    if (a.size() != b.size())
-        return false;
-    for (qsizetype i = 0; i < a.size(); ++i) {
-        if (a[i] == b[i])
-            continue;
-        bool numberA = false, numberB = false;
-        const double x = a[i].toDouble(&numberA), y = b[i].toDouble(&numberB);
-        if (!numberA || !numberB || !std::isfinite(x) || !std::isfinite(y) || !(std::abs(x - y) <= 1e-6 * std::max(std::abs(x), std::abs(y)) + 1e-9))
-            return false;
-    }
-    return true;
-}
+/// Lines of figures that may differ as KeptText::within() says; what is smaller than a thousand-millionth is 0.
+inline bool sameFigures(const QString& was, const QString& is) { return KeptText::within(was, is, 1e-9); }
 
 } // namespace chiron::tests

@@ -30,21 +30,7 @@ private:
     QStringList m_lines;
 };
 
-/// The same words, and numbers to a millionth: libraries of mathematics round differently on other processors, and what swings or rubs
-/// carries that on for a while; a changed law moves far more.
-inline bool sameNumbers(const QString& was, const QString& is) {
-    if (was == is)
-        return true;
-    const QStringList a = was.split(QLatin1Char(' ')), b = is.split(QLatin1Char(' '));
-    if (a.size() != b.size())
-        return false;
-    for (qsizetype i = 0; i < a.size(); ++i) {
-        bool first = false, second = false;
-        const double x = a[i].toDouble(&first), y = b[i].toDouble(&second);
-        if (first && second ? !(std::abs(x - y) <= 1e-6 * std::max(std::abs(x), std::abs(y)) + 1e-12) && a[i] != b[i] : a[i] != b[i])
-            return false;
-    }
-    return true;
-}
+/// Lines of numbers that may differ as KeptText::within() says.
+inline bool sameNumbers(const QString& was, const QString& is) { return KeptText::within(was, is, 1e-12); }
 
 } // namespace chiron::tests

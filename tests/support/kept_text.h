@@ -83,6 +83,25 @@ public:
         return !a.hasNext() && !b.hasNext() && was.mid(fromA) == is.mid(fromB);
     }
 
+    /// The same words, parted by blanks, and numbers within a millionth of themselves or `floor` of each other: libraries of mathematics round
+    /// differently on other processors, and what swings or is searched for carries that on; a changed law moves far more. Infinite is not alike.
+    static bool within(const QString& was, const QString& is, double floor) {
+        if (was == is)
+            return true;
+        const QStringList a = was.split(QLatin1Char(' ')), b = is.split(QLatin1Char(' '));
+        if (a.size() != b.size())
+            return false;
+        for (qsizetype i = 0; i < a.size(); ++i) {
+            if (a[i] == b[i])
+                continue;
+            bool first = false, second = false;
+            const double x = a[i].toDouble(&first), y = b[i].toDouble(&second);
+            if (!first || !second || !std::isfinite(x) || !std::isfinite(y) || std::abs(x - y) > 1e-6 * std::max(std::abs(x), std::abs(y)) + floor)
+                return false;
+        }
+        return true;
+    }
+
 private:
     /// A section's step ("-- as it is made") that a line is of.
     static QString stepAt(const QStringList& lines, qsizetype at) {
@@ -97,6 +116,26 @@ private:
     QString m_file;
     Same m_same;
     QMap<QString, QStringList> m_kept, m_seen;
+};
+
+/// What is new and what is gone since the lines were last looked at; all of them at first.
+class LineChanges {
+public:
+    QStringList of(const QStringList& now) {
+        QStringList said;
+        for (const QString& line : now)
+            if (!m_before.contains(line))
+                said << line;
+        for (const QString& line : m_before)
+            if (!now.contains(line))
+                said << QStringLiteral("no more ") + line.trimmed().left(60);
+        m_before = now;
+        return said;
+    }
+    void forget() { m_before.clear(); }
+
+private:
+    QStringList m_before;
 };
 
 } // namespace chiron::tests

@@ -22,11 +22,14 @@
 #include "desktop/theme/theme.h"
 #include "desktop/widgets/state_panel.h"
 #include "support/kept_text.h"
-#include "support/touching_hand.h"
+#include "support/screen_outline.h"
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QListWidget>
+#include <QPushButton>
+#include <QtTest>
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -37,7 +40,7 @@ private slots:
     void initTestCase() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom)); }
     void init() {
         m_lines.clear();
-        m_before.clear();
+        m_changes.forget();
     }
 
     void logIn() {
@@ -399,7 +402,7 @@ private:
     void say(const QString& line) { m_lines << (line.isEmpty() ? QStringLiteral("nothing") : line); }
     void begin(QWidget& widget) {
         m_widget = &widget;
-        m_before.clear();
+        m_changes.forget();
         widget.resize(700, 600);
         widget.show();
         widget.activateWindow();
@@ -410,13 +413,8 @@ private:
         say(QStringLiteral("-- ") + QLatin1String(moment));
         static const QRegularExpression seconds(QStringLiteral("[0-9]+ second")); // that are left
         const QStringList now = tests::ScreenOutline::of(*m_widget, true, true).replaceInStrings(seconds, QStringLiteral("… second"));
-        for (const QString& line : now)
-            if (!m_before.contains(line))
-                say(line);
-        for (const QString& line : m_before)
-            if (!now.contains(line))
-                say(QStringLiteral("no more ") + line.trimmed().left(60));
-        m_before = now;
+        for (const QString& line : m_changes.of(now))
+            say(line);
     }
     void fill(QWidget& in, const char* name, const char* text) {
         auto* field = in.findChild<QLineEdit*>(QLatin1String(name));
@@ -452,7 +450,8 @@ private:
 
     Theme m_theme = *Theme::load(ThemeName::light, 1.0);
     QWidget* m_widget = nullptr;
-    QStringList m_lines, m_before;
+    QStringList m_lines;
+    tests::LineChanges m_changes;
     tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/accounts/kept_forms.txt")};
     int m_held = 0;
 };

@@ -28,7 +28,7 @@ class TestKeptSitting : public QObject {
 private slots:
     void init() {
         m_lines.clear();
-        m_before.clear();
+        m_changes.forget();
     }
 
     /// Each key that means something to any task, one after the other, open and closed.
@@ -38,7 +38,7 @@ private slots:
                 const Task task = static_cast<Task>(t);
                 desktop::AnswerPanel panel(m_theme, task, attribute);
                 say(QStringLiteral("## %1 of %2").arg(t).arg(static_cast<int>(attribute)));
-                m_before.clear();
+                m_changes.forget();
                 connect(&panel, &desktop::AnswerPanel::answered, &panel, [this](int answer, std::optional<double> value) {
                     say(QStringLiteral("answers %1%2").arg(answer).arg(value ? QStringLiteral(" with %1").arg(*value) : QString()));
                 });
@@ -110,7 +110,7 @@ private slots:
         condition.title = {{"en", "Soft pads"}, {"de", "Weiche Kissen"}};
         for (const bool blind : {false, true}) {
             say(blind ? QStringLiteral("## blind") : QStringLiteral("## open"));
-            m_before.clear();
+            m_changes.forget();
             desktop::ExperimenterPanel panel(m_theme, m_locale);
             QStringList asked;
             connect(&panel, &desktop::ExperimenterPanel::spoilAsked, &panel, [&] { asked << QStringLiteral("spoil"); });
@@ -292,14 +292,7 @@ private:
     /// What has changed since it was looked at last; all of it at first.
     void take(const char* moment, const QWidget& widget) {
         say(QStringLiteral("-- ") + QLatin1String(moment));
-        const QStringList now = tests::ScreenOutline::of(widget, true, true);
-        for (const QString& line : now)
-            if (!m_before.contains(line))
-                say(line);
-        for (const QString& line : m_before)
-            if (!now.contains(line))
-                say(QStringLiteral("no more ") + line.trimmed().left(60));
-        m_before = now;
+        m_lines << m_changes.of(tests::ScreenOutline::of(widget, true, true));
     }
     void draw(const char* moment, desktop::PlacesView& view) {
         say(QStringLiteral("-- ") + QLatin1String(moment));
@@ -331,7 +324,8 @@ private:
 
     desktop::Theme m_theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
     QLocale m_locale{QLocale::English, QLocale::UnitedKingdom};
-    QStringList m_lines, m_before;
+    QStringList m_lines;
+    tests::LineChanges m_changes;
     tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/studies/kept_sitting.txt")};
     tests::KeptText m_drawn{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/studies/kept_places.txt"), &tests::KeptText::nearly};
     int m_held = 0;
