@@ -85,6 +85,7 @@ private slots:
     void segmentsInSeriesAreTheTube();
     void forceIsTheGradient();
     void slackIsNothing();
+    void wherePullBegins();
     void dampingNeverPushesAndNeverSteps();
     void forcesAreEqualAndOpposite();
     void closedLoopsOfBothHandsMakeNothing_data();
@@ -160,6 +161,29 @@ void TestElasticTubeChain::slackIsNothing() {
     QCOMPARE(answer.tension_N, 0.0);
     QCOMPARE(answer.stretch_m, 0.0);
     QCOMPARE(answer.energy_J, 0.0);
+}
+
+/// What is free in the middle holds nobody: a place is slack as far as the tube reaches from the next one that is held.
+void TestElasticTubeChain::wherePullBegins() {
+    TubeChain chain(shapeOf(3, false));
+    const Vec3 low(0.0, 0.0, 0.02), along(0.6, 0.0, 0.8);
+    const auto holding = [&](std::initializer_list<std::size_t> nodes, const Vec3& p) {
+        TubeChain::Holds holds;
+        for (const std::size_t node : nodes)
+            holds[node] = at(p);
+        for (int tick = 0; tick < 3000; ++tick) // until what was let go has come back
+            chain.step(holds);
+    };
+    const auto pullsFrom = [&](std::size_t node, double rest_m) { return chain.slackAt(node, low + 0.999 * rest_m * along) && !chain.slackAt(node, low + 1.001 * rest_m * along); };
+    holding({2}, low);
+    QVERIFY(pullsFrom(0, kLength_m));
+    QVERIFY(pullsFrom(1, 0.22 * kLength_m));
+    holding({0}, low);
+    QVERIFY(pullsFrom(2, kLength_m));
+    QVERIFY(pullsFrom(1, 0.78 * kLength_m));
+    holding({1}, low);
+    QVERIFY(pullsFrom(0, 0.78 * kLength_m));
+    QVERIFY(pullsFrom(2, 0.22 * kLength_m));
 }
 
 void TestElasticTubeChain::dampingNeverPushesAndNeverSteps() {

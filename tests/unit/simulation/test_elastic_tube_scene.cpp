@@ -38,6 +38,7 @@ private slots:
     void sameInputsSameBits();
     void aPoseThatIsNoNumber();
     void bothHandsAreOneBody();
+    void asManyToolsAsThereAre();
 };
 
 void TestElasticTubeScene::flowOfTrials() {
@@ -305,6 +306,19 @@ void TestElasticTubeScene::bothHandsAreOneBody() {
     QVERIFY(std::abs(d.out.storedEnergy_J - 0.5 * 60.0 * 0.01 * 0.01) < 1e-9);
     QVERIFY(std::abs(d.out.contactStiffness_N_per_m - 60.0) < 1e-9);
     QVERIFY(std::abs(d.out.bodyStiffness_N_per_m[0] - 120.0) < 1e-9); // both ends move
+}
+
+/// None, all, and numbers that no device gives.
+void TestElasticTubeScene::asManyToolsAsThereAre() {
+    for (const auto& [given, answered] : {std::pair{0, 0}, {1, 1}, {core::kMaxTools, core::kMaxTools}, {-1, 0}, {core::kMaxTools + 1, core::kMaxTools}}) {
+        TubeDriver d(tubeExercise(TubeTask::hold));
+        d.startRunning();
+        d.in.tools.count = given;
+        d.scene.respond(d.source.next(0), d.in, d.out);
+        QCOMPARE(d.out.tissue.count, answered);
+        for (const core::Wrench& w : d.out.tissue.tools)
+            QVERIFY(w.force == Vec3::Zero()); // nobody holds
+    }
 }
 
 QTEST_APPLESS_MAIN(TestElasticTubeScene)
