@@ -1835,8 +1835,8 @@ Einzelheiten: %2</translation>
         <translation>Verstärkung, Phase</translation>
     </message>
     <message>
-        <source>Overshoot of a step</source>
-        <translation>Überschwingen eines Sprungs</translation>
+        <source>Overshoot, share of the force</source>
+        <translation>Überschwingen, Anteil der Kraft</translation>
     </message>
     <message>
         <source>Asked for 1 N, at most</source>

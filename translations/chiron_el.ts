@@ -1835,8 +1835,8 @@ Details: %2</source>
         <translation>Κέρδος, φάση</translation>
     </message>
     <message>
-        <source>Overshoot of a step</source>
-        <translation>Υπέρβαση ενός βήματος</translation>
+        <source>Overshoot, share of the force</source>
+        <translation>Υπέρβαση, ποσοστό της δύναμης</translation>
     </message>
     <message>
         <source>Asked for 1 N, at most</source>
