@@ -1835,20 +1835,20 @@ Einzelheiten: %2</translation>
         <translation>Verstärkung, Phase</translation>
     </message>
     <message>
-        <source>Overshoot, share of the force</source>
-        <translation>Überschwingen, Anteil der Kraft</translation>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
     </message>
     <message>
-        <source>Asked for 1 N, at most</source>
-        <translation>Bei 1 N Soll höchstens</translation>
+        <source>Most at 1 N</source>
+        <translation>Max. bei 1 N</translation>
     </message>
     <message>
-        <source>Asked for 4 N, at most</source>
-        <translation>Bei 4 N Soll höchstens</translation>
+        <source>Most at 4 N</source>
+        <translation>Max. bei 4 N</translation>
     </message>
     <message>
         <source>Within its bounds</source>
-        <translation>Innerhalb der Grenzen</translation>
+        <translation>In den Grenzen</translation>
     </message>
     <message>
         <source>%1, %2°</source>
@@ -1896,7 +1896,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Force error</source>
-        <translation>Fehler der Kraft</translation>
+        <translation>Kraftfehler</translation>
     </message>
     <message>
         <source>yes</source>

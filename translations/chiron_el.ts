@@ -1835,16 +1835,16 @@ Details: %2</source>
         <translation>Κέρδος, φάση</translation>
     </message>
     <message>
-        <source>Overshoot, share of the force</source>
-        <translation>Υπέρβαση, ποσοστό της δύναμης</translation>
+        <source>Overshoot</source>
+        <translation>Υπέρβαση</translation>
     </message>
     <message>
-        <source>Asked for 1 N, at most</source>
-        <translation>Με ζητούμενο 1 N, το πολύ</translation>
+        <source>Most at 1 N</source>
+        <translation>Μέγ. στο 1 N</translation>
     </message>
     <message>
-        <source>Asked for 4 N, at most</source>
-        <translation>Με ζητούμενα 4 N, το πολύ</translation>
+        <source>Most at 4 N</source>
+        <translation>Μέγ. στα 4 N</translation>
     </message>
     <message>
         <source>Within its bounds</source>

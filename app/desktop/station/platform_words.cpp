@@ -115,8 +115,8 @@ CheckTable platformFigures(const PlatformCheck& check, const QLocale& locale) {
 
 CheckTable platformFingers(const PlatformCheck& check, const QLocale& locale) {
     CheckTable table{Words::tr("On other fingers: what the pad really got"),
-                             {{Words::tr("Simulated finger"), Words::tr("Force error"), Words::tr("Gain, phase"), Words::tr("Overshoot, share of the force"),
-                               Words::tr("Asked for 1 N, at most"), Words::tr("Asked for 4 N, at most"), Words::tr("Within its bounds")}}};
+                             {{Words::tr("Simulated finger"), Words::tr("Force error"), Words::tr("Gain, phase"), Words::tr("Overshoot"),
+                               Words::tr("Most at 1 N"), Words::tr("Most at 4 N"), Words::tr("Within its bounds")}}};
     const auto add = [&](const std::string& name, const mechanisms::FingertipVerification& v) {
         table.lines.push_back({fingerName(name), newtons(v.meanRmseTrue_N, locale),
                                Words::tr("%1, %2°").arg(locale.toString(v.gain, 'f', 3), locale.toString(v.phase_deg, 'f', 1)),
