@@ -10624,31 +10624,35 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
         <translation>Wohin soll der Ordner?</translation>
     </message>
     <message>
-        <source>Writing %1 …</source>
-        <translation>%1 wird geschrieben …</translation>
+        <source>Writing the tables …</source>
+        <translation>Die Tabellen werden geschrieben …</translation>
     </message>
     <message>
-        <source>%1 is written to %2.</source>
-        <translation>%1 liegt jetzt in %2.</translation>
+        <source>The tables were written to %1.</source>
+        <translation>Die Tabellen liegen jetzt in %1.</translation>
     </message>
     <message>
-        <source>%1 could not be written.</source>
-        <translation>%1 konnte nicht geschrieben werden.</translation>
+        <source>The tables could not be written.</source>
+        <translation>Die Tabellen konnten nicht geschrieben werden.</translation>
     </message>
     <message>
-        <source>The tables</source>
-        <translation>Die Tabellen</translation>
+        <source>Writing the BIDS dataset …</source>
+        <translation>Der BIDS-Datensatz wird geschrieben …</translation>
     </message>
     <message>
-        <source>The BIDS dataset</source>
-        <translation>Der BIDS-Datensatz</translation>
+        <source>The BIDS dataset was written to %1.</source>
+        <translation>Der BIDS-Datensatz liegt jetzt in %1.</translation>
+    </message>
+    <message>
+        <source>The BIDS dataset could not be written.</source>
+        <translation>Der BIDS-Datensatz konnte nicht geschrieben werden.</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>The report is written to %1.</source>
+        <source>The report was written to %1.</source>
         <translation>Der Bericht liegt in %1.</translation>
     </message>
     <message>

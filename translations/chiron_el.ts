@@ -10624,31 +10624,35 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
         <translation>Πού να μπει ο φάκελος;</translation>
     </message>
     <message>
-        <source>Writing %1 …</source>
-        <translation>Εγγραφή: %1 …</translation>
+        <source>Writing the tables …</source>
+        <translation>Εγγραφή των πινάκων …</translation>
     </message>
     <message>
-        <source>%1 is written to %2.</source>
-        <translation>%1: γράφτηκε στο %2.</translation>
+        <source>The tables were written to %1.</source>
+        <translation>Οι πίνακες γράφτηκαν στο %1.</translation>
     </message>
     <message>
-        <source>%1 could not be written.</source>
-        <translation>%1: δεν γράφτηκε.</translation>
+        <source>The tables could not be written.</source>
+        <translation>Οι πίνακες δεν γράφτηκαν.</translation>
     </message>
     <message>
-        <source>The tables</source>
-        <translation>Οι πίνακες</translation>
+        <source>Writing the BIDS dataset …</source>
+        <translation>Εγγραφή του συνόλου δεδομένων BIDS …</translation>
     </message>
     <message>
-        <source>The BIDS dataset</source>
-        <translation>Το σύνολο δεδομένων BIDS</translation>
+        <source>The BIDS dataset was written to %1.</source>
+        <translation>Το σύνολο δεδομένων BIDS γράφτηκε στο %1.</translation>
+    </message>
+    <message>
+        <source>The BIDS dataset could not be written.</source>
+        <translation>Το σύνολο δεδομένων BIDS δεν γράφτηκε.</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>The report is written to %1.</source>
+        <source>The report was written to %1.</source>
         <translation>Η αναφορά γράφτηκε στο %1.</translation>
     </message>
     <message>

@@ -63,9 +63,9 @@ void StudyDataScreen::askFolder(void (StudyDataScreen::*then)(const QString&)) {
     dialog->open();
 }
 
-void StudyDataScreen::exportTo(const QString& folder, const QString& what,
+void StudyDataScreen::exportTo(const ExportWords& words,
                                const std::function<core::Result<void>(database::Connection&, database::StudyReader&)>& write) {
-    auto* progress = new QProgressDialog(tr("Writing %1 …").arg(what), QString(), 0, 0, this);
+    auto* progress = new QProgressDialog(words.writing, QString(), 0, 0, this);
     progress->setWindowModality(Qt::WindowModal);
     progress->setMinimumDuration(500); // shorter work needs no window
     progress->setValue(0);
@@ -78,25 +78,27 @@ void StudyDataScreen::exportTo(const QString& folder, const QString& what,
             database::StudyReader reader(**connection, actor);
             return write(**connection, reader);
         },
-        [this, progress, folder, what](const core::Result<void>& done) {
+        [this, progress, words](const core::Result<void>& done) {
             progress->deleteLater();
             if (done)
-                context().messages().done(tr("%1 is written to %2.").arg(what, folder));
+                context().messages().done(words.written);
             else
-                context().messages().error(tr("%1 could not be written.").arg(what), done.error());
+                context().messages().error(words.failed, done.error());
         });
 }
 
 void StudyDataScreen::exportCsvTo(const QString& parent) {
     const QString folder = QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-csv"));
-    exportTo(folder, tr("The tables"), [study = m_study, folder](database::Connection&, database::StudyReader& reader) {
+    const ExportWords words{tr("Writing the tables …"), tr("The tables were written to %1.").arg(folder), tr("The tables could not be written.")};
+    exportTo(words, [study = m_study, folder](database::Connection&, database::StudyReader& reader) {
         return session::exportStudyCsv(reader, study, folder.toStdString());
     });
 }
 
 void StudyDataScreen::exportBidsTo(const QString& parent) {
     const QString folder = QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-bids"));
-    exportTo(folder, tr("The BIDS dataset"), [study = m_study, folder, actor = context().actor()](database::Connection& connection, database::StudyReader& reader) {
+    const ExportWords words{tr("Writing the BIDS dataset …"), tr("The BIDS dataset was written to %1.").arg(folder), tr("The BIDS dataset could not be written.")};
+    exportTo(words, [study = m_study, folder, actor = context().actor()](database::Connection& connection, database::StudyReader& reader) {
         return session::exportStudyBids(reader, connection, actor, study, folder.toStdString());
     });
 }
@@ -123,7 +125,7 @@ void StudyDataScreen::exportPdfTo(const QString& file) {
     }
     QApplication::restoreOverrideCursor();
     if (done)
-        context().messages().done(tr("The report is written to %1.").arg(file));
+        context().messages().done(tr("The report was written to %1.").arg(file));
     else
         context().messages().error(tr("The report could not be written."), done.error());
 }

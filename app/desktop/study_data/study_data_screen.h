@@ -55,7 +55,11 @@ private:
     void askUnblind();
     void askFolder(void (StudyDataScreen::*then)(const QString&));
     void askPdf();
-    void exportTo(const QString& folder, const QString& what, const std::function<core::Result<void>(database::Connection&, database::StudyReader&)>& write);
+    /// What is said while an export is written, when it is there and when it is not.
+    struct ExportWords {
+        QString writing, written, failed;
+    };
+    void exportTo(const ExportWords& words, const std::function<core::Result<void>(database::Connection&, database::StudyReader&)>& write);
 
     StatePanel* m_panel = nullptr;
     database::StudyNumber m_study;
