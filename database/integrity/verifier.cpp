@@ -74,12 +74,15 @@ SeenRows checkRows(Connection& connection, VerifyReport& report, VerifySteps& st
 
 } // namespace
 
-// What the file says, but never less than what it holds: else a study's tables could be passed over by a number.
+// What the file says, but never less than what it holds: else a study's tables could be passed over by a number. What cannot be read is
+// looked for in all tables.
 int schemaVersionOf(Connection& connection) {
     const auto version = selectInteger(connection, "PRAGMA user_version");
     const auto studies = selectInteger(connection, "SELECT count(*) FROM sqlite_schema WHERE name = 'study_trial'");
-    const int said = version ? static_cast<int>(version->value_or(0)) : 0;
-    return studies && studies->value_or(0) > 0 ? std::max(said, kStudyVersion) : said;
+    if (!version || !studies)
+        return kStudyVersion;
+    const int said = static_cast<int>(version->value_or(0));
+    return studies->value_or(0) > 0 ? std::max(said, kStudyVersion) : said;
 }
 
 VerifyReport verifySnapshot(const std::string& file, const SiteKey* key, const std::optional<AuditHead>& head,

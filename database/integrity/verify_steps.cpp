@@ -12,8 +12,13 @@ void VerifySteps::plan(Connection& connection, bool withScores) {
     if (!m_watch) {
         return;
     }
+    const int version = schemaVersionOf(connection);
     for (const DigestedTable& table : digestedTables()) {
+        if (table.since > version)
+            continue;
         const auto rows = selectInteger(connection, "SELECT count(*) FROM " + std::string(table.name));
+        if (!rows)
+            m_report.findings.push_back({"file", std::string(table.name), "", rows.error().message});
         m_of += rows ? static_cast<std::uint64_t>(std::max<std::int64_t>(rows->value_or(0), 0)) : 0;
     }
     const auto scored = selectInteger(connection, "SELECT count(DISTINCT session_id) FROM score_set");

@@ -54,7 +54,9 @@ core::Result<int> applyErasures(Connection& connection, const Actor& actor,
         Erasure again = erasure;
         const auto administrator =
             selectInteger(connection, "SELECT id FROM person WHERE id = ?", {erasure.administrator});
-        again.administrator = administrator.value_or(std::nullopt) ? erasure.administrator : actor.personId();
+        if (!administrator)
+            return tl::unexpected(administrator.error());
+        again.administrator = *administrator ? erasure.administrator : actor.personId();
         if (!erasure.participantCode.empty()) {
             const auto done = applyToParticipant(connection, actor, again);
             if (!done) {

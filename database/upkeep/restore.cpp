@@ -115,11 +115,16 @@ core::Result<std::string> swapIn(const std::string& copy, const std::string& tar
     return flushed ? core::Result<std::string>(kept) : tl::unexpected(flushed.error());
 }
 
-// The site's head file follows the chain of the file that is now in place.
-core::Result<void> writeHeadOf(const std::string& target, const SiteKey& key) {
-    auto restored = Connection::open(target, Connection::Mode::readOnly);
-    const auto head = restored ? auditHead(**restored) : tl::unexpected(restored.error());
-    return head ? writeHeadFile(key, *head) : core::Result<void>(tl::unexpected(head.error()));
+// What the audit chain of a file ends with.
+core::Result<AuditHead> headOf(const std::string& file) {
+    auto opened = Connection::open(file, Connection::Mode::readOnly);
+    return opened ? auditHead(**opened) : tl::unexpected(opened.error());
+}
+
+void removeWithItsLog(const std::string& file) {
+    std::error_code error;
+    for (const char* suffix : {"", "-wal", "-shm"})
+        std::filesystem::remove(file + suffix, error);
 }
 
 } // namespace
@@ -148,21 +153,22 @@ core::Result<RestoreInfo> Upkeep::restore(const RestoreRequest& request, const D
     }
     const std::string copy = request.targetFile + ".restoring";
     const QString copyName = QString::fromStdString(copy);
-    QFile::remove(copyName);
+    removeWithItsLog(copy); // of a restore that was killed
     if (!QFile::copy(QString::fromStdString(request.backupFolder + "/" + kSnapshotFile), copyName)) {
-        QFile::remove(copyName);
+        removeWithItsLog(copy);
         return core::fail(core::ErrorCode::storage, copy + ": the backup cannot be copied (disk full?)");
     }
     QFile::setPermissions(copyName, QFile::ReadOwner | QFile::WriteOwner);
     const auto applied = makeRestorable(copy, request, options, **key, manifest->head);
-    const auto kept = applied ? swapIn(copy, request.targetFile)
-                              : core::Result<std::string>(tl::unexpected(applied.error()));
+    // Read before the copy takes the old file's place: all that can fail is to fail before.
+    const auto head = applied ? headOf(copy) : tl::unexpected(applied.error());
+    const auto kept = head ? swapIn(copy, request.targetFile) : core::Result<std::string>(tl::unexpected(head.error()));
     if (!kept) {
-        QFile::remove(copyName);
+        removeWithItsLog(copy);
         return tl::unexpected(kept.error());
     }
     made.keep();
-    const auto written = writeHeadOf(request.targetFile, **key);
+    const auto written = writeHeadFile(**key, *head); // the site's head follows the chain of the file that is now in place
     return written ? core::Result<RestoreInfo>({request.targetFile, *kept, *applied})
                    : tl::unexpected(written.error());
 }

@@ -52,7 +52,7 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         [](C& c, A a, std::int64_t id) { return drop(AccountRepository(c, a).person(id)); });
     add(Action::personByName, person, false, [](C& c, A a, std::int64_t id) {
         const auto name = selectText(c, "SELECT name FROM person WHERE id = ?", {id});
-        return drop(AccountRepository(c, a).personByName(name->value_or("")));
+        return name ? drop(AccountRepository(c, a).personByName(name->value_or(""))) : drop(name);
     });
     add(Action::setEnabled, person, true,
         [](C& c, A a, std::int64_t id) { return AccountRepository(c, a).setEnabled(id, false); });

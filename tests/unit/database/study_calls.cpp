@@ -69,7 +69,7 @@ void addReading(Calls& map) {
     add(Action::participants, Touches::frozen, [](C& c, A a, N n) { return drop(StudyReader(c, a).participants(n)); });
     add(Action::participantByCode, Touches::frozen, [](C& c, A a, N n) {
         const auto code = selectText(c, "SELECT code FROM study_participant WHERE study_id = ?", {n});
-        return drop(StudyReader(c, a).participantByCode(n, code->value_or("")));
+        return code ? drop(StudyReader(c, a).participantByCode(n, code->value_or(""))) : drop(code);
     });
     add(Action::runs, Touches::participant, [](C& c, A a, N n) { return drop(StudyReader(c, a).runs(n)); });
     add(Action::trialQuality, Touches::frozen, [](C& c, A a, N n) { return drop(StudyReader(c, a).trialQuality(n)); });
