@@ -41,6 +41,20 @@ private slots:
         QTRY_VERIFY(desktop.screen<SettingsScreen>());
     }
 
+    void entriesOfTheSideBarAreAsWideAsIt() {
+        tests::DesktopFixture desktop;
+        desktop.logIn("ada");
+        for (const double scale : {1.0, 2.0}) {
+            desktop.settings.setScale(scale);
+            emit desktop.context.appearanceChanged();
+            QApplication::processEvents();
+            auto* entry = desktop.find<QPushButton>(QStringLiteral("nav.people"));
+            QVERIFY(entry);
+            auto* view = entry->parentWidget()->parentWidget(); // the list lies in a view that scrolls
+            QTRY_COMPARE(entry->width(), view->width());
+        }
+    }
+
     void languageThemeAndScaleChangeAtOnce() {
         tests::DesktopFixture desktop;
         desktop.logIn("tina");

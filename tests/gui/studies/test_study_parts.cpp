@@ -251,6 +251,10 @@ void TestStudyParts::previewKnowsItsObserver() {
     QVERIFY(std::abs(result->plan.biasLog10) < 0.2);
     QVERIFY(result->plan.meanTrials >= 20.0 && result->plan.meanTrials <= 40.0);
     QVERIFY(result->curve.size() >= 3 && result->plan.minutes > 1.0);
+    // One run has no spread: no point of the curve, which is of both.
+    const auto single = desktop::previewCondition(study, 0, {.weber = 0.1, .lapse = 0.02}, 1, [](double) { return true; });
+    QVERIFY(single && std::isfinite(single->plan.biasLog10) && !std::isfinite(single->plan.sdLog10));
+    QVERIFY(single->curve.empty());
     const auto stopped = desktop::previewCondition(study, 0, {}, 8, [](double) { return false; });
     QVERIFY(!stopped && stopped.error().code == core::ErrorCode::cancelled);
 }

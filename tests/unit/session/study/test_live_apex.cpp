@@ -269,6 +269,13 @@ void TestLiveApex::aDeviceThatIsTooSlowIsRefused() {
     request.station = std::move(*session::scriptedStation(**kind, level, "expert", 1)); // renders force
     request.measuredDelay_s = 0.020; // 98 N/m
     const auto live = session::LiveSitting::start(*site.fixture.database, site.actor, std::move(request));
+    auto justEnough = site.request();
+    justEnough.station = std::move(*session::scriptedStation(**kind, level, "expert", 1));
+    justEnough.measuredDelay_s = 0.0035; // 2 N·s/m / (0.5 ms + 3.5 ms): 500 N/m, as the sphere has
+    const auto other = session::LiveSitting::start(*site.fixture.database, site.actor, std::move(justEnough));
+    QVERIFY2(other, other ? "" : other.error().message.c_str());
+    (*other)->stop();
+    QTRY_VERIFY_WITH_TIMEOUT(((*other)->poll(), (*other)->finished()), kPatience_ms);
     QVERIFY(!live);
     QVERIFY2(live.error().message.find("500 N/m") != std::string::npos && live.error().message.find("98 N/m") != std::string::npos, live.error().message.c_str());
     const auto& typed = live.error().tooStiff; // a window has its own words for it
