@@ -96,6 +96,7 @@ private slots:
     void aQuickPressIsLocalALastingOneTheSeries();
     void anotherTrialBeginsAtRest();
     void thePredictionIsComparedWithWhatCame();
+    void settingsAreTakenUpToTheirBounds();
 };
 
 void TestTwoRates::asDueAppliesExactlyAtNPlusL() {
@@ -288,6 +289,38 @@ void TestTwoRates::thePredictionIsComparedWithWhatCame() {
     std::printf("pressing: predicted %.1f µm, held %.1f µm; resting %.2f µm\n", 1e6 * mean(pressing), 1e6 * mean(held), 1e6 * mean(resting));
     dome->begin(0, 4000);
     QCOMPARE(dome->organ()->predictionError().predicted_m, 0.0);
+}
+
+void TestTwoRates::settingsAreTakenUpToTheirBounds() {
+    const SphereApexParameters p = softDome();
+    const auto dome = std::move(*TouchedDome::make(p, planSphereApexTrials(p, 1)));
+    const TriangleMesh& mesh = dome->mesh();
+    std::vector<bool> anchored(mesh.vertices().size(), true);
+    std::uint32_t highest = 0;
+    for (std::uint32_t i = 0; i < mesh.vertices().size(); ++i)
+        if (mesh.position(i).z() > mesh.position(highest).z())
+            highest = i;
+    anchored[highest] = false;
+    const auto takes = [&](auto change) {
+        DeformableOrgan::Settings settings;
+        settings.timing = {40, 33};
+        settings.blend_ticks = 33;
+        change(settings);
+        const auto made = DeformableOrgan::create(mesh, anchored, highest, settings);
+        return made || made.error().code != core::ErrorCode::badInput ? QStringLiteral("taken") : QString::fromStdString(made.error().message);
+    };
+    using Settings = DeformableOrgan::Settings;
+    const QString taken = QStringLiteral("taken");
+    QCOMPARE(takes([](Settings&) {}), taken);
+    for (const double prediction : {0.0, 1.0})
+        QCOMPARE(takes([=](Settings& s) { s.prediction = prediction; }), taken);
+    for (const double prediction : {-1e-9, 1.0 + 1e-9, double(NAN)})
+        QVERIFY(takes([=](Settings& s) { s.prediction = prediction; }).contains(QStringLiteral("prediction of 0 to 1")));
+    QCOMPARE(takes([](Settings& s) { s.blend_ticks = 1; }), taken);
+    QCOMPARE(takes([](Settings& s) { s.timing.period_ticks = 1; }), taken);
+    QVERIFY(takes([](Settings& s) { s.blend_ticks = 0; }) != taken);
+    QVERIFY(takes([](Settings& s) { s.blend_ticks = 34; }).contains(QStringLiteral("a blend of 34 ticks at a latency of 33")));
+    QVERIFY(takes([](Settings& s) { s.timing.period_ticks = 0; }) != taken);
 }
 
 QTEST_APPLESS_MAIN(TestTwoRates)
