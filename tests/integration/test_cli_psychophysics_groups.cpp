@@ -152,6 +152,12 @@ void TestCliPsychophysicsGroups::likelihoodsOfTheModels() {
     const QStringList how{"--function", "logistic", "--lapse", "0.02", "--guess", "0.5"};
     const QString table = file("groups.csv", kGroups + countsOf("soft,", kSoft) + countsOf("hard,", kHard));
     const QJsonObject compared = answer(QStringList{"compare", table, "--by", "condition", "--test", "threshold,width"} + how);
+    QList<int> nearlyAsSoft = kSoft;
+    nearlyAsSoft[nearlyAsSoft.size() / 2] -= 3;
+    const QString alike = file("alike.csv", kGroups + countsOf("soft,", kSoft) + countsOf("hard,", nearlyAsSoft));
+    const auto drawn = [&](const QStringList& seed) { return answer(QStringList{"compare", alike, "--by", "condition", "--monte-carlo", "20"} + how + seed); };
+    QCOMPARE(drawn({}), drawn({"--seed", "1"}));
+    QVERIFY(drawn({}) != drawn({"--seed", "2"}));
     double apart = 0.0;
     for (const QList<int>& right : {kSoft, kHard})
         apart += answer(QStringList{"fit", file("one.csv", kCounts + countsOf({}, right)), "--method", "ml"} + how)["log_likelihood"].toDouble();
@@ -168,6 +174,8 @@ void TestCliPsychophysicsGroups::likelihoodsOfTheModels() {
 void TestCliPsychophysicsGroups::differencesAreFound() {
     const QStringList how{"--by", "condition", "--shared", "width", "--lapse", "0.02", "--monte-carlo", "400", "--seed", "5"};
     const QString differ = file("differ.csv", kGroups + countsOf("soft,", kSoft) + countsOf("hard,", kHard));
+    QList<int> nearlyAsSoft = kSoft;
+    nearlyAsSoft[nearlyAsSoft.size() / 2] -= 3;
     const QString alike = file("alike.csv", kGroups + countsOf("soft,", kSoft) + countsOf("again,", kAgain));
     const QJsonObject found = answer(QStringList{"compare", differ} + how), none = answer(QStringList{"compare", alike} + how);
     QVERIFY(found["p_value"].toDouble() < 0.01 && found["p_chi_square"].toDouble() < 0.001 && found["aic_difference"].toDouble() > 5.0);

@@ -4,6 +4,7 @@
 
 #include "desktop/accounts/notice_area.h"
 #include "desktop/login/login_screen.h"
+#include "desktop/login/name_list.h"
 #include "desktop/widgets/state_panel.h"
 
 #include <QListWidget>
@@ -15,6 +16,7 @@ using namespace chiron::tests;
 class TestLogin : public QObject {
     Q_OBJECT
 private slots:
+    void aListWithoutNamesMissesNobody();
     void namesAreFoundByTyping();
     void wrongPasswordsMakeItWait();
     void unknownNamesAreToldTheSame();
@@ -201,6 +203,25 @@ void TestLogin::fitsAtEveryScale() {
     QTest::qWait(50);
     VERIFY_READABLE(desktop.window->screen());
     picture(desktop.window.get(), QStringLiteral("login_recovery_%1").arg(scale));
+}
+
+/// That a name is not there is said where others are; an empty list is one that could not be read yet, or a site without people.
+void TestLogin::aListWithoutNamesMissesNobody() {
+    tests::DesktopFixture desktop;
+    desktop::NameList list(desktop.context.theme());
+    list.show();
+    QLabel* none = nullptr;
+    for (auto* label : list.findChildren<QLabel*>())
+        if (label->text().startsWith(QStringLiteral("Nobody of this name")))
+            none = label;
+    QVERIFY(none);
+    list.setName(QStringLiteral("tina"));
+    QVERIFY(none->isHidden());
+    list.setNames({{1, "theo", ""}});
+    list.setName(QStringLiteral("tina"));
+    QVERIFY(!none->isHidden());
+    list.setName(QStringLiteral("th"));
+    QVERIFY(none->isHidden());
 }
 
 QTEST_MAIN(TestLogin)

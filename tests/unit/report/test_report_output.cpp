@@ -226,6 +226,12 @@ void TestReportOutput::pictures() {
     const auto empty = writeSessionPngs(path(QStringLiteral("empty")), ReportData(), theme);
     QVERIFY(empty.has_value());
     QCOMPARE(empty->size(), std::size_t{3}); // no apex errors, no such picture
+    QFile inTheWay(path(QStringLiteral("in_the_way")));
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    const QString impossible = path(QStringLiteral("in_the_way/pictures"));
+    const auto refused = writeSessionPngs(impossible, ReportData(), theme);
+    QVERIFY(!refused);
+    QVERIFY2(refused.error().message.starts_with(impossible.toStdString() + ": was not written: the folder could not be made"), refused.error().message.c_str());
 }
 
 // The picture over the limit differs from the same picture with the limit above every force.
