@@ -239,6 +239,14 @@ private slots:
         QVERIFY(tissueLookOf(samples::palpationParameters(Tissue::breast).tissue) == TissueLook::skin);
         QVERIFY(areolaOf(samples::palpationParameters(Tissue::breast).tissue).radius_m > 0.0);
         QCOMPARE(areolaOf(samples::palpationParameters(Tissue::prostate).tissue).radius_m, 0.0);
+        // Where content names none, it is on the highest bump; flat skin has none.
+        simulation::TissueParameters skin = samples::palpationParameters(Tissue::breast).tissue;
+        skin.regions.clear();
+        skin.shape.bumps = {simulation::SurfaceBump{.centre_m = {0.01, 0.0}, .height_m = 0.004}, simulation::SurfaceBump{.centre_m = {-0.02, 0.005}, .height_m = 0.009}};
+        QCOMPARE(areolaOf(skin).centre_m.x(), -0.02);
+        QVERIFY(areolaOf(skin).radius_m > 0.0);
+        skin.shape.bumps.clear();
+        QCOMPARE(areolaOf(skin).radius_m, 0.0);
     }
 
     void cameraSeesTheSearchAreaFromTheNearSide() {

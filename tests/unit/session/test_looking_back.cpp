@@ -117,7 +117,7 @@ private slots:
             frames[i].tool[0].tissue[2] = 6.0;
             frames[i].tool[0].commanded[2] = 4.0;
         }
-        frames[600].tool[0].tissue[2] = 1.0; // one tick of the slew: nobody feels it
+        frames[800].tool[0].tissue[2] = 6.0; // one tick of the slew: nobody feels it
         const auto limited = ofKind(marksOf(frames, true), PlaybackMarkKind::limited);
         QCOMPARE(limited.size(), std::size_t(1));
         QCOMPARE(limited[0].t_s, 0.2);
