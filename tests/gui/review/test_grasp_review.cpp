@@ -8,6 +8,8 @@
 #include <QtTest>
 #include <set>
 
+#include <qcustomplot.h>
+
 using namespace chiron;
 using namespace chiron::desktop;
 using simulation::TubeTask;
@@ -157,6 +159,24 @@ private slots:
         PlaybackPlots without(theme, QLocale::c(), track, setup.level.parameters);
         QVERIFY(!without.findChild<report::PlotView*>(QStringLiteral("playback.felt_plot"))); // of one tool it is a line in the plot of force
         QVERIFY(!without.findChild<report::PlotView*>(QStringLiteral("playback.grasp_plot")));
+    }
+
+    void leansAreDrawnInDegreesAndDepthsInMillimetres() {
+        const session::SessionSetup setup = tubeSetup(TubeTask::hold);
+        const session::PlaybackTrack track = madeTrack(1, {{"lean_0_rad", 0.5}, {"depth_0_m", 0.003}});
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        PlaybackPlots plots(theme, QLocale::c(), track, setup.level.parameters);
+        plots.resize(900, 620);
+        plots.grab(); // lines are made for a width
+        std::vector<double> drawn;
+        for (QCustomPlot* plot : plots.findChildren<QCustomPlot*>())
+            for (int i = 0; i < plot->graphCount(); ++i)
+                if (plot->graph(i)->name() == QStringLiteral("finger") && plot->graph(i)->dataCount() > 0)
+                    drawn.push_back(plot->graph(i)->data()->at(0)->value);
+        std::sort(drawn.begin(), drawn.end());
+        QCOMPARE(drawn.size(), std::size_t(2));
+        std::sort(drawn.begin(), drawn.end());
+        QVERIFY(std::abs(drawn[0] - 3.0) < 1e-9 && std::abs(drawn[1] - 28.64788975654116) < 1e-9);
     }
 
     void plotsHaveEveryTool() {
