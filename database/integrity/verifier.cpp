@@ -74,8 +74,8 @@ SeenRows checkRows(Connection& connection, VerifyReport& report, VerifySteps& st
 
 } // namespace
 
-// What the file says, but never less than what it holds: else a study's tables could be passed over by a number. What cannot be read is
-// looked for in all tables.
+// What the file says, but never less than what it holds: else a study's tables could be passed over by a number. If the schema cannot be
+// read, the newest is assumed, so that every table is checked.
 int schemaVersionOf(Connection& connection) {
     const auto version = selectInteger(connection, "PRAGMA user_version");
     const auto studies = selectInteger(connection, "SELECT count(*) FROM sqlite_schema WHERE name = 'study_trial'");

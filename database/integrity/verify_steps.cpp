@@ -22,6 +22,8 @@ void VerifySteps::plan(Connection& connection, bool withScores) {
         m_of += rows ? static_cast<std::uint64_t>(std::max<std::int64_t>(rows->value_or(0), 0)) : 0;
     }
     const auto scored = selectInteger(connection, "SELECT count(DISTINCT session_id) FROM score_set");
+    if (!scored)
+        m_report.findings.push_back({"file", "score_set", "", scored.error().message});
     if (withScores && scored) {
         m_of += kStepsOfSession * static_cast<std::uint64_t>(std::max<std::int64_t>(scored->value_or(0), 0));
     }

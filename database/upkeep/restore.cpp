@@ -115,7 +115,7 @@ core::Result<std::string> swapIn(const std::string& copy, const std::string& tar
     return flushed ? core::Result<std::string>(kept) : tl::unexpected(flushed.error());
 }
 
-// What the audit chain of a file ends with.
+// The head of a file's audit chain.
 core::Result<AuditHead> headOf(const std::string& file) {
     auto opened = Connection::open(file, Connection::Mode::readOnly);
     return opened ? auditHead(**opened) : tl::unexpected(opened.error());
@@ -160,7 +160,7 @@ core::Result<RestoreInfo> Upkeep::restore(const RestoreRequest& request, const D
     }
     QFile::setPermissions(copyName, QFile::ReadOwner | QFile::WriteOwner);
     const auto applied = makeRestorable(copy, request, options, **key, manifest->head);
-    // Read before the copy takes the old file's place: all that can fail is to fail before.
+    // Read while nothing is changed: after the swap a failure would leave the job half-done.
     const auto head = applied ? headOf(copy) : tl::unexpected(applied.error());
     const auto kept = head ? swapIn(copy, request.targetFile) : core::Result<std::string>(tl::unexpected(head.error()));
     if (!kept) {

@@ -55,7 +55,7 @@ private:
     void askUnblind();
     void askFolder(void (StudyDataScreen::*then)(const QString&));
     void askPdf();
-    /// What is said while an export is written, when it is there and when it is not.
+    /// The texts shown while an export is being written, when it succeeds and when it fails.
     struct ExportWords {
         QString writing, written, failed;
     };

@@ -205,7 +205,7 @@ void TestLogin::fitsAtEveryScale() {
     picture(desktop.window.get(), QStringLiteral("login_recovery_%1").arg(scale));
 }
 
-/// That a name is not there is said where others are; an empty list is one that could not be read yet, or a site without people.
+/// "Nobody of this name" is said only if the list has names: an empty list may just not have been read yet.
 void TestLogin::aListWithoutNamesMissesNobody() {
     tests::DesktopFixture desktop;
     desktop::NameList list(desktop.context.theme());
