@@ -100,7 +100,7 @@ function(_chiron_make_batch batch tests)
 endfunction()
 
 # Begun first, the longest first: what comes last alone leaves a core idle. (ctest knows durations only from an earlier run.)
-set(CHIRON_LONG_RUNS test_walk test_kept_commands test_cli_device test_fit_degenerate test_fit_published_posterior
+set(CHIRON_LONG_RUNS test_walk test_kept_commands test_every_button test_cli_device test_fit_degenerate test_fit_published_posterior
     test_urethra_operators test_palpation_bench test_training_screen_xvfb test_training_screen
     test_urethra_training_xvfb test_urethra_training test_session_replay test_apex_operators test_two_hands test_malformed_content
     test_urethra_forces_energy test_lock test_lists_screens test_flipped_bits test_cli_questionnaires test_apex_trials test_cli_apex_study)
