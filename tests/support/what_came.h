@@ -3,7 +3,6 @@
 
 #include "desktop/frame/messages.h"
 #include "support/every_place.h"
-#include "support/kept_text.h"
 #include "support/screen_outline.h"
 
 #include <QFileDialog>
@@ -13,8 +12,8 @@
 
 namespace chiron::tests {
 
-/// What comes of something that a person does on a screen: messages, windows that open, the screen that it leads to, and what the screen
-/// says differently.
+/// What comes of something that a person does on a screen: messages, windows that open, the screen that it leads to, or else a
+/// change of the screen itself.
 class WhatCame {
 public:
     explicit WhatCame(DesktopFixture& desktop) : m_desktop(desktop) {
@@ -33,7 +32,6 @@ public:
         const QPointer<desktop::Screen> screen = m_desktop.window->screen();
         QStringList outline;
         settle(outline, [&] { return ScreenOutline::of(*screen, false, true); });
-        m_focusBefore = focus();
         m_told.clear();
         QTimer::singleShot(0, m_desktop.window.get(), act); // a dialog may hold it until it is closed
         QStringList came;
@@ -42,8 +40,9 @@ public:
         if (moving)
             return {QStringLiteral("something moves")};
         settle(came, [&] { return since(before, screen, outline); });
-        static const QRegularExpression backup(QStringLiteral("chiron-backup-[-0-9]+")), records(QStringLiteral("[0-9,]+ records")); // the hour; the audit's, too
-        return came.replaceInStrings(backup, QStringLiteral("chiron-backup")).replaceInStrings(records, QStringLiteral("0 records"));
+        static const QRegularExpression backup(QStringLiteral("chiron-backup-[-0-9]+")), records(QStringLiteral("[0-9,]+ records")), // the hour; the audit's, too
+            ago(QStringLiteral("just now|[0-9]+ (minute|hour)s? ago"));
+        return came.replaceInStrings(backup, QStringLiteral("chiron-backup")).replaceInStrings(records, QStringLiteral("0 records")).replaceInStrings(ago, QStringLiteral("lately"));
     }
 
 private:
@@ -63,11 +62,6 @@ private:
             if (top->isVisible() && !top->windowFlags().testFlag(Qt::ToolTip))
                 shown << top;
         return shown;
-    }
-
-    QString focus() const {
-        const QWidget* at = m_desktop.window->focusWidget();
-        return at && m_desktop.window->screen()->isAncestorOf(at) ? withoutToday(at->objectName()) : QString();
     }
 
     static void add(const QMenu& menu, QStringList& lines) {
@@ -96,17 +90,15 @@ private:
                 lines << QStringLiteral("goes to %1 \"%2\"").arg(m_desktop.context.navigator().current().screen, withoutToday(now->title()));
             return lines;
         }
-        if (const QString at = focus(); at != m_focusBefore)
-            lines << QStringLiteral("focus on ") + at;
-        LineChanges changes;
-        changes.of(outline);
-        return lines + changes.of(ScreenOutline::of(*screen, false, true));
+        // Of the screen's own change only that there is one: much of it is on its way ("keeping …"), and screens have tests of their own.
+        if (lines.isEmpty() && ScreenOutline::of(*screen, false, true) != outline)
+            lines << QStringLiteral("the screen changes");
+        return lines;
     }
 
     DesktopFixture& m_desktop;
     QMetaObject::Connection m_listening;
     QStringList m_told;
-    QString m_focusBefore;
 };
 
 } // namespace chiron::tests
