@@ -20,7 +20,7 @@ endfunction()
 # ---- batches -------------------------------------------------------------------------------------
 # Most of a compiler's work on a test is what it includes and the templates of that: tests of one folder that are of one kind (same
 # libraries, flags and definitions) are compiled some at a time (tests/batch.cmake). Each stays a program of its own.
-set(CHIRON_TEST_BATCH 6 CACHE STRING "How many tests of a folder are compiled together; 1: each by itself")
+set(CHIRON_TEST_BATCH 12 CACHE STRING "How many tests of a folder are compiled together; 1: each by itself")
 if(NOT CHIRON_TEST_BATCH GREATER 0)
     message(FATAL_ERROR "CHIRON_TEST_BATCH: ${CHIRON_TEST_BATCH}: expected a number of at least 1")
 endif()

@@ -21,8 +21,10 @@ inline constexpr const char* kTestPassword = "eleven-fine-horses";
 /// and screen<S>().
 class DesktopFixture {
 public:
-    DesktopFixture() {
-        auto created = database::Database::create(file().toStdString(), options());
+    explicit DesktopFixture(bool demonstration = false) {
+        database::DatabaseOptions made = options();
+        made.demonstration = demonstration;
+        auto created = database::Database::create(file().toStdString(), made);
         if (!created)
             qFatal("%s", created.error().message.c_str());
         addPeople(**created);

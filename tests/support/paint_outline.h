@@ -276,7 +276,7 @@ private:
 /// A surface of so many pixels that takes down what is painted on it.
 class OutlineDevice final : public QPaintDevice {
 public:
-    explicit OutlineDevice(QSize size) : m_size(size) {}
+    explicit OutlineDevice(QSize size, OutlineEngine::Mask mask = {}) : m_size(size), m_engine(std::move(mask)) {}
     QPaintEngine* paintEngine() const override { return &m_engine; }
     QStringList take() { return m_engine.take(); }
 

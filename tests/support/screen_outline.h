@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QScrollBar>
@@ -100,6 +101,19 @@ private:
         }
     }
 
+    /// The least size, without what a window's layout makes of the fonts that are there.
+    static QSize ownLeast(const QWidget& widget) {
+        QSize least = widget.minimumSize();
+        if (!widget.isWindow() || !widget.layout())
+            return least;
+        const QSize needed = widget.layout()->totalMinimumSize();
+        if (least.width() == needed.width())
+            least.setWidth(0);
+        if (least.height() == needed.height())
+            least.setHeight(0);
+        return least;
+    }
+
     static QString look(const QWidget& widget) {
         QStringList parts;
         if (widget.isHidden())
@@ -115,9 +129,10 @@ private:
         const QSizePolicy policy = widget.sizePolicy();
         if (policy != QSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred))
             parts << QStringLiteral("policy %1/%2").arg(static_cast<int>(policy.horizontalPolicy())).arg(static_cast<int>(policy.verticalPolicy()));
-        if (widget.minimumSize() != QSize(0, 0))
-            parts << QStringLiteral("least %1x%2").arg(widget.minimumWidth()).arg(widget.minimumHeight());
-        if (widget.maximumSize() != QSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX))
+        const bool sized = !qobject_cast<const QMessageBox*>(&widget); // by Qt, as the screen's width allows
+        if (const QSize least = ownLeast(widget); sized && least != QSize(0, 0))
+            parts << QStringLiteral("least %1x%2").arg(least.width()).arg(least.height());
+        if (sized && widget.maximumSize() != QSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX))
             parts << QStringLiteral("most %1x%2").arg(widget.maximumWidth()).arg(widget.maximumHeight());
         for (const QByteArray& key : widget.dynamicPropertyNames())
             if (!key.startsWith("_"))
@@ -228,14 +243,23 @@ private:
         return QStringLiteral("\"%1\" %2 to %3%4").arg(said(axis.label()), number(axis.range().lower), number(axis.range().upper), axis.visible() ? QString() : QStringLiteral(" hidden"));
     }
 
+    /// With what something in a plot is drawn.
+    static QString strokes(const QObject& drawn) {
+        QStringList parts;
+        if (const QVariant pen = drawn.property("pen"); pen.isValid())
+            parts << QStringLiteral("pen %1 %2/%3").arg(pen.value<QPen>().color().name(QColor::HexArgb)).arg(pen.value<QPen>().widthF()).arg(static_cast<int>(pen.value<QPen>().style()));
+        if (const auto brush = drawn.property("brush").value<QBrush>(); brush.style() != Qt::NoBrush)
+            parts << QStringLiteral("fill %1/%2").arg(brush.color().name(QColor::HexArgb)).arg(static_cast<int>(brush.style()));
+        return parts.join(QLatin1Char(' '));
+    }
+
     /// What is plotted: axes, and of each graph its name, how many points it has and where they lie on average.
     void add(QCustomPlot& plot, int depth) {
         if (plot.axisRectCount() > 0)
             line(depth, QStringLiteral("x %1; y %2%3").arg(axis(*plot.xAxis), axis(*plot.yAxis), plot.legend && plot.legend->visible() ? QStringLiteral("; legend") : QString()));
         for (int i = 0; i < plot.plottableCount(); ++i) {
             QCPAbstractPlottable& drawn = *plot.plottable(i);
-            QString text = QStringLiteral("%1 \"%2\" pen %3/%4").arg(QLatin1String(drawn.metaObject()->className()), said(drawn.name())).arg(drawn.pen().widthF())
-                               .arg(static_cast<int>(drawn.pen().style()));
+            QString text = QStringLiteral("%1 \"%2\" %3").arg(QLatin1String(drawn.metaObject()->className()), said(drawn.name()), strokes(drawn));
             if (const auto* points = drawn.interface1D()) {
                 double x = 0.0, y = 0.0;
                 for (int k = 0; k < points->dataCount(); ++k) {
@@ -248,7 +272,7 @@ private:
         }
         for (int i = 0; i < plot.itemCount(); ++i) {
             const QCPAbstractItem& item = *plot.item(i);
-            QString text = QLatin1String(item.metaObject()->className());
+            QString text = QLatin1String(item.metaObject()->className()) + QLatin1Char(' ') + strokes(item);
             for (const QCPItemPosition* at : item.positions())
                 text += QStringLiteral(" %1,%2").arg(number(at->key()), number(at->value()));
             if (const auto* words = qobject_cast<const QCPItemText*>(&item))
@@ -258,7 +282,7 @@ private:
     }
 
     void add(const QWidget& widget, int depth) {
-        if (isOfWaiting(&widget))
+        if (isOfWaiting(&widget) || (depth > 0 && widget.objectName().startsWith(QLatin1String("screen.")))) // a screen has an outline of its own
             return;
         line(depth, QStringLiteral("%1 %2 (%3)").arg(nameOf(&widget), words(widget), look(widget)));
         if (const auto* table = qobject_cast<const QTableView*>(&widget); table && table->model()) {

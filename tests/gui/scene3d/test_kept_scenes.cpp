@@ -25,6 +25,11 @@ namespace {
 
 constexpr double kSame3d = 0.6; // edges that a rasteriser of several threads blends in another order
 
+/// A state of each part of the scenes.
+const QStringList kOfEachPart{"apex_contact", "apex_playback", "apex_dimple", "apex_z_turned", "pad_visible", "prostate", "breast_two_hands", "playback_force",
+                              "tube_two_handed", "tube_torn", "tube_transfer", "tube_large_contrast", "ovary_organ", "ovary_squeezed",
+                              "urethra_b_up", "urethra_f_neck", "urethra_h_ureters_focus", "urethra_i_seen", "urethra_j_over"};
+
 struct Kept {
     SceneSetup setup;
     SceneState state;
@@ -71,7 +76,8 @@ std::map<QString, std::function<void(QPainter&)>> faces() {
             paintFindingFlag(painter, QRectF(10, 10, 40, 60), {1, of, false}, setup);
             paintFindingFlag(painter, QRectF(60, 10, 40, 60), {2, of, true}, setup);
         });
-    add("notice", [](QPainter& painter, const SceneSetup& setup) { NoticePainter(setup).paint(painter, QRectF(0, 0, 400, 300), 1.0); });
+    for (const auto& [name, room] : {std::pair{"notice", QSizeF(400, 300)}, {"notice_narrow", QSizeF(90, 120)}, {"notice_without_room", QSizeF(30, 20)}})
+        add(name, [room = room](QPainter& painter, const SceneSetup& setup) { NoticePainter(setup).paint(painter, QRectF(QPointF(), room), 1.0); });
     return all;
 }
 
@@ -88,14 +94,11 @@ private slots:
     }
     void isAsItWasLookedAt_data() {
         QTest::addColumn<QString>("name");
-        // Drawing in three dimensions takes a software rasteriser long: a state of each part.
-        const QStringList scenes{"apex_contact", "apex_playback", "apex_dimple", "apex_z_turned", "pad_visible", "prostate", "breast_two_hands", "playback_force",
-                                 "tube_two_handed", "tube_torn", "tube_transfer", "tube_large_contrast", "ovary_organ", "ovary_squeezed",
-                                 "urethra_b_up", "urethra_f_neck", "urethra_h_ureters_focus", "urethra_i_seen", "urethra_j_over"};
-        for (const QString& name : scenes)
+        // Drawing in three dimensions takes a software rasteriser long.
+        for (const QString& name : kOfEachPart)
             QVERIFY2(m_all.count(name) == 1, qPrintable(name));
         for (const auto& [name, picture] : m_all)
-            if (m_flat || scenes.contains(name))
+            if (m_flat || kOfEachPart.contains(name))
                 QTest::addRow("%s %s", m_flat ? "flat" : "scene", qPrintable(name)) << name;
     }
     void isAsItWasLookedAt() {
@@ -152,6 +155,28 @@ private slots:
         const std::unique_ptr<ISceneView> view(makeFlatSceneView(picture.setup, size.width() > 1200 ? QString() : QStringLiteral("Drawn in two dimensions, for a reason that is long."), nullptr));
         QVERIFY(view->widget()->minimumSizeHint().isValid());
         view->widget()->resize(size);
+        view->show(picture.state);
+        const QString outline = m_outlines.differs(QLatin1String(QTest::currentDataTag()), tests::OutlineDevice::of(*view->widget()));
+        QVERIFY2(outline.isEmpty(), qPrintable(outline));
+    }
+
+    /// Where lines and words are larger, in other colours.
+    void isLargeAsItWas_data() {
+        QTest::addColumn<QString>("name");
+        for (const QString& name : kOfEachPart + QStringList{"pad_pinch", "tube_fold"})
+            QTest::addRow("%s large", qPrintable(name)) << name;
+    }
+    void isLargeAsItWas() {
+        if (!m_flat)
+            QSKIP("of the flat scene");
+        QFETCH(QString, name);
+        Kept picture = m_all.at(name);
+        picture.setup.scale = 1.4;
+        picture.setup.colours = samples::dark();
+        picture.state.surfaceMap = picture.map.get();
+        picture.state.surfaceMapStep = picture.map ? picture.map->step() : 0;
+        const std::unique_ptr<ISceneView> view(makeFlatSceneView(picture.setup, QString(), nullptr));
+        view->widget()->resize(900, 600);
         view->show(picture.state);
         const QString outline = m_outlines.differs(QLatin1String(QTest::currentDataTag()), tests::OutlineDevice::of(*view->widget()));
         QVERIFY2(outline.isEmpty(), qPrintable(outline));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How every screen is made (support/screen_outline.h), against what was looked at and kept: a widget that is in no layout any more, a
-// margin, a name that a screen reader says, a row of a table. A change that is meant is kept anew, and the difference is read in review:
+// How every screen is made (support/screen_outline.h), and what its own widgets paint (support/painted_parts.h), against what was looked
+// at and kept: a widget that is in no layout any more, a margin, a name that a screen reader says, a row of a table, a line of a picture. A change that is meant is kept anew, and the difference is read in review:
 // CHIRON_STORE_OUTLINES=1 xvfb-run -a build/release/tests/gui/whole/test_kept_screens
 #include "desktop/screen_catalogue.h"
 #include "support/every_place.h"
 #include "support/kept_text.h"
+#include "support/painted_parts.h"
 #include "support/screen_outline.h"
 #include "support/settled.h"
 
@@ -40,12 +41,16 @@ private slots:
         }
         const QString differs = m_kept.differs(name, now);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
+        if (const QStringList painted = tests::paintedParts(*m_desktop->window->screen()); !painted.isEmpty()) {
+            const QString paints = m_painted.differs(name, painted);
+            QVERIFY2(paints.isEmpty(), qPrintable(paints));
+        }
         ++m_held;
     }
     /// What nobody asks for again is no longer kept.
     void keepsNothingOfNoScreen() {
         if (m_held > 1) // not of one row alone
-            QCOMPARE(m_kept.unseen(), QStringList());
+            QCOMPARE(m_kept.unseen() + m_painted.unseen(), QStringList());
     }
     void cleanupTestCase() { m_desktop.reset(); }
 
@@ -54,6 +59,7 @@ private:
     std::vector<tests::VisitedPlace> m_places;
     std::string m_person;
     tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/whole/kept_screens.txt")};
+    tests::KeptText m_painted{QStringLiteral(CHIRON_SOURCE_DIR "/tests/gui/whole/kept_painted.txt"), &tests::KeptText::nearly};
     int m_held = 0;
 };
 

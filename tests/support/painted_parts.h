@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "support/of_today.h"
+#include "support/paint_outline.h"
+
+#include <qcustomplot.h>
+
+namespace chiron::tests {
+
+/// What the program's own widgets on a page paint themselves (not what the style paints, nor plots), as lines of text, each under the
+/// name of the widget.
+inline QStringList paintedParts(QWidget& page) {
+    QStringList lines;
+    for (QWidget* part : page.findChildren<QWidget*>()) {
+        QString name = QString::fromLatin1(part->metaObject()->className());
+        if (!part->isVisible() || !name.startsWith(QLatin1String("chiron::")) || qobject_cast<QCustomPlot*>(part))
+            continue;
+        OutlineDevice device(part->size(), [](const QString& text) { return withoutToday(text); });
+        part->render(&device, QPoint(), QRegion(), {}); // neither background nor children
+        const QStringList painted = device.take();
+        if (painted.isEmpty())
+            continue;
+        if (!part->objectName().isEmpty())
+            name += QLatin1Char('#') + withoutToday(part->objectName());
+        lines << QStringLiteral("%1 %2x%3").arg(name.mid(name.lastIndexOf(QLatin1String("::")) + 2)).arg(part->width()).arg(part->height()) << painted;
+    }
+    return lines;
+}
+
+} // namespace chiron::tests
