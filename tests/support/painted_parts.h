@@ -4,17 +4,19 @@
 #include "support/of_today.h"
 #include "support/paint_outline.h"
 
+#include <QAbstractButton>
+#include <QFrame>
 #include <qcustomplot.h>
 
 namespace chiron::tests {
 
-/// What the program's own widgets on a page paint themselves (not what the style paints, nor plots), as lines of text, each under the
-/// name of the widget.
+/// What the program's own widgets on a page paint themselves, as lines of text, each under the name of the widget. Without frames and
+/// buttons, which the style paints, and plots.
 inline QStringList paintedParts(QWidget& page) {
     QStringList lines;
     for (QWidget* part : page.findChildren<QWidget*>()) {
         QString name = QString::fromLatin1(part->metaObject()->className());
-        if (!part->isVisible() || !name.startsWith(QLatin1String("chiron::")) || qobject_cast<QCustomPlot*>(part))
+        if (!part->isVisible() || !name.startsWith(QLatin1String("chiron::")) || qobject_cast<QFrame*>(part) || qobject_cast<QAbstractButton*>(part) || qobject_cast<QCustomPlot*>(part))
             continue;
         OutlineDevice device(part->size(), [](const QString& text) { return withoutToday(text); });
         part->render(&device, QPoint(), QRegion(), {}); // neither background nor children

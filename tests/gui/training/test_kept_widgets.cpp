@@ -174,9 +174,9 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const
         all[chips ? QStringLiteral("cells_chips") : QStringLiteral("cells_plain")] = cells(theme, chips);
     // ---- what an exercise and a comparison look like ----
     for (const catalogue::Exercise& exercise : catalogue.exercises())
-        for (const std::size_t i : {std::size_t{0}, exercise.levels.size() - 1})
-            all[QStringLiteral("picture_%1_%2").arg(QString::fromStdString(exercise.id)).arg(exercise.levels[i].number)] =
-                std::make_unique<ExercisePicture>(theme, exercise.levels[i], QSize(theme.px(240), theme.px(150)));
+        for (const catalogue::ExerciseLevel& level : exercise.levels)
+            all[QStringLiteral("picture_%1_%2").arg(QString::fromStdString(exercise.id)).arg(level.number)] =
+                std::make_unique<ExercisePicture>(theme, level, QSize(theme.px(240), theme.px(150)));
     for (const bool hooked : {false, true}) {
         PlacesSetup setup;
         setup.hooked = hooked;
