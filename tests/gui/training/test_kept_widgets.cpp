@@ -177,6 +177,9 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const
         for (const catalogue::ExerciseLevel& level : exercise.levels)
             all[QStringLiteral("picture_%1_%2").arg(QString::fromStdString(exercise.id)).arg(level.number)] =
                 std::make_unique<ExercisePicture>(theme, level, QSize(theme.px(240), theme.px(150)));
+    catalogue::ExerciseLevel dimpled = *catalogue.find("sphere_apex", 1); // seen, as a level of one's own may have it
+    std::get<simulation::SphereApexParameters>(dimpled.parameters).dimpleDepth_m = 0.002;
+    all[QStringLiteral("picture_dimple_seen")] = std::make_unique<ExercisePicture>(theme, dimpled, QSize(theme.px(240), theme.px(150)));
     for (const bool hooked : {false, true}) {
         PlacesSetup setup;
         setup.hooked = hooked;
