@@ -10,8 +10,8 @@
 
 namespace chiron::tests {
 
-/// What the program's own widgets on a page paint themselves, as lines of text, each under the name of the widget. Without frames and
-/// buttons, which the style paints, and plots.
+/// What the program's own widgets on a page paint, as lines of text, each under the name of the widget. Frames and buttons are left out,
+/// because the style paints them, and so are plots.
 inline QStringList paintedParts(QWidget& page) {
     QStringList lines;
     for (QWidget* part : page.findChildren<QWidget*>()) {

@@ -101,7 +101,7 @@ private:
         }
     }
 
-    /// The least size, without what a window's layout makes of the fonts that are there.
+    /// The minimum size, except where a window's layout computes it, because that depends on the fonts.
     static QSize ownLeast(const QWidget& widget) {
         QSize least = widget.minimumSize();
         if (!widget.isWindow() || !widget.layout())
@@ -243,7 +243,7 @@ private:
         return QStringLiteral("\"%1\" %2 to %3%4").arg(said(axis.label()), number(axis.range().lower), number(axis.range().upper), axis.visible() ? QString() : QStringLiteral(" hidden"));
     }
 
-    /// With what something in a plot is drawn.
+    /// The pen and the brush of something in a plot.
     static QString strokes(const QObject& drawn) {
         QStringList parts;
         if (const QVariant pen = drawn.property("pen"); pen.isValid())

@@ -147,7 +147,7 @@ private slots:
     }
     void roomIsSharedAsItWas() {
         if (!m_flat)
-            QSKIP("of the flat scene");
+            QSKIP("the flat scene is drawn where there is no OpenGL");
         QFETCH(QString, name);
         QFETCH(QSize, size);
         Kept& picture = m_all.at(name);
@@ -160,7 +160,7 @@ private slots:
         QVERIFY2(outline.isEmpty(), qPrintable(outline));
     }
 
-    /// Where lines and words are larger, in other colours.
+    /// At a larger scale and in dark colours.
     void isLargeAsItWas_data() {
         QTest::addColumn<QString>("name");
         for (const QString& name : kOfEachPart + QStringList{"pad_pinch", "tube_fold"})
@@ -168,7 +168,7 @@ private slots:
     }
     void isLargeAsItWas() {
         if (!m_flat)
-            QSKIP("of the flat scene");
+            QSKIP("the flat scene is drawn where there is no OpenGL");
         QFETCH(QString, name);
         Kept picture = m_all.at(name);
         picture.setup.scale = 1.4;

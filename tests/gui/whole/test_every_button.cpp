@@ -97,7 +97,7 @@ QList<QAbstractButton*> TestEveryButton::buttons() const {
     return found;
 }
 
-/// One that comes late is waited for; null where none comes.
+/// Waits for a button that appears late; null if it does not appear.
 QPointer<QAbstractButton> TestEveryButton::buttonOf(const QString& name) const {
     QPointer<QAbstractButton> found;
     (void)QTest::qWaitFor([&] {
@@ -117,12 +117,10 @@ void TestEveryButton::closeWindows() {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
-/// Where a window opened and nothing else came, it is closed; some screens are long in the making. So are all analyses: what changes that
-/// screen is held on top of the change before.
+/// Where nothing but a window opened, closing it is enough: some screens take long to build.
 bool TestEveryButton::backAfter(const tests::VisitedPlace& place, const QStringList& came) {
     const bool windowOnly = !came.isEmpty() && std::all_of(came.begin(), came.end(), [](const QString& line) { return line.startsWith(QLatin1Char(' ')) || line.startsWith(QLatin1String("window ")); });
-    const bool leads = std::any_of(came.begin(), came.end(), [](const QString& line) { return line.startsWith(QLatin1String("goes to ")); });
-    if (!windowOnly && (leads || place.place.screen != QLatin1String("study_data")))
+    if (!windowOnly)
         return back(place);
     closeWindows();
     return tests::waitUntilLoaded(*m_desktop);
@@ -139,14 +137,14 @@ bool TestEveryButton::back(const tests::VisitedPlace& place) {
     }
     if (!tests::visit(*m_desktop, place, m_person))
         return false;
-    // Some buttons ask for a row of the list. The last: of the people that is somebody who does not log in here.
+    // Some buttons need a selected row. We take the last: in the list of people that is Zoe, who never logs in here, so she may be disabled.
     for (auto* table : m_desktop->window->screen()->findChildren<QTableView*>())
         if (table->isVisible() && table->selectionBehavior() == QAbstractItemView::SelectRows && !table->currentIndex().isValid() && table->model())
             table->selectRow(table->model()->rowCount() - 1);
     return tests::waitUntilLoaded(*m_desktop);
 }
 
-/// What is wrong with what came of it, or nothing.
+/// What differs from the kept text; empty if nothing does.
 QString TestEveryButton::heldOf(const tests::VisitedPlace& place, const QString& what, const QStringList& came) {
     const QString name = QString::fromLatin1(place.name) + QLatin1Char(' ') + what;
     if (came.isEmpty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How every screen is made (support/screen_outline.h), and what its own widgets paint (support/painted_parts.h), against what was looked
-// at and kept: a widget that is in no layout any more, a margin, a name that a screen reader says, a row of a table, a line of a picture. A change that is meant is kept anew, and the difference is read in review:
+// at and kept: a widget that is in no layout any more, a margin, a name that a screen reader says, a row of a table, a line of a picture.
+// An intended change is kept anew, and the difference is read in review:
 // CHIRON_STORE_OUTLINES=1 xvfb-run -a build/release/tests/gui/whole/test_kept_screens
 #include "desktop/screen_catalogue.h"
 #include "support/every_place.h"

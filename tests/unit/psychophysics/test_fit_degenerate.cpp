@@ -101,7 +101,7 @@ void TestFitDegenerate::unusualData() {
     QFETCH(QString, likelihoodWarning);
     QFETCH(QString, posteriorWarning);
     const PsychometricData data = counts({k.begin(), k.end()}, n);
-    // Under a sanitizer one a row, by turns: each of them meets unusual data there, too.
+    // Under a sanitizer each row fits one function, in turn, so that every function still meets unusual data.
     const int first = chiron::support::kSanitized ? m_rows++ % kSigmoids : 0;
     for (int function = first; function < first + chiron::support::repeated(kSigmoids); ++function) {
         for (FitOptions options : {twoChoices(static_cast<Sigmoid>(function)), yesNo(static_cast<Sigmoid>(function))}) {
