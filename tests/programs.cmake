@@ -129,6 +129,10 @@ endfunction()
 # none is forgotten); OWN_FLAGS: flags or Qt libraries of its own, so it reads headers without the precompiled one;
 # ALONE: compiled without others (it opens a namespace of the product, or declares a type to Qt, which a batch would put into its own).
 add_custom_target(chiron_thread_tests)
+# Where memory is handled by hand: bytes from outside, buffers, meshes, drivers, what the loop shares. CI runs these folders' tests under the
+# address and undefined sanitizers (label memory); scripts/test --sanitizers runs all.
+set(CHIRON_MEMORY_FOLDERS unit/core unit/realtime unit/devices unit/recording unit/simulation/mesh unit/catalogue realtime content fuzz)
+add_custom_target(chiron_memory_tests)
 function(chiron_test name)
     cmake_parse_arguments(T "QT;GUI;THREADS;OWN_FLAGS;ALONE" "TIMEOUT" "SOURCES;LINKS;LABELS;LIBRARIES" ${ARGN})
     if((T_QT OR T_GUI) AND CHIRON_QT_FREE_ONLY)
@@ -163,6 +167,11 @@ function(chiron_test name)
     endif()
     if(NOT T_QT AND NOT T_GUI)
         set_property(GLOBAL APPEND PROPERTY CHIRON_QT_FREE_TESTS ${name})
+        file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR}/tests ${CMAKE_CURRENT_SOURCE_DIR})
+        if(folder IN_LIST CHIRON_MEMORY_FOLDERS AND fast IN_LIST T_LABELS)
+            add_dependencies(chiron_memory_tests ${name})
+            list(APPEND T_LABELS memory)
+        endif()
     endif()
     add_test(NAME ${name} COMMAND ${name})
     chiron_begin_early(${name})
