@@ -4,6 +4,7 @@ endforeach()
 foreach(name IN ITEMS test_fit_degenerate test_fit_functions test_fit_optima test_fit_posterior test_fit_warnings)
     chiron_test(${name} SOURCES ${name}.cpp LINKS psychophysics LABELS fast unit)
 endforeach()
+chiron_test(test_fit_unusual_posteriors SOURCES test_fit_unusual_posteriors.cpp LINKS psychophysics LABELS long unit TIMEOUT 3600)
 chiron_test(test_fit_coverage SOURCES test_fit_coverage.cpp LINKS psychophysics LABELS long unit TIMEOUT 7200)
 # Observers a third, as steep and three times as steep as expected: the table by `coverage_table`, and the test that asserts it.
 chiron_test_part(chiron_coverage_runs SOURCES coverage_runs.cpp LINKS psychophysics)
