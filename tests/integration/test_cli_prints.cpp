@@ -114,6 +114,14 @@ void TestCliPrints::optionsBeforeTheCommand() {
     const CliRun behind = runCli({"device", "list", "--json"});
     QCOMPARE(before.exitCode, 0);
     QCOMPARE(before.out, behind.out);
+    for (const char* asked : {"--version", "--help"}) {
+        QVERIFY(document(runCli({"--json", asked})).isObject());
+        QCOMPARE(runCli({"--json", asked}).out, runCli({asked, "--json"}).out);
+    }
+    QCOMPARE(runCli({"version"}).out, runCli({"--version"}).out);
+    for (const char* asked : {"help", "-h"})
+        QCOMPARE(runCli({asked}).out, runCli({"--help"}).out);
+    QCOMPARE(runCli({"--json", "device"}).exitCode, runCli({"device", "--json"}).exitCode); // a word behind it that is no question
 }
 
 void TestCliPrints::jsonIsOneDocument_data() {

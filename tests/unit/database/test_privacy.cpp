@@ -7,6 +7,7 @@
 #include "database/integrity/verifier.h"
 #include "database/privacy/erasure.h"
 #include "database/query.h"
+#include "database/repositories/audit_repository.h"
 #include "database/repositories/privacy_repository.h"
 
 #include <QDir>
@@ -39,6 +40,7 @@ private slots:
     void csvSyntax_data();
     void csvSyntax();
     void exportHoldsEverything();
+    void exportHoldsNobodyElsesAudit();
     void erasureLeavesNoTraceButTheTombstone();
     void erasureKeepsWhatIsOthers();
     void erasureNeedsThePassword();
@@ -160,6 +162,38 @@ void TestPrivacy::exportHoldsEverything() {
     QVERIFY(held->commentsWritten[0].tick == 42U && held->sessions[0].comments[0].tick == 42U);
     QVERIFY(held->hasPassword);
     QVERIFY(held->audit.size() >= 5); // created, logged in, began, finished, scored, commented
+}
+
+/// What a person takes home of the audit is what they did and what was done to them, and nobody else's.
+void TestPrivacy::exportHoldsNobodyElsesAudit() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "tim", {Role::trainee}), uma = f.person(*ada, "uma", {Role::trainee});
+    REQUIRE(tim);
+    REQUIRE(uma);
+    REQUIRE(storeSession(*f.database, *tim));
+    REQUIRE(storeSession(*f.database, *uma));
+    auto reader = f.database->openReader();
+    const auto whole = AuditRepository(**reader, *ada).listAudit();
+    REQUIRE(whole);
+    std::vector<std::int64_t> expected;
+    for (const AuditEntry& entry : *whole) {
+        const bool did = entry.actorKind == "person" && entry.actor == tim->personId();
+        const bool about = (entry.target == "person" || entry.target == "credential") && entry.targetId == tim->personId();
+        if (did || about) {
+            expected.push_back(entry.sequence);
+        }
+    }
+    std::sort(expected.begin(), expected.end()); // listed newest first, taken home in order
+    QVERIFY(expected.size() < whole->size());
+    const auto held = PrivacyRepository(**reader, *tim).exportPerson(tim->personId());
+    REQUIRE(held);
+    std::vector<std::int64_t> found;
+    for (const AuditEntry& entry : held->audit) {
+        found.push_back(entry.sequence);
+    }
+    QCOMPARE(found, expected);
 }
 
 void TestPrivacy::erasureLeavesNoTraceButTheTombstone() {

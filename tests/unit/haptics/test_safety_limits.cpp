@@ -25,6 +25,7 @@ private slots:
     void aLoadIsCapped();
     void axisCapsFollowThePose();
     void capsHoldWhereTheSlewKeepsPartOfTheLastForce();
+    void aKinematicsWithoutAnAnswerGivesNoForce();
     void passiveAxesAreLeftOut();
     void devicesWithoutTorqueKeepTheirForce();
     void hugeRequestsKeepTheirDirection();
@@ -164,6 +165,39 @@ void TestSafetyLimits::capsHoldWhereTheSlewKeepsPartOfTheLastForce() {
     QVERIFY(rig.out.guards & guard_bits::kSlew); // 2 N of the old y are still there before the last caps
     QVERIFY(0.2 * rig.force().y() <= 0.3);
     QVERIFY(rig.force().y() > 1.4);
+}
+
+/// A pose where the driver's mathematics has no answer, on one axis or on all: no force, and no half of one.
+void TestSafetyLimits::aKinematicsWithoutAnAnswerGivesNoForce() {
+    class Unanswered : public test::CartesianKinematics {
+    public:
+        Unanswered(double value, std::size_t axis) : m_value(value), m_axis(axis) {}
+        devices::AxisValues efforts(const core::DeviceSample& sample, const core::Wrench& w) const noexcept override {
+            auto all = CartesianKinematics::efforts(sample, w);
+            if (sample.counts[0] > 500)
+                all[m_axis] = m_value;
+            return all;
+        }
+
+    private:
+        double m_value;
+        std::size_t m_axis;
+    };
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    for (const double value : {std::numeric_limits<double>::quiet_NaN(), kInfinite, -kInfinite}) {
+        for (const std::size_t axis : {std::size_t{0}, std::size_t{5}}) {
+            const Unanswered kinematics(value, axis);
+            SafetyRig rig(sixAxisDevice(), {}, {}, &kinematics);
+            rig.arm();
+            rig.ask(Vec3(1, 0.5, 0));
+            rig.ticks(100);
+            QVERIFY((rig.force() - Vec3(1, 0.5, 0)).norm() < 1e-9);
+            rig.samples[0].counts[0] = 501;
+            rig.tick();
+            QCOMPARE(rig.force(), Vec3(0, 0, 0));
+            QCOMPARE(rig.out.tools[0].wrench_W.torque, Vec3(0, 0, 0));
+        }
+    }
 }
 
 void TestSafetyLimits::passiveAxesAreLeftOut() {

@@ -1,4 +1,4 @@
-foreach(name IN ITEMS observers_designs tied_orders procedure_simulations procedures quest_plus quest_plus_limits questplus_published staircase_published)
+foreach(name IN ITEMS arrangements observers_designs tied_orders procedure_simulations procedures quest_plus quest_plus_limits questplus_published staircase_published)
     chiron_test(test_${name} SOURCES test_${name}.cpp LINKS psychophysics LABELS fast unit)
 endforeach()
 # 100 runs of each in every run; 400 in the long one, as the README's table has them.

@@ -14,6 +14,7 @@ class TestChannelTable : public QObject {
 private slots:
     void encodedTableReadsBackTheSame();
     void listsEverythingThatAFrameHolds();
+    void aJawWithoutAResolutionCountsSingly();
     void refusesToolsAndAxesOutOfRange();
     void refusesFlawedChannels_data();
     void refusesFlawedChannels();
@@ -64,6 +65,16 @@ void TestChannelTable::listsEverythingThatAFrameHolds() {
             }
     }
     QVERIFY(!table->find(2, "axis.x"));
+}
+
+void TestChannelTable::aJawWithoutAResolutionCountsSingly() {
+    for (const double resolution : {0.0, 1e-300, 1.5e-4}) {
+        auto tools = tests::HapticTrace::channels(1);
+        tools[0].jawResolution_rad = resolution;
+        const auto table = ChannelTable::forTools(tools);
+        QVERIFY2(table, table ? "" : table.error().message.c_str());
+        QCOMPARE(table->channels()[*table->find(0, "jaw")].resolution, resolution > 0.0 ? resolution : 1.0);
+    }
 }
 
 void TestChannelTable::refusesToolsAndAxesOutOfRange() {

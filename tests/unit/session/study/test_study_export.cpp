@@ -7,6 +7,7 @@
 #include "session/study/fidelity_meter.h"
 #include "session/study/study_runner.h"
 #include "session/study_export.h"
+#include "session/study_export_data.h"
 #include "simulation/attributes/bristle_friction.h"
 #include "support/session_fixture.h"
 #include "support/study_designs.h"
@@ -138,6 +139,28 @@ session::PlaceFidelity strokedThere(double mu, double swing_m) {
 class TestStudyExport : public QObject {
     Q_OBJECT
 private slots:
+    /// Scored is what was answered, for good, and neither practice nor spoiled; an adjustment's answer is the value set.
+    void whichTrialsAreScored() {
+        database::StudyTrial answered;
+        answered.procedure = 1;
+        answered.arrangement = 3;
+        answered.answer = 0;
+        answered.outcome = 1;
+        answered.difference = 0.25;
+        database::StudyTrial practice = answered, undone = answered, spoiled = answered, unanswered = answered, set = answered;
+        practice.practice = true;
+        undone.undone = true;
+        spoiled.spoiled = "time";
+        unanswered.answer = -1;
+        set.answer = -1;
+        set.value = 0.02;
+        const auto scored = session::scoredTrialsOf({practice, answered, undone, spoiled, unanswered, set});
+        QCOMPARE(scored.size(), std::size_t{2});
+        QVERIFY(scored[0].procedure == 1 && scored[0].arrangement == 3 && scored[0].answer == 0 && scored[0].outcome == 1);
+        QVERIFY(scored[0].difference == 0.25 && !scored[0].value);
+        QVERIFY(scored[1].answer == -1 && scored[1].value == 0.02);
+        QVERIFY(session::scoredTrialsOf({practice, undone, spoiled, unanswered}).empty());
+    }
     void labelsAreNeverTheSame() {
         using Labels = std::map<QString, QString>;
         auto made = session::bidsLabels({"S_01", "S01", "K7M", "S-01", "S01"});
