@@ -14,6 +14,7 @@ private slots:
     void peopleComeAndChange();
     void rolesDecide();
     void passwordsChange();
+    void aForgottenPasswordIsRecovered();
     void rosterIsAllOrNothing();
     void aWrongPasswordIsRefused();
     void theWritersLockIsNamed();
@@ -26,6 +27,7 @@ private:
 
     QTemporaryDir m_folder;
     QString m_database;
+    QString m_recoveryCode; ///< of alice
 };
 
 namespace {
@@ -63,7 +65,8 @@ void TestCliAccounts::initTestCase() {
     const QJsonObject json = object(run);
     QCOMPARE(json["database"].toString(), m_database);
     QVERIFY(json["schema_version"].toInt() >= 1);
-    QVERIFY(json["recovery_code"].toString().size() >= 16);
+    m_recoveryCode = json["recovery_code"].toString();
+    QVERIFY(m_recoveryCode.size() >= 16);
     QVERIFY(!run.out.contains(kAlice.toUtf8()));
     const CliRun again = runCli({"init", "--admin", "mallory", "--database", m_database}, {},
                                 {{"CHIRON_PASSWORD", "another long one"}});
@@ -122,6 +125,29 @@ void TestCliAccounts::passwordsChange() {
     QVERIFY(!reset.isEmpty());
     QCOMPARE(as("bob", reset, {"person", "export", "bob"}).exitCode, 2); // to be changed first
     QCOMPARE(object(as("bob", reset, {"user", "passwd"}, kBob))["changed"].toBool(), true);
+}
+
+/// The code that `init` showed gives the administrator a new password, once; the new code then gives the next.
+void TestCliAccounts::aForgottenPasswordIsRecovered() {
+    const QStringList recover{"user", "recover", "alice", "--database", m_database, "--json"};
+    const QString other = QStringLiteral("another horse battery");
+    const CliRun wrong = runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", other}, {"CHIRON_NEW_PASSWORD", other}});
+    QCOMPARE(wrong.exitCode, 2);
+    QVERIFY(wrong.out.isEmpty());
+    QCOMPARE(as("alice", kAlice, {"user", "list"}).exitCode, 0); // the password is as it was
+
+    const QJsonObject first = object(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", m_recoveryCode}, {"CHIRON_NEW_PASSWORD", other}}));
+    QCOMPARE(first["name"].toString(), QStringLiteral("alice"));
+    const QString next = first["recovery_code"].toString();
+    QVERIFY(next.size() >= 16 && next != m_recoveryCode);
+    QCOMPARE(as("alice", other, {"user", "list"}).exitCode, 0);
+    QCOMPARE(as("alice", kAlice, {"user", "list"}).exitCode, 2);
+
+    QCOMPARE(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", m_recoveryCode}, {"CHIRON_NEW_PASSWORD", kAlice}}).exitCode, 2); // used up
+    const CliRun piped = runCli(recover + QStringList{"--password-stdin"}, next.toUtf8() + "\n" + kAlice.toUtf8() + "\n");
+    QVERIFY2(piped.exitCode == 0, piped.err.constData());
+    QCOMPARE(as("alice", kAlice, {"user", "list"}).exitCode, 0);
+    m_recoveryCode = object(piped)["recovery_code"].toString();
 }
 
 void TestCliAccounts::rosterIsAllOrNothing() {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stored session on the screen: what is shown is what was recorded, at the same moment everywhere.
+#include "database/repositories/score_repository.h"
+#include "desktop/playback/playback_data.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/playback_screen.h"
@@ -13,6 +15,8 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTabWidget>
+#include <algorithm>
+#include <map>
 #include <set>
 #include <sqlite3.h>
 
@@ -31,6 +35,7 @@ private slots:
     void marksJump();
     void ghostBesideIt();
     void ghostsAreOfTheSameDeviceClass();
+    void theEarliestOfTheBestStandsOut();
     void commentAtAMoment();
     void voidNeedsAReasonAndATrainer();
     void nothingRecorded();
@@ -226,6 +231,42 @@ void TestPlayback::ghostsAreOfTheSameDeviceClass() {
     QVERIFY((ghostsOf(alsoShown) == std::set<database::SessionId>{shown}));
     const auto felt = ghostsOf(m_good);
     QVERIFY(felt.contains(m_bad) && !felt.contains(shown) && !felt.contains(alsoShown) && !felt.contains(m_good));
+}
+
+// The first of one's own, then the best: the earliest of those that are as good as each other.
+void TestPlayback::theEarliestOfTheBestStandsOut() {
+    for (const auto& recording : {m_made->bad, m_made->good, m_made->good, m_made->bad, m_made->bad})
+        tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(recording));
+    auto reader = m_site->database().openReader();
+    QVERIFY(reader);
+    database::SessionReader sessions(**reader, *m_tina);
+    database::SessionFilter mine;
+    mine.person = m_tina->personId();
+    mine.state = database::SessionState::completed;
+    const auto listed = sessions.listSessions(mine);
+    QVERIFY(listed);
+    const database::SessionSummary& newest = *std::max_element(listed->begin(), listed->end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+    for (const bool lowerIsBetter : {true, false}) {
+        std::map<double, database::SessionId> earliestWith; // by the metric's value
+        for (const database::SessionSummary& summary : *listed) {
+            if (summary.id == newest.id || summary.felt != newest.felt || summary.exercise != newest.exercise || summary.level != newest.level)
+                continue;
+            const auto card = database::ScoreRepository(**reader, *m_tina).scores(summary.id);
+            QVERIFY(card);
+            for (const scoring::MetricValue& metric : card->metrics)
+                if (metric.id == "force_max" && metric.value)
+                    if (const auto [at, isNew] = earliestWith.try_emplace(*metric.value, summary.id); !isNew)
+                        at->second = std::min(at->second, summary.id);
+        }
+        QVERIFY(earliestWith.size() > 1);
+        const auto record = sessions.session(newest.id);
+        const auto found = desktop::listGhosts(**reader, *m_tina, *record, "force_max", lowerIsBetter);
+        QVERIFY(found && found->size() >= 4);
+        const database::SessionId best = lowerIsBetter ? earliestWith.begin()->second : earliestWith.rbegin()->second;
+        QCOMPARE(found->front().role, desktop::GhostRole::ownFirst);
+        for (std::size_t i = 1; i < found->size(); ++i)
+            QCOMPARE((*found)[i].role == desktop::GhostRole::ownBest, (*found)[i].summary.id == best);
+    }
 }
 
 void TestPlayback::commentAtAMoment() {

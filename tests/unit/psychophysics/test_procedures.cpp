@@ -65,6 +65,7 @@ Run runOf(const ProcedureSpec& spec, bool disturbed) {
 class TestProcedures : public QObject {
     Q_OBJECT
 private slots:
+    void nothingIsKnownBeforeAnAnswer();
     void undoLeavesNoTrace();
     void undoAfterTheEnd();
     void spoiledKeepsTheOthersOrder();
@@ -80,6 +81,20 @@ private slots:
     void untruncatedStaircaseMayStartOutside();
     void pseInTheMiddleOfAPlateau();
 };
+
+/// Not the prior's middle, and no warning of its ends; a procedure with a posterior knows something from the first answer on, and nothing once
+/// that is taken back.
+void TestProcedures::nothingIsKnownBeforeAnAnswer() {
+    for (const ProcedureSpec& spec : kinds()) {
+        auto procedure = *makeProcedure(spec, 7);
+        const bool hasPosterior = kindOf(spec).find("quest") != std::string_view::npos;
+        QVERIFY2(!procedure->estimate().known && procedure->estimate().warnings.empty(), kindOf(spec).data());
+        QVERIFY(procedure->record(1, procedure->next().stimulus));
+        QCOMPARE(procedure->estimate().known, hasPosterior);
+        QVERIFY(procedure->undo());
+        QVERIFY2(!procedure->estimate().known && procedure->estimate().warnings.empty(), kindOf(spec).data());
+    }
+}
 
 void TestProcedures::undoLeavesNoTrace() {
     for (const ProcedureSpec& spec : kinds()) {
