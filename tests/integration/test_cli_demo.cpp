@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The main job on small content: people, sessions by scripted operators, a study, reports; all of it found again in the database.
+#include "cli_process.h"
+#include "support/content_copy.h"
+
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <QtTest>
+
+#include <map>
+
+namespace {
+
+/// One exercise with its first two levels, of one trial each.
+void makeSmall(const ContentCopy& content) {
+    const QDir exercises(content.path(QStringLiteral("exercises")));
+    for (const QString& exercise : exercises.entryList(QDir::Dirs | QDir::NoDotAndDotDot))
+        if (exercise != QLatin1String("sphere_apex"))
+            QDir(exercises.filePath(exercise)).removeRecursively();
+    const QDir levels(exercises.filePath(QStringLiteral("sphere_apex/levels")));
+    for (const QString& level : levels.entryList(QDir::Files)) {
+        const QString file = QStringLiteral("exercises/sphere_apex/levels/") + level;
+        QJsonObject json = QJsonDocument::fromJson(content.read(file)).object();
+        if (json["number"].toInt() > 2) {
+            QFile::remove(content.path(file));
+            continue;
+        }
+        QJsonObject parameters = json["parameters"].toObject();
+        parameters["trials"] = 1;
+        json["parameters"] = parameters;
+        content.write(file, QJsonDocument(json).toJson());
+    }
+}
+
+} // namespace
+
+class TestCliDemo : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { makeSmall(m_content); }
+    void makesAWholeSite();
+    void makesNoneOverAnother();
+    void refusesWhatItCannotUse_data();
+    void refusesWhatItCannotUse();
+
+private:
+    CliRun demo(const QStringList& more) const {
+        return runCli(QStringList{"demo"} + more, {}, {{"CHIRON_CONTENT", QString::fromStdString(m_content.directory())}});
+    }
+
+    ContentCopy m_content;
+    QTemporaryDir m_folder;
+    QString m_site = m_folder.filePath("site");
+};
+
+void TestCliDemo::makesAWholeSite() {
+    const CliRun run = demo({"--folder", m_site, "--seed", "3", "--json"});
+    QVERIFY2(run.exitCode == 0, run.err.constData());
+    QVERIFY2(run.err.contains("step 1 of ") && run.err.contains("verifying"), run.err.constData());
+    const QJsonObject made = QJsonDocument::fromJson(run.out).object();
+    QVERIFY(made["verify_ok"].toBool());
+    QCOMPARE(made["folder"].toString(), m_site);
+    QCOMPARE(made["database"].toString(), QDir(m_site).filePath("chiron.db"));
+    for (const char* files : {"reports", "pictures"}) {
+        QVERIFY(!made[QLatin1String(files)].toArray().isEmpty());
+        for (const QJsonValue& file : made[QLatin1String(files)].toArray())
+            QVERIFY2(QFileInfo(file.toString()).size() > 1000, qPrintable(file.toString()));
+    }
+    // Each of four operators and each of three trainees did both levels.
+    std::map<std::pair<QString, int>, int> times;
+    for (const QJsonValue& value : made["sessions"].toArray()) {
+        const QJsonObject session = value.toObject();
+        QCOMPARE(session["exercise"].toString(), QStringLiteral("sphere_apex"));
+        QVERIFY(session["replay_identical"].toBool() && session["score_same"].toBool());
+        QVERIFY(!session["metrics"].toArray().isEmpty());
+        if (session["operator"].toString() == QLatin1String("unsafe"))
+            QVERIFY(!session["passed"].toBool(true));
+        ++times[{session["operator"].toString(), session["level"].toInt()}];
+    }
+    for (const int level : {1, 2}) {
+        QCOMPARE(times[std::pair(QStringLiteral("unsafe"), level)], 1);
+        for (const char* trained : {"novice", "intermediate", "expert"})
+            QCOMPARE(times[std::pair(QString::fromLatin1(trained), level)], 2);
+    }
+    QCOMPARE(times.size(), std::size_t{8});
+
+    // What it says lies in the database, and its people can log in with the password that it names.
+    const QMap<QString, QString> password{{"CHIRON_PASSWORD", made["password"].toString()}};
+    const auto ask = [&](const QStringList& words, const char* as) {
+        return QJsonDocument::fromJson(runCli(words + QStringList{"--as", as, "--database", made["database"].toString(), "--json"}, {}, password).out);
+    };
+    QCOMPARE(ask({"user", "list"}, "amalia").array().size(), 6);
+    const QJsonArray listed = ask({"session", "list"}, "theo").object()["sessions"].toArray();
+    QCOMPARE(listed.size(), made["sessions"].toArray().size() + 1); // and the rendered sitting of the study
+    QCOMPARE(runCli({"verify", "--database", made["database"].toString()}).exitCode, 0);
+}
+
+void TestCliDemo::makesNoneOverAnother() {
+    QDir().mkpath(m_folder.filePath("taken"));
+    QFile file(m_folder.filePath("taken/chiron.db"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
+    file.close();
+    const CliRun run = demo({"--folder", m_folder.filePath("taken")});
+    const QString fault = refusalFault(run, 3, {"chiron.db", "exists already"});
+    QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    QVERIFY(file.open(QIODevice::ReadOnly) && file.readAll() == "mine");
+    QCOMPARE(QDir(m_folder.filePath("taken")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList{"chiron.db"});
+}
+
+void TestCliDemo::refusesWhatItCannotUse_data() {
+    QTest::addColumn<QStringList>("more");
+    QTest::addColumn<int>("exitCode");
+    QTest::addColumn<QString>("mention");
+    QFile file(m_folder.filePath("a_file"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QTest::newRow("no seed") << QStringList{"--folder", m_folder.filePath("none"), "--seed", "many"} << 2 << QStringLiteral("many");
+    QTest::newRow("a file where a folder should be") << QStringList{"--folder", m_folder.filePath("a_file/inside")} << 4 << QStringLiteral("cannot be made");
+}
+
+void TestCliDemo::refusesWhatItCannotUse() {
+    QFETCH(QStringList, more);
+    QFETCH(int, exitCode);
+    QFETCH(QString, mention);
+    const QString fault = refusalFault(demo(more), exitCode, {mention});
+    QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    QVERIFY(!QFileInfo::exists(m_folder.filePath("none")));
+}
+
+QTEST_GUILESS_MAIN(TestCliDemo)
+#include "test_cli_demo.moc"
