@@ -48,12 +48,15 @@ public:
     template <class Work, class Done>
     std::shared_ptr<WorkToken> run(QObject* owner, Work work, Done done) {
         auto token = std::make_shared<WorkToken>();
+        std::erase_if(m_tokens, [](const std::weak_ptr<WorkToken>& each) { return each.expired(); });
         m_tokens.push_back(token);
+        ++m_underWay;
         QPointer<QObject> alive(owner);
         m_pool.start([this, alive, token, work = std::move(work), done = std::move(done)]() mutable {
             using T = std::invoke_result_t<Work, WorkToken&>;
             auto result = std::make_shared<T>(work(*token)); // shared: posted closures must be copyable
-            QMetaObject::invokeMethod(this, [alive, result, done = std::move(done)]() mutable {
+            QMetaObject::invokeMethod(this, [this, alive, result, done = std::move(done)]() mutable {
+                --m_underWay;
                 if (alive)
                     done(std::move(*result));
             });
@@ -63,11 +66,13 @@ public:
 
     /// Asks everything to end early and waits for it: before the database closes.
     void cancelAndWait();
-    bool idle() const { return m_pool.activeThreadCount() == 0; }
+    /// Nothing runs, and no result is still to be told.
+    bool idle() const { return m_underWay == 0; }
 
 private:
     QThreadPool m_pool;
     std::vector<std::weak_ptr<WorkToken>> m_tokens;
+    int m_underWay = 0; ///< begun and not yet told; GUI thread
 };
 
 } // namespace chiron::desktop
