@@ -10,6 +10,7 @@
 #include "report/plot_view.h"
 #include "support/every_place.h"
 #include "support/kept_text.h"
+#include "support/paint_outline.h"
 #include "support/screen_outline.h"
 
 #include <QCheckBox>
@@ -135,7 +136,7 @@ private slots:
             moment(data, t_s, nullptr);
         lists();
         keys();
-        tips(data);
+        timeBar(data);
         ghosts(session);
         if (data.palpation)
             looks(data);
@@ -240,11 +241,14 @@ private:
         press("the beginning", Qt::Key_Home);
         press("nothing before it", Qt::Key_Left, Qt::ControlModifier);
     }
-    /// What is said where the mouse rests on the time bar.
-    void tips(const desktop::PlaybackData& data) {
-        say(QStringLiteral("-- tips"));
+    /// The time bar as it is painted, and what is said where the mouse rests on it.
+    void timeBar(const desktop::PlaybackData& data) {
         auto* bar = find<desktop::Scrubber>("playback.scrubber");
-        bar->resize(800, bar->height());
+        bar->resize(800, 48);
+        say(QStringLiteral("-- time bar"));
+        screen().clock().seek(0.4 * data.track.duration_s);
+        m_lines << tests::OutlineDevice::of(*bar);
+        say(QStringLiteral("-- tips"));
         for (const double share : {-0.1, 0.0, 0.3, 0.5, 0.7, 1.0, 1.1}) {
             const QPoint at(qRound(bar->xOf(share * data.track.duration_s)), bar->height() / 2);
             QHelpEvent asks(QEvent::ToolTip, at, bar->mapToGlobal(at));
