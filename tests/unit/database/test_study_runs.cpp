@@ -16,6 +16,7 @@ class TestStudyRuns : public QObject, StudyPeople {
 private slots:
     void init() { begin(); }
     void rowsOfTheOrderAreThoseOfAStudy();
+    void countsAreOfAStudy();
     void consentComesBeforeARun();
     void runsAreOpenOnceAndResumed();
     void trialsComeBackAsStored();
@@ -45,6 +46,35 @@ void TestStudyRuns::rowsOfTheOrderAreThoseOfAStudy() {
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.withdrawParticipant(second, false); }));
     QCOMPARE(rowOf(enrolled(other, "")), std::int64_t{0});
     QCOMPARE(rowOf(enrolled(other, "")), std::int64_t{2});
+}
+
+// How many take part, are done and how often they answered, of each study by itself.
+void TestStudyRuns::countsAreOfAStudy() {
+    const StudyNumber one = frozen("counted"), other = frozen("counted_beside");
+    const ParticipantNumber done = consented(one);
+    (void)consented(one);
+    const ParticipantNumber left = consented(one);
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.withdrawParticipant(left, false); }));
+    (void)consented(other);
+    for (const char* condition : {"soft", "hard"}) {
+        const auto run = write(m_ruth, [&](StudyRepository& s) { return s.beginRun({done, codeOf(*reader(), one, condition), 0, 1, "descending@1"}); });
+        REQUIRE(run);
+        StudyTrial practice = someTrial(*run, 0), spoiled = someTrial(*run, 1);
+        practice.practice = true;
+        spoiled.spoiled = "time";
+        for (const StudyTrial& trial : {practice, spoiled, someTrial(*run, 2)}) {
+            REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.storeStudyTrial(trial); }));
+        }
+        REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.finishRun(*run, StudyRunState::completed); }));
+    }
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.completeParticipant(done); }));
+    const StudySummary first = StudyReader(*reader(), m_ruth).study(one)->summary, second = StudyReader(*reader(), m_ruth).study(other)->summary;
+    QCOMPARE(first.participants, 2);
+    QCOMPARE(first.completed, 1);
+    QCOMPARE(first.trials, 2); // one of each condition is neither practice nor spoiled
+    QCOMPARE(second.participants, 1);
+    QCOMPARE(second.completed, 0);
+    QCOMPARE(second.trials, 0);
 }
 
 void TestStudyRuns::consentComesBeforeARun() {
